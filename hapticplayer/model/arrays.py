@@ -1,0 +1,68 @@
+"""Validation of arrays at the border: checked once, then read-only for ever."""
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from hapticplayer.errors import InputError
+
+Floats = NDArray[np.float64]
+
+
+def frozen(
+    values: ArrayLike,
+    shape: tuple[int | None, ...],
+    name: str,
+    dtype: Any = np.float64,
+) -> NDArray[Any]:
+    """Return `values` as a read-only C-contiguous array of the given shape.
+
+    Args:
+        values: anything numpy can read.
+        shape: the expected shape; None stands for any length.
+        name: how the error message calls it.
+        dtype: element type of the result.
+
+    Raises:
+        InputError: when the shape is another or an element is not finite.
+    """
+    array = np.array(values, dtype=dtype, order="C")
+    if array.ndim != len(shape) or any(
+        want is not None and got != want
+        for got, want in zip(array.shape, shape, strict=True)
+    ):
+        wanted = " x ".join("N" if n is None else str(n) for n in shape)
+        got = " x ".join(map(str, array.shape))
+        raise InputError(f"{name} has the shape {got}, expected {wanted}")
+    if array.dtype.kind == "f" and not np.isfinite(array).all():
+        row = int(np.argwhere(~np.isfinite(array))[0, 0])
+        raise InputError(f"{name} holds a value that is not finite in row {row}")
+    array.setflags(write=False)
+    return array
+
+
+def frozen_times(values: ArrayLike, name: str) -> Floats:
+    """Return strictly increasing, finite times as a read-only array.
+
+    Raises:
+        InputError: when a time repeats or runs backwards.
+    """
+    times = frozen(values, (None,), name)
+    steps = np.diff(times)
+    if steps.size and steps.min() <= 0.0:
+        row = int(np.argmin(steps > 0.0)) + 1
+        raise InputError(
+            f"{name} must increase strictly, but row {row} has {times[row]:.6f} s "
+            f"after {times[row - 1]:.6f} s"
+        )
+    return times
+
+
+def same_length(reference: NDArray[Any], **others: NDArray[Any] | None) -> None:
+    """Raise InputError unless all arrays have as many rows as `reference`."""
+    for name, array in others.items():
+        if array is not None and len(array) != len(reference):
+            raise InputError(
+                f"{name} has {len(array)} rows, but there are {len(reference)} times"
+            )

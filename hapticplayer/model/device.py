@@ -1,0 +1,74 @@
+"""What a haptic device can do, and snapshots that a front end polls."""
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+Vector = tuple[float, float, float]
+
+
+@dataclass(frozen=True, slots=True)
+class DeviceCapabilities:
+    """Limits of a device, SI.
+
+    Attributes:
+        axes: number of axes with force.
+        peak_force_n: largest force for a short time.
+        continuous_force_n: largest force for ever.
+        workspace_radius_m: radius of the usable sphere around its centre.
+        rate_hz: rate of the exchange.
+        latency_s: from command to force, typical.
+    """
+
+    axes: int
+    peak_force_n: float
+    continuous_force_n: float
+    workspace_radius_m: float
+    rate_hz: float
+    latency_s: float
+
+
+class DeviceReading(NamedTuple):
+    """Answer of a device to one exchange; a tuple because it is made at 1 kHz.
+
+    Attributes:
+        position_m: grip position in frame D, from the centre of the workspace.
+        buttons: bit mask of pressed grip buttons.
+        is_homed: whether the position can be trusted.
+    """
+
+    position_m: Vector
+    buttons: int
+    is_homed: bool
+
+
+@dataclass(frozen=True, slots=True)
+class LoopStats:
+    """Health of the 1 kHz loop over a stated window.
+
+    Attributes:
+        ticks: exchanges in the window.
+        missed: periods that were skipped.
+        lateness_p50_us: wake-up after the deadline, microseconds, and so on.
+    """
+
+    ticks: int
+    missed: int
+    lateness_p50_us: float
+    lateness_p99_us: float
+    lateness_p999_us: float
+    lateness_max_us: float
+
+
+@dataclass(frozen=True, slots=True)
+class SyncStats:
+    """Force against picture or sound: positive is force later.
+
+    Attributes:
+        count: pairs that were compared.
+        p50_ms: median difference, milliseconds, and so on.
+    """
+
+    count: int
+    p05_ms: float
+    p50_ms: float
+    p95_ms: float

@@ -1,0 +1,67 @@
+"""Maps between the clocks of a recording, of the media and of the machine."""
+
+import math
+from dataclasses import dataclass
+
+from hapticplayer.errors import InputError
+
+
+@dataclass(frozen=True, slots=True)
+class ClockMap:
+    """t_media = rate * t_imu + offset.
+
+    Attributes:
+        offset_s: media time of the IMU's time zero.
+        rate: seconds of media per second of the IMU's clock.
+        residual_s: RMS of what the line leaves, where it was fitted.
+        confidence: 0 to 1; 1 where the clocks are the same by construction.
+    """
+
+    offset_s: float = 0.0
+    rate: float = 1.0
+    residual_s: float = 0.0
+    confidence: float = 1.0
+
+    def __post_init__(self) -> None:
+        finite = math.isfinite(self.offset_s) and math.isfinite(self.rate)
+        if not finite or self.rate <= 0.0:
+            raise InputError(
+                f"offset {self.offset_s} s with rate {self.rate} is no clock map; "
+                "give finite numbers and a positive rate"
+            )
+
+
+@dataclass(frozen=True, slots=True)
+class PlaybackClock:
+    """Media time as a line over the monotonic clock, valid for a while.
+
+    Attributes:
+        epoch: grows with every seek or change of speed.
+        monotonic0_s: monotonic time of `media0_s`; may lie ahead (start pending).
+        media0_s: media position at `monotonic0_s`.
+        rate: media seconds per second; 0 while paused.
+        valid_until_s: monotonic time after which nobody may trust it.
+    """
+
+    epoch: int
+    monotonic0_s: float
+    media0_s: float
+    rate: float
+    valid_until_s: float
+
+    def media_s(self, monotonic_s: float) -> float:
+        """Return the media position; before the start it stands at `media0_s`."""
+        elapsed_s = monotonic_s - self.monotonic0_s
+        return self.media0_s + self.rate * elapsed_s if elapsed_s > 0 else self.media0_s
+
+    def monotonic_s(self, media_s: float) -> float:
+        """Return when `media_s` is due; infinity while paused."""
+        if self.rate == 0.0:
+            return math.inf
+        return self.monotonic0_s + (media_s - self.media0_s) / self.rate
+
+    def is_running(self, monotonic_s: float) -> bool:
+        """Whether the media moves at this time and the clock may be trusted."""
+        return (
+            self.rate > 0.0 and self.monotonic0_s <= monotonic_s <= self.valid_until_s
+        )

@@ -1,0 +1,72 @@
+"""Fixtures that all tests share: seeded data with closed-form truth, real files."""
+
+import os
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from hapticplayer.clock import ManualClock
+from hapticplayer.model import STANDARD_GRAVITY_MPS2, ImuLog
+from hapticplayer.model import quaternions as quat
+
+os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+
+SHARED_DATA = Path(__file__).resolve().parents[2] / "shared" / "data"
+
+
+@pytest.fixture(scope="session")
+def shared_data() -> Path:
+    """The folder of real recordings, beside the repository."""
+    if not SHARED_DATA.is_dir():
+        pytest.skip("the real recordings (../shared/data) are not on this machine")
+    return SHARED_DATA
+
+
+@pytest.fixture
+def manual_clock() -> ManualClock:
+    return ManualClock()
+
+
+@pytest.fixture
+def rng() -> np.random.Generator:
+    return np.random.default_rng(20120613)
+
+
+@pytest.fixture
+def still_log(rng) -> ImuLog:
+    """Ten seconds at rest, tilted, with a gain error of 3 % and white noise."""
+    count = 2000
+    up = np.array([0.2, -0.3, 0.9])
+    up /= np.linalg.norm(up)
+    force = 1.03 * STANDARD_GRAVITY_MPS2 * up + 0.02 * rng.standard_normal((count, 3))
+    return ImuLog(
+        time_s=np.arange(count) / 200.0,
+        specific_force_mps2=force,
+        angular_rate_radps=0.001 * rng.standard_normal((count, 3)),
+        source="still",
+    )
+
+
+@pytest.fixture
+def swing() -> tuple[ImuLog, np.ndarray]:
+    """A swinging, shaken sensor with exact truth: (log, gravity-free acceleration).
+
+    Orientation: roll 0.5 sin(1.3 t) about x, then yaw 0.7 t about z. Acceleration in
+    the earth frame: zero-mean sines, so that no velocity builds up.
+    """
+    t = np.arange(0, 40, 1 / 200)
+    roll, yaw = 0.5 * np.sin(1.3 * t), 0.7 * t
+    q = quat.multiply(
+        quat.from_rotation_vector(np.outer(yaw, [0, 0, 1.0])),
+        quat.from_rotation_vector(np.outer(roll, [1.0, 0, 0])),
+    )
+    roll_rate = 0.65 * np.cos(1.3 * t)
+    rate = np.stack([roll_rate, 0.7 * np.sin(roll), 0.7 * np.cos(roll)], axis=1)
+    earth = np.stack(
+        [1.5 * np.sin(5 * t), 2.0 * np.cos(7 * t), 1.0 * np.sin(11 * t)], axis=1
+    )
+    to_sensor = quat.conjugate(q)
+    acceleration = quat.rotate(to_sensor, earth)
+    gravity = quat.rotate(to_sensor, np.array([0, 0, STANDARD_GRAVITY_MPS2]))
+    return ImuLog(t, acceleration + gravity, rate, source="swing"), acceleration
