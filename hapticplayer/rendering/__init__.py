@@ -1,0 +1,9 @@
+"""From motion to force: axis alignment, gain, feedback conditions.
+
+A pure room: no I/O, no threads, no clocks.
+"""
+
+from hapticplayer.rendering.feedback import no_feedback, random_feedback
+from hapticplayer.rendering.force import render_force
+
+__all__ = ["no_feedback", "random_feedback", "render_force"]

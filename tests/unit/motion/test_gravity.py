@@ -1,0 +1,114 @@
+"""Gravity removal against closed-form truth."""
+
+import dataclasses
+
+import numpy as np
+import pytest
+
+from hapticplayer.errors import InputError, UsageError
+from hapticplayer.model import STANDARD_GRAVITY_MPS2, ImuLog, Sampling
+from hapticplayer.motion import (
+    METHODS,
+    estimate_accelerometer_gain,
+    estimate_orientation,
+    remove_gravity,
+)
+
+
+def rms(vectors):
+    return np.sqrt(np.mean(np.sum(np.square(vectors), axis=1)))
+
+
+def test_nothing_is_left_of_gravity_at_rest_even_with_a_wrong_gain(still_log):
+    track = remove_gravity(still_log)
+    # the noise itself is 0.02 * sqrt(3) = 0.035 m/s^2
+    assert rms(track.acceleration_mps2) < 0.04
+    assert track.accelerometer_gain == pytest.approx(1 / 1.03, abs=1e-3)
+    assert track.valid.all()
+
+
+def test_the_gain_stays_one_without_a_still_span(swing):
+    log, _ = swing
+    gain = estimate_accelerometer_gain(log)
+    assert gain.gain == 1.0
+    assert gain.still_s == 0.0
+    assert "no still span" in gain.reason
+
+
+def test_an_implausible_gain_is_not_used(still_log):
+    doubled = dataclasses.replace(
+        still_log, specific_force_mps2=2.0 * still_log.specific_force_mps2
+    )
+    gain = estimate_accelerometer_gain(doubled)
+    assert gain.gain == 1.0
+    assert "not plausible" in gain.reason
+
+
+@pytest.mark.parametrize("method", sorted(METHODS))
+def test_acceleration_comes_out_of_a_swinging_sensor(swing, method):
+    log, truth = swing
+    track = remove_gravity(log, method)
+    # offline VQF leaves 0.05 to 0.34 m/s^2 on real recordings; this one has no noise
+    assert rms(track.acceleration_mps2 - truth) < 0.12
+    assert np.allclose(np.linalg.norm(track.quaternion_wxyz, axis=1), 1.0, atol=1e-9)
+    norm = np.linalg.norm(track.gravity_mps2, axis=1)
+    assert np.allclose(norm, STANDARD_GRAVITY_MPS2, atol=1e-9)
+
+
+def test_what_was_removed_and_what_is_left_add_up(swing):
+    log, _ = swing
+    track = remove_gravity(log)
+    total = track.acceleration_mps2 + track.gravity_mps2
+    scaled = track.accelerometer_gain * log.specific_force_mps2
+    assert np.allclose(total, scaled, atol=1e-12)
+
+
+def test_uneven_times_cost_little(swing, rng):
+    log, truth = swing
+    keep = np.sort(rng.choice(len(log), size=int(0.9 * len(log)), replace=False))
+    thinned = ImuLog(
+        log.time_s[keep], log.specific_force_mps2[keep], log.angular_rate_radps[keep]
+    )
+    track = remove_gravity(thinned)
+    assert len(track) == len(thinned)
+    # pretending the samples were even would cost 2 to 5 deg = 0.3 to 0.9 m/s^2
+    assert rms(track.acceleration_mps2 - truth[keep]) < 0.15
+
+
+def test_both_ends_of_a_gap_are_not_valid(swing):
+    log, _ = swing
+    keep = np.r_[0:2000, 2400:4000]
+    holed = ImuLog(
+        log.time_s[keep], log.specific_force_mps2[keep], log.angular_rate_radps[keep]
+    )
+    valid = remove_gravity(holed).valid
+    assert np.flatnonzero(~valid).tolist() == [1999, 2000]
+
+
+def test_averaged_samples_get_the_orientation_of_the_middle_of_their_window(swing):
+    log, _ = swing
+    averaged = dataclasses.replace(log, sampling=Sampling.AVERAGED)
+    end = estimate_orientation(log)
+    middle = estimate_orientation(averaged)
+    half = 0.5 / 200.0
+    angle = 2 * np.arccos(np.minimum(1, np.abs(np.sum(end * middle, axis=1))))
+    expected = half * np.linalg.norm(log.angular_rate_radps, axis=1)
+    assert np.allclose(angle, expected, atol=1e-6)
+
+
+def test_hours_of_silence_do_not_become_millions_of_samples():
+    time = np.r_[np.arange(100) / 100.0, 36000.0 + np.arange(100) / 100.0]
+    force = np.tile([0.0, 0.0, STANDARD_GRAVITY_MPS2], (200, 1))
+    track = remove_gravity(ImuLog(time, force, np.zeros((200, 3))))
+    assert rms(track.acceleration_mps2) < 0.01
+
+
+def test_a_method_that_does_not_exist_is_named(still_log):
+    with pytest.raises(UsageError, match="offline-vqf"):
+        remove_gravity(still_log, "magic")
+
+
+def test_one_sample_is_too_few():
+    log = ImuLog([0.0], [[0, 0, 9.8]], [[0, 0, 0]], source="log.csv")
+    with pytest.raises(InputError, match=r"log\.csv.*too few"):
+        remove_gravity(log)
