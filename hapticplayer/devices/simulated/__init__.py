@@ -1,0 +1,1 @@
+"""A Falcon that is not there, for everyone who has none."""

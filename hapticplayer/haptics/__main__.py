@@ -1,0 +1,48 @@
+"""Entry of the haptics process: `python -m hapticplayer.haptics`."""
+
+import argparse
+import signal
+import socket
+import sys
+
+from hapticplayer.clock import SystemClock
+from hapticplayer.devices import make_device
+from hapticplayer.errors import DeviceError
+from hapticplayer.haptics.loop import Loop
+from hapticplayer.haptics.messages import Line, Word
+from hapticplayer.haptics.scheduling import Scheduling, acquire
+from hapticplayer.haptics.shared import SharedBlock
+
+
+def main(argv: list[str] | None = None) -> int:
+    """Open the device, say READY, and run the loop until the player is gone."""
+    parser = argparse.ArgumentParser(prog="hapticplayer.haptics")
+    parser.add_argument("--block", type=int, required=True, help="descriptor")
+    parser.add_argument("--line", type=int, required=True, help="descriptor")
+    parser.add_argument("--device", required=True)
+    parser.add_argument("--scheduling", choices=[s.value for s in Scheduling])
+    options = parser.parse_args(argv)
+
+    # Ctrl-C and a hang-up reach the whole group: the player decides, and if it
+    # dies of them, the closed line tells.
+    for number in (signal.SIGINT, signal.SIGHUP, signal.SIGTERM):
+        signal.signal(number, signal.SIG_IGN)
+    line = Line(socket.socket(fileno=options.line))
+    try:
+        device = make_device(options.device)
+        device.open()
+    except DeviceError as problem:
+        line.send(Word.FAILED, str(problem))
+        return 1
+    try:
+        wanted = Scheduling(options.scheduling) if options.scheduling else None
+        loop = Loop(SystemClock(), SharedBlock(options.block), line, device)
+        line.send(Word.READY, acquire(wanted).value)
+        loop.run()
+    finally:
+        device.close()
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,79 @@
+"""What the player says to the haptics process and back, over one socket pair.
+
+A closed end is a message too: the loop sees it at its next tick.
+"""
+
+import enum
+import os
+import select
+import socket
+from typing import NamedTuple
+
+_MAX_BYTES = 4096
+
+
+class Word(enum.Enum):
+    """First byte of a message."""
+
+    TRACK = b"T"  # + track id; the descriptor of the track comes along
+    FORGET = b"F"  # + track id: nobody plays it any more
+    STOP = b"S"
+    REARM = b"A"
+    QUIT = b"Q"
+    READY = b"R"  # + scheduling class
+    FAILED = b"E"  # + one sentence
+
+
+class Message(NamedTuple):
+    """One message."""
+
+    word: Word
+    text: str = ""
+    descriptor: int = -1
+
+
+class Line:
+    """One end of the socket pair; never blocks."""
+
+    def __init__(self, end: socket.socket) -> None:
+        end.setblocking(False)
+        self._end = end
+        self._poll = select.poll()
+        self._poll.register(end, select.POLLIN)
+        self.is_open = True
+
+    def send(self, word: Word, text: str = "", descriptor: int = -1) -> bool:
+        """Send one message; False when the other end is gone."""
+        descriptors = [descriptor] if descriptor >= 0 else []
+        try:
+            socket.send_fds(self._end, [word.value + text.encode()], descriptors)
+        except OSError:
+            self.is_open = False
+        return self.is_open
+
+    def receive(self, timeout_ms: int = 0) -> Message | None:
+        """Return the next message, or None; clears `is_open` at the end."""
+        if not self.is_open or not self._poll.poll(timeout_ms):
+            return None
+        try:
+            data, descriptors, _, _ = socket.recv_fds(self._end, _MAX_BYTES, 1)
+        except BlockingIOError:
+            return None
+        except OSError:
+            data, descriptors = b"", []
+        if not data:
+            self.is_open = False
+            return None
+        received = descriptors[0] if descriptors else -1
+        return Message(Word(data[:1]), data[1:].decode(errors="replace"), received)
+
+    def close(self) -> None:
+        """Hang up; the other side reads it as the end."""
+        self.is_open = False
+        self._end.close()
+
+
+def close_descriptor(descriptor: int) -> None:
+    """Close a received descriptor, if there is one."""
+    if descriptor >= 0:
+        os.close(descriptor)

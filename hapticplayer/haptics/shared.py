@@ -1,0 +1,125 @@
+"""The block of memory that the player and the haptics process share.
+
+One writer per field. The clock lives in two slots with a checksum each: a reader
+that meets a write in progress tries again a bounded number of times and then goes
+on with its last good sample, so that a player killed in mid-write cannot make the
+loop spin. Ticks go through a ring that the loop never waits for.
+"""
+
+import mmap
+import os
+import struct
+import zlib
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hapticplayer.model import PlaybackClock
+
+TICK = np.dtype(
+    [
+        ("monotonic_s", "<f8"),
+        ("media_s", "<f8"),
+        ("planned_n", "<f4", (3,)),
+        ("force_n", "<f4", (3,)),
+        ("position_m", "<f4", (3,)),
+        ("lateness_s", "<f4"),
+        ("missed", "<u4"),
+        ("mode", "u1"),
+        ("cause", "u1"),
+        ("buttons", "<u2"),
+    ]
+)
+"""One exchange with the device, as it is kept in the ring and in records."""
+
+RING_TICKS = 1 << 15  # 32 s: a reader may sleep that long without losing a tick
+_TICK = struct.Struct("<dd10fIBBH")
+_CLOCK = struct.Struct("<qqdddd")  # track id, epoch, the four numbers of the clock
+_CHECKSUM = struct.Struct("<I")
+_SLOTS_AT = (64, 128)
+_NEWEST_AT, _HEARTBEAT_AT, _HEAD_AT = 192, 256, 320  # a cache line for each writer
+_RING_AT = 4096
+BLOCK_BYTES = _RING_AT + RING_TICKS * TICK.itemsize
+_TRIES = 3
+
+assert _TICK.size == TICK.itemsize == 64
+
+
+class SharedBlock:
+    """Typed access to the block; both sides hold one."""
+
+    def __init__(self, descriptor: int) -> None:
+        if os.fstat(descriptor).st_size != BLOCK_BYTES:
+            raise ValueError("the shared block has another size; versions differ")
+        self._map = mmap.mmap(descriptor, BLOCK_BYTES)
+        view = memoryview(self._map)
+        self._newest = view[_NEWEST_AT : _NEWEST_AT + 8].cast("Q")
+        self._heartbeat = view[_HEARTBEAT_AT : _HEARTBEAT_AT + 8].cast("d")
+        self._head = view[_HEAD_AT : _HEAD_AT + 8].cast("Q")
+        self._ticks: NDArray[Any] = np.frombuffer(
+            self._map, dtype=TICK, count=RING_TICKS, offset=_RING_AT
+        )
+
+    def write_clock(self, clock: PlaybackClock, track_id: int) -> None:
+        """Publish the clock and the track it belongs to (player)."""
+        slot = 1 - int(self._newest[0] & 1)
+        at = _SLOTS_AT[slot]
+        payload = _CLOCK.pack(
+            track_id,
+            clock.epoch,
+            clock.monotonic0_s,
+            clock.media0_s,
+            clock.rate,
+            clock.valid_until_s,
+        )
+        self._map[at : at + _CLOCK.size + 4] = payload + _CHECKSUM.pack(
+            zlib.crc32(payload)
+        )
+        self._newest[0] = slot
+
+    def read_clock(self) -> tuple[PlaybackClock, int] | None:
+        """Return the newest clock and its track, or None if none could be read."""
+        for _ in range(_TRIES):
+            at = _SLOTS_AT[self._newest[0] & 1]
+            raw = self._map[at : at + _CLOCK.size + 4]
+            payload = raw[: _CLOCK.size]
+            if _CHECKSUM.unpack_from(raw, _CLOCK.size)[0] == zlib.crc32(payload):
+                track_id, *fields = _CLOCK.unpack(payload)
+                return PlaybackClock(*fields), track_id
+        return None
+
+    def clock_bytes(self) -> bytes:
+        """Return the newest slot as it is; equal bytes need no second reading."""
+        at = _SLOTS_AT[self._newest[0] & 1]
+        return self._map[at : at + _CLOCK.size + 4]
+
+    def beat(self, now_s: float) -> None:
+        """Say that the player's main thread is alive (player)."""
+        self._heartbeat[0] = now_s
+
+    def heartbeat_s(self) -> float:
+        """Return the time of the last beat."""
+        return self._heartbeat[0]
+
+    def write_tick(self, count: int, *fields: float) -> None:
+        """Store tick number `count` and publish it (loop)."""
+        at = _RING_AT + (count % RING_TICKS) * _TICK.size
+        _TICK.pack_into(self._map, at, *fields)
+        self._head[0] = count + 1
+
+    def read_ticks(self, tail: int) -> tuple[NDArray[Any], int, int]:
+        """Return ticks since `tail`: (records, new tail, number lost).
+
+        Never blocks the writer; ticks that it overwrote meanwhile count as lost.
+        """
+        head = int(self._head[0])
+        first = max(tail, head - RING_TICKS)
+        rows = np.arange(first, head) % RING_TICKS
+        records = self._ticks[rows]
+        # the slot of tick `head` may be half written while we copy
+        safe = int(self._head[0]) - RING_TICKS + 1
+        if safe > first:
+            records = records[min(safe - first, len(records)) :]
+            first = safe
+        return records, head, max(0, min(first, head) - tail)

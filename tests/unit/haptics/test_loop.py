@@ -1,0 +1,165 @@
+"""The loop itself on a virtual clock: deadlines, skipping, listening, ending."""
+
+import os
+import socket
+
+import numpy as np
+import pytest
+
+from hapticplayer.clock import ManualClock
+from hapticplayer.devices.simulated.point_mass import SimulatedFalcon
+from hapticplayer.haptics.limiter import PERIOD_S, ZERO
+from hapticplayer.haptics.loop import ZERO_TICKS_BEFORE_CLOSING, Loop
+from hapticplayer.haptics.messages import Line, Word
+from hapticplayer.haptics.shared import BLOCK_BYTES, SharedBlock
+from hapticplayer.haptics.step import Cause, Mode
+from hapticplayer.haptics.track import anonymous_memory, to_shared_memory
+from hapticplayer.model import ForceTrack, PlaybackClock
+
+
+class StallingClock(ManualClock):
+    """Wakes late at chosen deadlines, and hangs up after a number of them."""
+
+    def __init__(self, stalls, wakes):
+        super().__init__()
+        self.stalls, self.line, self.wakes = dict(stalls), None, wakes
+        self.count = 0
+
+    def sleep_until(self, deadline_s):
+        super().sleep_until(deadline_s)
+        self.advance(self.stalls.get(self.count, 0.0))
+        self.count += 1
+        if self.count == self.wakes:
+            self.line.close()
+
+
+class Rig:
+    """Both ends of a loop in one thread."""
+
+    def __init__(self, clock=None):
+        ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
+        self.player, self.line = Line(ours), Line(theirs)
+        descriptor = anonymous_memory("test", BLOCK_BYTES)
+        self.block = SharedBlock(descriptor)
+        os.close(descriptor)
+        self.clock = clock or ManualClock()
+        self.loop = Loop(self.clock, self.block, self.line, SimulatedFalcon())
+
+    def give_track(self, track, track_id=1):
+        descriptor = to_shared_memory(track)
+        self.player.send(Word.TRACK, str(track_id), descriptor)
+        os.close(descriptor)
+
+    def play(self, track_id=1, epoch=1):
+        now_s = self.clock.now_s()
+        clock = PlaybackClock(epoch, now_s, 0.0, 1.0, now_s + 1e6)
+        self.block.write_clock(clock, track_id)
+
+    def tick(self, count=1):
+        for _ in range(count):
+            self.clock.advance(PERIOD_S)
+            self.block.beat(self.clock.now_s())
+            self.loop.tick(self.clock.now_s())
+        return self.loop.state
+
+    def close(self):
+        self.player.close()
+        self.line.close()
+
+
+@pytest.fixture
+def rig():
+    made = Rig()
+    yield made
+    made.close()
+
+
+CONSTANT = ForceTrack([0.0, 100.0], [[0, 2.0, 0], [0, 2.0, 0]])
+
+
+def test_a_track_and_a_clock_make_a_force(rig):
+    rig.give_track(CONSTANT)
+    rig.play()
+    assert rig.tick(300).force_n == pytest.approx((0.0, 2.0, 0.0))
+    records, _, _ = rig.block.read_ticks(0)
+    assert len(records) == 300
+    assert records["position_m"][-1, 1] > 0.005  # the simulated hand gives way upwards
+
+
+def test_a_clock_that_names_another_track_plays_none(rig):
+    rig.give_track(CONSTANT)
+    rig.play(track_id=2)
+    assert rig.tick(50).force_n == ZERO
+
+
+def test_a_track_that_comes_after_its_clock_is_still_found(rig):
+    rig.play()
+    rig.tick(5)
+    rig.give_track(CONSTANT)
+    assert rig.tick(300).force_n == pytest.approx((0.0, 2.0, 0.0))
+
+
+def test_stop_is_obeyed_at_the_next_tick(rig):
+    rig.give_track(CONSTANT)
+    rig.play()
+    rig.tick(300)
+    rig.player.send(Word.STOP)
+    state = rig.tick()
+    assert (state.force_n, state.mode, state.cause) == (
+        ZERO,
+        Mode.TRIPPED,
+        Cause.STOPPED,
+    )
+    rig.player.send(Word.REARM)
+    assert rig.tick(300).mode is Mode.FOLLOWING
+
+
+def test_a_closed_line_trips_at_the_next_tick(rig):
+    rig.give_track(CONSTANT)
+    rig.play()
+    rig.tick(300)
+    rig.player.close()
+    state = rig.tick()
+    assert (state.force_n, state.cause) == (ZERO, Cause.PLAYER_GONE)
+
+
+def test_a_track_that_is_no_track_is_refused_and_the_loop_goes_on(rig):
+    descriptor = anonymous_memory("bad", 10)
+    rig.player.send(Word.TRACK, "1", descriptor)
+    os.close(descriptor)
+    rig.tick(2)
+    message = rig.player.receive()
+    assert message.word is Word.FAILED
+    assert "does not fit" in message.text
+
+
+def test_missed_periods_are_skipped_and_counted_never_caught_up():
+    clock = StallingClock({10: 0.0075, 20: 0.0004, 30: 0.051}, wakes=100)
+    rig = Rig(clock)
+    clock.line = rig.player
+    rig.loop.run()
+    rig.close()
+    records, _, _ = rig.block.read_ticks(0)
+    assert records["missed"].sum() == 7 + 51
+    assert len(records) == 100 + ZERO_TICKS_BEFORE_CLOSING - 1
+    # after a stall the next tick is on the grid again, never sooner than that
+    grid_ms = (records["monotonic_s"] - records["lateness_s"]) * 1e3
+    steps = np.diff(grid_ms)
+    assert np.allclose(steps, np.round(steps), atol=1e-3)
+    assert steps.min() > 0.999
+    assert np.diff(records["monotonic_s"]).min() > 0.0004
+
+
+def test_the_last_packets_are_zero():
+    clock = StallingClock({}, wakes=400)
+    rig = Rig(clock)
+    rig.give_track(CONSTANT)
+    rig.play()
+    clock.line = rig.player
+    rig.block.beat(clock.now_s() + 100.0)
+    rig.loop.run()
+    rig.close()
+    records, _, _ = rig.block.read_ticks(0)
+    assert np.linalg.norm(records["force_n"][398]) == pytest.approx(2.0)
+    assert not records["force_n"][399:].any()
+    assert len(records) == 399 + ZERO_TICKS_BEFORE_CLOSING

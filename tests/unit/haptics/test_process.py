@@ -1,0 +1,122 @@
+"""The real process: it starts, follows, dies well, and imports little."""
+
+import json
+import os
+import select
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from hapticplayer.clock import SystemClock
+from hapticplayer.errors import DeviceError
+from hapticplayer.haptics.process import HapticsProcess, Health
+from hapticplayer.haptics.scheduling import Scheduling
+from hapticplayer.haptics.shared import SharedBlock
+from hapticplayer.haptics.step import Cause, Mode
+from hapticplayer.model import ForceTrack, PlaybackClock
+
+HERE = Path(__file__).parent
+
+
+def follow(process, clock, track_id, until):
+    """Keep a process fed until a condition on all its ticks holds."""
+    start_s, ticks = clock.now_s(), []
+    while True:
+        now_s = clock.now_s()
+        process.beat()
+        process.publish(PlaybackClock(1, start_s, 0.0, 1.0, now_s + 0.15), track_id)
+        records, _ = process.read_ticks()
+        ticks.append(records)
+        everything = np.concatenate(ticks)
+        if until(everything) or process.poll() is Health.GONE:
+            return everything
+        clock.sleep_until(now_s + 0.01)
+
+
+def test_the_process_follows_a_track_exactly():
+    clock = SystemClock()
+    process = HapticsProcess(clock)
+    try:
+        process.wait_ready()
+        t = np.arange(0, 60, 0.01)
+        wave = np.stack([np.sin(3 * t), 2 * np.cos(5 * t), 0 * t], axis=1)
+        track = ForceTrack(t, wave)
+        ticks = follow(
+            process,
+            clock,
+            process.load_track(track),
+            lambda r: np.sum(r["mode"] == Mode.FOLLOWING) > 300,
+        )
+    finally:
+        process.close()
+    followed = ticks[ticks["mode"] == Mode.FOLLOWING]
+    error = followed["force_n"] - track.at(followed["media_s"])
+    assert np.abs(error).max() < 1e-6
+    assert process.scheduling in Scheduling
+    assert process.health is Health.GONE
+
+
+def test_an_unknown_device_is_refused_in_one_sentence():
+    process = HapticsProcess(SystemClock(), device="falcon")
+    try:
+        with pytest.raises(DeviceError, match="no driver"):
+            process.wait_ready()
+    finally:
+        process.close()
+
+
+def test_a_killed_process_is_noticed():
+    process = HapticsProcess(SystemClock())
+    process.wait_ready()
+    os.kill(process.pid, signal.SIGKILL)
+    process._process.wait()
+    assert process.poll() is Health.GONE
+    process.close()
+
+
+@pytest.mark.parametrize("number", [signal.SIGKILL, signal.SIGSEGV])
+def test_the_force_goes_to_zero_when_the_player_is_killed(tmp_path, number):
+    record = tmp_path / "block"
+    player = subprocess.Popen(
+        [sys.executable, str(HERE / "killed_player.py"), str(record)],
+        stdout=subprocess.PIPE,
+        text=True,
+    )
+    try:
+        loop_pid = int(player.stdout.readline())
+        watch = os.pidfd_open(loop_pid)
+        os.kill(player.pid, number)
+        # the loop ends by itself once zero is on the wire
+        ended, _, _ = select.select([watch], [], [], 30)
+        os.close(watch)
+    finally:
+        player.kill()
+        player.wait()
+        player.stdout.close()
+    assert ended
+    with record.open("r+b") as file:
+        records, _, _ = SharedBlock(file.fileno()).read_ticks(0)
+    force = np.linalg.norm(records["force_n"], axis=1)
+    gone = np.flatnonzero(records["cause"] == Cause.PLAYER_GONE)
+    assert force[gone[0] - 1] == pytest.approx(4.0, abs=1e-5)
+    assert not force[gone].any()  # from the very tick that noticed
+    assert records["mode"][-1] == Mode.TRIPPED
+    assert len(gone) >= 5
+
+
+def test_the_process_imports_nothing_heavy():
+    code = (
+        "import sys, json, hapticplayer.haptics.__main__; "
+        "print(json.dumps(sorted({m.split('.')[0] for m in sys.modules})))"
+    )
+    found = json.loads(
+        subprocess.run(
+            [sys.executable, "-P", "-c", code], capture_output=True, check=True
+        ).stdout
+    )
+    assert not {"av", "PySide6", "scipy", "numba", "sounddevice", "vqf"} & set(found)
+    assert "numpy" in found

@@ -1,0 +1,53 @@
+"""The loop's upsampling equals the plain one, and the border refuses nonsense."""
+
+import math
+import os
+
+import numpy as np
+import pytest
+
+from hapticplayer.haptics.track import anonymous_memory, map_track, to_shared_memory
+from hapticplayer.model import ForceTrack, Reconstruction
+
+
+@pytest.mark.parametrize("how", list(Reconstruction))
+def test_the_loop_upsamples_like_the_plain_version(how, rng):
+    force = rng.standard_normal((300, 3)) * (rng.random((300, 1)) < 0.6)
+    track = ForceTrack(np.cumsum(rng.random(300) / 50), force, how)
+    descriptor = to_shared_memory(track)
+    loaded = map_track(descriptor)
+    os.close(descriptor)
+    query = np.linspace(-0.5, track.time_s[-1] + 0.5, 20_000)
+    found = np.array([loaded.force_at(t) for t in query.tolist()])
+    # float32 entries, double arithmetic in another order
+    assert np.abs(found - track.at(query)).max() < 1e-6
+
+
+def test_at_the_entries_themselves_the_value_is_exact(rng):
+    track = ForceTrack(np.arange(50) / 10.0, rng.standard_normal((50, 3)))
+    descriptor = to_shared_memory(track)
+    loaded = map_track(descriptor)
+    os.close(descriptor)
+    for time_s, force in zip(track.time_s[:-1], track.force_n, strict=False):
+        assert loaded.force_at(float(time_s)) == tuple(map(float, force))
+
+
+@pytest.mark.parametrize("size", [1, 23, 24, 100])
+def test_a_block_that_is_no_track_is_refused(size):
+    descriptor = anonymous_memory("test", size)
+    try:
+        with pytest.raises(ValueError, match="does not fit"):
+            map_track(descriptor)
+    finally:
+        os.close(descriptor)
+
+
+def test_a_number_that_is_not_finite_is_refused_at_load():
+    descriptor = to_shared_memory(ForceTrack([0.0, 1.0], np.ones((2, 3))))
+    try:
+        size = os.fstat(descriptor).st_size
+        os.pwrite(descriptor, np.float32(math.nan).tobytes(), size - 4)
+        with pytest.raises(ValueError, match="not finite"):
+            map_track(descriptor)
+    finally:
+        os.close(descriptor)
