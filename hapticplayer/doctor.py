@@ -1,0 +1,445 @@
+"""Finds what this machine lacks to run the program, and names it by package.
+
+Standard library only, and able to start on a bare system Python before anything is
+installed: `python3 hapticplayer/doctor.py`. The set-up asks it what to install.
+"""
+
+from __future__ import annotations
+
+import argparse
+import ctypes
+import dataclasses
+import importlib.metadata
+import importlib.util
+import json
+import os
+import platform
+import re
+import shutil
+import socket
+import sys
+from collections.abc import Callable, Collection
+from importlib.machinery import PathFinder
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+APT_LIST = ROOT / "packaging" / "apt-packages.txt"
+APT_INSTALL = "apt-get install --no-install-recommends"
+OLDEST_PYTHON = (3, 11)
+RUN_GROUPS = ("base", "qt", "window", "wayland", "sound", "device")
+
+# What is imported, and the Python package that brings it.
+PYTHON_PACKAGES = {
+    "PySide6": "PySide6-Essentials",
+    "av": "av",
+    "hid": "hidapi",
+    "matplotlib": "matplotlib",
+    "numpy": "numpy",
+    "pyqtgraph": "pyqtgraph",
+    "scipy": "scipy",
+    "sounddevice": "sounddevice",
+    "usb": "pyusb",
+    "vqf": "vqf",
+}
+
+LOOP_PRIORITY = 80  # what the haptics process asks for
+OLDEST_SLICE_KERNEL = (6, 12)  # first Linux that grants a time slice on request
+FALCON_USB_ID = ("0403", "cb48")
+USB_DEVICES = Path("/sys/bus/usb/devices")
+SOUND_CARDS = Path("/proc/asound/cards")
+SOCKET_TIMEOUT_S = 1.0
+
+
+# No slots: this file must also start on the older Python that it then reports.
+@dataclasses.dataclass(frozen=True)
+class AptPackage:
+    """One line of the list of system packages."""
+
+    name: str
+    proof: str
+    group: str
+    required: bool
+    purpose: str
+
+
+@dataclasses.dataclass(frozen=True)
+class Check:
+    """What was looked at, what was found, and what would mend it.
+
+    Attributes:
+        name: what was looked at, a package or a property of the machine.
+        ok: it is there.
+        required: the program has no window without it.
+        detail: what was found, in a few words.
+        remedy: what a person can do, empty when there is nothing to do.
+    """
+
+    name: str
+    ok: bool
+    required: bool
+    detail: str
+    remedy: str = ""
+
+
+def read_apt_list() -> list[AptPackage]:
+    """Read the list of system packages.
+
+    Raises:
+        OSError: it is not here, as in an installation from a wheel.
+    """
+    packages = []
+    for line in APT_LIST.read_text(encoding="utf-8").splitlines():
+        if line.strip() and not line.startswith("#"):
+            name, proof, group, need, purpose = line.split(None, 4)
+            packages.append(AptPackage(name, proof, group, need == "required", purpose))
+    return packages
+
+
+def _loads(soname: str) -> bool:
+    try:
+        ctypes.CDLL(soname)
+    except OSError:
+        return False
+    return True
+
+
+def _python_is(version: str) -> bool:
+    return sys.version_info >= tuple(map(int, version.split(".")))
+
+
+_PROOFS: dict[str, Callable[[str], bool]] = {
+    "lib": _loads,
+    "module": lambda name: importlib.util.find_spec(name) is not None,
+    "file": lambda pattern: any(Path("/").glob(pattern.lstrip("/"))),
+    "command": lambda name: shutil.which(name) is not None,
+    "python": _python_is,
+}
+
+
+def is_there(proof: str) -> bool:
+    """Whether what a package brings is on this machine, wherever it came from."""
+    kind, _, what = proof.partition(":")
+    return _PROOFS[kind](what)
+
+
+def missing_packages(groups: Collection[str] = RUN_GROUPS) -> list[AptPackage]:
+    """The system packages of these groups that bring something this machine lacks."""
+    return [
+        package
+        for package in read_apt_list()
+        if package.group in groups and not is_there(package.proof)
+    ]
+
+
+def missing_apt(groups: Collection[str] = RUN_GROUPS) -> list[str]:
+    """The names of `missing_packages`, as apt-get takes them."""
+    return [package.name for package in missing_packages(groups)]
+
+
+def check() -> list[Check]:
+    """Look at everything that the program needs or uses, the required things first."""
+    return [
+        _check_python(),
+        *_check_apt(),
+        _check_python_packages(),
+        _check_display(),
+        _check_sound(),
+        _check_scheduling(),
+        _check_falcon(),
+    ]
+
+
+def _check_python() -> Check:
+    oldest = ".".join(map(str, OLDEST_PYTHON))
+    return Check(
+        "Python",
+        sys.version_info >= OLDEST_PYTHON,
+        required=True,
+        detail=f"{platform.python_version()} ({sys.executable})",
+        remedy=f"use Python {oldest} or newer, as in Debian 12",
+    )
+
+
+def _check_apt() -> list[Check]:
+    try:
+        packages = read_apt_list()
+    except OSError:
+        return [
+            Check(
+                "system packages",
+                ok=True,
+                required=False,
+                detail=f"not looked at: the list of them is not here ({APT_LIST})",
+                remedy="run the doctor of the source tree for this part",
+            )
+        ]
+    return [
+        Check(
+            package.name,
+            is_there(package.proof),
+            package.required,
+            detail=f"{package.purpose} ({package.proof})",
+            remedy=f"{APT_INSTALL} {package.name}",
+        )
+        for package in packages
+        if package.group in RUN_GROUPS
+    ]
+
+
+def _check_python_packages() -> Check:
+    """Metadata and finders only: importing them all would take seconds."""
+    paths = sys.path
+    if sys.prefix == sys.base_prefix and (ROOT / ".venv").is_dir():
+        paths = [str(path) for path in ROOT.glob(".venv/lib/python3*/site-packages")]
+    found, missing = [], []
+    for module, name in PYTHON_PACKAGES.items():
+        distribution = next(
+            iter(importlib.metadata.distributions(name=name, path=paths)), None
+        )
+        if distribution is None or PathFinder.find_spec(module, paths) is None:
+            missing.append(name)
+        else:
+            found.append(f"{name} {distribution.version}")
+    return Check(
+        "Python packages",
+        not missing,
+        required=True,
+        detail="missing: " + ", ".join(missing) if missing else ", ".join(found),
+        remedy="./run sets them up in .venv",
+    )
+
+
+def _answers(family: int, address: str | tuple[str, int]) -> bool:
+    with socket.socket(family, socket.SOCK_STREAM) as connection:
+        connection.settimeout(SOCKET_TIMEOUT_S)
+        try:
+            connection.connect(address)
+        except OSError:
+            return False
+    return True
+
+
+def x_server_answers(display: str) -> bool:
+    """Whether there is a server behind this value of DISPLAY."""
+    host, _, number = display.rpartition(":")
+    number = number.split(".")[0]
+    if not number.isdigit():
+        return False
+    if host in ("", "unix"):
+        path = f"/tmp/.X11-unix/X{number}"  # noqa: S108 (where X servers listen)
+        return any(_answers(socket.AF_UNIX, name) for name in (path, "\0" + path))
+    return _answers(socket.AF_INET, (host, 6000 + int(number)))
+
+
+def _runtime_directory() -> Path:
+    return Path(os.environ.get("XDG_RUNTIME_DIR") or f"/run/user/{os.getuid()}")
+
+
+def _check_display() -> Check:
+    wayland = os.environ.get("WAYLAND_DISPLAY", "")
+    x11 = os.environ.get("DISPLAY", "")
+    tried = []
+    if wayland:
+        ok = _answers(socket.AF_UNIX, str(_runtime_directory() / wayland))
+        tried.append((f"Wayland {wayland}", ok))
+    if x11:
+        tried.append((f"X11 {x11}", x_server_answers(x11)))
+    words = [f"{name} {'answers' if ok else 'is silent'}" for name, ok in tried]
+    return Check(
+        "display",
+        any(ok for _, ok in tried),
+        required=False,
+        detail=", ".join(words) or "neither DISPLAY nor WAYLAND_DISPLAY is set",
+        remedy="start from a desktop session; --headless plays without a window",
+    )
+
+
+def _check_sound() -> Check:
+    server = os.environ.get("PULSE_SERVER", "")
+    if server.startswith(("unix:", "/")):
+        path = Path(server.removeprefix("unix:"))
+    else:
+        path = _runtime_directory() / "pulse" / "native"
+    ways = []
+    if _answers(socket.AF_UNIX, str(path)):
+        ways.append("a PulseAudio or PipeWire server answers")
+    cards = SOUND_CARDS.read_text() if SOUND_CARDS.is_file() else ""
+    if re.search(r"^\s*\d+ \[", cards, re.MULTILINE):
+        ways.append("there is a sound card")
+    return Check(
+        "sound",
+        bool(ways),
+        required=False,
+        detail=", ".join(ways) or "neither a sound server nor a sound card",
+        remedy="clips play silently, led by the system clock, until there is one",
+    )
+
+
+def _may_use_fifo() -> bool:
+    """Ask by doing: limits, capabilities and control groups all have a say."""
+    policy, parameter = os.sched_getscheduler(0), os.sched_getparam(0)
+    try:
+        os.sched_setscheduler(0, os.SCHED_FIFO, os.sched_param(LOOP_PRIORITY))
+    except OSError:
+        return False
+    os.sched_setscheduler(0, policy, parameter)
+    return True
+
+
+def _kernel() -> tuple[int, ...]:
+    return tuple(map(int, re.findall(r"\d+", platform.release())[:2]))
+
+
+def _limits() -> str:
+    import resource  # Unix only
+
+    names = {"rtprio": resource.RLIMIT_RTPRIO, "memlock": resource.RLIMIT_MEMLOCK}
+    words = []
+    for name, number in names.items():
+        soft = resource.getrlimit(number)[0]
+        limit = "unlimited" if soft == resource.RLIM_INFINITY else str(soft)
+        words.append(f"{name} limit {limit}")
+    return ", ".join(words)
+
+
+def _check_scheduling() -> Check:
+    if not hasattr(os, "sched_setscheduler"):
+        ok, detail = False, "normal: this system grants nothing else"
+    elif _may_use_fifo():
+        ok, detail = True, f"fifo: priority {LOOP_PRIORITY} is granted ({_limits()})"
+    elif _kernel() >= OLDEST_SLICE_KERNEL:
+        ok, detail = True, f"slice: short slices, as fifo is not allowed ({_limits()})"
+    else:
+        ok, detail = False, f"normal: neither fifo nor short slices ({_limits()})"
+    return Check(
+        "scheduling",
+        ok,
+        required=False,
+        detail=detail,
+        remedy=f"allow rtprio {LOOP_PRIORITY} and memlock in /etc/security/limits.d",
+    )
+
+
+def _check_falcon() -> Check:
+    ok, detail, remedy = False, "none on USB", "the simulated device stands in"
+    for device in USB_DEVICES.glob("*"):
+        try:
+            usb_id = tuple(
+                (device / name).read_text().strip()
+                for name in ("idVendor", "idProduct")
+            )
+            place = [int((device / name).read_text()) for name in ("busnum", "devnum")]
+        except (OSError, ValueError):
+            continue
+        if usb_id == FALCON_USB_ID:
+            node = Path("/dev/bus/usb/{:03}/{:03}".format(*place))
+            ok = os.access(node, os.R_OK | os.W_OK)
+            detail = f"{node}" if ok else f"{node}, but this user may not open it"
+            remedy = "install the udev rule of packaging/ and plug it in again"
+    return Check("Falcon", ok, required=False, detail=detail, remedy=remedy)
+
+
+def explain_import_error(error: ImportError | OSError) -> str:
+    """Say in one sentence which package would have prevented an import error.
+
+    Args:
+        error: what an import of one of the program's dependencies raised; an OSError
+            is how sounddevice reports that PortAudio is missing.
+    """
+    text = str(error)
+    if isinstance(error, ModuleNotFoundError) and error.name:
+        module = error.name.partition(".")[0]
+        package = PYTHON_PACKAGES.get(module, module)
+        return f"The Python package {package} is missing; ./run sets it up in .venv."
+    if "PortAudio library not found" in text:
+        return _explain_library("libportaudio.so.2")
+    library = re.search(r"(\S+\.so[.\d]*): cannot open shared object file", text)
+    if library:
+        return _explain_library(Path(library[1]).name)
+    symbol = re.search(r"version [`'](GLIBC\w*_[\d.]+)' not found", text)
+    if symbol:
+        return f"This system is too old for the program: it has no {symbol[1]}."
+    return f"A part of the program could not be loaded: {text}."
+
+
+def _explain_library(soname: str) -> str:
+    try:
+        packages = read_apt_list()
+    except OSError:
+        packages = []
+    for package in packages:
+        if package.proof == f"lib:{soname}":
+            return (
+                f"The system library {soname} is missing; "
+                f"install it with: {APT_INSTALL} {package.name}"
+            )
+    return f"The system library {soname} is missing, and no package is known for it."
+
+
+def _print_table(checks: list[Check]) -> None:
+    width = max(len(each.name) for each in checks)
+    for each in checks:
+        mark = "ok" if each.ok else "MISSING" if each.required else "without"
+        line = f"{mark:8}{each.name:{width}}  {each.detail}"
+        print(line if each.ok or not each.remedy else f"{line}: {each.remedy}")
+
+
+def _missing_of_need(need: str) -> list[str]:
+    return [
+        package.name
+        for package in missing_packages()
+        if need in ("all", "required" if package.required else "optional")
+    ]
+
+
+def _missing_or_nothing() -> list[str]:
+    try:
+        return missing_apt()
+    except OSError:
+        return []  # `check` has said so
+
+
+def main(argv: list[str]) -> int:
+    """Report what is there and what is missing.
+
+    Returns:
+        The exit status: 0 when all that is required is there.
+    """
+    parser = argparse.ArgumentParser(
+        prog="hapticplayer doctor",
+        description="Look for what the program needs and name what is missing.",
+    )
+    parser.add_argument("--json", action="store_true", help="report as JSON")
+    parser.add_argument(
+        "--missing-apt",
+        nargs="?",
+        const="all",
+        choices=("all", "required", "optional"),
+        help="only print the names of the missing system packages, in one line",
+    )
+    arguments = parser.parse_args(argv)
+    if arguments.missing_apt:
+        try:
+            print(*_missing_of_need(arguments.missing_apt))
+        except OSError as error:
+            print(f"The list of system packages is not here: {error}", file=sys.stderr)
+            return 1
+        return 0
+    checks = check()
+    missing = _missing_or_nothing()
+    ok = all(each.ok for each in checks if each.required)
+    if arguments.json:
+        rows = [dataclasses.asdict(each) for each in checks]
+        print(json.dumps({"ok": ok, "missing_apt": missing, "checks": rows}, indent=2))
+    else:
+        _print_table(checks)
+        if missing:
+            print(f"\nMissing system packages: {APT_INSTALL} {' '.join(missing)}")
+        print(
+            "Everything required is there." if ok else "Something required is missing."
+        )
+    return 0 if ok else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
