@@ -1,0 +1,159 @@
+"""Says what a clip holds before anything of it is played."""
+
+import math
+import os
+from dataclasses import dataclass
+from pathlib import Path
+
+from av.container import InputContainer
+from av.video.frame import VideoFrame
+from av.video.stream import VideoStream
+
+from hapticplayer.errors import MediaError
+from hapticplayer.media.files import COPY_AGAIN
+from hapticplayer.media.limits import MAX_DURATION_S
+from hapticplayer.media.opening import (
+    CONVERT,
+    context_of,
+    find_video,
+    media_errors,
+    open_media,
+    origin_s,
+    read_only,
+)
+from hapticplayer.media.telemetry import find_telemetry
+
+_MAX_PACKETS_TO_FIRST_FRAME = 1000
+
+
+@dataclass(frozen=True, slots=True)
+class ClipInfo:
+    """A clip as it is shown.
+
+    Attributes:
+        path: absolute, with symbolic links resolved.
+        duration_s: from the first picture to the end of the last.
+        width: px as shown: after rotation, with square pixels.
+        height: px as shown.
+        frame_rate_hz: average; 0 where the file does not say.
+        frame_count: pictures that the file promises; 0 where it does not say.
+        has_audio: whether there is sound that can be decoded.
+        audio_rate_hz: as stored; 0 without sound.
+        has_telemetry: whether a camera's motion track is embedded.
+        video_codec: its short name, such as "h264".
+        rotation_deg: counterclockwise turn that the file asks for, 0, 90, 180, 270.
+        size_bytes: of the file.
+    """
+
+    path: Path
+    duration_s: float
+    width: int
+    height: int
+    frame_rate_hz: float
+    frame_count: int
+    has_audio: bool
+    audio_rate_hz: int
+    has_telemetry: bool
+    video_codec: str
+    rotation_deg: int
+    size_bytes: int
+
+
+def probe(path: str | os.PathLike[str]) -> ClipInfo:
+    """Open a clip, decode its first picture and say what it holds.
+
+    Raises:
+        MediaError: when it cannot be opened, or holds no video that can be shown.
+    """
+    with open_media(path) as container, media_errors(path, "it cannot be probed"):
+        video = require_video(container, path)
+        audio = next((s for s in container.streams.audio if context_of(s)), None)
+        file = Path(path).resolve()
+        duration_s = _duration_s(container, video, path)
+        rotation_deg = rotation_of(_first_frame(container, video, path))
+        width, height = shown_size(video, rotation_deg)
+        return ClipInfo(
+            path=file,
+            duration_s=duration_s,
+            width=width,
+            height=height,
+            frame_rate_hz=frame_rate_hz(video),
+            frame_count=video.frames,
+            has_audio=audio is not None,
+            audio_rate_hz=audio.rate if audio is not None else 0,
+            has_telemetry=find_telemetry(container) is not None,
+            video_codec=video.codec_context.name,
+            rotation_deg=rotation_deg,
+            size_bytes=file.stat().st_size,
+        )
+
+
+def require_video(
+    container: InputContainer, path: str | os.PathLike[str]
+) -> VideoStream:
+    """Return the video stream.
+
+    Raises:
+        MediaError: when there is none that can be decoded.
+    """
+    video = find_video(container)
+    if video is None or video.time_base is None:
+        raise MediaError(
+            "it holds no video that can be shown", where=str(path), remedy=CONVERT
+        )
+    return video
+
+
+def frame_rate_hz(video: VideoStream) -> float:
+    """Return the average frame rate, or 0 where the file does not say."""
+    rate = video.average_rate or video.guessed_rate
+    return float(rate) if rate else 0.0
+
+
+def rotation_of(frame: VideoFrame) -> int:
+    """Return the counterclockwise quarter turns a frame asks for, degrees."""
+    return round(frame.rotation / 90.0) % 4 * 90
+
+
+def shown_size(video: VideoStream, rotation_deg: int) -> tuple[int, int]:
+    """Return width and height in px as shown, with square pixels."""
+    width, height = video.width, video.height
+    aspect = video.sample_aspect_ratio
+    if aspect and 0.25 <= aspect <= 4.0:
+        width = round(width * aspect)
+    return (height, width) if rotation_deg in {90, 270} else (width, height)
+
+
+def _duration_s(
+    container: InputContainer, video: VideoStream, path: str | os.PathLike[str]
+) -> float:
+    duration_s = 0.0
+    if video.duration and video.time_base:
+        duration_s = float(video.duration * video.time_base)
+    elif container.duration:  # Matroska: one end for all streams, counted from 0
+        duration_s = container.duration / 1e6 - origin_s(container)
+    if not (math.isfinite(duration_s) and 0.0 < duration_s <= MAX_DURATION_S):
+        raise MediaError(
+            f"it gives {duration_s:.0f} s as its duration",
+            where=str(path),
+            remedy="remux it to MP4 so that its duration is written",
+        )
+    return duration_s
+
+
+def _first_frame(
+    container: InputContainer, video: VideoStream, path: str | os.PathLike[str]
+) -> VideoFrame:
+    read_only(container, video)
+    for count, packet in enumerate(container.demux(video)):
+        try:
+            frames = packet.decode()
+        except ValueError:  # InvalidDataError: the next one may be whole
+            frames = []
+        if frames:
+            return frames[0]
+        if count >= _MAX_PACKETS_TO_FIRST_FRAME:
+            break
+    raise MediaError(
+        "none of its pictures can be decoded", where=str(path), remedy=COPY_AGAIN
+    )

@@ -1,0 +1,94 @@
+"""Reads and decodes the packets of one stream, past damaged ones."""
+
+import os
+from collections import deque
+from collections.abc import Iterator
+from typing import Any, Generic, TypeVar, cast
+
+import av.error
+from av.container import InputContainer
+from av.packet import Packet
+from av.stream import Stream
+
+from hapticplayer.errors import MediaError
+from hapticplayer.media.files import COPY_AGAIN
+from hapticplayer.media.limits import MAX_DAMAGED_IN_A_ROW
+from hapticplayer.media.opening import media_errors
+
+FrameT = TypeVar("FrameT")
+
+_SKIPPED = (av.error.InvalidDataError, av.error.ArgumentError, av.error.BugError)
+"""What a damaged packet raises; the decoder can go on with the next one."""
+
+
+class PacketReader(Generic[FrameT]):
+    """Decoded frames of one stream; packets that fail are counted.
+
+    Attributes:
+        damaged: packets that could not be decoded so far.
+    """
+
+    def __init__(
+        self, container: InputContainer, stream: Stream, path: str | os.PathLike[str]
+    ) -> None:
+        self._container = container
+        self._stream = stream
+        self._path = path
+        self._packets: Iterator[Packet[Any]] = container.demux(stream)
+        self._frames: deque[FrameT] = deque()
+        self._bad_in_a_row = 0
+        self.damaged = 0
+
+    def seek(self, ticks: int) -> None:
+        """Go to the key frame at or before `ticks` of the stream's time base.
+
+        Raises:
+            MediaError: when the container cannot be positioned at all.
+        """
+        self._frames.clear()
+        self._bad_in_a_row = 0
+        with media_errors(self._path, "cannot be positioned"):
+            try:
+                self._container.seek(ticks, stream=self._stream, backward=True)
+            except (av.error.FFmpegError, OSError):
+                # some demuxers refuse positions before their first key frame
+                self._container.seek(ticks, stream=self._stream, backward=False)
+        self._packets = self._container.demux(self._stream)
+
+    def next_frame(self) -> FrameT | None:
+        """Return the next decoded frame, or None at the end.
+
+        Raises:
+            MediaError: when the stream cannot be read any further.
+        """
+        while not self._frames:
+            with media_errors(self._path, "it cannot be decoded any further"):
+                if not self._decode_next():
+                    return None
+        return self._frames.popleft()
+
+    def _decode_next(self) -> bool:
+        """Decode one packet; False at the end of the stream."""
+        try:
+            packet = next(self._packets, None)
+            frames = [] if packet is None else packet.decode()
+        except EOFError:  # the decoder was drained before
+            return False
+        except _SKIPPED as error:
+            self._count_damage(error)
+            self._packets = self._container.demux(self._stream)
+            return True
+        if frames:
+            self._bad_in_a_row = 0
+            self._frames.extend(cast("list[FrameT]", frames))
+        return packet is not None
+
+    def _count_damage(self, error: Exception) -> None:
+        self.damaged += 1
+        self._bad_in_a_row += 1
+        if self._bad_in_a_row > MAX_DAMAGED_IN_A_ROW:
+            raise MediaError(
+                f"{self._bad_in_a_row} packets in a row are damaged",
+                where=str(self._path),
+                remedy=COPY_AGAIN,
+            ) from error

@@ -1,0 +1,184 @@
+"""Writes clips as H.264 and AAC in MP4: for the simulator, the demo and the tests."""
+
+import contextlib
+import os
+import secrets
+from collections.abc import Callable, Iterable, Iterator
+from fractions import Fraction
+from pathlib import Path
+
+import av
+import numpy as np
+from av.audio.frame import AudioFrame
+from av.audio.stream import AudioStream
+from av.container import OutputContainer
+from av.video.frame import VideoFrame
+from av.video.reformatter import Colorspace, VideoReformatter
+from av.video.stream import VideoStream
+from numpy.typing import NDArray
+
+from hapticplayer.errors import MediaError
+from hapticplayer.media.colours import BT709, LIMITED_RANGE
+from hapticplayer.media.opening import media_errors
+
+KEY_FRAME_INTERVAL_S = 2.0
+"""Exact seeking decodes at most this much."""
+
+_QUALITY_CRF = "20"
+_AAC_BITS_PER_S = 160_000
+_LAYOUTS = {1: "mono", 2: "stereo"}
+_AUDIO_CHUNK = 8192
+
+Progress = Callable[[float], None]
+
+
+def write_clip(
+    path: str | os.PathLike[str],
+    pictures: Iterable[NDArray[np.uint8]],
+    *,
+    frame_rate_hz: float,
+    audio: NDArray[np.float32] | None = None,
+    audio_rate_hz: int = 48_000,
+    progress: Progress | None = None,
+) -> None:
+    """Encode pictures and sound; the file appears only when it is complete.
+
+    Both begin at media time 0. Colours are written as BT.709 and tagged so; the
+    index stands in front, so that a truncated copy still plays its first part.
+
+    Args:
+        path: the file to write; an older one is replaced.
+        pictures: (h, w, 3) uint8 RGB, all of one size with even sides.
+        frame_rate_hz: of the pictures.
+        audio: (n, channels) with 1 or 2 channels, 1.0 is full scale, or None.
+        audio_rate_hz: of the sound.
+        progress: called after each picture with the seconds written so far; what
+            it raises (Cancelled) ends the work and leaves nothing behind.
+
+    Raises:
+        MediaError: when the file cannot be written or the pictures differ in size.
+    """
+    target = Path(path)
+    part = target.with_name(f".{target.stem}.{secrets.token_hex(4)}.part")
+    rate = Fraction(frame_rate_hz).limit_denominator(1001)
+    try:
+        with media_errors(target, "cannot be written", "choose another folder"):
+            _write(part, iter(pictures), rate, audio, audio_rate_hz, progress)
+            part.replace(target)
+    finally:
+        with contextlib.suppress(OSError):
+            part.unlink()
+
+
+def _write(
+    part: Path,
+    pictures: Iterator[NDArray[np.uint8]],
+    rate: Fraction,
+    audio: NDArray[np.float32] | None,
+    audio_rate_hz: int,
+    progress: Progress | None,
+) -> None:
+    first = next(pictures, None)
+    if first is None:
+        raise MediaError("there are no pictures to write", where=str(part.parent))
+    container = av.open(
+        str(part), "w", format="mp4", options={"movflags": "+faststart"}
+    )
+    with container:
+        video = _video_stream(container, rate, first)
+        sound = None
+        if audio is not None:
+            sound = _SoundWriter(container, audio, audio_rate_hz)
+        reformatter = VideoReformatter()
+        picture: NDArray[np.uint8] | None = first
+        count = 0
+        while picture is not None:
+            frame = _yuv_frame(reformatter, picture, first.shape)
+            frame.pts, frame.time_base = count, 1 / rate
+            container.mux(video.encode(frame))
+            count += 1
+            written_s = float(count / rate)
+            if sound is not None:
+                sound.write_until(written_s)
+            if progress is not None:
+                progress(written_s)
+            picture = next(pictures, None)
+        container.mux(video.encode())
+        if sound is not None:
+            sound.finish()
+
+
+def _video_stream(
+    container: OutputContainer, rate: Fraction, first: NDArray[np.uint8]
+) -> VideoStream:
+    height, width = first.shape[:2]
+    gop = max(1, round(KEY_FRAME_INTERVAL_S * rate))
+    stream = container.add_stream(
+        "libx264",
+        rate=rate,
+        options={"crf": _QUALITY_CRF, "preset": "veryfast", "g": str(gop)},
+    )
+    stream.width, stream.height = width, height
+    stream.pix_fmt = "yuv420p"
+    context = stream.codec_context
+    context.time_base = 1 / rate
+    context.colorspace = context.color_primaries = context.color_trc = BT709
+    context.color_range = LIMITED_RANGE
+    return stream
+
+
+def _yuv_frame(
+    reformatter: VideoReformatter,
+    picture: NDArray[np.uint8],
+    shape: tuple[int, ...],
+) -> VideoFrame:
+    if picture.shape != shape or picture.shape[2:] != (3,) or picture.dtype != np.uint8:
+        raise MediaError(
+            f"a picture has the shape {picture.shape}, expected {shape} of uint8"
+        )
+    frame = VideoFrame.from_ndarray(np.ascontiguousarray(picture), format="rgb24")
+    return reformatter.reformat(
+        frame, format="yuv420p", dst_colorspace=Colorspace.ITU709, dst_color_range=1
+    )
+
+
+class _SoundWriter:
+    """Encodes sound beside the pictures, so that the file is interleaved."""
+
+    def __init__(
+        self,
+        container: OutputContainer,
+        audio: NDArray[np.float32],
+        rate_hz: int,
+    ) -> None:
+        if audio.ndim != 2 or audio.shape[1] not in _LAYOUTS:
+            raise MediaError(
+                f"the sound has the shape {audio.shape}, expected (n, 1) or (n, 2)"
+            )
+        self._container = container
+        self._audio = audio
+        self._rate_hz = rate_hz
+        self._layout = _LAYOUTS[audio.shape[1]]
+        self._done = 0
+        self._stream: AudioStream = container.add_stream(
+            "aac", rate=rate_hz, layout=self._layout
+        )
+        self._stream.bit_rate = _AAC_BITS_PER_S
+
+    def write_until(self, media_s: float) -> None:
+        """Encode what is heard before `media_s`."""
+        until = min(len(self._audio), round(media_s * self._rate_hz))
+        while self._done < until:
+            chunk = self._audio[self._done : min(until, self._done + _AUDIO_CHUNK)]
+            planar = np.ascontiguousarray(chunk.T, dtype=np.float32)
+            frame = AudioFrame.from_ndarray(planar, format="fltp", layout=self._layout)
+            frame.sample_rate = self._rate_hz
+            frame.pts = self._done
+            frame.time_base = Fraction(1, self._rate_hz)
+            self._container.mux(self._stream.encode(frame))
+            self._done += len(chunk)
+
+    def finish(self) -> None:
+        """Encode the rest and flush."""
+        self.write_until(len(self._audio) / self._rate_hz)
+        self._container.mux(self._stream.encode(None))

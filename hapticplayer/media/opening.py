@@ -1,0 +1,174 @@
+"""Opens media files that nobody has vouched for.
+
+FFmpeg follows references: playlists, `concat:` names and network addresses. So a
+file is opened by an absolute path with the `file:` prefix, only with demuxers that
+read one file, and only if it is a regular file (a FIFO would hang for ever).
+Every failure becomes one MediaError that says what to do.
+"""
+
+import contextlib
+import os
+from collections.abc import Iterator
+from pathlib import Path
+from typing import cast
+
+import av
+import av.error
+from av.container import InputContainer
+from av.stream import Discard as _Discard
+from av.stream import Disposition, Stream
+from av.video.stream import VideoStream
+
+from hapticplayer.errors import MediaError
+from hapticplayer.media.files import COPY_AGAIN, reason, resolve_regular
+from hapticplayer.media.limits import (
+    INDEX_TAIL,
+    MAX_PIXELS,
+    MAX_SIDE_PX,
+    MAX_STREAMS,
+)
+
+OPTIONS = {
+    "protocol_whitelist": "file",
+    "format_whitelist": "mov,matroska,webm,avi,wav",
+}
+CONVERT = "convert it to MP4 (H.264 and AAC), or choose another file"
+
+
+def open_media(path: str | os.PathLike[str]) -> InputContainer:
+    """Open a media file; the container closes at the end of a `with` block.
+
+    Args:
+        path: an MP4, MOV, Matroska, WebM, AVI or WAV file; symbolic links are
+            followed.
+
+    Raises:
+        MediaError: when it is missing, no regular file, of another kind, damaged,
+            truncated, or larger than the limits.
+    """
+    file = resolve_regular(path)
+    with media_errors(file, "it is no video or sound that can be read", CONVERT):
+        container = av.open(
+            f"file:{file}", "r", options=dict(OPTIONS), metadata_errors="ignore"
+        )
+    try:
+        with media_errors(file, "its headers are damaged"):
+            _check_streams(container, file)
+            _check_index(container, file)
+    except BaseException:
+        container.close()
+        raise
+    return container
+
+
+@contextlib.contextmanager
+def media_errors(
+    path: str | os.PathLike[str], what: str, remedy: str = COPY_AGAIN
+) -> Iterator[None]:
+    """Turn whatever PyAV raises inside the block into a MediaError.
+
+    Args:
+        path: the file, for the message.
+        what: what is wrong with it.
+        remedy: what a person can do.
+    """
+    try:
+        yield
+    except MediaError:
+        raise
+    except (
+        av.error.FFmpegError,
+        OSError,
+        EOFError,
+        MemoryError,
+        UnicodeError,
+        ValueError,
+        OverflowError,
+        AttributeError,  # PyAV looks into a codec context that is not there
+    ) as error:
+        raise MediaError(
+            f"{what} ({reason(error)})", where=str(path), remedy=remedy
+        ) from error
+
+
+def _check_streams(container: InputContainer, file: Path) -> None:
+    """Refuse absurd sizes before anything is allocated for them."""
+    if not len(container.streams) or len(container.streams) > MAX_STREAMS:
+        raise MediaError(
+            f"it holds {len(container.streams)} streams, expected 1 to {MAX_STREAMS}",
+            where=str(file),
+            remedy=COPY_AGAIN,
+        )
+    if not any(context_of(s) or s.type == "data" for s in container.streams):
+        raise MediaError(
+            "none of its streams can be decoded, because its headers are damaged",
+            where=str(file),
+            remedy=COPY_AGAIN,
+        )
+    for stream in container.streams.video:
+        if context_of(stream) is None:
+            continue
+        width, height = stream.width, stream.height
+        if width * height > MAX_PIXELS or max(width, height) > MAX_SIDE_PX:
+            raise MediaError(
+                f"its pictures of {width} x {height} pixels are too large (up to "
+                f"8192 x 4320 are shown)",
+                where=str(file),
+                remedy="convert it to a smaller size",
+            )
+
+
+def _check_index(container: InputContainer, file: Path) -> None:
+    """Refuse a file that ends before the last sample of its index.
+
+    FFmpeg plays such a file to where it ends and reports nothing.
+    """
+    size_bytes = file.stat().st_size
+    need_bytes = max(
+        (
+            entry.pos + entry.size
+            for stream in container.streams
+            for entry in stream.index_entries[-INDEX_TAIL:]
+        ),
+        default=0,
+    )
+    if need_bytes > size_bytes:
+        raise MediaError(
+            f"the file ends at byte {size_bytes} but its index needs {need_bytes}",
+            where=str(file),
+            remedy="copy it again",
+        )
+
+
+def context_of(stream: Stream) -> object | None:
+    """Return the stream's codec context, or None where there is no decoder."""
+    return cast("object | None", stream.codec_context)
+
+
+def find_video(container: InputContainer) -> VideoStream | None:
+    """Return the first decodable video stream that is not a cover picture."""
+    for stream in container.streams.video:
+        is_cover = stream.disposition & Disposition.attached_pic
+        if context_of(stream) is not None and not is_cover:
+            return stream
+    return None
+
+
+def origin_s(container: InputContainer) -> float:
+    """Return the container time of media time 0, s.
+
+    Media time starts where the first picture is shown; without pictures, where
+    the first sound is heard.
+    """
+    stream: Stream | None = find_video(container)
+    if stream is None:
+        stream = next(iter(container.streams.audio), None)
+    if stream is None or stream.start_time is None or stream.time_base is None:
+        return 0.0
+    return float(stream.start_time * stream.time_base)
+
+
+def read_only(container: InputContainer, wanted: Stream) -> None:
+    """Let the demuxer skip all other streams, so that they are not even read."""
+    for stream in container.streams:
+        stream.discard = _Discard.default if stream is wanted else _Discard.all

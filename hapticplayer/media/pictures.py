@@ -1,0 +1,82 @@
+"""Turns decoded frames into pictures that can be painted."""
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from av.video.frame import VideoFrame
+from av.video.reformatter import VideoReformatter
+
+from hapticplayer.errors import MediaError
+from hapticplayer.media.clip_info import rotation_of
+from hapticplayer.media.colours import untagged_matrix
+from hapticplayer.media.limits import MAX_PIXELS
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Picture:
+    """A picture ready to be painted, top row first.
+
+    Attributes:
+        pts_s: media time at which it appears.
+        width: px.
+        height: px.
+        stride_bytes: from one row to the next.
+        pixels: B, G, R, 255 for each pixel (QImage.Format_RGB32).
+        owner: keeps the memory of `pixels` alive; hold the Picture as long as
+            anything points into it.
+    """
+
+    pts_s: float
+    width: int
+    height: int
+    stride_bytes: int
+    pixels: memoryview
+    owner: Any
+
+    def as_rgb(self) -> np.ndarray[Any, np.dtype[np.uint8]]:
+        """Return a copy as (height, width, 3) RGB; for tests and thumbnails."""
+        rows = np.frombuffer(self.pixels, np.uint8, self.height * self.stride_bytes)
+        bgra = rows.reshape(self.height, self.stride_bytes)[:, : 4 * self.width]
+        return bgra.reshape(self.height, self.width, 4)[:, :, 2::-1].copy()
+
+
+class PictureConverter:
+    """Scales, rotates and converts to BGRA; reuses swscale's tables."""
+
+    def __init__(self) -> None:
+        self._reformatter = VideoReformatter()
+
+    def convert(
+        self, frame: VideoFrame, pts_s: float, width_px: int, height_px: int
+    ) -> Picture:
+        """Return a picture of the size as shown, its width rounded down to even.
+
+        Raises:
+            MediaError: when the size is absurd; PyAV's errors pass through.
+        """
+        width, height = max(2, width_px & ~1), max(2, height_px)
+        if width * height > MAX_PIXELS:
+            raise MediaError(f"{width} x {height} pixels are too large for a picture")
+        turns = rotation_of(frame) // 90
+        size = (max(2, height & ~1), width) if turns % 2 else (width, height)
+        bgra = self._reformatter.reformat(
+            frame, *size, "bgra", src_colorspace=untagged_matrix(frame)
+        )
+        return _picture(bgra, pts_s, turns)
+
+
+def _picture(bgra: VideoFrame, pts_s: float, turns: int) -> Picture:
+    """Wrap PyAV's memory without a copy; rotated pictures are copied once."""
+    plane = bgra.planes[0]
+    if turns == 0:
+        return Picture(
+            pts_s, bgra.width, bgra.height, plane.line_size, memoryview(plane), bgra
+        )
+    rows = np.frombuffer(memoryview(plane), np.uint8).reshape(
+        bgra.height, plane.line_size
+    )
+    pixels = rows[:, : 4 * bgra.width].reshape(bgra.height, bgra.width, 4)
+    turned = np.ascontiguousarray(np.rot90(pixels, turns))
+    height, width = turned.shape[:2]
+    return Picture(pts_s, width, height, 4 * width, turned.reshape(-1).data, turned)
