@@ -1,0 +1,62 @@
+"""Recordings in: camera telemetry, motion logs, and the recording simulator.
+
+Times are media time (0 is the first picture) where the clocks are one; frame A is
+x right, y front, z up. Each module is loaded when its first name is used.
+"""
+
+import importlib
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from hapticplayer.capture.csv_log import (
+        read_force_csv,
+        read_imu_csv,
+        write_imu_csv,
+    )
+    from hapticplayer.capture.gopro import GoProTelemetry, read_gopro, read_raw_gopro
+    from hapticplayer.capture.recording import Recording, read_recording
+    from hapticplayer.capture.scenes import SCENES
+    from hapticplayer.capture.simulator import (
+        SimulatedRecording,
+        simulate,
+        write_simulated_clip,
+    )
+
+_HOMES = {
+    "SCENES": "scenes",
+    "GoProTelemetry": "gopro",
+    "Recording": "recording",
+    "SimulatedRecording": "simulator",
+    "read_force_csv": "csv_log",
+    "read_gopro": "gopro",
+    "read_imu_csv": "csv_log",
+    "read_raw_gopro": "gopro",
+    "read_recording": "recording",
+    "simulate": "simulator",
+    "write_imu_csv": "csv_log",
+    "write_simulated_clip": "simulator",
+}
+
+__all__ = [
+    "SCENES",
+    "GoProTelemetry",
+    "Recording",
+    "SimulatedRecording",
+    "read_force_csv",
+    "read_gopro",
+    "read_imu_csv",
+    "read_raw_gopro",
+    "read_recording",
+    "simulate",
+    "write_imu_csv",
+    "write_simulated_clip",
+]
+
+
+def __getattr__(name: str) -> object:
+    """Load the module of a public name at its first use."""
+    if name not in _HOMES:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    module = importlib.import_module(f"{__name__}.{_HOMES[name]}")
+    globals()[name] = getattr(module, name)
+    return globals()[name]

@@ -1,0 +1,159 @@
+"""Collects one sensor's samples and time marks out of GPMF payloads."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hapticplayer.capture.gpmf import Entry, numbers_of, text_of
+from hapticplayer.capture.limits import MAX_SAMPLES
+from hapticplayer.errors import TelemetryError
+from hapticplayer.model.arrays import Floats
+
+
+@dataclass(frozen=True, slots=True)
+class Payload:
+    """A parsed GPMF payload.
+
+    Attributes:
+        start_s: media time at which its span begins.
+        duration_s: length of the span; nominal in the last payload.
+        device: the camera's DEVC entry.
+    """
+
+    start_s: float
+    duration_s: float
+    device: Entry
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class SensorStream:
+    """All samples of one sensor with the marks that time them.
+
+    One row per payload in which the sensor delivered.
+
+    Attributes:
+        values: (N, elements) in SI, in stored order.
+        first_index: (P,) index of the payload's first sample since the start, with
+            lost samples counted.
+        counts: (P,) samples.
+        start_s: (P,) media time at which the payload begins.
+        duration_s: (P,) its length.
+        stamp_us: (P,) the camera's own time of the first sample, NaN where absent.
+        first: the first STRM entry, for its axes.
+    """
+
+    values: Floats
+    first_index: NDArray[np.int64]
+    counts: NDArray[np.int64]
+    start_s: Floats
+    duration_s: Floats
+    stamp_us: Floats
+    first: Entry
+
+    @property
+    def index(self) -> NDArray[np.int64]:
+        """(N,) index of each sample since the start."""
+        within = np.arange(len(self.values)) - np.repeat(
+            np.cumsum(self.counts) - self.counts, self.counts
+        )
+        return np.asarray(np.repeat(self.first_index, self.counts) + within)
+
+
+def collect(payloads: Sequence[Payload], key: str) -> SensorStream | None:
+    """Return a sensor's stream, or None when the recording has none.
+
+    Raises:
+        TelemetryError: when the scale is unusable or there are too many samples.
+    """
+    rows = list(_rows(payloads, key))
+    if not rows:
+        return None
+    counts = np.array([len(row.values) for row in rows], dtype=np.int64)
+    if counts.sum() > MAX_SAMPLES:
+        raise TelemetryError(f"{key} has {counts.sum()} samples, more than is read")
+    return SensorStream(
+        values=np.concatenate([row.values for row in rows]),
+        first_index=_first_index(counts, [row.total for row in rows]),
+        counts=counts,
+        start_s=np.array([row.payload.start_s for row in rows]),
+        duration_s=np.array([row.payload.duration_s for row in rows]),
+        stamp_us=np.array([row.stamp_us for row in rows]),
+        first=rows[0].stream,
+    )
+
+
+def first_stamp_us(payloads: Sequence[Payload], keys: Sequence[str]) -> float | None:
+    """Return the camera's time of frame 0: the first stamp of a per-frame stream."""
+    for key in keys:
+        for row in _rows(payloads[:1], key):
+            if np.isfinite(row.stamp_us):
+                return row.stamp_us
+    return None
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Row:
+    payload: Payload
+    stream: Entry
+    values: Floats
+    total: float
+    stamp_us: float
+
+
+def _rows(payloads: Sequence[Payload], key: str) -> Iterator[_Row]:
+    width = 0
+    for payload in payloads:
+        stream = _stream_of(payload.device, key)
+        entry = None if stream is None else stream.find(key)
+        if stream is None or entry is None:
+            continue
+        values = _scaled(entry, stream, key)
+        width = width or values.shape[1]
+        if len(values) and width and values.shape[1] == width:
+            total, stamp_us = _number(stream, "TSMP"), _number(stream, "STMP")
+            yield _Row(payload, stream, values, total, stamp_us)
+
+
+def _stream_of(device: Entry, key: str) -> Entry | None:
+    for stream in device.find_all("STRM"):
+        if stream.find(key) is not None:
+            return stream
+    return None
+
+
+def _scaled(entry: Entry, stream: Entry, key: str) -> Floats:
+    """Divide by SCAL, which has one value for all axes or one for each."""
+    values = numbers_of(entry, text_of(stream.find("TYPE")))
+    scale_entry = stream.find("SCAL")
+    if scale_entry is None or not values.size:
+        return values
+    scale = numbers_of(scale_entry).ravel()
+    is_fitting = scale.size in {1, values.shape[1]}
+    if not is_fitting or not np.isfinite(scale).all() or (scale == 0.0).any():
+        raise TelemetryError(f"the scale of {key} is damaged ({scale[:3].tolist()})")
+    return np.asarray(values / scale)
+
+
+def _number(stream: Entry, key: str) -> float:
+    entry = stream.find(key)
+    values = np.zeros(0) if entry is None else numbers_of(entry).ravel()
+    return float(values[0]) if values.size else float("nan")
+
+
+def _first_index(counts: NDArray[np.int64], totals: list[float]) -> NDArray[np.int64]:
+    """Return where each payload begins, counting samples that were lost.
+
+    TSMP counts what was delivered since the recording began, this payload
+    included; in a later chapter it starts high. Where it contradicts the payloads
+    (runs backwards or leaps), only the payloads count.
+    """
+    plain = np.cumsum(counts) - counts
+    delivered = np.array(totals)
+    if not np.isfinite(delivered).all():
+        return plain
+    index = (delivered - counts) - (delivered[0] - counts[0])
+    lost = np.diff(index - plain)
+    is_sane = lost.size == 0 or (lost.min() >= 0.0 and lost.sum() <= counts.sum())
+    return index.astype(np.int64) if is_sane else plain

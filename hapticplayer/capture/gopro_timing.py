@@ -1,0 +1,122 @@
+"""When each sample of a GoPro sensor was taken, in media time.
+
+Newer cameras stamp the first sample of each payload (STMP, us). One straight line
+through the stamps leaves 0.01 to 0.3 ms up to a minute; beyond that the sensor's
+clock warms up (3.8 ms in two minutes), so the line is broken at each payload.
+HERO5 to 7 have no stamps: there a line through the sample counts against the
+packets' times is the best there is (10 to 30 ms). Nominal rates are never used: a
+"200 Hz" sensor runs at 189 to 203 Hz.
+
+Source: measured; gpmf-parser issues #63, #80, #189, #212.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from hapticplayer.capture.gopro_streams import SensorStream
+from hapticplayer.errors import TelemetryError
+from hapticplayer.model.arrays import Floats
+
+ONE_LINE_S = 60.0
+"""Up to this length one line is straighter than the stamps are exact."""
+
+_RATE_TOLERANCE = 0.25
+"""Stamps whose rate differs more from the packets' are not believed."""
+
+_OFFSET_TOLERANCE_S = 2.0
+"""Stamps that lie farther from the packets' times are not believed."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class SampleTimes:
+    """Media time of each sample.
+
+    Attributes:
+        time_s: (N,) strictly increasing.
+        rate_hz: mean rate.
+        residual_s: RMS of what the marks deviate from one straight line.
+        is_stamped: from the camera's stamps, not from the packets' times.
+    """
+
+    time_s: Floats
+    rate_hz: float
+    residual_s: float
+    is_stamped: bool
+
+
+def sample_times(
+    stream: SensorStream, frame0_us: float | None, *, has_packet_times: bool
+) -> SampleTimes:
+    """Return when the samples of a stream were taken.
+
+    Args:
+        stream: from `collect`.
+        frame0_us: the camera's time of the first picture, if it stamps its samples.
+        has_packet_times: whether the payloads' times come from a video container,
+            so that the stamps can be held against them.
+
+    Raises:
+        TelemetryError: when the marks run backwards.
+    """
+    stamp_us = stream.stamp_us
+    if frame0_us is not None and len(stamp_us) > 1 and np.isfinite(stamp_us).all():
+        marks_s = (stamp_us - frame0_us) * 1e-6
+        if _are_believable(stream, marks_s, has_packet_times):
+            return _from_stamps(stream, marks_s)
+    return _from_packets(stream)
+
+
+def _are_believable(
+    stream: SensorStream, marks_s: Floats, has_packet_times: bool
+) -> bool:
+    if np.diff(marks_s).min() <= 0.0:
+        return False
+    span_s = stream.start_s[-1] - stream.start_s[0]
+    pace = (marks_s[-1] - marks_s[0]) / span_s if span_s > 0.0 else 0.0
+    off_s = float(np.abs(marks_s - stream.start_s).max())
+    is_near = off_s < _OFFSET_TOLERANCE_S or not has_packet_times
+    return is_near and abs(pace - 1.0) < _RATE_TOLERANCE
+
+
+def _from_stamps(stream: SensorStream, marks_s: Floats) -> SampleTimes:
+    first = stream.first_index.astype(np.float64)
+    slope, offset = np.polyfit(first, marks_s, 1)
+    residual_s = float(np.std(marks_s - (slope * first + offset)))
+    index = stream.index.astype(np.float64)
+    if marks_s[-1] - marks_s[0] <= ONE_LINE_S:
+        time_s = slope * index + offset
+    else:
+        time_s = np.interp(index, first, marks_s)
+        # the last payload has no mark at its end: the pace of the whole goes on
+        is_last = index > first[-1]
+        time_s[is_last] = marks_s[-1] + slope * (index[is_last] - first[-1])
+    return _checked(time_s, slope, residual_s, is_stamped=True)
+
+
+def _from_packets(stream: SensorStream) -> SampleTimes:
+    """Fit counts to packet times.
+
+    A packet's start is the moment up to which all earlier samples had come. The
+    first says nothing about the pace (sensors start up to 0.2 s early), and the
+    end of the last is nominal (it would give 184 Hz instead of 199 for 12 s).
+    """
+    first = stream.first_index.astype(np.float64)
+    use = slice(1, None) if len(first) > 2 else slice(None)
+    if len(first) > 1:
+        slope, offset = np.polyfit(first[use], stream.start_s[use], 1)
+    else:
+        slope = stream.duration_s[0] / stream.counts[0]
+        offset = stream.start_s[0]
+    deviation_s = stream.start_s[use] - (slope * first[use] + offset)
+    time_s = slope * stream.index + offset
+    return _checked(time_s, slope, float(np.std(deviation_s)), is_stamped=False)
+
+
+def _checked(
+    time_s: Floats, slope: float, residual_s: float, *, is_stamped: bool
+) -> SampleTimes:
+    is_sane = np.isfinite(time_s).all() and 1e-5 < slope < 10.0
+    if not is_sane or (len(time_s) > 1 and np.diff(time_s).min() <= 0.0):
+        raise TelemetryError("its time stamps run backwards, so it is damaged")
+    return SampleTimes(time_s, float(1.0 / slope), residual_s, is_stamped)

@@ -1,0 +1,187 @@
+"""Reads GoPro's metadata format (GPMF): nested key, length, value entries.
+
+Each entry is a four-character key, a type letter, the size of one structure, a
+16-bit repeat count (big endian) and the values, padded to four bytes. The reader
+takes what is intact: a length that leaves its parent ends that parent, and unknown
+types are kept as bytes.
+
+Source: github.com/gopro/gpmf-parser, README ("GPMF-core Structure").
+"""
+
+import re
+import struct
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from hapticplayer.capture.limits import MAX_NESTING
+from hapticplayer.errors import TelemetryError
+from hapticplayer.model.arrays import Floats
+
+NESTED = "\0"
+COMPLEX = "?"
+
+_HEADER = struct.Struct(">4scBH")
+_DTYPES = {
+    "b": ">i1",
+    "B": ">u1",
+    "d": ">f8",
+    "f": ">f4",
+    "j": ">i8",
+    "J": ">u8",
+    "l": ">i4",
+    "L": ">u4",
+    "q": ">i4",
+    "Q": ">i8",
+    "s": ">i2",
+    "S": ">u2",
+}
+_FIXED_POINT = {"q": 2.0**-16, "Q": 2.0**-32}
+_TEXT_BYTES = {"c": 1, "F": 4, "G": 16, "U": 16}
+_COMPLEX_PART = re.compile(r"([A-Za-z])(?:\[(\d{1,3})\])?")
+_MAX_COMPLEX_FIELDS = 255
+
+
+@dataclass(frozen=True, slots=True)
+class Entry:
+    """One key with its value.
+
+    Attributes:
+        key: four characters.
+        kind: type letter; NESTED when the value is a list of entries.
+        struct_bytes: size of one structure.
+        payload: the value as bytes, without padding.
+        children: entries of a nested value.
+        is_cut: the nested value ended in the middle of an entry.
+    """
+
+    key: str
+    kind: str
+    struct_bytes: int
+    payload: bytes
+    children: tuple["Entry", ...] = ()
+    is_cut: bool = False
+
+    def find(self, key: str) -> "Entry | None":
+        """Return the last child of this key (metadata may repeat), or None."""
+        return next((e for e in reversed(self.children) if e.key == key), None)
+
+    def find_all(self, key: str) -> Iterator["Entry"]:
+        """Yield the children of this key."""
+        return (entry for entry in self.children if entry.key == key)
+
+
+def parse(payload: bytes) -> Entry:
+    """Return the entries of a payload as children of an unnamed entry.
+
+    Raises:
+        TelemetryError: when entries are nested deeper than any camera's.
+    """
+    children, is_cut = _parse_list(payload, depth=0)
+    return Entry("", NESTED, 1, b"", children, is_cut)
+
+
+def _parse_list(payload: bytes, depth: int) -> tuple[tuple[Entry, ...], bool]:
+    if depth > MAX_NESTING:
+        raise TelemetryError(
+            f"telemetry is nested deeper than {MAX_NESTING} levels, so it is damaged"
+        )
+    entries: list[Entry] = []
+    offset = 0
+    while offset + _HEADER.size <= len(payload):
+        key, kind, struct_bytes, repeat = _HEADER.unpack_from(payload, offset)
+        if key == b"\0\0\0\0":  # padding up to the end
+            return tuple(entries), False
+        start = offset + _HEADER.size
+        end = start + struct_bytes * repeat
+        if end > len(payload) or not key.isascii():
+            return tuple(entries), True
+        entries.append(_entry(key, kind, struct_bytes, payload[start:end], depth))
+        offset = start + -(-(end - start) // 4) * 4
+    return tuple(entries), offset < len(payload)
+
+
+def _entry(
+    key: bytes, kind: bytes, struct_bytes: int, payload: bytes, depth: int
+) -> Entry:
+    name, letter = key.decode("ascii"), kind.decode("latin-1")
+    if letter != NESTED:
+        return Entry(name, letter, struct_bytes, payload)
+    children, is_cut = _parse_list(payload, depth + 1)
+    return Entry(name, letter, struct_bytes, payload, children, is_cut)
+
+
+def text_of(entry: Entry | None) -> str:
+    """Return a text value without its padding; "" for None."""
+    if entry is None:
+        return ""
+    return entry.payload.decode("latin-1").strip("\0 \t\r\n")
+
+
+def numbers_of(entry: Entry, complex_type: str = "") -> Floats:
+    """Return the values as (repeat, elements) float64.
+
+    Types without numbers (text, unknown letters) give shape (repeat, 0).
+
+    Args:
+        entry: scalar or complex.
+        complex_type: value of the TYPE entry before a complex one, such as "Lf[3]".
+    """
+    size = entry.struct_bytes
+    rows = len(entry.payload) // size if size else 0
+    is_complex = entry.kind == COMPLEX
+    letters = _letters(complex_type) if is_complex else _repeated(entry.kind, size)
+    dtype, scales = _structure(letters)
+    if not rows or not scales or dtype.itemsize > size:
+        return np.zeros((rows, 0))
+    padded = _with_size(dtype, size)
+    table = np.frombuffer(entry.payload, padded, rows)
+    columns = [
+        table[name].astype(np.float64) * scale
+        for name, scale in zip(dtype.names or (), scales, strict=True)
+        if scale
+    ]
+    return np.stack(columns, axis=1) if columns else np.zeros((rows, 0))
+
+
+def _repeated(kind: str, size_bytes: int) -> str:
+    if kind not in _DTYPES:
+        return ""
+    return kind * (size_bytes // np.dtype(_DTYPES[kind]).itemsize)
+
+
+def _letters(complex_type: str) -> str:
+    """Expand "f[3]" to "fff"."""
+    letters = "".join(
+        letter * int(count or 1)
+        for letter, count in _COMPLEX_PART.findall(complex_type)
+    )
+    return letters[:_MAX_COMPLEX_FIELDS]
+
+
+def _structure(letters: str) -> tuple[np.dtype[np.void], list[float]]:
+    """Return a big-endian structure and the factor of each field, 0 for text.
+
+    An unknown letter ends the structure, because its size is not known.
+    """
+    fields: list[tuple[str, str]] = []
+    scales: list[float] = []
+    for number, letter in enumerate(letters):
+        if letter in _DTYPES:
+            fields.append((f"f{number}", _DTYPES[letter]))
+            scales.append(_FIXED_POINT.get(letter, 1.0))
+        elif letter in _TEXT_BYTES:
+            fields.append((f"f{number}", f"V{_TEXT_BYTES[letter]}"))
+            scales.append(0.0)
+        else:
+            break
+    return np.dtype(fields), scales
+
+
+def _with_size(dtype: np.dtype[np.void], size_bytes: int) -> np.dtype[np.void]:
+    """Return the structure with unused bytes behind it."""
+    spare = size_bytes - dtype.itemsize
+    if not spare:
+        return dtype
+    return np.dtype([*dtype.descr, ("spare", f"V{spare}")])

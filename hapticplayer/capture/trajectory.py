@@ -1,0 +1,127 @@
+"""A motion whose acceleration and rotation are exact derivatives of its path.
+
+Six coordinates (position and yaw, pitch, roll) are splines of the fifth degree;
+everything else is derived from them in closed form, so that a recording made of it
+has a truth without approximation.
+
+Earth frame: x east, y north, z up. Orientation = Rz(yaw) Rx(pitch) Ry(roll) from
+sensor to earth: yaw counterclockwise seen from above, pitch lifts the nose, roll
+lowers the right side.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.interpolate import make_interp_spline
+
+from hapticplayer.model import STANDARD_GRAVITY_MPS2
+from hapticplayer.model.arrays import Floats
+from hapticplayer.model.quaternions import conjugate, multiply, rotate
+
+_DEGREE = 5
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Motion:
+    """What a sensor goes through, all exact.
+
+    Attributes:
+        time_s: (N,).
+        position_m: (N, 3) earth.
+        velocity_mps: (N, 3) earth.
+        acceleration_mps2: (N, 3) gravity-free, sensor frame.
+        specific_force_mps2: (N, 3) R^T (a_earth + g z), sensor frame.
+        angular_rate_radps: (N, 3) sensor frame.
+        quaternion_wxyz: (N, 4) sensor to earth.
+    """
+
+    time_s: Floats
+    position_m: Floats
+    velocity_mps: Floats
+    acceleration_mps2: Floats
+    specific_force_mps2: Floats
+    angular_rate_radps: Floats
+    quaternion_wxyz: Floats
+
+
+class Trajectory:
+    """Splines through sampled coordinates."""
+
+    def __init__(self, time_s: Floats, position_m: Floats, angles_rad: Floats) -> None:
+        """Lay splines through samples.
+
+        Args:
+            time_s: (N,) equally spaced; reaching a little beyond what will be asked
+                for, because splines are loose at their ends.
+            position_m: (N, 3) earth.
+            angles_rad: (N, 3) yaw, pitch, roll.
+        """
+        self._position = make_interp_spline(time_s, position_m, k=_DEGREE)
+        self._angles = make_interp_spline(time_s, angles_rad, k=_DEGREE)
+        self._velocity = self._position.derivative(1)
+        self._acceleration = self._position.derivative(2)
+        self._angle_rates = self._angles.derivative(1)
+
+    def at(self, time_s: Floats) -> Motion:
+        """Return the motion at times (N,)."""
+        angles = self._angles(time_s)
+        quaternion = quaternion_from_angles(angles)
+        acc_earth = self._acceleration(time_s)
+        to_sensor = conjugate(quaternion)
+        gravity = np.array([0.0, 0.0, STANDARD_GRAVITY_MPS2])
+        return Motion(
+            time_s=time_s,
+            position_m=self._position(time_s),
+            velocity_mps=self._velocity(time_s),
+            acceleration_mps2=rotate(to_sensor, acc_earth),
+            specific_force_mps2=rotate(to_sensor, acc_earth + gravity),
+            angular_rate_radps=_body_rate(angles, self._angle_rates(time_s)),
+            quaternion_wxyz=quaternion,
+        )
+
+    def mean_rate_radps(self, time_s: Floats, step_s: float) -> Floats:
+        """Return the rotation over the interval ending at each time, per second.
+
+        What an integrating gyro delivers: the rotation vector that leads exactly
+        from one orientation to the next. (N, 3), sensor frame.
+        """
+        before = quaternion_from_angles(self._angles(time_s - step_s))
+        after = quaternion_from_angles(self._angles(time_s))
+        return rotation_vector(multiply(conjugate(before), after)) / step_s
+
+
+def quaternion_from_angles(angles_rad: Floats) -> Floats:
+    """Return Rz(yaw) Rx(pitch) Ry(roll) as quaternions (N, 4)."""
+    yaw, pitch, roll = 0.5 * angles_rad.T
+    zero = np.zeros_like(yaw)
+    about_z = np.stack([np.cos(yaw), zero, zero, np.sin(yaw)], axis=1)
+    about_x = np.stack([np.cos(pitch), np.sin(pitch), zero, zero], axis=1)
+    about_y = np.stack([np.cos(roll), zero, np.sin(roll), zero], axis=1)
+    return multiply(multiply(about_z, about_x), about_y)
+
+
+def rotation_vector(q: Floats) -> Floats:
+    """Return the rotation vectors (N, 3) in rad of unit quaternions (N, 4)."""
+    q = np.where(q[:, :1] < 0.0, -q, q)
+    sine = np.linalg.norm(q[:, 1:], axis=1, keepdims=True)
+    angle = 2.0 * np.arctan2(sine, q[:, :1])
+    safe = np.where(sine > 1e-12, sine, 1.0)
+    return np.where(sine > 1e-12, q[:, 1:] / safe * angle, 2.0 * q[:, 1:])
+
+
+def _body_rate(angles: Floats, rates: Floats) -> Floats:
+    """Return the angular rate in the sensor frame from Euler angles and rates."""
+    _, pitch, roll = angles.T
+    yaw_rate, pitch_rate, roll_rate = rates.T
+    side = pitch_rate
+    ahead = yaw_rate * np.sin(pitch)
+    upward = yaw_rate * np.cos(pitch)
+    cosine, sine = np.cos(roll), np.sin(roll)
+    return np.stack(
+        [
+            cosine * side - sine * upward,
+            ahead + roll_rate,
+            sine * side + cosine * upward,
+        ],
+        axis=1,
+    )

@@ -1,0 +1,230 @@
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from hapticplayer.capture import read_force_csv, read_imu_csv, write_imu_csv
+from hapticplayer.errors import InputError
+from hapticplayer.model import ImuLog, Reconstruction, Sampling
+
+HEADER = "time_s,ax,ay,az,gx,gy,gz"
+ROW = "{},0.1,0.2,9.8,0,0,0.01"
+
+
+def log_lines(count: int = 20) -> list[str]:
+    return [HEADER, *(ROW.format(number / 100) for number in range(count))]
+
+
+def write(path: Path, lines: list[str], newline: str = "\n") -> Path:
+    path.write_bytes((newline.join(lines) + newline).encode())
+    return path
+
+
+def test_plain_log_is_read(tmp_path: Path) -> None:
+    imu = read_imu_csv(write(tmp_path / "log.csv", log_lines()))
+    assert imu.time_s == pytest.approx(np.arange(20) / 100)
+    np.testing.assert_array_equal(imu.specific_force_mps2[3], [0.1, 0.2, 9.8])
+    np.testing.assert_array_equal(imu.angular_rate_radps[3], [0.0, 0.0, 0.01])
+    assert imu.magnetic_field_ut is None
+    assert imu.sampling is Sampling.INSTANT
+    assert imu.source.endswith("log.csv")
+
+
+def test_field_columns_are_read(tmp_path: Path) -> None:
+    lines = [HEADER + ",mx,my,mz", *(f"{t},0,0,9.8,0,0,0,20,-3,40" for t in range(3))]
+    imu = read_imu_csv(write(tmp_path / "log.csv", lines))
+    assert imu.magnetic_field_ut is not None
+    np.testing.assert_array_equal(imu.magnetic_field_ut[1], [20.0, -3.0, 40.0])
+
+
+@pytest.mark.parametrize("newline", ["\n", "\r\n", "\n\n"])
+@pytest.mark.parametrize("start", ["", "\ufeff"])
+def test_spaces_marks_and_line_ends_are_tolerated(
+    tmp_path: Path, newline: str, start: str
+) -> None:
+    lines = [line.replace(",", " , ") for line in log_lines()]
+    lines[0] = start + lines[0]
+    imu = read_imu_csv(write(tmp_path / "log.csv", [*lines, "", "  "], newline))
+    assert len(imu) == 20
+
+
+def test_write_and_read_agree_to_nine_digits(tmp_path: Path) -> None:
+    rng = np.random.default_rng(3)
+    imu = ImuLog(
+        time_s=np.cumsum(rng.uniform(0.004, 0.006, 500)) - 1.0,
+        specific_force_mps2=rng.normal((0.0, 0.0, 9.8), 1.0, (500, 3)),
+        angular_rate_radps=rng.normal(0.0, 1.0, (500, 3)),
+        magnetic_field_ut=rng.normal(0.0, 30.0, (500, 3)),
+    )
+    path = tmp_path / "log.csv"
+    write_imu_csv(path, imu)
+    again = read_imu_csv(path)
+    np.testing.assert_allclose(again.time_s, imu.time_s, atol=6e-10)
+    for name in ("specific_force_mps2", "angular_rate_radps", "magnetic_field_ut"):
+        np.testing.assert_allclose(getattr(again, name), getattr(imu, name), rtol=1e-8)
+    assert [entry.name for entry in tmp_path.iterdir()] == ["log.csv"]
+
+
+def test_folder_that_cannot_be_written_is_named(tmp_path: Path) -> None:
+    imu = read_imu_csv(write(tmp_path / "log.csv", log_lines()))
+    with pytest.raises(InputError, match="cannot be written"):
+        write_imu_csv(tmp_path / "missing" / "log.csv", imu)
+
+
+def changed(number: int, line: str) -> list[str]:
+    lines = log_lines()
+    lines[number - 1] = line
+    return lines
+
+
+FAULTS = {
+    "nan": (changed(7, "0.05,nan,0,9.8,0,0,0"), "line 7, column ax.*finite"),
+    "inf": (changed(7, "0.05,0,0,9.8,0,-inf,0"), "line 7, column gy.*finite"),
+    "word": (changed(9, "0.07,0,0,9.8,0,zero,0"), "line 9, column gy: 'zero'"),
+    "empty cell": (changed(9, "0.07,0,,9.8,0,0,0"), "line 9, column ay: ''"),
+    "underscore": (changed(9, "0.07,0,0,1_0,0,0,0"), "line 9, column az: '1_0'"),
+    "decimal comma": (changed(9, "0,07,0,0,9,8,0,0,0"), "line 9: has 9 columns"),
+    "short": (changed(12, "0.1,0,0,9.8"), "line 12: has 4 columns, the header has 7"),
+    "long": (changed(12, "0.1,0,0,9.8,0,0,0,1"), "line 12: has 8 columns"),
+    "backwards": (changed(5, "0.011,0,0,9.8,0,0,0"), "line 5, column time_s: .*back"),
+    "twice": (changed(5, "0.02,0,0,9.8,0,0,0"), "line 5, column time_s: .*repeats"),
+    "no rows": ([HEADER], "has 0 rows"),
+    "one row": (log_lines(1), "has 1 rows"),
+    "no header": (log_lines()[1:], "line 1: there is no header"),
+    "semicolons": (
+        [line.replace(",", ";") for line in log_lines()],
+        "separated by semicolons",
+    ),
+    "tabs": ([line.replace(",", "\t") for line in log_lines()], "separated by tabs"),
+    "order": (
+        ["time_s,gx,gy,gz,ax,ay,az", *log_lines()[1:]],
+        "columns are in another order",
+    ),
+    "names": (["time,ax,ay,az,gx,gy,gz", *log_lines()[1:]], "the header is 'time,ax"),
+    "half a field": ([HEADER + ",mx", *log_lines()[1:]], "the header is"),
+    "in g": (
+        [HEADER, *(f"{t},0,0,1,0,0,0" for t in range(9))],
+        "looks like g: multiply ax, ay, az by 9.80665",
+    ),
+    "in milli-g": (
+        [HEADER, *(f"{t},0,0,1000,0,0,0" for t in range(9))],
+        "looks like milli-g",
+    ),
+    "without gravity": (
+        [HEADER, *(f"{t},0.01,0,0,0,0,0" for t in range(9))],
+        "gravity seems to be removed",
+    ),
+    "in counts": (
+        [HEADER, *(f"{t},0,0,250,0,0,0" for t in range(9))],
+        "give the specific force in m/s2",
+    ),
+    "one huge value": (
+        changed(9, "0.07,0,0,1e30,0,0,0"),
+        "acceleration of 1e\\+30 m/s2, beyond any sensor",
+    ),
+    "in degrees": (changed(9, "0.07,0,0,9.8,0,0,250"), "looks like deg/s"),
+}
+
+
+@pytest.mark.parametrize("name", FAULTS)
+def test_fault_is_named_with_its_place_and_a_remedy(tmp_path: Path, name: str) -> None:
+    lines, sentence = FAULTS[name]
+    path = write(tmp_path / "log.csv", lines)
+    with pytest.raises(InputError, match=sentence) as caught:
+        read_imu_csv(path)
+    assert "log.csv" in str(caught.value)
+    assert "; " in str(caught.value)
+    assert "\n" not in str(caught.value)
+
+
+def test_fault_is_found_behind_empty_lines(tmp_path: Path) -> None:
+    lines = log_lines()
+    lines[5:5] = ["", "", ""]
+    lines[12] = "x"
+    with pytest.raises(InputError, match="line 13"):
+        read_imu_csv(write(tmp_path / "log.csv", lines))
+
+
+@pytest.mark.parametrize(
+    "content",
+    [b"\xff\xfe\x00\x01", b"\x00" * 5000, b"time_s,ax\x00", b"\x89PNG\r\n\x1a\n\x00"],
+)
+def test_binary_content_is_refused(tmp_path: Path, content: bytes) -> None:
+    path = tmp_path / "log.csv"
+    path.write_bytes(content)
+    with pytest.raises(InputError, match=r"line 1|not a text file"):
+        read_imu_csv(path)
+
+
+def test_letters_behind_the_header_that_are_not_utf8_are_refused(
+    tmp_path: Path,
+) -> None:
+    path = tmp_path / "log.csv"
+    path.write_bytes("\n".join(log_lines()).encode() + b"\n\xff\xff")
+    with pytest.raises(InputError, match="not a text file in UTF-8"):
+        read_imu_csv(path)
+
+
+@pytest.mark.parametrize(
+    ("limit", "value", "sentence"),
+    [("MAX_CSV_BYTES", 99, "the limit is"), ("MAX_CSV_ROWS", 19, "has 20 rows")],
+)
+def test_limits_refuse_just_above(
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    limit: str,
+    value: int,
+    sentence: str,
+) -> None:
+    path = write(tmp_path / "log.csv", log_lines())
+    monkeypatch.setattr(f"hapticplayer.capture.table.{limit}", value)
+    with pytest.raises(InputError, match=sentence):
+        read_imu_csv(path)
+    room = path.stat().st_size if limit == "MAX_CSV_BYTES" else 20
+    monkeypatch.setattr(f"hapticplayer.capture.table.{limit}", room)
+    assert len(read_imu_csv(path)) == 20
+
+
+def test_missing_file_and_folder_are_refused(tmp_path: Path) -> None:
+    with pytest.raises(InputError, match="no such file"):
+        read_imu_csv(tmp_path / "none.csv")
+    with pytest.raises(InputError, match="is a folder"):
+        read_imu_csv(tmp_path)
+
+
+def test_rough_ride_passes_the_unit_check(tmp_path: Path) -> None:
+    """GoPro in sport: peaks of 55 m/s2 and 11 rad/s are no unit error."""
+    rng = np.random.default_rng(2)
+    force = rng.normal((0.0, 0.0, 9.8), 12.0, (400, 3)).clip(-55, 55)
+    rate = rng.normal(0.0, 4.0, (400, 3))
+    path = tmp_path / "log.csv"
+    write_imu_csv(path, ImuLog(np.arange(400) / 200, force, rate))
+    assert len(read_imu_csv(path)) == 400
+
+
+def test_force_track_holds_each_value(tmp_path: Path) -> None:
+    lines = ["time_s,fx_n,fy_n,fz_n", "0.5,1,0,0", "1.5,0,-2,0.25"]
+    track = read_force_csv(write(tmp_path / "force.csv", lines))
+    assert track.reconstruction is Reconstruction.HOLD
+    np.testing.assert_array_equal(
+        track.at(np.array([0.4, 0.5, 1.4999, 1.5, 99.0])),
+        [[0, 0, 0], [1, 0, 0], [1, 0, 0], [0, -2, 0.25], [0, -2, 0.25]],
+    )
+    assert track.provenance["source"] == "force.csv"
+
+
+@pytest.mark.parametrize(
+    ("lines", "sentence"),
+    [
+        (["time_s,fx_n,fy_n,fz_n"], "has 0 rows"),
+        (["time_s,fx,fy,fz", "0,1,0,0"], "begin the file with time_s,fx_n,fy_n,fz_n"),
+        (["time_s,fx_n,fy_n,fz_n", "0,1,0,0", "0,1,0,0"], "line 3, column time_s"),
+        (["time_s,fx_n,fy_n,fz_n", "0,1,0,1e5"], "beyond any device"),
+        (["time_s,fx_n,fy_n,fz_n", "0,1,0,1e39"], "beyond any device"),
+    ],
+)
+def test_bad_force_track_is_refused(
+    tmp_path: Path, lines: list[str], sentence: str
+) -> None:
+    with pytest.raises(InputError, match=sentence):
+        read_force_csv(write(tmp_path / "force.csv", lines))

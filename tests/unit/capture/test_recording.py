@@ -1,0 +1,120 @@
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from hapticplayer.capture import read_recording
+from hapticplayer.errors import InputError, MediaError, TelemetryError
+from hapticplayer.media import TelemetryPacket, add_telemetry, write_clip
+from hapticplayer.model import ClockMap
+from tests.unit.capture.conftest import device, recorded, sensor
+
+
+@pytest.fixture(scope="module")
+def mute_clip(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    path = tmp_path_factory.mktemp("clip") / "mute.mp4"
+    pictures = [np.full((48, 64, 3), 9 * number, np.uint8) for number in range(20)]
+    write_clip(path, pictures, frame_rate_hz=10.0)
+    return path
+
+
+def test_gopro_video_is_recognised() -> None:
+    recording = read_recording(recorded("gopro/karma.mp4"))
+    assert len(recording.imu) == 2397
+    assert recording.camera == "Camera"
+    assert recording.clock_map == ClockMap()
+    assert recording.provenance["reader"] == "GPMF track"
+    assert recording.provenance["gyro_rate_hz"] == pytest.approx(397.3, abs=0.2)
+    assert recording.imu.source.endswith("karma.mp4")
+
+
+def test_raw_dump_is_recognised_whatever_its_name(tmp_path: Path) -> None:
+    path = tmp_path / "dump.csv"
+    path.write_bytes(recorded("gopro/hero8_grass.gpmf").read_bytes())
+    assert read_recording(path).camera == "HERO8 Black"
+
+
+def test_log_is_recognised_and_its_clock_is_open(tmp_path: Path) -> None:
+    path = tmp_path / "log.txt"
+    rows = [f"{number / 100},0,0,9.8,0,0,0" for number in range(50)]
+    path.write_text("\n".join(["time_s,ax,ay,az,gx,gy,gz", *rows]))
+    recording = read_recording(path)
+    assert len(recording.imu) == 50
+    assert recording.clock_map.confidence == 0.0
+    assert "until an offset is given" in recording.notes[0]
+
+
+def test_gap_is_noted(tmp_path: Path) -> None:
+    times_s = np.concatenate([np.arange(50), np.arange(80, 120)]) / 100
+    path = tmp_path / "log.csv"
+    rows = [f"{time_s},0,0,9.8,0,0,0" for time_s in times_s]
+    path.write_text("\n".join(["time_s,ax,ay,az,gx,gy,gz", *rows]))
+    assert "one gap, the longest of 0.31 s at 0.49 s" in read_recording(path).notes[1]
+
+
+def test_synthetic_camera_file_is_read_with_its_times(
+    tmp_path: Path, mute_clip: Path
+) -> None:
+    streams = [
+        sensor("ACCL", [[9.8, 0.0, 0.0]] * 200),
+        sensor("GYRO", [[0.0] * 3] * 200),
+    ]
+    payload = device("HERO5 Black", *streams)
+    packets = [TelemetryPacket(float(k), 1.0, payload) for k in range(2)]
+    path = tmp_path / "camera.mp4"
+    add_telemetry(mute_clip, path, packets)
+    recording = read_recording(path)
+    assert recording.camera == "HERO5 Black"
+    assert recording.imu.rate_hz == pytest.approx(200.0)
+    np.testing.assert_allclose(recording.imu.specific_force_mps2[:, 2], 9.8, rtol=1e-6)
+
+
+def test_video_without_motion_says_what_to_give(mute_clip: Path) -> None:
+    with pytest.raises(TelemetryError) as caught:
+        read_recording(mute_clip)
+    assert str(caught.value) == (
+        f"{mute_clip}: holds no motion telemetry; "
+        "give the log with --imu LOG --offset S"
+    )
+
+
+@pytest.mark.parametrize(
+    ("content", "error"),
+    [
+        (b"", InputError),
+        (b"DEVC", TelemetryError),
+        (b"DEVC\0\x01\xff\xffgarbage", TelemetryError),
+        (b"hello", InputError),
+        (b"\0\0\0\x18ftypmp42" + bytes(300), MediaError),
+        (np.random.default_rng(1).bytes(5000), MediaError),
+    ],
+)
+def test_nonsense_is_refused_in_one_sentence(
+    tmp_path: Path, content: bytes, error: type[InputError]
+) -> None:
+    path = tmp_path / "nonsense.bin"
+    path.write_bytes(content)
+    with pytest.raises(error) as caught:
+        read_recording(path)
+    assert "nonsense.bin" in str(caught.value)
+    assert "\n" not in str(caught.value)
+
+
+def test_text_is_recognised_when_a_character_is_cut(tmp_path: Path) -> None:
+    path = tmp_path / "log.csv"
+    path.write_text("x" * 4095 + "ü" * 10)
+    with pytest.raises(InputError, match="the header is"):
+        read_recording(path)
+
+
+def test_importing_the_room_loads_neither_pyav_nor_scipy() -> None:
+    code = (
+        "import sys, hapticplayer.capture, hapticplayer.media;"
+        "print([m for m in ('av', 'scipy') if m in sys.modules])"
+    )
+    result = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, check=True
+    )
+    assert result.stdout.strip() == "[]"

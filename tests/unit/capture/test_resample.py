@@ -1,0 +1,55 @@
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from hapticplayer.capture.resample import mean_rate
+
+
+def test_equal_times_change_nothing() -> None:
+    rng = np.random.default_rng(1)
+    time_s = np.cumsum(rng.uniform(0.004, 0.006, 200))
+    rate = rng.normal(size=(200, 3))
+    rows, mean = mean_rate(time_s, time_s, rate)
+    np.testing.assert_array_equal(rows, np.arange(200))
+    np.testing.assert_allclose(mean, rate, atol=1e-9)
+
+
+def test_twice_the_rate_is_averaged_in_pairs() -> None:
+    rate = np.arange(40.0)[:, None]
+    fast_s = np.arange(1, 41) * 0.0025
+    rows, mean = mean_rate(fast_s[1::2], fast_s, rate)
+    np.testing.assert_array_equal(rows, np.arange(20))
+    np.testing.assert_allclose(mean[:, 0], np.arange(20) * 2 + 0.5, atol=1e-9)
+
+
+@given(seed=st.integers(0, 2**32 - 1), ratio=st.floats(0.3, 20.0))
+@settings(max_examples=50, deadline=None)
+def test_no_angle_is_lost(seed: int, ratio: float) -> None:
+    """The angle over the covered span equals the integral of the samples there."""
+    rng = np.random.default_rng(seed)
+    time_s = np.cumsum(rng.uniform(0.5, 1.5, 400)) * 0.005
+    rate = rng.normal(size=(400, 3))
+    query_s = np.arange(time_s[3], time_s[-3], 0.005 * ratio)
+    if len(query_s) < 4:
+        return
+    rows, mean = mean_rate(query_s, time_s, rate)
+    inner = rows[rows > 0]
+    steps_s = np.diff(query_s)[inner - 1]
+    angle = mean[rows > 0] * steps_s[:, None]
+    first_s, last_s = query_s[inner[0] - 1], query_s[inner[-1]]
+    starts_s = np.concatenate([[-np.inf], time_s[:-1]])
+    share_s = np.clip(
+        np.minimum(time_s, last_s) - np.maximum(starts_s, first_s), 0.0, None
+    )
+    expected = (rate * share_s[:, None]).sum(axis=0)
+    np.testing.assert_allclose(angle.sum(axis=0), expected, atol=1e-9)
+
+
+def test_times_outside_are_left_out() -> None:
+    time_s = np.arange(100) * 0.01
+    query_s = np.arange(-0.5, 1.5, 0.02)
+    rows, _ = mean_rate(query_s, time_s, np.ones((100, 3)))
+    assert query_s[rows].min() >= -0.02
+    assert query_s[rows].max() <= time_s[-1] + 0.005
+    assert len(rows) == pytest.approx(50, abs=2)
