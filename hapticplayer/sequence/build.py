@@ -1,0 +1,246 @@
+"""The import pipeline: a recording becomes a sequence."""
+
+import dataclasses
+import hashlib
+import shutil
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from hapticplayer import __version__, motion, rendering
+from hapticplayer.capture import Recording, read_recording
+from hapticplayer.clock import utc_now_iso
+from hapticplayer.errors import InputError
+from hapticplayer.media import ClipInfo, probe
+from hapticplayer.model import (
+    ClockMap,
+    Feedback,
+    ForceTrack,
+    ImuLog,
+    Mapping,
+    MotionTrack,
+)
+from hapticplayer.sequence import files, store
+
+_COPY_SHARE = 0.4  # of the whole work; a long clip is mostly copied and hashed
+
+
+@dataclass(frozen=True, slots=True)
+class Choices:
+    """What an experimenter may choose when importing.
+
+    Attributes:
+        title: None for the name of the video.
+        mapping: axes, gain and limit.
+        method: of gravity removal, see hapticplayer.motion.METHODS.
+        seed: of the random feedback; None derives it from the clip's content.
+    """
+
+    title: str | None = None
+    mapping: Mapping = dataclasses.field(default_factory=Mapping)
+    method: str = motion.DEFAULT_METHOD
+    seed: int | None = None
+
+
+def build_sequence(
+    video: str | Path,
+    target: str | Path,
+    *,
+    imu_log: str | Path | None = None,
+    offset_s: float | None = None,
+    choices: Choices | None = None,
+    progress: files.Progress = files.no_progress,
+) -> Path:
+    """Import a video with its motion and return the folder of the new sequence.
+
+    Args:
+        video: the clip; its own telemetry is used unless `imu_log` is given.
+        target: folder to be made; must not exist.
+        imu_log: a separate log of the motion.
+        offset_s: media time of the log's time zero (t_media = t_imu + offset).
+        choices: what may be chosen.
+        progress: told what is being done; stops the work by raising Cancelled.
+
+    Raises:
+        InputError: what is wrong, where, and what to do; nothing is left behind.
+    """
+    video, target = Path(video), Path(target)
+    files.refuse_existing(target)
+    progress(0.0, f"reading {video.name}")
+    clip = probe(video)
+    recording = read_recording(video if imu_log is None else Path(imu_log))
+    if offset_s is not None:
+        shift = ClockMap(offset_s, residual_s=0.0, confidence=1.0)
+        recording = dataclasses.replace(recording, clock_map=shift)
+    return write_sequence(clip, recording, target, choices=choices, progress=progress)
+
+
+def write_sequence(
+    clip: ClipInfo,
+    recording: Recording,
+    target: Path,
+    *,
+    choices: Choices | None = None,
+    extras: dict[str, dict[str, Any]] | None = None,
+    progress: files.Progress = files.no_progress,
+) -> Path:
+    """Write the sequence of a clip and a recording that are already read.
+
+    Args:
+        clip: the video.
+        recording: its motion and how the clocks lie.
+        target: folder to be made; must not exist.
+        choices: what may be chosen.
+        extras: further arrays to keep, by name of the .npz (a simulation's truth).
+        progress: told what is being done.
+
+    Raises:
+        InputError: when motion and clip do not overlap, or writing fails.
+    """
+    choices = choices or Choices()
+    progress(0.05, "removing gravity")
+    track = _mapped(motion.remove_gravity(recording.imu, choices.method), recording)
+    _check_overlap(track, clip)
+    with files.written_aside(target) as folder:
+        clip_name = "clip" + clip.path.suffix.lower()
+        _copy_clip(clip.path, folder / clip_name, progress)
+        progress(0.7, "rendering the force")
+        clip_hash = files.sha256_of(
+            folder / clip_name, lambda f: progress(0.7 + 0.2 * f, "computing checksums")
+        )
+        tracks = _render(track, choices, clip_hash)
+        _write_arrays(folder, recording.imu, track, tracks, extras or {})
+        listed = _checksums(folder, {clip_name: clip_hash})
+        progress(0.95, "writing")
+        gain = motion.estimate_accelerometer_gain(recording.imu)
+        description = {
+            "schema": store.SCHEMA,
+            "version": store.VERSION,
+            "title": choices.title or clip.path.stem,
+            "clip": _describe_clip(clip, clip_name),
+            "clock_map": dataclasses.asdict(recording.clock_map),
+            "mapping": store.describe_mapping(choices.mapping),
+            "feedbacks": _describe_tracks(tracks),
+            "files": listed,
+            "provenance": {
+                "program": f"hapticplayer {__version__}",
+                "created_utc": utc_now_iso(),
+                "video": clip.path.name,
+                "motion_source": Path(recording.imu.source).name,
+                "camera": recording.camera,
+                "imu_rate_hz": round(recording.imu.rate_hz, 3),
+                "imu_samples": len(recording.imu),
+                "gravity_removal": choices.method,
+                "accelerometer_gain": gain.gain,
+                "accelerometer_gain_from": gain.reason,
+                "notes": list(recording.notes),
+                **recording.provenance,
+            },
+        }
+        files.write_json(folder / store.DESCRIPTION, description)
+        progress(1.0, "done")
+    return target
+
+
+def _mapped(track: MotionTrack, recording: Recording) -> MotionTrack:
+    """Return the motion in media time."""
+    clock = recording.clock_map
+    return dataclasses.replace(track, time_s=clock.rate * track.time_s + clock.offset_s)
+
+
+def _check_overlap(track: MotionTrack, clip: ClipInfo) -> None:
+    first_s, last_s = float(track.time_s[0]), float(track.time_s[-1])
+    if last_s <= 0.0 or first_s >= clip.duration_s:
+        raise InputError(
+            f"the motion covers {first_s:.1f} to {last_s:.1f} s of media time, but the "
+            f"clip lasts from 0 to {clip.duration_s:.1f} s",
+            where=clip.path.name,
+            remedy="give another --offset",
+        )
+
+
+def _copy_clip(source: Path, target: Path, progress: files.Progress) -> None:
+    free = shutil.disk_usage(target.parent).free
+    if free < source.stat().st_size:
+        raise InputError(
+            f"needs {source.stat().st_size >> 20} MB and only {free >> 20} MB are free",
+            where=str(target.parent.parent),
+            remedy="free some space or choose another folder",
+        )
+    files.copy_file(
+        source, target, lambda f: progress(0.2 + _COPY_SHARE * f, "copying the clip")
+    )
+
+
+def _render(
+    track: MotionTrack, choices: Choices, clip_hash: str
+) -> dict[str, ForceTrack]:
+    realistic = rendering.render_force(track, choices.mapping)
+    seed = choices.seed
+    if seed is None:
+        # the same clip gives the same random track, on every machine
+        seed = int.from_bytes(hashlib.sha256(clip_hash.encode()).digest()[:4], "big")
+    return {
+        Feedback.REALISTIC.value: realistic,
+        Feedback.RANDOM.value: rendering.random_feedback(realistic, seed),
+    }
+
+
+def _write_arrays(
+    folder: Path,
+    imu: ImuLog,
+    track: MotionTrack,
+    tracks: dict[str, ForceTrack],
+    extras: dict[str, dict[str, Any]],
+) -> None:
+    fields: dict[str, Any] = {
+        "time_s": imu.time_s,
+        "specific_force_mps2": imu.specific_force_mps2,
+        "angular_rate_radps": imu.angular_rate_radps,
+        "sampling": imu.sampling.value,
+    }
+    if imu.magnetic_field_ut is not None:
+        fields["magnetic_field_ut"] = imu.magnetic_field_ut
+    files.write_arrays(folder / store.IMU, **fields)
+    kept = {f.name: getattr(track, f.name) for f in dataclasses.fields(track)}
+    kept = {name: value for name, value in kept.items() if value is not None}
+    files.write_arrays(folder / store.MOTION, **kept)
+    for name, force in tracks.items():
+        files.write_arrays(folder / f"force_{name}.npz", **store.track_arrays(force))
+    for name, arrays in extras.items():
+        files.write_arrays(folder / f"{name}.npz", **arrays)
+
+
+def _checksums(folder: Path, known: dict[str, str]) -> dict[str, Any]:
+    return {
+        path.name: {
+            "sha256": known.get(path.name) or files.sha256_of(path),
+            "size_bytes": path.stat().st_size,
+        }
+        for path in sorted(folder.iterdir())
+    }
+
+
+def _describe_clip(clip: ClipInfo, name: str) -> dict[str, Any]:
+    return {
+        "file": name,
+        "duration_s": clip.duration_s,
+        "width": clip.width,
+        "height": clip.height,
+        "frame_rate_hz": clip.frame_rate_hz,
+        "has_audio": clip.has_audio,
+    }
+
+
+def _describe_tracks(tracks: dict[str, ForceTrack]) -> dict[str, Any]:
+    described: dict[str, Any] = {
+        name: {
+            "file": f"force_{name}.npz",
+            "peak_n": track.peak_n(),
+            "rms_n": [float(value) for value in track.rms_n()],
+            "provenance": dict(track.provenance),
+        }
+        for name, track in tracks.items()
+    }
+    described[Feedback.NONE.value] = {"provenance": {"feedback": "none"}}
+    return described

@@ -1,0 +1,194 @@
+"""Reading and writing the files of a sequence: whole or not at all, and checked."""
+
+import hashlib
+import json
+import math
+import os
+import shutil
+import tempfile
+import zipfile
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hapticplayer.errors import SequenceError
+
+MAX_JSON_BYTES = 4 << 20
+MAX_ARRAYS_BYTES = 2 << 30
+_CHUNK_BYTES = 1 << 20
+
+Progress = Callable[[float, str], None]
+"""Called with the done fraction (0 to 1) and the step; raises Cancelled to stop."""
+
+
+def no_progress(_fraction: float, _step: str) -> None:
+    """Ignore the progress."""
+
+
+def refuse_existing(target: Path) -> None:
+    """Raise SequenceError when something lies at the target already."""
+    if os.path.lexists(target):
+        raise SequenceError(
+            "already exists", where=str(target), remedy="choose another folder"
+        )
+
+
+@contextmanager
+def written_aside(target: Path) -> Iterator[Path]:
+    """Yield a new folder that becomes `target` when the block ends well.
+
+    However the block ends otherwise, nothing is left behind.
+
+    Raises:
+        SequenceError: when the target exists or its parent cannot be written.
+    """
+    target = Path.cwd() / target
+    refuse_existing(target)
+    try:
+        target.parent.mkdir(parents=True, exist_ok=True)
+        aside = Path(
+            tempfile.mkdtemp(
+                prefix=f".{target.name}.", suffix=".part", dir=target.parent
+            )
+        )
+    except OSError as problem:
+        raise SequenceError(
+            f"cannot be written ({problem.strerror})",
+            where=str(target.parent),
+            remedy="choose a folder that you may write to",
+        ) from problem
+    try:
+        yield aside
+        aside.chmod(0o755)
+        sync_folder(aside)
+        aside.rename(target)
+        sync_folder(target.parent)
+    except OSError as problem:
+        raise SequenceError(
+            f"writing failed ({problem.strerror})",
+            where=str(target),
+            remedy="free some space or choose another folder",
+        ) from problem
+    finally:
+        if aside.exists():
+            shutil.rmtree(aside, ignore_errors=True)
+
+
+def sync_folder(folder: Path) -> None:
+    """Make the entries of a folder durable."""
+    descriptor = os.open(folder, os.O_RDONLY)
+    try:
+        os.fsync(descriptor)
+    finally:
+        os.close(descriptor)
+
+
+def copy_file(source: Path, target: Path, tell: Callable[[float], None]) -> None:
+    """Copy in pieces, telling the done fraction, and make it durable."""
+    total = max(1, source.stat().st_size)
+    done = 0
+    with source.open("rb") as reader, target.open("xb") as writer:
+        while chunk := reader.read(_CHUNK_BYTES):
+            writer.write(chunk)
+            done += len(chunk)
+            tell(done / total)
+        writer.flush()
+        os.fsync(writer.fileno())
+
+
+def write_json(path: Path, content: dict[str, Any]) -> None:
+    """Write readable JSON without NaN, durable."""
+    with path.open("x", encoding="utf-8") as writer:
+        json.dump(content, writer, indent=2, allow_nan=False, ensure_ascii=False)
+        writer.write("\n")
+        writer.flush()
+        os.fsync(writer.fileno())
+
+
+def read_json(path: Path) -> dict[str, Any]:
+    """Return the object in a JSON file.
+
+    Raises:
+        SequenceError: when it is missing, too large, no object, or holds a number
+            that is not finite.
+    """
+    try:
+        if path.stat().st_size > MAX_JSON_BYTES:
+            raise SequenceError("is too large", where=str(path))
+        content = json.loads(
+            path.read_text(encoding="utf-8"),
+            parse_constant=_refuse_constant,
+            parse_float=_finite_float,
+        )
+    except OSError as problem:
+        raise SequenceError(
+            f"cannot be read ({problem.strerror})",
+            where=str(path),
+            remedy="give the folder of a sequence",
+        ) from problem
+    except (ValueError, RecursionError) as problem:
+        raise SequenceError(
+            f"is not valid ({problem})", where=str(path), remedy="import it again"
+        ) from problem
+    if not isinstance(content, dict):
+        raise SequenceError("is no JSON object", where=str(path))
+    return content
+
+
+def write_arrays(path: Path, **arrays: Any) -> None:
+    """Write plain arrays as an .npz, durable."""
+    with path.open("xb") as writer:
+        np.savez(writer, allow_pickle=False, **arrays)
+        writer.flush()
+        os.fsync(writer.fileno())
+
+
+def read_arrays(path: Path) -> dict[str, NDArray[Any]]:
+    """Return the arrays of an .npz; never unpickles.
+
+    Raises:
+        SequenceError: when it is missing, damaged or larger than the limit.
+    """
+    try:
+        with zipfile.ZipFile(path) as archive:
+            total = sum(entry.file_size for entry in archive.infolist())
+        if total > MAX_ARRAYS_BYTES:
+            raise SequenceError("is too large", where=str(path))
+        with np.load(path, allow_pickle=False) as archive:
+            return {name: archive[name] for name in archive.files}
+    except OSError as problem:
+        reason = problem.strerror or str(problem)
+        raise SequenceError(
+            f"cannot be read ({reason})", where=str(path), remedy="import it again"
+        ) from problem
+    except (ValueError, EOFError, KeyError, MemoryError, zipfile.BadZipFile) as problem:
+        raise SequenceError(
+            f"is damaged ({problem})", where=str(path), remedy="import it again"
+        ) from problem
+
+
+def sha256_of(path: Path, tell: Callable[[float], None] = lambda _f: None) -> str:
+    """Return the checksum of a file, telling the done fraction."""
+    total, done = max(1, path.stat().st_size), 0
+    digest = hashlib.sha256()
+    with path.open("rb") as reader:
+        while chunk := reader.read(_CHUNK_BYTES):
+            digest.update(chunk)
+            done += len(chunk)
+            tell(done / total)
+    return digest.hexdigest()
+
+
+def _refuse_constant(name: str) -> float:
+    raise ValueError(f"{name} is not a number")
+
+
+def _finite_float(text: str) -> float:
+    value = float(text)
+    if not math.isfinite(value):
+        raise ValueError(f"{text} is out of range")
+    return value

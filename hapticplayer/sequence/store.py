@@ -1,0 +1,203 @@
+"""A sequence as a value: opened, checked, and read lazily."""
+
+from collections.abc import Mapping as Dict
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from hapticplayer.errors import InputError, SequenceError
+from hapticplayer.model import (
+    Feedback,
+    ForceTrack,
+    Mapping,
+    MotionTrack,
+    Reconstruction,
+)
+from hapticplayer.rendering import no_feedback
+from hapticplayer.sequence import files
+
+SCHEMA = "hapticplayer.sequence"
+VERSION = 1
+DESCRIPTION = "sequence.json"
+MOTION = "motion.npz"
+IMU = "imu.npz"
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Sequence:
+    """What is played: a clip, its motion, and a force track for each feedback.
+
+    Attributes:
+        folder: where it lies.
+        title: for people.
+        clip: the video file.
+        motion: gravity-free acceleration, in media time.
+        tracks: force tracks by name of the feedback.
+        mapping: how the realistic track was made.
+        description: the whole of sequence.json, with its provenance.
+    """
+
+    folder: Path
+    title: str
+    clip: Path
+    motion: MotionTrack
+    tracks: Dict[str, ForceTrack]
+    mapping: Mapping
+    description: Dict[str, Any]
+
+
+def open_sequence(folder: str | Path) -> Sequence:
+    """Return the sequence in a folder.
+
+    The small files are checked against their checksums, the clip by its size;
+    `verify_sequence` reads it all.
+
+    Raises:
+        SequenceError: what is missing or damaged, and what to do.
+    """
+    folder = Path(folder)
+    description = files.read_json(folder / DESCRIPTION)
+    _check_schema(folder, description)
+    try:
+        listed = description["files"]
+        clip = _inside(folder, description["clip"]["file"])
+        _check_file(folder, clip.name, listed[clip.name], with_checksum=False)
+        _check_file(folder, MOTION, listed[MOTION], with_checksum=True)
+        tracks = _read_tracks(folder, description["feedbacks"], listed)
+        mapping = _mapping_of(description["mapping"])
+        motion = MotionTrack(**_motion_fields(folder))
+        title = str(description["title"])
+    except (KeyError, TypeError, AttributeError) as problem:
+        raise SequenceError(
+            f"an entry is missing or of the wrong kind ({problem})",
+            where=str(folder / DESCRIPTION),
+            remedy="import it again",
+        ) from problem
+    except SequenceError:
+        raise
+    except InputError as problem:
+        raise SequenceError(
+            str(problem), where=str(folder), remedy="import it again"
+        ) from problem
+    return Sequence(folder, title, clip, motion, tracks, mapping, description)
+
+
+def verify_sequence(
+    folder: str | Path, progress: files.Progress = files.no_progress
+) -> None:
+    """Read every file of a sequence and compare its checksum.
+
+    Raises:
+        SequenceError: for the first file that differs.
+    """
+    folder = Path(folder)
+    sequence = open_sequence(folder)
+    listed = sequence.description["files"]
+    for number, (name, entry) in enumerate(listed.items()):
+        progress(number / len(listed), f"checking {name}")
+        _check_file(folder, name, entry, with_checksum=True)
+
+
+def track_arrays(track: ForceTrack) -> dict[str, Any]:
+    """Return what is stored of a force track."""
+    return {
+        "time_s": track.time_s,
+        "force_n": track.force_n,
+        "reconstruction": track.reconstruction.value,
+    }
+
+
+def describe_mapping(mapping: Mapping) -> dict[str, Any]:
+    """Return what is stored of a mapping."""
+    return {
+        "axes": mapping.axes.astype(int).tolist(),
+        "gain_n_per_mps2": mapping.gain_n_per_mps2,
+        "force_limit_n": mapping.force_limit_n,
+    }
+
+
+def _mapping_of(entry: dict[str, Any]) -> Mapping:
+    return Mapping(entry["axes"], entry["gain_n_per_mps2"], entry["force_limit_n"])
+
+
+def _check_schema(folder: Path, description: dict[str, Any]) -> None:
+    where = str(folder / DESCRIPTION)
+    if description.get("schema") != SCHEMA:
+        raise SequenceError(
+            "describes no sequence", where=where, remedy="give the folder of a sequence"
+        )
+    if description.get("version") != VERSION:
+        raise SequenceError(
+            f"has version {description.get('version')}, this program reads {VERSION}",
+            where=where,
+            remedy="update hapticplayer",
+        )
+
+
+def _inside(folder: Path, name: Any) -> Path:
+    """Return the path of a file that lies directly in the folder."""
+    if not isinstance(name, str) or Path(name).name != name or name in ("", ".", ".."):
+        raise SequenceError(
+            f"{name!r} is no plain file name",
+            where=str(folder / DESCRIPTION),
+            remedy="import it again",
+        )
+    return folder / name
+
+
+def _check_file(
+    folder: Path, name: str, entry: dict[str, Any], *, with_checksum: bool
+) -> None:
+    path = _inside(folder, name)
+    remedy = "copy the sequence again or import it again"
+    if path.is_symlink() or not path.is_file():
+        raise SequenceError("is missing", where=str(path), remedy=remedy)
+    size = path.stat().st_size
+    if size != entry["size_bytes"]:
+        raise SequenceError(
+            f"has {size} bytes instead of {entry['size_bytes']}",
+            where=str(path),
+            remedy=remedy,
+        )
+    if with_checksum and files.sha256_of(path) != entry["sha256"]:
+        raise SequenceError(
+            "has changed since it was written (its checksum differs)",
+            where=str(path),
+            remedy=remedy,
+        )
+
+
+def _read_tracks(
+    folder: Path, feedbacks: dict[str, Any], listed: dict[str, Any]
+) -> dict[str, ForceTrack]:
+    tracks = {}
+    for name, entry in feedbacks.items():
+        if "file" not in entry:
+            continue
+        path = _inside(folder, entry["file"])
+        _check_file(folder, path.name, listed[path.name], with_checksum=True)
+        arrays = files.read_arrays(path)
+        tracks[name] = ForceTrack(
+            arrays["time_s"],
+            arrays["force_n"],
+            Reconstruction(str(arrays["reconstruction"])),
+            entry.get("provenance", {}),
+        )
+    realistic = tracks[Feedback.REALISTIC.value]
+    tracks[Feedback.NONE.value] = no_feedback(realistic)
+    order = [name.value for name in Feedback]
+    return dict(sorted(tracks.items(), key=lambda i: [*order, i[0]].index(i[0])))
+
+
+def _motion_fields(folder: Path) -> dict[str, Any]:
+    arrays = files.read_arrays(folder / MOTION)
+    sigma = arrays.get("gravity_sigma_mps2")
+    return {
+        "time_s": arrays["time_s"],
+        "acceleration_mps2": arrays["acceleration_mps2"],
+        "gravity_mps2": arrays["gravity_mps2"],
+        "accelerometer_gain": float(arrays["accelerometer_gain"]),
+        "quaternion_wxyz": arrays["quaternion_wxyz"],
+        "gravity_sigma_mps2": sigma,
+        "valid": arrays["valid"],
+    }

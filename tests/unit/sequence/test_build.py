@@ -1,0 +1,107 @@
+"""Importing writes all or nothing."""
+
+import dataclasses
+import os
+
+import pytest
+
+from hapticplayer.capture import write_imu_csv
+from hapticplayer.errors import Cancelled, HapticPlayerError, InputError, SequenceError
+from hapticplayer.model import ClockMap
+from hapticplayer.sequence import build_sequence, files, open_sequence
+from hapticplayer.sequence.build import write_sequence
+
+
+@pytest.fixture
+def log_file(tmp_path, still_log):
+    path = tmp_path / "log.csv"
+    write_imu_csv(path, still_log)
+    return path
+
+
+def test_a_video_with_a_log_becomes_a_sequence(tmp_path, tiny_clip, log_file):
+    steps = []
+    folder = build_sequence(
+        tiny_clip.path,
+        tmp_path / "new" / "ride",
+        imu_log=log_file,
+        offset_s=-1.5,
+        progress=lambda fraction, step: steps.append((fraction, step)),
+    )
+    sequence = open_sequence(folder)
+    assert sequence.motion.time_s[0] == pytest.approx(-1.5)
+    assert sequence.description["clock_map"]["offset_s"] == -1.5
+    fractions = [fraction for fraction, _ in steps]
+    assert fractions == sorted(fractions)
+    assert (fractions[0], fractions[-1]) == (0.0, 1.0)
+
+
+def stop_at(fraction):
+    def progress(done, _step):
+        if done >= fraction:
+            raise Cancelled
+
+    return progress
+
+
+@pytest.mark.parametrize("fraction", [0.0, 0.05, 0.3, 0.7, 0.8, 0.95, 1.0])
+def test_cancelling_leaves_nothing(tmp_path, tiny_clip, log_file, fraction):
+    before = sorted(tmp_path.iterdir())
+    with pytest.raises(Cancelled):
+        build_sequence(
+            tiny_clip.path,
+            tmp_path / "ride",
+            imu_log=log_file,
+            progress=stop_at(fraction),
+        )
+    assert sorted(tmp_path.iterdir()) == before
+
+
+@pytest.mark.parametrize("error", [KeyboardInterrupt, MemoryError, OSError(28, "full")])
+def test_whatever_goes_wrong_leaves_nothing(tmp_path, tiny_clip, log_file, error):
+    def progress(done, _step):
+        if done > 0.5:
+            raise error
+
+    with pytest.raises((KeyboardInterrupt, MemoryError, HapticPlayerError)):
+        build_sequence(
+            tiny_clip.path, tmp_path / "ride", imu_log=log_file, progress=progress
+        )
+    assert sorted(p.name for p in tmp_path.iterdir()) == ["log.csv"]
+
+
+@pytest.mark.parametrize("kind", ["folder", "empty folder", "file", "dead link"])
+def test_what_exists_is_never_touched(tmp_path, tiny_clip, log_file, kind):
+    target = tmp_path / "ride"
+    if kind == "file":
+        target.write_text("mine")
+    elif kind == "dead link":
+        target.symlink_to(tmp_path / "nowhere")
+    else:
+        target.mkdir()
+        if kind == "folder":
+            (target / "mine").write_text("mine")
+    before = os.lstat(target)
+    with pytest.raises(SequenceError, match="already exists"):
+        build_sequence(tiny_clip.path, target, imu_log=log_file)
+    assert os.lstat(target).st_mtime_ns == before.st_mtime_ns
+
+
+def test_motion_that_misses_the_clip_is_refused(tmp_path, tiny_clip, recording):
+    away = dataclasses.replace(recording, clock_map=ClockMap(1000.0))
+    with pytest.raises(InputError, match="--offset"):
+        write_sequence(tiny_clip, away, tmp_path / "ride")
+
+
+def test_a_file_is_copied_whole(tmp_path, rng):
+    source = tmp_path / "a"
+    source.write_bytes(rng.bytes(3_000_001))
+    told = []
+    files.copy_file(source, tmp_path / "b", told.append)
+    assert (tmp_path / "b").read_bytes() == source.read_bytes()
+    assert told[-1] == 1.0
+
+
+def test_nothing_of_the_machine_gets_into_the_sequence(sequence_folder, tmp_path):
+    text = (sequence_folder / "sequence.json").read_text()
+    assert str(tmp_path) not in text

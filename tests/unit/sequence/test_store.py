@@ -1,0 +1,137 @@
+"""A sequence comes back as it was written, and says what is wrong when it was not."""
+
+import json
+import zipfile
+
+import numpy as np
+import pytest
+
+from hapticplayer import motion, rendering
+from hapticplayer.errors import SequenceError
+from hapticplayer.sequence import open_sequence, verify_sequence
+
+
+def edit(folder, change):
+    path = folder / "sequence.json"
+    content = json.loads(path.read_text())
+    change(content)
+    path.write_text(json.dumps(content))
+
+
+def test_what_was_written_comes_back(sequence_folder, recording):
+    sequence = open_sequence(sequence_folder)
+    track = motion.remove_gravity(recording.imu)
+    assert sequence.title == "Ride"
+    assert np.array_equal(sequence.motion.acceleration_mps2, track.acceleration_mps2)
+    assert np.allclose(sequence.motion.time_s, recording.imu.time_s + 0.5)
+    expected = rendering.render_force(sequence.motion)
+    realistic = sequence.tracks["realistic"]
+    assert np.array_equal(realistic.force_n, expected.force_n)
+    assert list(sequence.tracks) == ["realistic", "none", "random"]
+    assert not sequence.tracks["none"].force_n.any()
+    assert np.allclose(sequence.tracks["random"].rms_n(), realistic.rms_n(), rtol=1e-4)
+    assert sequence.mapping.gain_n_per_mps2 == 0.4
+    verify_sequence(sequence_folder)
+
+
+def test_its_provenance_says_how_it_came_about(sequence_folder):
+    made_of = open_sequence(sequence_folder).description["provenance"]
+    assert made_of["gravity_removal"] == "offline-vqf"
+    assert made_of["accelerometer_gain"] == pytest.approx(1 / 1.03, abs=1e-3)
+    assert "still spans" in made_of["accelerometer_gain_from"]
+    assert made_of["camera"] == "test camera"
+    assert made_of["notes"] == ["a note"]
+
+
+def test_the_same_seed_gives_the_same_random_track(tmp_path, tiny_clip, recording):
+    from hapticplayer.sequence.build import Choices, write_sequence
+
+    one, two = (
+        open_sequence(
+            write_sequence(tiny_clip, recording, tmp_path / n, choices=Choices(seed=9))
+        )
+        for n in "ab"
+    )
+    assert np.array_equal(one.tracks["random"].force_n, two.tracks["random"].force_n)
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        (lambda c: c.update(schema="else"), "describes no sequence"),
+        (lambda c: c.update(version=99), "version 99"),
+        (lambda c: c.pop("clip"), "an entry is missing"),
+        (lambda c: c.pop("title"), "an entry is missing"),
+        (lambda c: c.update(feedbacks=[]), "an entry is missing"),
+        (lambda c: c["clip"].update(file="../ride.mp4"), "no plain file name"),
+        (lambda c: c["clip"].update(file="/etc/passwd"), "no plain file name"),
+        (lambda c: c["clip"].update(file=7), "no plain file name"),
+        (lambda c: c["feedbacks"]["random"].update(file=".."), "no plain file name"),
+        (lambda c: c["mapping"].update(gain_n_per_mps2=-1.0), "positive"),
+        (lambda c: c["files"]["clip.mp4"].update(size_bytes=1), "instead of 1"),
+    ],
+)
+def test_a_wrong_description_is_refused(sequence_folder, change, message):
+    edit(sequence_folder, change)
+    with pytest.raises(SequenceError, match=message):
+        open_sequence(sequence_folder)
+
+
+@pytest.mark.parametrize(
+    "text", ["", "{", "[]", "7", '{"a": NaN}', '{"a": 1e999}', "[" * 100_000, "\xff"]
+)
+def test_a_description_that_is_no_json_is_refused(sequence_folder, text):
+    (sequence_folder / "sequence.json").write_text(text, encoding="latin-1")
+    with pytest.raises(SequenceError):
+        open_sequence(sequence_folder)
+
+
+@pytest.mark.parametrize("name", ["motion.npz", "force_realistic.npz", "clip.mp4"])
+def test_a_missing_file_is_named(sequence_folder, name):
+    (sequence_folder / name).unlink()
+    with pytest.raises(SequenceError, match=name):
+        open_sequence(sequence_folder)
+
+
+def test_every_flipped_byte_of_the_small_files_is_noticed(sequence_folder, rng):
+    for name in ("motion.npz", "force_realistic.npz", "force_random.npz"):
+        path = sequence_folder / name
+        whole = path.read_bytes()
+        for _ in range(10):
+            damaged = bytearray(whole)
+            damaged[int(rng.integers(len(whole)))] ^= 1 << int(rng.integers(8))
+            path.write_bytes(damaged)
+            with pytest.raises(SequenceError, match=r"changed|damaged"):
+                open_sequence(sequence_folder)
+        path.write_bytes(whole)
+    open_sequence(sequence_folder)
+
+
+def test_verifying_reads_the_clip_too(sequence_folder):
+    clip = sequence_folder / "clip.mp4"
+    content = bytearray(clip.read_bytes())
+    content[-1] ^= 1
+    clip.write_bytes(content)
+    open_sequence(sequence_folder)
+    with pytest.raises(SequenceError, match="changed"):
+        verify_sequence(sequence_folder)
+
+
+def test_pickled_objects_are_never_loaded(tmp_path):
+    from hapticplayer.sequence import files
+
+    path = tmp_path / "bad.npz"
+    np.savez(path, evil=np.array([{"a": 1}], dtype=object))
+    with pytest.raises(SequenceError, match="damaged"):
+        files.read_arrays(path)
+
+
+def test_an_archive_that_would_explode_is_not_unpacked(tmp_path, monkeypatch):
+    from hapticplayer.sequence import files
+
+    monkeypatch.setattr(files, "MAX_ARRAYS_BYTES", 1 << 20)
+    path = tmp_path / "bomb.npz"
+    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
+        archive.writestr("x.npy", bytes(2 << 20))
+    with pytest.raises(SequenceError, match="too large"):
+        files.read_arrays(path)
