@@ -64,9 +64,8 @@ class Loop:
         """Do one period: listen, decide, exchange, record."""
         self._listen()
         self._look_at_the_clock()
-        supervision = Supervision(
-            self.block.heartbeat_s(), not self.is_over, self._request
-        )
+        request = Request.CLOSE if self._is_asked_to_quit else self._request
+        supervision = Supervision(self.block.heartbeat_s(), self.line.is_open, request)
         self._request = Request.NONE
         self.state = state = step(
             now_s, self._playback, self._track, self.state, supervision, self.limits

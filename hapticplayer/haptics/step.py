@@ -50,6 +50,7 @@ class Cause(enum.IntEnum):
     PLAYER_GONE = 7
     STOPPED = 8
     NOT_FINITE = 9
+    CLOSING = 10
 
 
 class Request(enum.IntEnum):
@@ -58,6 +59,7 @@ class Request(enum.IntEnum):
     NONE = 0
     STOP = 1
     REARM = 2
+    CLOSE = 3
 
 
 class Supervision(NamedTuple):
@@ -157,12 +159,17 @@ def _assess(
 
 
 def _assess_player(now_s: float, supervision: Supervision) -> tuple[Reaction, Cause]:
-    """Return what the player's own health asks for."""
-    silence_s = now_s - supervision.heartbeat_s
+    """Return what the player's own health and its requests ask for."""
     if supervision.request is Request.STOP:
         return Reaction.TRIP, Cause.STOPPED
     if not supervision.is_player_alive:
         return Reaction.TRIP, Cause.PLAYER_GONE
+    if supervision.request is Request.CLOSE:
+        return Reaction.RAMP, Cause.CLOSING
+    return _assess_heart(now_s - supervision.heartbeat_s)
+
+
+def _assess_heart(silence_s: float) -> tuple[Reaction, Cause]:
     if silence_s > HEARTBEAT_TRIP_S:
         return Reaction.TRIP, Cause.HEARTBEAT_LOST
     if silence_s > HEARTBEAT_RAMP_S:
@@ -183,7 +190,8 @@ def _next_mode(
         return Mode.IDLE if rearmed else mode
     if mode is Mode.RAMPING and state.force_n == ZERO:
         return Mode.IDLE
-    if mode is Mode.ENTERING and state.ticks_in_mode >= limits.entry_ticks:
+    is_entering = mode is Mode.ENTERING and state.mode is Mode.ENTERING
+    if is_entering and state.ticks_in_mode >= limits.entry_ticks:
         near = math.dist(planned_n, state.force_n) <= CONVERGED_N
         is_over = _entry_slew(state.ticks_in_mode, limits) >= limits.content_slew_n
         return Mode.FOLLOWING if near or is_over else mode

@@ -212,3 +212,24 @@ def test_a_force_that_jumps_is_capped_in_slew_and_size():
     world.tick(700)
     assert max(slews(world.sent)) <= LIMITS.content_slew_n + 1e-9
     assert world.sent[-1] == pytest.approx((4.5, 0.0, 0.0))
+
+
+def test_after_a_long_rest_the_force_still_fades_in():
+    world = World()
+    world.clock = PlaybackClock(1, START_S, 1.0, 0.0, math.inf)
+    world.tick(5000)
+    world.clock = PlaybackClock(2, world.now_s, 1.0, 1.0, math.inf)
+    world.sent.clear()
+    world.tick(199)
+    assert world.state.mode is Mode.ENTERING
+    assert max(slews([ZERO, *world.sent])) <= LIMITS.entry_slew_n + 1e-9
+
+
+def test_closing_ramps_and_is_no_trip():
+    world = World().following()
+    for _ in range(20):
+        world.request = Request.CLOSE
+        world.tick()
+    assert world.sent[-1] == ZERO
+    assert (world.state.mode, world.state.cause) == (Mode.IDLE, Cause.CLOSING)
+    assert max(slews(world.sent)) <= LIMITS.stop_slew_n + 1e-9
