@@ -1,0 +1,1 @@
+"""Picture, sound and force of one clip on one clock."""

@@ -1,0 +1,228 @@
+"""Decoder threads: pictures and sound ahead of time, in bounded amounts."""
+
+import abc
+import logging
+import threading
+from collections import deque
+from pathlib import Path
+
+from hapticplayer.errors import MediaError
+from hapticplayer.media import AudioDecoder, DecodedFrame, Picture, VideoDecoder
+from hapticplayer.playback.audio import CHANNELS, AudioRing
+
+QUEUE_PICTURES = 5
+MAX_STARVED_DROPS = 15  # show one picture in half a second whatever happens
+
+
+class Feeder(threading.Thread, abc.ABC):
+    """A thread that follows seeks and stops when it is told to."""
+
+    def __init__(self, name: str, path: Path) -> None:
+        super().__init__(name=name, daemon=True)
+        self._path = path
+        self.problem: MediaError | None = None
+        self.is_at_end = False
+        self._wake = threading.Condition()
+        self._target: tuple[int, float] | None = None
+        self._epoch = 0
+        self._is_stopping = False
+
+    def request(self, epoch: int, media_s: float) -> None:
+        """Go to a position; what was decoded for older epochs is dropped."""
+        with self._wake:
+            self._target = (epoch, media_s)
+            self.is_at_end = False
+            self._forget()
+            self._wake.notify_all()
+
+    def stop(self) -> None:
+        """End the thread and wait for it."""
+        with self._wake:
+            self._is_stopping = True
+            self._wake.notify_all()
+        if self.ident is not None:
+            self.join()
+
+    def run(self) -> None:
+        """Decode until stopped; a broken file ends the stream, not the player."""
+        try:
+            self._open()
+            while not self._is_stopping:
+                self._one_round()
+        except MediaError as problem:
+            self.problem = problem
+        except Exception as problem:  # a thread's top: nobody else would hear of it
+            logging.getLogger(__name__).exception("%s failed", self.name)
+            self.problem = MediaError(
+                f"cannot be decoded ({problem!r})", where=self._path.name
+            )
+        finally:
+            self.is_at_end = True
+            self._close()
+
+    def _one_round(self) -> None:
+        with self._wake:
+            while not (self._is_stopping or self._target or self._has_work()):
+                self._wake.wait()
+            target, self._target = self._target, None
+            if target:
+                self._epoch = target[0]
+        if self._is_stopping:
+            return
+        if target:
+            self._seek(target[1])
+        else:
+            self._decode()
+
+    def _end(self) -> None:
+        """Note that nothing comes any more, unless a seek has come meanwhile."""
+        with self._wake:
+            self.is_at_end = self._target is None
+            self._wake.notify_all()
+
+    @abc.abstractmethod
+    def _has_work(self) -> bool:
+        """Whether there is room for more."""
+
+    @abc.abstractmethod
+    def _open(self) -> None:
+        """Open the decoder, in this thread."""
+
+    @abc.abstractmethod
+    def _close(self) -> None:
+        """Close the decoder, if it was opened."""
+
+    @abc.abstractmethod
+    def _forget(self) -> None:
+        """Drop what was decoded for an older position."""
+
+    @abc.abstractmethod
+    def _seek(self, media_s: float) -> None:
+        """Move the decoder."""
+
+    @abc.abstractmethod
+    def _decode(self) -> None:
+        """Decode one piece."""
+
+
+class VideoFeeder(Feeder):
+    """Decodes pictures and converts those that are not late already."""
+
+    def __init__(self, path: Path) -> None:
+        super().__init__("video-decoder", path)
+        self._queue: deque[Picture] = deque()
+        self._size_px = (0, 0)
+        self._position_s = float("-inf")
+        self._starved = 0
+        self.dropped = 0
+        self.damaged = 0
+
+    def set_size(self, width_px: int, height_px: int) -> None:
+        """Convert to this size from now on."""
+        self._size_px = (width_px, height_px)
+
+    def set_position(self, media_s: float) -> None:
+        """Say where the clock is; pictures before it need no conversion."""
+        self._position_s = media_s
+
+    def peek(self, number: int = 0) -> Picture | None:
+        """Return a queued picture without taking it."""
+        with self._wake:
+            return self._queue[number] if number < len(self._queue) else None
+
+    def pop(self) -> Picture | None:
+        """Take the next picture."""
+        with self._wake:
+            picture = self._queue.popleft() if self._queue else None
+            self._wake.notify_all()
+            return picture
+
+    def _has_work(self) -> bool:
+        return len(self._queue) < QUEUE_PICTURES and not self.is_at_end
+
+    def _forget(self) -> None:
+        self._queue.clear()
+        self._position_s = float("-inf")
+
+    def _open(self) -> None:
+        self._decoder = VideoDecoder(self._path)
+
+    def _close(self) -> None:
+        if hasattr(self, "_decoder"):
+            self._decoder.close()
+
+    def _seek(self, media_s: float) -> None:
+        self._decoder.seek(media_s)
+
+    def _decode(self) -> None:
+        frame = self._decoder.next_frame()
+        self.damaged = self._decoder.damaged
+        if frame is None:
+            self._end()
+            return
+        if self._is_late(frame):
+            self.dropped += 1
+            return
+        picture = self._decoder.convert(frame, *self._wanted_size())
+        with self._wake:
+            if self._target is None:
+                self._queue.append(picture)
+                self._wake.notify_all()
+
+    def _is_late(self, frame: DecodedFrame) -> bool:
+        is_late = frame.pts_s + frame.duration_s < self._position_s
+        self._starved = self._starved + 1 if is_late else 0
+        return is_late and self._starved % MAX_STARVED_DROPS != 0
+
+    def _wanted_size(self) -> tuple[int, int]:
+        width_px, height_px = self._size_px
+        if width_px and height_px:
+            return width_px, height_px
+        return self._decoder.width, self._decoder.height
+
+
+class AudioFeeder(Feeder):
+    """Decodes sound into the ring of the output."""
+
+    def __init__(self, path: Path, ring: AudioRing) -> None:
+        super().__init__("audio-decoder", path)
+        self._ring = ring
+
+    def _has_work(self) -> bool:
+        return not self.is_at_end
+
+    def _forget(self) -> None:
+        """The ring itself drops what is stale."""
+
+    def _open(self) -> None:
+        self._decoder = AudioDecoder(
+            self._path, rate_hz=self._ring.rate_hz, channels=CHANNELS
+        )
+
+    def _close(self) -> None:
+        if hasattr(self, "_decoder"):
+            self._decoder.close()
+
+    def _seek(self, media_s: float) -> None:
+        self._decoder.seek(media_s)
+
+    def _decode(self) -> None:
+        block = self._decoder.next_block()
+        if block is None:
+            self._ring.finish(self._epoch)
+            self._end()
+            return
+        samples, media_s = block.samples, block.media_s
+        while len(samples):
+            taken = self._ring.write(self._epoch, media_s, samples)
+            samples = samples[taken:]
+            media_s += taken / self._ring.rate_hz
+            if len(samples) and not self._wait_for_room():
+                return
+
+    def _wait_for_room(self) -> bool:
+        """Wait a little; False when there is something better to do."""
+        with self._wake:
+            if self._target is None and not self._is_stopping:
+                self._wake.wait(0.05)
+            return self._target is None and not self._is_stopping

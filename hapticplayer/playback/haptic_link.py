@@ -1,0 +1,128 @@
+"""The player's side of the haptics process: tracks, clock, health, records."""
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hapticplayer.clock import Clock
+from hapticplayer.haptics.process import HapticsProcess, Health
+from hapticplayer.haptics.scheduling import Scheduling
+from hapticplayer.haptics.step import Cause, Mode
+from hapticplayer.model import ForceTrack, PlaybackClock
+from hapticplayer.playback.log import PlaybackLog
+from hapticplayer.playback.meters import SyncMeter, TickHistory
+
+NO_DEVICE = "none"
+
+
+class HapticLink:
+    """Owns the haptics process and what it says.
+
+    Args:
+        clock: of the machine.
+        device: name of the device; "none" runs no process at all.
+        scheduling: None for the best there is.
+    """
+
+    def __init__(
+        self, clock: Clock, device: str, scheduling: Scheduling | None = None
+    ) -> None:
+        self.device = device
+        self.history = TickHistory()
+        self.video_sync = SyncMeter()
+        self.audio_sync = SyncMeter()
+        self._mode = Mode.IDLE
+        self._track_ids: dict[str, int] = {}
+        self._process: HapticsProcess | None = None
+        if device != NO_DEVICE:
+            self._process = HapticsProcess(clock, device, scheduling=scheduling)
+
+    @property
+    def scheduling(self) -> str:
+        """The scheduling class of the loop, or "" without a device."""
+        return self._process.scheduling.value if self._process else ""
+
+    @property
+    def health(self) -> Health | None:
+        """State of the process, None without a device."""
+        return self._process.health if self._process else None
+
+    @property
+    def problem(self) -> str:
+        """What the process complained about."""
+        return self._process.problem if self._process else ""
+
+    @property
+    def pid(self) -> int | None:
+        """Process id of the loop."""
+        return self._process.pid if self._process else None
+
+    def wait_ready(self) -> None:
+        """Wait for the device; raises DeviceError or HapticsError."""
+        if self._process:
+            self._process.wait_ready()
+
+    def load(self, tracks: Mapping[str, ForceTrack]) -> None:
+        """Hand over the tracks of a clip in place of those before."""
+        if self._process:
+            for track_id in self._track_ids.values():
+                self._process.forget_track(track_id)
+            self._track_ids = {
+                name: self._process.load_track(track) for name, track in tracks.items()
+            }
+
+    def publish(self, clock: PlaybackClock, feedback: str) -> None:
+        """Beat the heart, and say where the media is and what to play."""
+        if self._process:
+            self._process.beat()
+            self._process.publish(clock, self._track_ids.get(feedback, 0))
+
+    def stop_force(self) -> None:
+        """Zero at the next tick, latched."""
+        if self._process:
+            self._process.stop_force()
+
+    def rearm(self) -> None:
+        """Let the force come back."""
+        if self._process:
+            self._process.rearm()
+
+    def poll(self, log: PlaybackLog | None) -> bool:
+        """Read what the process has done since; False when it has just died."""
+        if not self._process:
+            return True
+        before = self._process.health
+        health = self._process.poll()
+        records, lost = self._process.read_ticks()
+        self.history.add(records, lost)
+        newest = self.history.newest()
+        self.video_sync.compare(newest)
+        self.audio_sync.compare(newest)
+        if log:
+            self._log(log, records, lost)
+        is_dead = health in (Health.GONE, Health.FAILED)
+        return not is_dead or before is health
+
+    def close(self) -> None:
+        """Bring the hand to rest and end the process."""
+        if self._process:
+            self._process.close()
+
+    def _log(self, log: PlaybackLog, records: NDArray[Any], lost: int) -> None:
+        log.ticks(records)
+        if lost:
+            log.line("event", name="ticks_lost", count=lost)
+        modes = np.concatenate([[self._mode], records["mode"]])
+        for row in np.flatnonzero(np.diff(modes.astype(np.int16))):
+            mode = Mode(int(modes[row + 1]))
+            log.line(
+                "event",
+                name={Mode.RAMPING: "ramp", Mode.TRIPPED: "trip"}.get(
+                    mode, f"force_{mode.name.lower()}"
+                ),
+                cause=Cause(int(records["cause"][row])).name.lower(),
+                monotonic_s=float(records["monotonic_s"][row]),
+            )
+        self._mode = Mode(int(modes[-1]))

@@ -1,0 +1,22 @@
+"""Real-time playback without a window: the same engine, pictures to nobody."""
+
+from hapticplayer.clock import Clock
+from hapticplayer.playback.player import Phase, Player
+
+
+def run(player: Player, clock: Clock, *, start_s: float, until_s: float) -> None:
+    """Play from `start_s` to `until_s` of media time, or to the end of the clip.
+
+    Raises:
+        KeyboardInterrupt: from the user; the caller closes the player.
+    """
+    player.end_s = min(until_s, player.end_s)
+    if start_s > 0.0:
+        player.seek(start_s)
+    player.play()
+    while player.phase is not Phase.ENDED:
+        clock.sleep_until(player.poll())
+    # a little longer, so that the record shows the force at rest
+    deadline_s = clock.now_s() + 0.1
+    while clock.now_s() < deadline_s:
+        clock.sleep_until(player.poll())

@@ -1,0 +1,92 @@
+"""The playback log: JSON lines that prove what was shown, heard and felt, and when.
+
+Times are seconds of CLOCK_MONOTONIC. A thread of its own formats and writes; the
+callers only put records into a queue.
+"""
+
+import json
+import queue
+import threading
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hapticplayer.errors import InputError
+
+
+class _Line(NamedTuple):
+    content: dict[str, Any]
+
+
+class PlaybackLog:
+    """Writes one log file.
+
+    Raises:
+        InputError: when the file cannot be written.
+    """
+
+    def __init__(self, path: Path, header: dict[str, Any]) -> None:
+        self.problem = ""
+        self._queue: queue.SimpleQueue[_Line | NDArray[Any] | None] = (
+            queue.SimpleQueue()
+        )
+        try:
+            self._file = path.open("w", encoding="utf-8")
+        except OSError as problem:
+            raise InputError(
+                f"the log cannot be written ({problem.strerror})",
+                where=str(path),
+                remedy="choose another file",
+            ) from problem
+        self._thread = threading.Thread(
+            target=self._run, name="playback-log", daemon=True
+        )
+        self._thread.start()
+        self.line("header", **header)
+
+    def line(self, kind: str, **fields: Any) -> None:
+        """Add one line of a kind."""
+        self._queue.put(_Line({"kind": kind, **fields}))
+
+    def ticks(self, records: NDArray[Any]) -> None:
+        """Add a force line for each exchange with the device."""
+        if len(records):
+            self._queue.put(records)
+
+    def close(self, summary: dict[str, Any]) -> None:
+        """Add the summary and finish the file."""
+        self.line("summary", **summary)
+        self._queue.put(None)
+        self._thread.join()
+        self._file.close()
+
+    def _run(self) -> None:
+        while (item := self._queue.get()) is not None:
+            text = _force_lines(item) if isinstance(item, np.ndarray) else _json(item)
+            if not self.problem:
+                try:
+                    self._file.write(text)
+                except OSError as problem:  # a full disk must not stop the playback
+                    self.problem = f"the log stopped ({problem.strerror})"
+
+
+def _json(line: _Line) -> str:
+    return json.dumps(line.content, allow_nan=False, ensure_ascii=False) + "\n"
+
+
+def _force_lines(records: NDArray[Any]) -> str:
+    rows = zip(
+        records["monotonic_s"].tolist(),
+        records["media_s"].tolist(),
+        records["force_n"].tolist(),
+        records["position_m"].tolist(),
+        strict=True,
+    )
+    return "".join(
+        f'{{"kind":"force","monotonic_s":{t:.6f},"media_s":{m:.6f},'
+        f'"force_n":[{f[0]:.5f},{f[1]:.5f},{f[2]:.5f}],'
+        f'"position_m":[{p[0]:.6f},{p[1]:.6f},{p[2]:.6f}]}}\n'
+        for t, m, f, p in rows
+    )

@@ -1,0 +1,150 @@
+"""What is measured while playing: lateness of the loop, force against picture and sound."""
+
+from collections import deque
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hapticplayer.haptics.shared import TICK
+from hapticplayer.haptics.step import Mode
+from hapticplayer.model import LoopStats, SyncStats
+
+HISTORY_TICKS = 12_000
+STATS_TICKS = 10_000
+_EMPTY = np.empty(0, dtype=TICK)
+
+
+class TickHistory:
+    """The last ticks for plots and stats, and the lateness of all of them."""
+
+    def __init__(self) -> None:
+        self._chunks: deque[NDArray[Any]] = deque()
+        self._kept = 0
+        self._lateness_us: list[NDArray[np.float32]] = []
+        self.missed = 0
+        self.lost = 0
+
+    def add(self, records: NDArray[Any], lost: int) -> None:
+        """Append what came from the ring."""
+        self.lost += lost
+        if not len(records):
+            return
+        self._chunks.append(records)
+        self._kept += len(records)
+        while self._kept - len(self._chunks[0]) >= HISTORY_TICKS:
+            self._kept -= len(self._chunks.popleft())
+        self._lateness_us.append(records["lateness_s"] * np.float32(1e6))
+        self.missed += int(records["missed"].sum())
+
+    def recent(self) -> NDArray[Any]:
+        """Return the last 12 s of ticks, oldest first."""
+        return _joined(list(self._chunks))
+
+    def since(self, monotonic_s: float) -> NDArray[Any]:
+        """Return the reads that hold ticks after a time, oldest first."""
+        newer: list[NDArray[Any]] = []
+        for chunk in reversed(self._chunks):
+            if chunk["monotonic_s"][-1] <= monotonic_s:
+                break
+            newer.append(chunk)
+        return _joined(newer[::-1])
+
+    def newest(self) -> NDArray[Any]:
+        """Return the ticks of the last few reads, for comparing fresh events."""
+        return np.concatenate(list(self._chunks)[-4:]) if self._chunks else _EMPTY
+
+    def latest(self) -> Any:
+        """Return the newest tick, or None."""
+        return self._chunks[-1][-1] if self._chunks else None
+
+    def recent_stats(self) -> LoopStats | None:
+        """Return the health over the last 10 s."""
+        ticks = self.recent()[-STATS_TICKS:]
+        if not len(ticks):
+            return None
+        return _loop_stats(ticks["lateness_s"] * 1e6, int(ticks["missed"].sum()))
+
+    def total_stats(self) -> LoopStats | None:
+        """Return the health over everything."""
+        if not self._lateness_us:
+            return None
+        return _loop_stats(np.concatenate(self._lateness_us), self.missed)
+
+
+class SyncMeter:
+    """How much later the force of a moment comes than its picture or its sound.
+
+    An event (a picture shown, a sound heard) at monotonic time t belongs to media
+    time m. The loop's own record says which media time m_h it played at t; the
+    force that belongs to m is m - m_h later than the event.
+    """
+
+    def __init__(self) -> None:
+        self._pending: list[tuple[float, float]] = []
+        self._differences_ms: list[NDArray[np.float64]] = []
+        self._recent_ms: deque[float] = deque(maxlen=600)
+
+    def event(self, monotonic_s: float, media_s: float) -> None:
+        """Note that something belonging to `media_s` came at `monotonic_s`."""
+        self._pending.append((monotonic_s, media_s))
+
+    def compare(self, ticks: NDArray[Any]) -> None:
+        """Compare the noted events with the loop's record.
+
+        Args:
+            ticks: recent ticks, oldest first; events newer than the last one wait.
+        """
+        if not self._pending or not len(ticks):
+            return
+        last_s = float(ticks["monotonic_s"][-1])
+        ready = [event for event in self._pending if event[0] <= last_s]
+        self._pending = [event for event in self._pending if event[0] > last_s]
+        if not ready:
+            return
+        at_s, media_s = np.array(ready).T
+        row = np.searchsorted(ticks["monotonic_s"], at_s, side="right") - 1
+        moving = (row >= 0) & np.isin(
+            ticks["mode"][row], (Mode.ENTERING, Mode.FOLLOWING)
+        )
+        row = row[moving]
+        elapsed_s = at_s[moving] - ticks["monotonic_s"][row]
+        played_s = ticks["media_s"][row] + elapsed_s
+        difference_ms = 1e3 * (media_s[moving] - played_s)
+        self._differences_ms.append(difference_ms)
+        self._recent_ms.extend(difference_ms.tolist())
+
+    def recent(self) -> SyncStats | None:
+        """Return the last 600 events (20 s of pictures at 30 Hz)."""
+        return _sync_stats(np.array(self._recent_ms))
+
+    def total(self) -> SyncStats | None:
+        """Return all events."""
+        return _sync_stats(np.concatenate([np.empty(0), *self._differences_ms]))
+
+
+def _joined(chunks: list[NDArray[Any]]) -> NDArray[Any]:
+    """Return chunks as one; as plain bytes, for numpy joins records 20 times slower."""
+    if not chunks:
+        return _EMPTY
+    plain = np.dtype((np.void, TICK.itemsize))
+    return np.concatenate([chunk.view(plain) for chunk in chunks]).view(TICK)
+
+
+def _loop_stats(lateness_us: NDArray[Any], missed: int) -> LoopStats:
+    p50, p99, p999 = np.percentile(lateness_us, [50.0, 99.0, 99.9])
+    return LoopStats(
+        len(lateness_us),
+        missed,
+        float(p50),
+        float(p99),
+        float(p999),
+        float(lateness_us.max()),
+    )
+
+
+def _sync_stats(difference_ms: NDArray[np.float64]) -> SyncStats | None:
+    if not len(difference_ms):
+        return None
+    p05, p50, p95 = np.percentile(difference_ms, [5.0, 50.0, 95.0])
+    return SyncStats(len(difference_ms), float(p05), float(p50), float(p95))

@@ -1,0 +1,475 @@
+"""The player: one clip, one clock, one state machine, polled by its front end.
+
+Everything here runs on the thread that calls `poll`, at least every 30 ms: the
+window's timer or the headless loop. Decoding, sound and force have threads or a
+process of their own. A front end that stops polling stops the heartbeat, and the
+force with it.
+"""
+
+import contextlib
+import enum
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any, Protocol
+
+from hapticplayer.clock import Clock
+from hapticplayer.haptics.scheduling import Scheduling
+from hapticplayer.haptics.step import Cause, Mode
+from hapticplayer.media import Picture
+from hapticplayer.model import LoopStats, SyncStats
+from hapticplayer.playback.audio import AudioOut, AudioRing, SoundDeviceOut
+from hapticplayer.playback.clock import AudioReport, MediaClock
+from hapticplayer.playback.clock import Source as ClockSource
+from hapticplayer.playback.feeders import AudioFeeder, VideoFeeder
+from hapticplayer.playback.haptic_link import NO_DEVICE, HapticLink
+from hapticplayer.playback.log import PlaybackLog
+from hapticplayer.playback.source import Source
+
+POLL_S = 0.025
+PREBUFFER_S = 0.25
+FIRST_SOUND_TIMEOUT_S = 3.0  # a sound server that wakes its device took 1.3 s
+AUDIO_LOG_PERIOD_S = 0.04
+
+AudioFactory = Callable[[AudioRing, Clock], AudioOut]
+
+
+class FrameSink(Protocol):
+    """Where pictures go."""
+
+    def show(self, picture: Picture) -> None:
+        """Present a picture now; returns when it is on the screen."""
+        ...
+
+
+class NullSink:
+    """Presents to nobody."""
+
+    def show(self, picture: Picture) -> None:
+        """Accept the picture."""
+
+
+class Phase(enum.StrEnum):
+    """What the player is doing."""
+
+    EMPTY = "empty"
+    PAUSED = "paused"
+    BUFFERING = "buffering"
+    STARTING = "starting"
+    PLAYING = "playing"
+    ENDED = "ended"
+
+
+@dataclass(frozen=True, slots=True)
+class Snapshot:
+    """What a front end shows; a value, taken when asked for."""
+
+    phase: Phase
+    media_s: float
+    duration_s: float
+    feedback: str
+    clock: str
+    audio: str
+    device: str
+    device_health: str
+    scheduling: str
+    mode: Mode
+    cause: Cause
+    loop: LoopStats | None
+    force_minus_video: SyncStats | None
+    force_minus_audio: SyncStats | None
+    frames_shown: int
+    frames_dropped: int
+    problem: str
+
+
+class Player:
+    """Plays one source at a time.
+
+    Args:
+        clock: of the machine.
+        sink: where pictures go.
+        device: name of the haptic device, or "none".
+        audio: makes the sound output; None plays without sound. An OSError from
+            it means that there is no output.
+        scheduling: of the haptics process; None for the best there is.
+    """
+
+    def __init__(
+        self,
+        clock: Clock,
+        sink: FrameSink | None = None,
+        *,
+        device: str = NO_DEVICE,
+        audio: AudioFactory | None = SoundDeviceOut,
+        scheduling: Scheduling | None = None,
+    ) -> None:
+        self.source: Source | None = None
+        self.phase = Phase.EMPTY
+        self.feedback = ""
+        self.problem = ""
+        self.end_s = 0.0
+        self._clock = clock
+        self._sink = sink or NullSink()
+        self._make_audio = audio
+        self._scheduling = scheduling
+        self._media = MediaClock()
+        self._ring = AudioRing()
+        self._audio: AudioOut | None = None
+        self._video_feeder: VideoFeeder | None = None
+        self._audio_feeder: AudioFeeder | None = None
+        self._log: PlaybackLog | None = None
+        self._link = HapticLink(clock, device, scheduling)
+        self._size_px = (0, 0)
+        self._preview: Picture | None = None
+        self._needs_preview = False
+        self._first_sound_by_s = 0.0
+        self._logged_audio_s = float("-inf")
+        self._underruns = 0
+        self._led_by = ClockSource.MONOTONIC
+        self._shown = 0
+        self._dropped = 0
+        self._dropped_before = 0
+
+    # --- what a front end asks for ------------------------------------------
+
+    @property
+    def link(self) -> HapticLink:
+        """The haptics process and its records."""
+        return self._link
+
+    @property
+    def is_playing(self) -> bool:
+        """Whether the clip plays or is about to."""
+        return self.phase in (Phase.BUFFERING, Phase.STARTING, Phase.PLAYING)
+
+    def media_s(self) -> float:
+        """Return the position, s."""
+        return self._media.media_s(self._clock.now_s())
+
+    def open(self, source: Source, feedback: str | None = None) -> None:
+        """Load a source and show its first picture; it does not play yet."""
+        self.unload()
+        self.source = source
+        self.feedback = feedback or source.feedback
+        self.end_s = source.clip.duration_s
+        self._link.load(source.tracks)
+        self._video_feeder = VideoFeeder(source.clip.path)
+        self._video_feeder.set_size(*self._size_px)
+        if source.clip.has_audio and self._make_audio is not None:
+            with contextlib.suppress(OSError):
+                self._audio = self._make_audio(self._ring, self._clock)
+        if self._audio is not None:
+            self._audio_feeder = AudioFeeder(source.clip.path, self._ring)
+        self.phase = Phase.PAUSED
+        self._go_to(0.0)
+        for feeder in (self._video_feeder, self._audio_feeder):
+            if feeder is not None:
+                feeder.start()
+
+    def unload(self) -> None:
+        """Stop playing and forget the source."""
+        for feeder in (self._video_feeder, self._audio_feeder):
+            if feeder is not None:
+                feeder.stop()
+        if self._audio is not None:
+            self._audio.close()
+        if self._video_feeder is not None:
+            self._dropped_before += self._video_feeder.dropped
+        self._video_feeder = self._audio_feeder = self._audio = None
+        self.source, self._preview = None, None
+        self.phase, self.problem = Phase.EMPTY, ""
+        self._media.seek(0.0)
+
+    def play(self) -> None:
+        """Play from here; from the beginning when the clip has ended."""
+        if self.phase is Phase.ENDED:
+            self._go_to(0.0)
+        if self.phase in (Phase.PAUSED, Phase.ENDED):
+            self.phase = Phase.BUFFERING
+            self._event("play")
+
+    def pause(self) -> None:
+        """Stand still; the force ramps to zero."""
+        if self.is_playing:
+            self._hold(Phase.PAUSED)
+            self._event("pause")
+
+    def toggle(self) -> None:
+        """Play or pause."""
+        if self.is_playing:
+            self.pause()
+        else:
+            self.play()
+
+    def seek(self, media_s: float) -> None:
+        """Go to a position and go on as before."""
+        if self.source is None:
+            return
+        was_playing = self.is_playing
+        self._go_to(min(max(0.0, media_s), self.source.clip.duration_s))
+        self.phase = Phase.BUFFERING if was_playing else Phase.PAUSED
+        self._event("seek", to_s=self._media.media_s(self._clock.now_s()))
+
+    def set_feedback(self, name: str) -> None:
+        """Change the force track; the force ramps down and fades in again."""
+        if self.source is None or name not in self.source.tracks:
+            return
+        if name != self.feedback:
+            self.feedback = name
+            self._event("feedback", feedback=name)
+            self._media.renew()
+            self._ring.follow(self._media.epoch)
+
+    def set_device(self, name: str) -> None:
+        """Let go of the device and take another one."""
+        self._link.close()
+        self._link = HapticLink(self._clock, name, self._scheduling)
+        if self.source is not None:
+            self._link.load(self.source.tracks)
+        self._event("device", device=name)
+
+    def set_size(self, width_px: int, height_px: int) -> None:
+        """Say how large the pictures shall be; 0 x 0 keeps the clip's size."""
+        self._size_px = (width_px, height_px)
+        if self._video_feeder is not None:
+            self._video_feeder.set_size(width_px, height_px)
+
+    def stop_force(self) -> None:
+        """Take the force away at once and stand still; `rearm` brings it back."""
+        self._link.stop_force()
+        self._event("stop")
+        self.pause()
+
+    def rearm(self) -> None:
+        """Let the force come back after a stop."""
+        self._link.rearm()
+        self._event("rearm")
+
+    def attach_log(self, log: PlaybackLog) -> None:
+        """Write everything from now on into a log, until `close`."""
+        self._log = log
+
+    def close(self) -> None:
+        """Bring the hand to rest, end all threads and finish the log."""
+        self.unload()
+        self._link.close()
+        self._link.poll(self._log)
+        if self._log is not None:
+            self._log.close(self.summary())
+            self._log = None
+
+    def snapshot(self) -> Snapshot:
+        """Return what there is to show."""
+        latest = self._link.history.latest()
+        return Snapshot(
+            phase=self.phase,
+            media_s=self.media_s(),
+            duration_s=self.source.clip.duration_s if self.source else 0.0,
+            feedback=self.feedback,
+            clock=self._media.source.value,
+            audio=self._audio.name if self._audio else "",
+            device=self._link.device,
+            device_health=str(self._link.health or ""),
+            scheduling=self._link.scheduling,
+            mode=Mode(int(latest["mode"])) if latest is not None else Mode.IDLE,
+            cause=Cause(int(latest["cause"])) if latest is not None else Cause.NONE,
+            loop=self._link.history.recent_stats(),
+            force_minus_video=self._link.video_sync.recent(),
+            force_minus_audio=self._link.audio_sync.recent(),
+            frames_shown=self._shown,
+            frames_dropped=self.frames_dropped,
+            problem=self.problem,
+        )
+
+    @property
+    def frames_dropped(self) -> int:
+        """Pictures that came too late to be shown."""
+        feeder = self._video_feeder
+        return self._dropped_before + self._dropped + (feeder.dropped if feeder else 0)
+
+    def summary(self) -> dict[str, Any]:
+        """Return what the log ends with."""
+        loop = self._link.history.total_stats()
+        return {
+            "lateness_us": {
+                "p50": round(loop.lateness_p50_us, 1),
+                "p99": round(loop.lateness_p99_us, 1),
+                "p999": round(loop.lateness_p999_us, 1),
+                "max": round(loop.lateness_max_us, 1),
+            }
+            if loop
+            else None,
+            "ticks": loop.ticks if loop else 0,
+            "missed": loop.missed if loop else 0,
+            "frames": {"shown": self._shown, "dropped": self.frames_dropped},
+            "haptic_minus_video_ms": _described(self._link.video_sync.total()),
+            "haptic_minus_audio_ms": _described(self._link.audio_sync.total()),
+            "audio_underrun_s": round(
+                self._ring.underrun_samples / self._ring.rate_hz, 4
+            ),
+            "clock": self._led_by.value,
+            "scheduling": self._link.scheduling,
+            "device": self._link.device,
+        }
+
+    # --- what happens by itself ---------------------------------------------
+
+    def poll(self) -> float:
+        """Do what is due and return the monotonic time of the next call, s."""
+        now_s = self._clock.now_s()
+        if not self._link.poll(self._log):
+            self._event("device_lost", problem=self._link.problem)
+        self._hear()
+        self._media.check(now_s)
+        self._advance(now_s)
+        next_s = self._present(self._clock.now_s())
+        self._link.publish(self._media.snapshot(self._clock.now_s()), self.feedback)
+        return min(next_s, now_s + POLL_S)
+
+    def _hear(self) -> None:
+        """Follow what the sound output reports."""
+        for report in self._ring.reports():
+            if self.phase is Phase.STARTING and report.epoch == self._media.epoch:
+                self._media.start_with(report)
+                self.phase = Phase.PLAYING
+            elif not self._media.report(report, self._clock.now_s()):
+                self._resync(report)
+                return
+            self._note_sound(report)
+        if self._ring.underrun_samples > self._underruns:
+            missing = self._ring.underrun_samples - self._underruns
+            self._underruns = self._ring.underrun_samples
+            self._event("underrun", missing_s=missing / self._ring.rate_hz)
+
+    def _resync(self, report: AudioReport) -> None:
+        """The sound is too far off to be caught up with: seek to where it is."""
+        self._event("resync", to_s=report.media_s)
+        self.seek(report.media_s)
+
+    def _note_sound(self, report: AudioReport) -> None:
+        if report.monotonic_s < self._logged_audio_s + AUDIO_LOG_PERIOD_S:
+            return
+        self._logged_audio_s = report.monotonic_s
+        self._link.audio_sync.event(report.monotonic_s, report.media_s)
+        if self._log:
+            self._log.line(
+                "audio", monotonic_s=report.monotonic_s, media_s=report.media_s
+            )
+
+    def _advance(self, now_s: float) -> None:
+        """Move the state machine on."""
+        feeder = self._video_feeder
+        if feeder is None:
+            return
+        if feeder.problem is not None and not self.problem:
+            self.problem = str(feeder.problem)
+            self._event("damaged", problem=self.problem)
+        if self.phase is Phase.BUFFERING and self._is_ready(feeder):
+            self._start(now_s)
+        elif self.phase is Phase.STARTING and now_s > self._first_sound_by_s:
+            self._media.start(now_s)
+            self.phase = Phase.PLAYING
+            self._event("no_sound")
+        elif self.phase is Phase.PLAYING:
+            self._note_source()
+            if self._is_over(feeder, now_s):
+                self._hold(Phase.ENDED)
+                self._event("end")
+
+    def _note_source(self) -> None:
+        """Log when another clock takes the lead."""
+        if self._media.source is not self._led_by:
+            self._led_by = self._media.source
+            self._event("clock", source=self._led_by.value)
+
+    def _is_ready(self, feeder: VideoFeeder) -> bool:
+        has_picture = feeder.peek(1) is not None or feeder.is_at_end
+        if self._audio_feeder is None:
+            return has_picture
+        has_sound = self._ring.buffered_s() > PREBUFFER_S or self._ring.is_complete
+        return has_picture and (has_sound or self._audio_feeder.is_at_end)
+
+    def _start(self, now_s: float) -> None:
+        if self._audio is None:
+            self._media.start(now_s)
+            self.phase = Phase.PLAYING
+        else:
+            # the clock starts with the first sound: its delay is never assumed
+            self._ring.play()
+            self._first_sound_by_s = now_s + FIRST_SOUND_TIMEOUT_S
+            self.phase = Phase.STARTING
+
+    def _is_over(self, feeder: VideoFeeder, now_s: float) -> bool:
+        media_s = self._media.media_s(now_s)
+        is_dry = feeder.problem is not None and feeder.peek() is None
+        return media_s >= self.end_s or is_dry
+
+    def _hold(self, phase: Phase) -> None:
+        """Stand still; the sound that is on its way stays in the ring."""
+        now_s = self._clock.now_s()
+        self._media.pause(now_s)
+        position_s = self._media.media_s(now_s)
+        if not self._ring.resume_from(self._media.epoch, position_s):
+            self._ring.load(self._media.epoch, position_s)
+            if self._audio_feeder is not None:
+                self._audio_feeder.request(self._media.epoch, position_s)
+        self.phase = phase
+
+    def _go_to(self, media_s: float) -> None:
+        self._media.seek(media_s)
+        self._ring.load(self._media.epoch, media_s)
+        self._preview, self._needs_preview = None, True
+        for feeder in (self._video_feeder, self._audio_feeder):
+            if feeder is not None:
+                feeder.request(self._media.epoch, media_s)
+
+    def _present(self, now_s: float) -> float:
+        """Show the picture that is due and return when the next one is, s."""
+        feeder = self._video_feeder
+        if feeder is None:
+            return now_s + POLL_S
+        clock = self._media.snapshot(now_s)
+        if not (self._media.is_running and now_s >= clock.monotonic0_s):
+            self._show_preview(feeder)
+            return clock.monotonic0_s if self._media.is_running else now_s + POLL_S
+        if self._preview is not None:
+            self._show(self._preview)
+            self._preview = None
+        media_s = clock.media_s(now_s)
+        feeder.set_position(media_s)
+        while (picture := feeder.peek()) is not None and picture.pts_s <= media_s:
+            following = feeder.peek(1)
+            feeder.pop()
+            if following is not None and following.pts_s <= media_s:
+                self._dropped += 1
+            else:
+                self._show(picture)
+        return clock.monotonic_s(picture.pts_s) if picture else now_s + 0.5 * POLL_S
+
+    def _show_preview(self, feeder: VideoFeeder) -> None:
+        """After a seek, show where we are without waiting for the clock."""
+        if self._needs_preview and (picture := feeder.pop()) is not None:
+            self._needs_preview = False
+            self._preview = picture
+            self._sink.show(picture)
+
+    def _show(self, picture: Picture) -> None:
+        self._sink.show(picture)
+        shown_s = self._clock.now_s()
+        self._shown += 1
+        self._link.video_sync.event(shown_s, picture.pts_s)
+        if self._log:
+            self._log.line("frame", monotonic_s=shown_s, media_s=picture.pts_s)
+
+    def _event(self, name: str, **fields: Any) -> None:
+        if self._log:
+            now_s = self._clock.now_s()
+            self._log.line("event", name=name, monotonic_s=now_s, **fields)
+
+
+def _described(stats: SyncStats | None) -> dict[str, float] | None:
+    if stats is None:
+        return None
+    figures = {"p05": stats.p05_ms, "p50": stats.p50_ms, "p95": stats.p95_ms}
+    rounded = {name: round(value, 3) for name, value in figures.items()}
+    return {"count": stats.count, **rounded}

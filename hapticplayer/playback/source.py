@@ -1,0 +1,111 @@
+"""What can be played: a sequence, or any video with any force track."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from hapticplayer.capture import read_force_csv
+from hapticplayer.errors import InputError, MediaError, UsageError
+from hapticplayer.media import ClipInfo, probe
+from hapticplayer.model import Feedback, ForceTrack, MotionTrack
+from hapticplayer.rendering import no_feedback
+from hapticplayer.sequence import open_sequence
+
+FROM_FILE = "file"
+"""Name of the feedback that `--force FILE` adds."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Source:
+    """A clip with the force tracks that can go with it.
+
+    Attributes:
+        title: for people.
+        path: what was opened.
+        clip: the video.
+        tracks: by name of the feedback; "none" is always there.
+        motion: gravity-free acceleration in media time, where it is known.
+        feedback: the name that plays unless another is chosen.
+    """
+
+    title: str
+    path: Path
+    clip: ClipInfo
+    tracks: Mapping[str, ForceTrack]
+    motion: MotionTrack | None
+    feedback: str
+
+
+def open_source(path: str | Path, force: str | Path | None = None) -> Source:
+    """Return what lies at a path: the folder of a sequence, or a video.
+
+    Args:
+        path: folder or file.
+        force: CSV with rows `time_s,fx_n,fy_n,fz_n`, held between rows.
+
+    Raises:
+        InputError: what is wrong, where, and what to do.
+    """
+    path = Path(path)
+    source = _from_sequence(path) if path.is_dir() else _from_video(path)
+    if force is None:
+        return source
+    track = read_force_csv(Path(force))
+    if track.time_s[0] >= source.clip.duration_s:
+        raise InputError(
+            f"starts at {track.time_s[0]:.3f} s, but the clip ends at "
+            f"{source.clip.duration_s:.3f} s",
+            where=str(force),
+            remedy="give times in seconds of the clip",
+        )
+    tracks = {FROM_FILE: track, **source.tracks}
+    return Source(
+        source.title, source.path, source.clip, tracks, source.motion, FROM_FILE
+    )
+
+
+def choose_feedback(source: Source, name: str | None) -> str:
+    """Return the feedback to play.
+
+    Raises:
+        UsageError: when the source has no such feedback.
+    """
+    if name is None:
+        return source.feedback
+    if name not in source.tracks:
+        raise UsageError(
+            f"{source.title} has no feedback {name!r}; "
+            f"choose one of {', '.join(source.tracks)}"
+        )
+    return name
+
+
+def _from_sequence(folder: Path) -> Source:
+    sequence = open_sequence(folder)
+    clip = probe(sequence.clip)
+    return Source(
+        sequence.title,
+        folder,
+        clip,
+        dict(sequence.tracks),
+        sequence.motion,
+        Feedback.REALISTIC.value,
+    )
+
+
+def _from_video(path: Path) -> Source:
+    if path.suffix == ".json":
+        raise MediaError(
+            "is no video", where=str(path), remedy="give the folder of the sequence"
+        )
+    clip = probe(path)
+    tracks = {Feedback.NONE.value: no_feedback_for(clip)}
+    return Source(path.name, path, clip, tracks, None, Feedback.NONE.value)
+
+
+def no_feedback_for(clip: ClipInfo) -> ForceTrack:
+    """Return a track without force as long as the clip."""
+    time_s = np.array([0.0, max(clip.duration_s, 1e-3)])
+    return no_feedback(ForceTrack(time_s, np.zeros((2, 3), dtype=np.float32)))

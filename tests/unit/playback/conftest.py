@@ -1,0 +1,116 @@
+"""A short clip and a player on a virtual clock, with everything but the decoders."""
+
+import numpy as np
+import pytest
+
+from hapticplayer.clock import ManualClock
+from hapticplayer.media import probe, write_clip
+from hapticplayer.model import ForceTrack
+from hapticplayer.playback.audio import AudioRing, SilentOut
+from hapticplayer.playback.player import Player
+from hapticplayer.playback.source import Source
+
+RATE_HZ = 25
+SECONDS = 3.0
+
+
+def pictures(count):
+    """Grey pictures whose brightness tells their number."""
+    for number in range(count):
+        yield np.full((72, 128, 3), 20 + 2 * number, dtype=np.uint8)
+
+
+@pytest.fixture(scope="session")
+def clip(tmp_path_factory):
+    path = tmp_path_factory.mktemp("clip") / "short.mp4"
+    t = np.arange(int(SECONDS * 48_000)) / 48_000
+    tone = (0.2 * np.sin(2 * np.pi * 440 * t)).astype(np.float32)
+    write_clip(
+        path,
+        pictures(int(SECONDS * RATE_HZ)),
+        frame_rate_hz=RATE_HZ,
+        audio=np.stack([tone, tone], axis=1),
+    )
+    return probe(path)
+
+
+@pytest.fixture(scope="session")
+def silent_clip(tmp_path_factory):
+    path = tmp_path_factory.mktemp("clip") / "silent.mp4"
+    write_clip(path, pictures(int(SECONDS * RATE_HZ)), frame_rate_hz=RATE_HZ)
+    return probe(path)
+
+
+def source_of(info):
+    track = ForceTrack([0.0, SECONDS], [[0, 1.0, 0], [0, 1.0, 0]])
+    other = ForceTrack([0.0, SECONDS], [[0, -1.0, 0], [0, -1.0, 0]])
+    tracks = {"realistic": track, "other": other}
+    return Source("short", info.path, info, tracks, None, "realistic")
+
+
+class RecordingSink:
+    """Notes when each picture was shown."""
+
+    def __init__(self, clock):
+        self.clock = clock
+        self.shown = []
+
+    def show(self, picture):
+        self.shown.append((self.clock.now_s(), picture.pts_s))
+
+
+class Theatre:
+    """A player whose time only moves when the decoders have done their work."""
+
+    STEP_S = 0.004
+
+    def __init__(self, info, *, with_sound=True):
+        self.clock = ManualClock()
+        self.sink = RecordingSink(self.clock)
+        self.out = None
+        self.player = Player(
+            self.clock, self.sink, audio=self._make_audio if with_sound else None
+        )
+        self.player.open(source_of(info))
+
+    def _make_audio(self, ring: AudioRing, clock):
+        self.out = SilentOut(ring, clock)
+        return self.out
+
+    def settle(self):
+        """Wait until the decoders have nothing left to do."""
+        feeder = self.player._video_feeder
+        with feeder._wake:
+            assert feeder._wake.wait_for(
+                lambda: feeder._target is None and not feeder._has_work(), timeout=30
+            )
+        sound = self.player._audio_feeder
+        while sound is not None and not sound.is_at_end:
+            if self.player._ring.buffered_s() > 0.5:
+                break
+            with sound._wake:
+                sound._wake.wait(0.01)
+
+    def run(self, seconds):
+        """Let virtual time pass; the DAC takes its samples."""
+        for _ in range(round(seconds / self.STEP_S)):
+            self.settle()
+            self.player.poll()
+            if self.out is not None:
+                self.out.advance(round(self.STEP_S * 48_000))
+            self.clock.advance(self.STEP_S)
+        self.player.poll()
+
+
+@pytest.fixture
+def theatre(clip):
+    made = Theatre(clip)
+    yield made
+    made.player.close()
+
+
+@pytest.fixture
+def silent_theatre(silent_clip):
+    made = Theatre(silent_clip)
+    yield made
+    made.player.close()

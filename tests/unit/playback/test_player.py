@@ -1,0 +1,184 @@
+"""The player's state machine and its timing, on virtual time with real decoders."""
+
+import threading
+
+import numpy as np
+import pytest
+
+from hapticplayer.playback.player import Phase
+
+FRAME_S = 1 / 25
+LATENCY_S = 0.12
+
+
+def test_opening_shows_the_first_picture_and_does_not_play(theatre):
+    theatre.run(0.2)
+    assert [pts for _, pts in theatre.sink.shown] == [0.0]
+    assert theatre.player.phase is Phase.PAUSED
+    assert theatre.player.media_s() == 0.0
+
+
+def test_pictures_come_when_the_sound_says_so(theatre):
+    theatre.player.play()
+    theatre.run(2.0)
+    shown = np.array(theatre.sink.shown[1:])
+    start_s = shown[0, 0]
+    lateness_s = shown[:, 0] - start_s - shown[:, 1]
+    # time moves in steps of 4 ms here; nothing may be early or later than a step
+    assert lateness_s.min() > -0.0005
+    assert lateness_s.max() < 0.0045
+    assert np.allclose(np.diff(shown[:, 1]), FRAME_S, atol=1e-6)
+    assert theatre.player.snapshot().clock == "audio"
+    assert theatre.player.frames_dropped == 0
+
+
+def test_the_clock_starts_with_the_first_sound_not_before(theatre):
+    theatre.player.play()
+    theatre.run(LATENCY_S - 0.02)
+    assert theatre.player.media_s() == 0.0
+    theatre.run(0.5)
+    assert theatre.player.media_s() == pytest.approx(0.48, abs=0.02)
+
+
+def test_without_sound_the_monotonic_clock_leads(silent_theatre):
+    silent_theatre.player.play()
+    silent_theatre.run(1.0)
+    assert silent_theatre.out is None
+    assert silent_theatre.player.snapshot().clock == "monotonic"
+    assert silent_theatre.player.media_s() == pytest.approx(1.0, abs=0.01)
+
+
+def test_pause_stands_and_play_goes_on_from_there(theatre):
+    theatre.player.play()
+    theatre.run(1.0)
+    theatre.player.pause()
+    position_s = theatre.player.media_s()
+    theatre.run(1.0)
+    assert theatre.player.media_s() == position_s
+    theatre.player.play()
+    theatre.run(0.5)
+    gained = theatre.player.media_s() - position_s
+    assert gained == pytest.approx(0.5 - LATENCY_S, abs=0.02)
+
+
+def test_a_seek_shows_the_picture_that_covers_it(theatre):
+    theatre.run(0.1)
+    theatre.player.seek(1.53)
+    theatre.run(0.1)
+    pts_s = theatre.sink.shown[-1][1]
+    assert pts_s <= 1.53 < pts_s + FRAME_S
+    assert theatre.player.media_s() == pytest.approx(1.53)
+    assert theatre.player.phase is Phase.PAUSED
+
+
+def test_many_seeks_while_playing_leave_it_playing_in_time(theatre, rng):
+    theatre.player.play()
+    for target_s in rng.uniform(0.0, 2.0, 12):
+        theatre.run(0.1)
+        theatre.player.seek(float(target_s))
+    theatre.run(0.6)
+    assert theatre.player.phase is Phase.PLAYING
+    now_s, pts_s = theatre.sink.shown[-1]
+    theatre.clock.advance(0.0)
+    media_s = theatre.player.media_s()
+    assert 0.0 <= media_s - pts_s < FRAME_S + 0.008
+    assert now_s <= theatre.clock.now_s()
+
+
+def test_seeks_outside_the_clip_are_brought_inside(theatre):
+    theatre.player.seek(-5.0)
+    assert theatre.player.media_s() == 0.0
+    theatre.player.seek(99.0)
+    assert theatre.player.media_s() == theatre.player.source.clip.duration_s
+
+
+def test_at_the_end_it_stops_and_plays_again_from_the_start(theatre):
+    theatre.player.seek(2.5)
+    theatre.player.play()
+    theatre.run(1.0)
+    assert theatre.player.phase is Phase.ENDED
+    assert not theatre.player.is_playing
+    theatre.player.play()
+    theatre.run(0.5)
+    assert theatre.player.phase is Phase.PLAYING
+    assert theatre.player.media_s() < 0.6
+
+
+def test_when_the_sound_dies_the_picture_goes_on(theatre):
+    theatre.player.play()
+    theatre.run(1.0)
+    before_s = theatre.player.media_s()
+    theatre.out.is_alive = False
+    theatre.run(1.0)
+    assert theatre.player.snapshot().clock == "monotonic"
+    assert theatre.player.media_s() - before_s == pytest.approx(1.0, abs=0.01)
+
+
+def test_a_sound_that_never_starts_is_not_waited_for_for_ever(theatre):
+    theatre.out.is_alive = False
+    theatre.player.play()
+    theatre.run(4.0)
+    assert theatre.player.snapshot().clock == "monotonic"
+    assert 0.5 < theatre.player.media_s() < 1.5
+
+
+def test_late_pictures_are_dropped_not_shown_late(theatre):
+    theatre.player.play()
+    theatre.run(0.5)
+    theatre.settle()
+    for _ in range(30):  # the front end is busy for 0.3 s, the sound goes on
+        theatre.out.advance(480)
+        theatre.clock.advance(0.01)
+    shown_before = len(theatre.sink.shown)
+    theatre.player.poll()
+    assert theatre.player.frames_dropped >= 3
+    theatre.run(0.5)
+    later = [pts for _, pts in theatre.sink.shown[shown_before:]]
+    assert all(np.diff(later) > 0)
+
+
+def test_another_feedback_begins_a_new_epoch_and_the_picture_goes_on(theatre):
+    theatre.player.play()
+    theatre.run(1.0)
+    epoch, media_s = theatre.player._media.epoch, theatre.player.media_s()
+    theatre.player.set_feedback("other")
+    assert theatre.player._media.epoch == epoch + 1
+    assert theatre.player.media_s() == pytest.approx(media_s)
+    theatre.run(0.5)
+    assert theatre.player.media_s() == pytest.approx(media_s + 0.5, abs=0.01)
+    assert theatre.player.snapshot().clock == "audio"
+
+
+def test_a_feedback_that_is_not_there_changes_nothing(theatre):
+    theatre.player.set_feedback("strong")
+    assert theatre.player.feedback == "realistic"
+
+
+def test_closing_ends_all_threads(clip):
+    from tests.unit.playback.conftest import Theatre
+
+    before = set(threading.enumerate())
+    made = Theatre(clip)
+    made.player.play()
+    made.run(0.2)
+    made.player.close()
+    assert set(threading.enumerate()) == before
+
+
+def test_a_clip_that_breaks_ends_with_a_sentence(theatre, monkeypatch):
+    from hapticplayer.errors import MediaError
+
+    theatre.player.play()
+    theatre.run(0.3)
+    decoder = theatre.player._video_feeder._decoder
+
+    def broken():
+        raise MediaError("is damaged", where="short.mp4")
+
+    monkeypatch.setattr(decoder, "next_frame", broken)
+    for _ in range(400):
+        theatre.player.poll()
+        theatre.out.advance(192)
+        theatre.clock.advance(0.004)
+    assert "damaged" in theatre.player.problem
+    assert theatre.player.phase is Phase.ENDED
