@@ -5,6 +5,7 @@ looks for the first line at fault, so that the message can name it.
 """
 
 import contextlib
+import functools
 import math
 import os
 import warnings
@@ -76,7 +77,7 @@ def read_table(path: str | os.PathLike[str], layout: Layout) -> Table:
         )
     with _text_errors(file), file.open(encoding="utf-8-sig") as lines:
         columns = _read_header(lines, layout, file)
-        values = _parse(lines, len(columns))
+        values = _parse(_short_lines(lines), len(columns))
     if values is None or not _is_good(values, layout):
         values = _parse_or_blame(file, columns, layout)
     return Table(file, columns, values)
@@ -104,6 +105,11 @@ def _read_header(lines: IO[str], layout: Layout, file: Path) -> tuple[str, ...]:
         where=f"{file}, line 1",
         remedy=f"begin the file with {layout.header}",
     )
+
+
+def _short_lines(lines: IO[str]) -> Iterator[str]:
+    """Yield lines; one that never ends is cut instead of filling the memory."""
+    return iter(functools.partial(lines.readline, MAX_LINE_BYTES + 1), "")
 
 
 def _what_is_wrong(line: str, names: tuple[str, ...], layout: Layout) -> str:
@@ -147,7 +153,7 @@ def _parse_or_blame(file: Path, columns: Sequence[str], layout: Layout) -> Float
     """Find the first line at fault and raise; blank lines are none."""
     rows, last_s = 0, -math.inf
     with _text_errors(file), file.open(encoding="utf-8-sig") as lines:
-        for number, line in enumerate(lines, start=1):
+        for number, line in enumerate(_short_lines(lines), start=1):
             if number == 1 or not line.strip():
                 continue
             where = f"{file}, line {number}"
@@ -157,7 +163,7 @@ def _parse_or_blame(file: Path, columns: Sequence[str], layout: Layout) -> Float
         if layout.least_rows <= rows <= MAX_CSV_ROWS:
             lines.seek(0)
             lines.readline()
-            values = _parse(filter(str.strip, lines), len(columns))
+            values = _parse(filter(str.strip, _short_lines(lines)), len(columns))
             if values is not None and _is_good(values, layout):
                 return values
     raise InputError(
@@ -168,8 +174,14 @@ def _parse_or_blame(file: Path, columns: Sequence[str], layout: Layout) -> Float
 
 
 def _check_line(line: str, columns: Sequence[str], where: str) -> float:
+    if len(line) > MAX_LINE_BYTES:
+        raise InputError(
+            f"is longer than {MAX_LINE_BYTES} characters",
+            where=where,
+            remedy="choose another log",
+        )
     cells = line.strip().split(",")
-    if len(line) > MAX_LINE_BYTES or len(cells) != len(columns):
+    if len(cells) != len(columns):
         raise InputError(
             f"has {len(cells)} columns, the header has {len(columns)}",
             where=where,

@@ -5,6 +5,7 @@ import os
 from dataclasses import dataclass
 from pathlib import Path
 
+import av.error
 from av.container import InputContainer
 from av.video.frame import VideoFrame
 from av.video.stream import VideoStream
@@ -148,7 +149,7 @@ def _first_frame(
     for count, packet in enumerate(container.demux(video)):
         try:
             frames = packet.decode()
-        except ValueError:  # InvalidDataError: the next one may be whole
+        except av.error.FFmpegError:  # the next one may be whole
             frames = []
         if frames:
             return frames[0]

@@ -17,9 +17,6 @@ from hapticplayer.media.opening import media_errors
 
 FrameT = TypeVar("FrameT")
 
-_SKIPPED = (av.error.InvalidDataError, av.error.ArgumentError, av.error.BugError)
-"""What a damaged packet raises; the decoder can go on with the next one."""
-
 
 class PacketReader(Generic[FrameT]):
     """Decoded frames of one stream; packets that fail are counted.
@@ -68,20 +65,29 @@ class PacketReader(Generic[FrameT]):
         return self._frames.popleft()
 
     def _decode_next(self) -> bool:
-        """Decode one packet; False at the end of the stream."""
+        """Read and decode one packet; False at the end of the stream."""
         try:
             packet = next(self._packets, None)
-            frames = [] if packet is None else packet.decode()
-        except EOFError:  # the decoder was drained before
-            return False
-        except _SKIPPED as error:
+        except av.error.InvalidDataError as error:
             self._count_damage(error)
             self._packets = self._container.demux(self._stream)
+            return True
+        if packet is None:
+            return False
+        try:
+            frames = packet.decode()
+        except EOFError:  # the decoder was drained before
+            return False
+        except MemoryError:
+            raise
+        except av.error.FFmpegError as error:
+            # decoders return all kinds of codes for damage, even EPERM (-1)
+            self._count_damage(error)
             return True
         if frames:
             self._bad_in_a_row = 0
             self._frames.extend(cast("list[FrameT]", frames))
-        return packet is not None
+        return True
 
     def _count_damage(self, error: Exception) -> None:
         self.damaged += 1

@@ -21,6 +21,7 @@ from av.video.stream import VideoStream
 
 from hapticplayer.errors import MediaError
 from hapticplayer.media.files import COPY_AGAIN, reason, resolve_regular
+from hapticplayer.media.lengths import declared_bytes
 from hapticplayer.media.limits import (
     INDEX_TAIL,
     MAX_PIXELS,
@@ -54,7 +55,7 @@ def open_media(path: str | os.PathLike[str]) -> InputContainer:
     try:
         with media_errors(file, "its headers are damaged"):
             _check_streams(container, file)
-            _check_index(container, file)
+            _check_length(container, file)
     except BaseException:
         container.close()
         raise
@@ -118,13 +119,13 @@ def _check_streams(container: InputContainer, file: Path) -> None:
             )
 
 
-def _check_index(container: InputContainer, file: Path) -> None:
+def _check_length(container: InputContainer, file: Path) -> None:
     """Refuse a file that ends before the last sample of its index.
 
     FFmpeg plays such a file to where it ends and reports nothing.
     """
     size_bytes = file.stat().st_size
-    need_bytes = max(
+    indexed_bytes = max(
         (
             entry.pos + entry.size
             for stream in container.streams
@@ -132,12 +133,16 @@ def _check_index(container: InputContainer, file: Path) -> None:
         ),
         default=0,
     )
-    if need_bytes > size_bytes:
-        raise MediaError(
-            f"the file ends at byte {size_bytes} but its index needs {need_bytes}",
-            where=str(file),
-            remedy="copy it again",
-        )
+    for what, need_bytes in (
+        ("index needs", indexed_bytes),
+        ("header promises", declared_bytes(file)),
+    ):
+        if need_bytes > size_bytes:
+            raise MediaError(
+                f"the file ends at byte {size_bytes} but its {what} {need_bytes}",
+                where=str(file),
+                remedy="copy it again",
+            )
 
 
 def context_of(stream: Stream) -> object | None:

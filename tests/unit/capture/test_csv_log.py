@@ -88,6 +88,7 @@ FAULTS = {
     "long": (changed(12, "0.1,0,0,9.8,0,0,0,1"), "line 12: has 8 columns"),
     "backwards": (changed(5, "0.011,0,0,9.8,0,0,0"), "line 5, column time_s: .*back"),
     "twice": (changed(5, "0.02,0,0,9.8,0,0,0"), "line 5, column time_s: .*repeats"),
+    "endless": (changed(12, "0.1" + ",0" * 9000), "line 12: is longer than 4096"),
     "no rows": ([HEADER], "has 0 rows"),
     "one row": (log_lines(1), "has 1 rows"),
     "no header": (log_lines()[1:], "line 1: there is no header"),

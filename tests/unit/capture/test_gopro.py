@@ -321,6 +321,38 @@ def test_unusable_telemetry_is_refused_in_one_sentence(
     assert "\n" not in str(caught.value)
 
 
+@pytest.mark.parametrize(
+    ("module", "limit", "value"),
+    [
+        ("gopro_packets", "MAX_PAYLOADS", 3),
+        ("gopro_streams", "MAX_SAMPLES", 600),
+    ],
+)
+def test_limits_hold_at_their_value_and_refuse_beyond(
+    monkeypatch: pytest.MonkeyPatch, module: str, limit: str, value: int
+) -> None:
+    name = f"hapticplayer.capture.{module}.{limit}"
+    monkeypatch.setattr(name, value)
+    assert len(read_gopro(synthetic([200] * 3)).imu) == 600
+    monkeypatch.setattr(name, value - 1)
+    with pytest.raises(TelemetryError, match=r"too many|more than is read"):
+        read_gopro(synthetic([200] * 3))
+
+
+def test_huge_dump_is_refused_before_it_is_read(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = tmp_path / "dump.gpmf"
+    path.write_bytes(b"".join(p.payload for p in synthetic([200] * 3)))
+    size_bytes = path.stat().st_size
+    name = "hapticplayer.capture.gopro.MAX_RAW_GPMF_BYTES"
+    monkeypatch.setattr(name, size_bytes)
+    assert len(read_raw_gopro(path).imu) == 600
+    monkeypatch.setattr(name, size_bytes - 1)
+    with pytest.raises(TelemetryError, match="too many"):
+        read_raw_gopro(path)
+
+
 def mutated(content: bytes, rng: np.random.Generator) -> bytes:
     """Flip bits, zero or repeat a span, cut, or write extreme numbers."""
     damaged = bytearray(content)

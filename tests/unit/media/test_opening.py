@@ -8,6 +8,7 @@ import pytest
 
 from hapticplayer.errors import MediaError
 from hapticplayer.media import open_media, probe
+from hapticplayer.media.lengths import declared_bytes
 from hapticplayer.media.limits import MAX_PIXELS, MAX_SIDE_PX
 
 
@@ -197,6 +198,45 @@ def test_other_containers_open(tmp_path: Path, suffix: str) -> None:
             container.mux(video.encode())
     with open_media(path) as container:
         assert len(container.streams) == 1
+    content = path.read_bytes()
+    path.write_bytes(content[: len(content) - 20])
+    with pytest.raises(MediaError, match="the file ends at byte"):
+        open_media(path)
+
+
+@pytest.mark.parametrize(
+    "head",
+    [
+        b"RIFF" + b"\xff" * 4,
+        b"RIFF" + b"\0" * 4,
+        b"RIFF",
+        b"\x1a\x45\xdf\xa3",
+        b"\x1a\x45\xdf\xa3\x80",
+        b"\x1a\x45\xdf\xa3\x80\x18\x53\x80\x67\xff",  # live: length unknown
+        b"\x1a\x45\xdf\xa3\x80\x18\x53\x80\x67\x01" + b"\xff" * 7,
+        b"\x1a\x45\xdf\xa3\x80\x18\x53\x80\x67\0",
+    ],
+)
+def test_header_without_a_length_promises_nothing(tmp_path: Path, head: bytes) -> None:
+    path = tmp_path / "head"
+    path.write_bytes(head)
+    assert declared_bytes(path) == 0
+
+
+def test_length_in_the_header_is_read(tmp_path: Path) -> None:
+    path = tmp_path / "head"
+    path.write_bytes(b"RIFF\x10\x27\0\0WAVE")
+    assert declared_bytes(path) == 10_008
+    segment = b"\x1a\x45\xdf\xa3\x82\0\0\x18\x53\x80\x67\x41\x00"
+    path.write_bytes(segment)
+    assert declared_bytes(path) == len(segment) + 256
+
+
+def test_data_behind_the_boxes_is_no_damage(tmp_path: Path, clip: Path) -> None:
+    """Some cameras append a trailer that is no box."""
+    path = tmp_path / "trailer.mp4"
+    path.write_bytes(clip.read_bytes() + b"\xff" * 1000)
+    assert probe(path).frame_count == 150
 
 
 def test_limits_leave_room_for_8k_and_stop_a_bomb() -> None:

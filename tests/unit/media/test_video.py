@@ -158,6 +158,24 @@ def test_flat_colour_comes_back(
     assert np.abs(rgb.reshape(-1, 3).astype(int) - FLAT_RGB).max() <= 3
 
 
+def test_full_range_is_not_stretched(tmp_path: Path) -> None:
+    """Phones write luma 0 to 255 and tag it so."""
+    luma, blue, red = limited_yuv(FLAT_RGB, BT709)
+    full = tuple(
+        round(value)
+        for value in (
+            (luma - 16) * 255 / 219,
+            128 + (blue - 128) * 255 / 224,
+            128 + (red - 128) * 255 / 224,
+        )
+    )
+    frames = [flat_frame(256, 720, full) for _ in range(2)]  # type: ignore[arg-type]
+    path = write_plain(tmp_path / "full.mp4", frames, color_range=2, colorspace=1)
+    with VideoDecoder(path) as decoder:
+        rgb = shown(decoder)
+    assert np.abs(rgb.reshape(-1, 3).astype(int) - FLAT_RGB).max() <= 3
+
+
 def test_written_colours_come_back(tmp_path: Path) -> None:
     path = tmp_path / "flat.mp4"
     picture = np.full((180, 320, 3), FLAT_RGB, np.uint8)
