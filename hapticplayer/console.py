@@ -14,7 +14,7 @@ from typing import Any
 from hapticplayer import __version__
 from hapticplayer.clock import SystemClock
 from hapticplayer.devices import DEVICES
-from hapticplayer.errors import Cancelled
+from hapticplayer.errors import Cancelled, UsageError
 from hapticplayer.haptics.scheduling import Scheduling
 from hapticplayer.model import Mapping
 from hapticplayer.playback import headless
@@ -31,6 +31,7 @@ def play(options: argparse.Namespace) -> int:
     """Play in real time without a window, and print the summary."""
     source = open_source(options.source, options.force)
     feedback = choose_feedback(source, options.feedback)
+    end_s = until_s(options, source)
     clock = SystemClock()
     player = Player(clock, device=options.device, scheduling=wanted_scheduling(options))
     try:
@@ -42,7 +43,7 @@ def play(options: argparse.Namespace) -> int:
                 player,
                 clock,
                 start_s=options.start,
-                until_s=until_s(options, source),
+                until_s=end_s,
             )
         problem = player.problem
     finally:
@@ -61,7 +62,16 @@ def wanted_scheduling(options: argparse.Namespace) -> Scheduling | None:
 
 
 def until_s(options: argparse.Namespace, source: Source) -> float:
-    """Return the media time at which to stop."""
+    """Return the media time at which to stop.
+
+    Raises:
+        UsageError: when the start lies behind the end of the clip.
+    """
+    if options.start >= source.clip.duration_s:
+        raise UsageError(
+            f"--start {options.start:g} lies behind the end of {source.title} "
+            f"({source.clip.duration_s:.1f} s)"
+        )
     if options.duration is None:
         return source.clip.duration_s
     return float(options.start + options.duration)

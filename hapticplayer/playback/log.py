@@ -32,6 +32,10 @@ class PlaybackLog:
         self._queue: queue.SimpleQueue[_Line | NDArray[Any] | None] = (
             queue.SimpleQueue()
         )
+        if path.is_fifo():  # opening it would wait for a reader
+            raise InputError(
+                "is a pipe, not a file", where=str(path), remedy="choose another file"
+            )
         try:
             self._file = path.open("w", encoding="utf-8")
         except OSError as problem:

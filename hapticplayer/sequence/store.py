@@ -56,6 +56,12 @@ def open_sequence(folder: str | Path) -> Sequence:
         SequenceError: what is missing or damaged, and what to do.
     """
     folder = Path(folder)
+    if not (folder / DESCRIPTION).exists():
+        raise SequenceError(
+            f"holds no {DESCRIPTION}",
+            where=str(folder),
+            remedy="give the folder of a sequence, or a video",
+        )
     description = files.read_json(folder / DESCRIPTION)
     _check_schema(folder, description)
     try:

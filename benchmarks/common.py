@@ -1,0 +1,224 @@
+"""What the benchmarks share: a screen, a sound server, a clip, CPU and results."""
+
+import contextlib
+import json
+import os
+import platform
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+ROOT = Path(__file__).resolve().parents[1]
+RESULTS = Path(__file__).resolve().parent / "results"
+WIDTH, HEIGHT, RATE_HZ = 1280, 720, 30
+_TICKS_PER_S = os.sysconf("SC_CLK_TCK")
+
+
+def need(*programs: str) -> None:
+    """Stop with the names of the Debian packages that are missing."""
+    packages = {
+        "Xvfb": "xvfb",
+        "cyclictest": "rt-tests",
+        "mpv": "mpv",
+        "pulseaudio": "pulseaudio",
+        "pactl": "pulseaudio-utils",
+    }
+    missing = [packages[name] for name in programs if shutil.which(name) is None]
+    if missing:
+        sys.exit(f"this benchmark needs: apt-get install {' '.join(missing)}")
+
+
+@contextlib.contextmanager
+def screen() -> Iterator[dict[str, str]]:
+    """Run an X server of the clip's size and yield the environment for it."""
+    reader, writer = os.pipe()
+    command = ["Xvfb", "-displayfd", str(writer), "-nolisten", "tcp"]
+    command += ["-screen", "0", f"{WIDTH}x{HEIGHT}x24"]
+    server = subprocess.Popen(
+        command, pass_fds=(writer,), stderr=subprocess.DEVNULL, start_new_session=True
+    )
+    os.close(writer)
+    with os.fdopen(reader) as answer:
+        display = answer.readline().strip()
+    try:
+        yield {"DISPLAY": f":{display}", "QT_QPA_PLATFORM": "xcb"}
+    finally:
+        server.terminate()
+        server.wait()
+
+
+@contextlib.contextmanager
+def sound_server() -> Iterator[dict[str, str]]:
+    """Run a PulseAudio null sink and yield the environment for it."""
+    with tempfile.TemporaryDirectory(prefix="hp-sound-") as folder:
+        private = dict.fromkeys(("PULSE_RUNTIME_PATH", "PULSE_STATE_PATH", "XDG_RUNTIME_DIR"), folder)
+        socket = f"{folder}/native"
+        command = ["pulseaudio", "-n", "--daemonize=no", "--use-pid-file=no"]
+        command += ["--exit-idle-time=-1", "--disallow-exit=yes", "--realtime=no"]
+        command += ["--high-priority=no", "-L"]
+        command += [f"module-native-protocol-unix socket={socket} auth-anonymous=1"]
+        command += ["-L", "module-null-sink sink_name=null rate=48000 channels=2"]
+        server = subprocess.Popen(
+            command,
+            env={**os.environ, **private, "HOME": folder},
+            stdout=subprocess.DEVNULL,
+            stderr=subprocess.DEVNULL,
+            start_new_session=True,
+        )
+        environment = {**private, "PULSE_SERVER": f"unix:{socket}"}
+        try:
+            _wait_for_sound(environment)
+            yield environment
+        finally:
+            server.terminate()
+            server.wait()
+
+
+def _wait_for_sound(environment: dict[str, str]) -> None:
+    for _ in range(100):
+        answer = subprocess.run(
+            ["pactl", "info"],
+            env={**os.environ, **environment},
+            capture_output=True,
+            check=False,
+        )
+        if answer.returncode == 0:
+            return
+        time.sleep(0.1)
+    sys.exit("the sound server did not start")
+
+
+def moving_clip(folder: Path, seconds: float) -> Path:
+    """Write a 720p30 clip in which everything moves, with sound."""
+    from hapticplayer.media import write_clip
+
+    path = folder / f"moving-{seconds:.0f}s.mp4"
+    if path.exists():
+        return path
+    x, y = np.meshgrid(np.arange(WIDTH), np.arange(HEIGHT))
+    grain = np.random.default_rng(1).integers(0, 40, (HEIGHT, WIDTH), dtype=np.uint8)
+
+    def pictures() -> Iterator[Any]:
+        for k in range(round(seconds * RATE_HZ)):
+            waves = 90 + 80 * np.sin((x + 9 * k) / 60.0) * np.cos((y - 5 * k) / 45.0)
+            luma = waves.astype(np.uint8) + np.roll(grain, (3 * k, 7 * k), (0, 1))
+            yield np.stack([luma, np.roll(luma, 40, 1), 255 - luma], axis=2)
+
+    t = np.arange(round(seconds * 48_000)) / 48_000
+    tone = (0.1 * np.sin(2 * np.pi * 220 * t)).astype(np.float32)
+    write_clip(
+        path,
+        pictures(),
+        frame_rate_hz=RATE_HZ,
+        audio=np.stack([tone, tone], axis=1),
+    )
+    return path
+
+
+class Usage:
+    """CPU seconds of a process tree, kept up to date while it lives."""
+
+    def __init__(self, pid: int) -> None:
+        self._pid = pid
+        self.by_pid: dict[int, tuple[str, float]] = {}
+
+    def sample(self) -> None:
+        """Read what the tree has used so far."""
+        for pid in self._tree(self._pid):
+            with contextlib.suppress(OSError):
+                text = Path(f"/proc/{pid}/stat").read_text()
+                fields = text.rsplit(")", 1)[1].split()
+                seconds = (int(fields[11]) + int(fields[12])) / _TICKS_PER_S
+                command = Path(f"/proc/{pid}/cmdline").read_bytes()
+                self.by_pid[pid] = (command.replace(b"\0", b" ").decode(), seconds)
+
+    def of(self, part: str) -> float:
+        """Return the seconds of the processes whose command holds `part`."""
+        return sum(s for command, s in self.by_pid.values() if part in command)
+
+    def _tree(self, pid: int) -> list[int]:
+        found = [pid]
+        with contextlib.suppress(OSError):
+            for task in Path(f"/proc/{pid}/task").iterdir():
+                for child in (task / "children").read_text().split():
+                    found += self._tree(int(child))
+        return found
+
+
+def run_measured(
+    command: list[str], environment: dict[str, str], timeout_s: float
+) -> tuple[Usage, float]:
+    """Run to the end and return the usage of the parts and of the whole tree, s."""
+    process = subprocess.Popen(
+        command,
+        env={**os.environ, **environment},
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.PIPE,
+        start_new_session=True,
+    )
+    usage = Usage(process.pid)
+    deadline = time.monotonic() + timeout_s
+    while True:
+        pid, status, resources = os.wait4(process.pid, os.WNOHANG)
+        if pid:
+            break
+        usage.sample()
+        if time.monotonic() > deadline:
+            os.killpg(process.pid, signal.SIGKILL)
+            sys.exit(f"timed out: {' '.join(command)}")
+        time.sleep(0.2)
+    errors = process.stderr.read().decode() if process.stderr else ""
+    process.returncode = os.waitstatus_to_exitcode(status)
+    if process.returncode != 0:
+        sys.exit(
+            f"failed ({process.returncode}): {' '.join(command)}\n{errors[-2000:]}"
+        )
+    return usage, resources.ru_utime + resources.ru_stime
+
+
+def player_command(*arguments: str) -> list[str]:
+    """Return the command of the player in this checkout."""
+    return [sys.executable, "-m", "app", *arguments]
+
+
+def save(name: str, figures: dict[str, Any]) -> Path:
+    """Write the figures with the machine they come from."""
+    RESULTS.mkdir(exist_ok=True)
+    commit = subprocess.run(
+        ["git", "rev-parse", "--short", "HEAD"],
+        cwd=ROOT,
+        capture_output=True,
+        text=True,
+        check=False,
+    ).stdout.strip()
+    machine = {
+        "cores": os.cpu_count(),
+        "kernel": platform.release(),
+        "python": platform.python_version(),
+        "commit": commit,
+    }
+    path = RESULTS / f"{name}.json"
+    path.write_text(json.dumps({"machine": machine, **figures}, indent=2) + "\n")
+    return path
+
+
+def table(header: list[str], rows: list[list[Any]]) -> str:
+    """Return a plain text table."""
+    cells = [header, *[[_cell(value) for value in row] for row in rows]]
+    widths = [max(len(row[i]) for row in cells) for i in range(len(header))]
+    lines = [
+        "  ".join(c.rjust(w) for c, w in zip(row, widths, strict=True)) for row in cells
+    ]
+    return "\n".join([lines[0], "-" * len(lines[0]), *lines[1:]])
+
+
+def _cell(value: Any) -> str:
+    return f"{value:.3g}" if isinstance(value, float) else str(value)

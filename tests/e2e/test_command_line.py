@@ -1,0 +1,380 @@
+"""The command line as a user runs it: a process, its status, its words, its files."""
+
+import json
+import os
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from hapticplayer.capture import write_imu_csv
+from hapticplayer.media import write_clip
+from hapticplayer.model import ImuLog
+
+ROOT = Path(__file__).resolve().parents[2]
+
+
+def hapticplayer(*arguments, timeout=60, **options):
+    environment = {k: v for k, v in os.environ.items() if "DISPLAY" not in k}
+    environment.pop("QT_QPA_PLATFORM", None)
+    return subprocess.run(
+        [sys.executable, "-m", "app", *map(str, arguments)],
+        capture_output=True,
+        text=True,
+        timeout=timeout,
+        check=False,
+        env={**environment, **options.pop("env", {})},
+        cwd=ROOT,
+    )
+
+
+@pytest.fixture(scope="module")
+def clip(tmp_path_factory):
+    path = tmp_path_factory.mktemp("clip") / "plain.mp4"
+    grey = (np.full((72, 128, 3), 3 * k, dtype=np.uint8) for k in range(60))
+    write_clip(path, grey, frame_rate_hz=30)
+    return path
+
+
+@pytest.fixture(scope="module")
+def demo(tmp_path_factory):
+    target = tmp_path_factory.mktemp("demo") / "ride"
+    done = hapticplayer("simulate", "demo", "-o", target, timeout=300)
+    assert done.returncode == 0, done.stderr
+    return target
+
+
+def read_log(path):
+    return [json.loads(line) for line in path.read_text().splitlines()]
+
+
+def refused(done, status=1):
+    assert done.returncode == status
+    assert "Traceback" not in done.stderr
+    complaint = [x for x in done.stderr.splitlines() if x.startswith("hapticplayer:")]
+    assert len(complaint) == 1
+    return complaint[0]
+
+
+# --- what works -------------------------------------------------------------
+
+
+def test_help_and_version_import_nothing_heavy():
+    code = (
+        "import sys, app.__main__ as m\n"
+        "try: m.main(['--help'])\n"
+        "except SystemExit: pass\n"
+        "print(sorted({'numpy', 'av', 'PySide6', 'scipy', 'vqf'} & set(sys.modules)))"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", code],
+        capture_output=True,
+        text=True,
+        cwd=ROOT,
+        check=True,
+    )
+    assert done.stdout.splitlines()[-1] == "[]"
+    for command in ("play", "import", "simulate", "device", "doctor"):
+        assert command in done.stdout
+
+
+def test_the_demo_plays_and_its_log_proves_it(demo, tmp_path):
+    log = tmp_path / "log.jsonl"
+    done = hapticplayer("play", demo, "--headless", "--log", log, "--duration", 4)
+    assert done.returncode == 0, done.stderr
+    lines = read_log(log)
+    assert lines[0]["kind"] == "header"
+    summary = lines[-1]
+    assert summary["kind"] == "summary"
+    forces = [x for x in lines if x["kind"] == "force"]
+    frames = [x for x in lines if x["kind"] == "frame"]
+    assert len(frames) + summary["frames"]["dropped"] >= 119
+    assert summary["frames"]["shown"] == len(frames)
+    monotonic = np.array([x["monotonic_s"] for x in forces])
+    assert np.all(np.diff(monotonic) > 0)
+    size = np.linalg.norm([x["force_n"] for x in forces], axis=1)
+    assert 0.05 < size.max() <= 4.5 + 1e-4
+    assert size[-1] == 0.0
+    steps = np.linalg.norm(np.diff([x["force_n"] for x in forces], axis=0), axis=1)
+    assert steps.max() <= 1.0 + 1e-4
+    assert summary["scheduling"] in ("fifo", "slice", "normal")
+    assert set(summary["lateness_us"]) == {"p50", "p99", "p999", "max"}
+
+
+def test_up_pushes_up_and_forward_pulls_away_end_to_end(demo, tmp_path):
+    """The sign of each axis, from the simulated ride's truth to the logged force."""
+    log = tmp_path / "log.jsonl"
+    done = hapticplayer("play", demo, "--headless", "--log", log)
+    assert done.returncode == 0, done.stderr
+    forces = [x for x in read_log(log) if x["kind"] == "force"]
+    media = np.array([x["media_s"] for x in forces])
+    force = np.array([x["force_n"] for x in forces])
+    with np.load(demo / "truth.npz", allow_pickle=False) as truth:
+        times, p = truth["time_s"], truth["acceleration_mps2"]
+    moving = (media > 2.5) & (media < 9.5)  # the entry of the force is over
+    felt = {axis: force[moving, i] for i, axis in enumerate("xyz")}
+    meant = {
+        axis: np.interp(media[moving], times, p[:, i]) for i, axis in enumerate("xyz")
+    }
+    assert np.corrcoef(felt["x"], meant["x"])[0, 1] > 0.9  # right
+    assert np.corrcoef(felt["y"], meant["z"])[0, 1] > 0.9  # up
+    assert np.corrcoef(felt["z"], -meant["y"])[0, 1] > 0.9  # forward
+    up = meant["z"] > 2.0
+    forward = meant["y"] > 1.5
+    assert up.any()
+    assert np.median(felt["y"][up]) > 0.4
+    assert forward.any()
+    assert np.median(felt["z"][forward]) < -0.3
+
+
+def test_the_real_clip_is_imported_and_played(shared_data, tmp_path):
+    karma = shared_data / "capture" / "gopro" / "karma.mp4"
+    target, log = tmp_path / "karma", tmp_path / "log.jsonl"
+    done = hapticplayer("import", karma, "-o", target, "--json")
+    assert done.returncode == 0, done.stderr
+    report = json.loads(done.stdout)
+    assert report["provenance"]["imu_rate_hz"] == pytest.approx(198.6, abs=0.2)
+    assert set(report["feedbacks"]) == {"realistic", "none", "random"}
+    done = hapticplayer("play", target, "--headless", "--log", log, "--duration", 3)
+    assert done.returncode == 0, done.stderr
+    size = [np.linalg.norm(x["force_n"]) for x in read_log(log) if x["kind"] == "force"]
+    assert max(size) > 0.2
+
+
+def test_a_video_with_a_csv_log_is_imported_with_its_offset(clip, tmp_path, still_log):
+    log = tmp_path / "log.csv"
+    write_imu_csv(log, still_log)
+    done = hapticplayer(
+        "import",
+        clip,
+        "--imu",
+        log,
+        "--offset",
+        "-3.25",
+        "-o",
+        tmp_path / "out",
+        "--json",
+    )
+    assert done.returncode == 0, done.stderr
+    assert json.loads(done.stdout)["clock_map"]["offset_s"] == -3.25
+
+
+def test_any_video_plays_with_any_force_track_held_between_rows(clip, tmp_path):
+    force, log = tmp_path / "force.csv", tmp_path / "log.jsonl"
+    force.write_text("time_s,fx_n,fy_n,fz_n\n0,0,0,0\n0.8,1.5,0,-0.5\n1.2,0,0,0\n")
+    done = hapticplayer("play", clip, "--force", force, "--headless", "--log", log)
+    assert done.returncode == 0, done.stderr
+    forces = [x for x in read_log(log) if x["kind"] == "force"]
+    held = [x["force_n"] for x in forces if 0.81 < x["media_s"] < 1.19]
+    assert held
+    assert np.allclose(held, [1.5, 0.0, -0.5], atol=1e-4)
+    after = [x["force_n"] for x in forces if x["media_s"] > 1.21]
+    assert not np.any(after)
+
+
+def test_feedback_none_and_device_none(demo, tmp_path):
+    log = tmp_path / "log.jsonl"
+    arguments = ("play", demo, "--headless", "--duration", 1, "--log", log)
+    assert hapticplayer(*arguments, "--feedback", "none").returncode == 0
+    assert not any(any(x["force_n"]) for x in read_log(log) if x["kind"] == "force")
+    assert hapticplayer(*arguments, "--device", "none").returncode == 0
+    assert not [x for x in read_log(log) if x["kind"] == "force"]
+
+
+def test_without_a_display_the_demo_plays_headless(tmp_path):
+    done = hapticplayer(env={"XDG_CACHE_HOME": str(tmp_path)}, timeout=300)
+    assert done.returncode == 0, done.stderr
+    assert "lateness" in done.stdout
+    assert "force minus picture" in done.stdout
+
+
+def test_devices_and_doctor_report_as_json():
+    listed = json.loads(hapticplayer("device", "list", "--json").stdout)
+    assert [d["name"] for d in listed["devices"]] == ["simulated", "none"]
+    assert json.loads(hapticplayer("doctor", "--json").stdout)
+
+
+# --- what is refused --------------------------------------------------------
+
+
+def test_interrupting_an_import_leaves_nothing(clip, tmp_path, rng):
+    big = tmp_path / "big.csv"
+    count = 400_000
+    write_imu_csv(
+        big,
+        ImuLog(
+            np.arange(count) / 200.0,
+            np.tile([0.0, 0.0, 9.81], (count, 1)),
+            np.zeros((count, 3)),
+        ),
+    )
+    process = subprocess.Popen(
+        [
+            sys.executable,
+            "-m",
+            "app",
+            "import",
+            clip,
+            "--imu",
+            big,
+            "-o",
+            tmp_path / "o",
+        ],
+        stderr=subprocess.PIPE,
+        text=True,
+        cwd=ROOT,
+    )
+    first = process.stderr.readline()  # the first step is under way
+    process.send_signal(signal.SIGTERM)
+    rest = process.communicate(timeout=60)[1]
+    assert "reading" in first
+    assert process.returncode == 1
+    assert "nothing" in rest
+    assert "Traceback" not in rest
+    assert sorted(p.name for p in tmp_path.iterdir()) == ["big.csv"]
+
+
+GOOD_ROW = "0.00,0,0,9.81,0,0,0\n0.01,0,0,9.81,0,0,0\n"
+HEADER = "time_s,ax,ay,az,gx,gy,gz\n"
+
+
+def bad_media(name, folder, clip):
+    """Make one of the files that nobody should have to open."""
+    path = folder / name
+    whole = clip.read_bytes()
+    if name == "folder.mp4":
+        path.mkdir()
+    elif name == "fifo.mp4":
+        os.mkfifo(path)
+    elif name != "missing.mp4":
+        path.write_bytes(
+            {
+                "empty.mp4": b"",
+                "random.mp4": np.random.default_rng(3).bytes(100_000),
+                "truncated.mp4": whole[: len(whole) * 2 // 3],
+                "headless.mp4": whole[:100],
+                "playlist.mp4": b"#EXTM3U\n#EXT-X-TARGETDURATION:9\n#EXTINF:9,\n"
+                b"http://127.0.0.1:9/a.ts\n",
+                "concat.mp4": b"ffconcat version 1.0\nfile plain.mp4\n",
+                "text.mp4": b"hello\n" * 100,
+            }[name]
+        )
+    return path
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        "missing.mp4",
+        "folder.mp4",
+        "fifo.mp4",
+        "empty.mp4",
+        "random.mp4",
+        "truncated.mp4",
+        "headless.mp4",
+        "playlist.mp4",
+        "concat.mp4",
+        "text.mp4",
+    ],
+)
+@pytest.mark.parametrize("command", ["play", "import"])
+def test_bad_media_get_one_sentence(name, command, clip, tmp_path):
+    path = bad_media(name, tmp_path, clip)
+    before = sorted(tmp_path.iterdir())
+    arguments = ["--headless"] if command == "play" else ["-o", tmp_path / "out"]
+    sentence = refused(hapticplayer(command, path, *arguments, timeout=10))
+    assert name.split(".")[0] in sentence
+    assert sorted(tmp_path.iterdir()) == before
+
+
+def test_a_video_without_telemetry_says_how_to_go_on(clip, tmp_path):
+    sentence = refused(hapticplayer("import", clip, "-o", tmp_path / "out"))
+    assert "--imu" in sentence
+    assert not list(tmp_path.iterdir())
+
+
+def test_time_lapse_telemetry_is_refused(shared_data, clip, tmp_path):
+    path = shared_data / "capture" / "gopro" / "hero13_timelapse.bin"
+    arguments = ("import", clip, "--imu", path, "-o", tmp_path / "out")
+    assert "lapse" in refused(hapticplayer(*arguments))
+
+
+@pytest.mark.parametrize(
+    ("content", "words"),
+    [
+        (HEADER + GOOD_ROW + "0.02,0,nan,9.81,0,0,0\n", ["4", "ay"]),
+        (HEADER + GOOD_ROW + "0.005,0,0,9.81,0,0,0\n", ["4", "time_s"]),
+        (HEADER + GOOD_ROW + "0.01,0,0,9.81,0,0,0\n", ["4", "time_s"]),
+        (HEADER + GOOD_ROW + "0.02,0,0,9.81,0,0\n", ["4"]),
+        (HEADER + GOOD_ROW + "0.02,zero,0,9.81,0,0,0\n", ["4", "ax"]),
+        ("t,x,y,z\n1,2,3,4\n", ["time_s"]),
+        (HEADER, ["row"]),
+        ("", []),
+        (HEADER + GOOD_ROW.replace("9.81", "1.0"), ["9.80665"]),
+    ],
+)
+def test_a_bad_log_is_refused_with_line_and_column(content, words, clip, tmp_path):
+    log = tmp_path / "log.csv"
+    log.write_text(content)
+    sentence = refused(
+        hapticplayer("import", clip, "--imu", log, "-o", tmp_path / "out", timeout=10)
+    )
+    assert "log.csv" in sentence
+    for word in words:
+        assert word in sentence
+    assert [p.name for p in tmp_path.iterdir()] == ["log.csv"]
+
+
+@pytest.mark.parametrize(
+    "content",
+    [
+        "time_s,fx_n,fy_n\n0,0,0\n",
+        "time_s,fx_n,fy_n,fz_n\n0,0,inf,0\n",
+        "time_s,fx_n,fy_n,fz_n\n1,0,0,0\n0,0,0,0\n",
+        "time_s,fx_n,fy_n,fz_n\n",
+        "time_s,fx_n,fy_n,fz_n\n99,0,0,0\n",
+    ],
+)
+def test_a_bad_force_track_is_refused(content, clip, tmp_path):
+    force = tmp_path / "force.csv"
+    force.write_text(content)
+    done = hapticplayer("play", clip, "--force", force, "--headless", timeout=10)
+    assert "force.csv" in refused(done)
+
+
+def test_a_device_without_a_driver_is_refused(clip):
+    done = hapticplayer("play", clip, "--headless", "--device", "falcon")
+    assert "no driver" in refused(done)
+
+
+def test_wrong_usage_has_status_2(demo):
+    assert hapticplayer("dance").returncode == 2
+    assert hapticplayer("import", "x.mp4").returncode == 2
+    assert hapticplayer("device").returncode == 2
+    assert "realistic" in refused(
+        hapticplayer("play", demo, "--headless", "--feedback", "strong"), status=2
+    )
+    assert refused(hapticplayer("simulate", "moon", "-o", demo / "x"), status=2)
+    assert "10.0 s" in refused(
+        hapticplayer("play", demo, "--headless", "--start", "400"), status=2
+    )
+
+
+def test_pipes_and_folders_are_refused_wherever_a_file_is_expected(clip, tmp_path):
+    pipe = tmp_path / "pipe"
+    os.mkfifo(pipe)
+    play = ("play", clip, "--headless", "--duration", 0.2)
+    for arguments in (
+        ("import", clip, "--imu", pipe, "-o", tmp_path / "out"),
+        ("import", clip, "--imu", tmp_path, "-o", tmp_path / "out"),
+        (*play, "--force", pipe),
+        (*play, "--force", tmp_path),
+        (*play, "--log", pipe),
+        (*play, "--log", tmp_path),
+        ("play", tmp_path, "--headless"),
+    ):
+        refused(hapticplayer(*arguments, timeout=10))
+    assert [p.name for p in tmp_path.iterdir()] == ["pipe"]
