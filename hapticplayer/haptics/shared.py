@@ -115,8 +115,13 @@ class SharedBlock:
         """
         head = int(self._head[0])
         first = max(tail, head - RING_TICKS)
-        rows = np.arange(first, head) % RING_TICKS
-        records = self._ticks[rows]
+        begin, count = first % RING_TICKS, head - first
+        records = self._ticks[begin : begin + count].copy()
+        if len(records) < count:  # around the end of the ring
+            rest = self._ticks[: count - len(records)]
+            whole = np.empty(count, dtype=TICK)
+            whole[: len(records)], whole[len(records) :] = records, rest
+            records = whole
         # the slot of tick `head` may be half written while we copy
         safe = int(self._head[0]) - RING_TICKS + 1
         if safe > first:

@@ -15,6 +15,7 @@ from hapticplayer.playback.log import PlaybackLog
 from hapticplayer.playback.meters import SyncMeter, TickHistory
 
 NO_DEVICE = "none"
+READ_PERIOD_S = 0.05  # plots draw at 30 Hz; more often costs more than it shows
 
 
 class HapticLink:
@@ -33,6 +34,8 @@ class HapticLink:
         self.history = TickHistory()
         self.video_sync = SyncMeter()
         self.audio_sync = SyncMeter()
+        self._clock = clock
+        self._next_read_s = 0.0
         self._mode = Mode.IDLE
         self._track_ids: dict[str, int] = {}
         self._process: HapticsProcess | None = None
@@ -95,20 +98,27 @@ class HapticLink:
             return True
         before = self._process.health
         health = self._process.poll()
-        records, lost = self._process.read_ticks()
-        self.history.add(records, lost)
-        newest = self.history.newest()
-        self.video_sync.compare(newest)
-        self.audio_sync.compare(newest)
-        if log:
-            self._log(log, records, lost)
         is_dead = health in (Health.GONE, Health.FAILED)
+        now_s = self._clock.now_s()
+        if now_s >= self._next_read_s or is_dead:
+            self._next_read_s = now_s + READ_PERIOD_S
+            self._read(self._process, log)
         return not is_dead or before is health
 
     def close(self) -> None:
         """Bring the hand to rest and end the process."""
         if self._process:
             self._process.close()
+            self._next_read_s = 0.0  # the last ticks are still to be read
+
+    def _read(self, process: HapticsProcess, log: PlaybackLog | None) -> None:
+        records, lost = process.read_ticks()
+        self.history.add(records, lost)
+        for meter in (self.video_sync, self.audio_sync):
+            if meter.is_waiting:
+                meter.compare(self.history.newest())
+        if log:
+            self._log(log, records, lost)
 
     def _log(self, log: PlaybackLog, records: NDArray[Any], lost: int) -> None:
         log.ticks(records)
