@@ -29,6 +29,9 @@ POLL_S = 0.025
 PREBUFFER_S = 0.25
 FIRST_SOUND_TIMEOUT_S = 3.0  # a sound server that wakes its device took 1.3 s
 AUDIO_LOG_PERIOD_S = 0.04
+# Painting takes 1 to 3 ms; a picture is begun so much earlier that it is on time.
+MAX_SHOW_COST_S = 0.008
+SHOW_COST_SMOOTHING = 0.1
 
 AudioFactory = Callable[[AudioRing, Clock], AudioOut]
 
@@ -126,6 +129,7 @@ class Player:
         self._logged_audio_s = float("-inf")
         self._underruns = 0
         self._led_by = ClockSource.MONOTONIC
+        self._show_cost_s = 0.0
         self._shown = 0
         self._dropped = 0
         self._dropped_before = 0
@@ -435,7 +439,7 @@ class Player:
         if self._preview is not None:
             self._show(self._preview)
             self._preview = None
-        media_s = clock.media_s(now_s)
+        media_s = clock.media_s(now_s + self._show_cost_s)
         feeder.set_position(media_s)
         while (picture := feeder.peek()) is not None and picture.pts_s <= media_s:
             following = feeder.peek(1)
@@ -444,7 +448,9 @@ class Player:
                 self._dropped += 1
             else:
                 self._show(picture)
-        return clock.monotonic_s(picture.pts_s) if picture else now_s + 0.5 * POLL_S
+        if picture is None:
+            return now_s + 0.5 * POLL_S
+        return clock.monotonic_s(picture.pts_s) - self._show_cost_s
 
     def _show_preview(self, feeder: VideoFeeder) -> None:
         """After a seek, show where we are without waiting for the clock."""
@@ -454,8 +460,11 @@ class Player:
             self._sink.show(picture)
 
     def _show(self, picture: Picture) -> None:
+        begun_s = self._clock.now_s()
         self._sink.show(picture)
         shown_s = self._clock.now_s()
+        cost_s = min(shown_s - begun_s, MAX_SHOW_COST_S)
+        self._show_cost_s += SHOW_COST_SMOOTHING * (cost_s - self._show_cost_s)
         self._shown += 1
         self._link.video_sync.event(shown_s, picture.pts_s)
         if self._log:
