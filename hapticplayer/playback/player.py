@@ -443,11 +443,13 @@ class Player:
         feeder.set_position(media_s)
         while (picture := feeder.peek()) is not None and picture.pts_s <= media_s:
             following = feeder.peek(1)
-            feeder.pop()
             if following is not None and following.pts_s <= media_s:
                 self._dropped += 1
             else:
                 self._show(picture)
+            # not before: the decoder that this wakes would fight for the interpreter
+            # while the picture is painted (p95 3.4 ms late instead of 1.3)
+            feeder.pop()
         if picture is None:
             return now_s + 0.5 * POLL_S
         return clock.monotonic_s(picture.pts_s) - self._show_cost_s

@@ -5,7 +5,6 @@ Source: Danieau et al. 2012: the random feedback is white noise low-passed at
 """
 
 import numpy as np
-from scipy import signal
 
 from hapticplayer.model import Feedback, ForceTrack, Reconstruction
 
@@ -25,6 +24,8 @@ def random_feedback(realistic: ForceTrack, seed: int) -> ForceTrack:
     Returns:
         LINEAR track at 50 Hz over the same time span.
     """
+    from scipy import signal  # half a second that playing does not need
+
     start_s, end_s = float(realistic.time_s[0]), float(realistic.time_s[-1])
     count = max(2, int(np.ceil((end_s - start_s) * RATE_HZ)) + 1)
     warm_up = round(WARM_UP_S * RATE_HZ)

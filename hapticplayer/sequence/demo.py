@@ -7,7 +7,6 @@ import tempfile
 from pathlib import Path
 
 from hapticplayer import __version__
-from hapticplayer.capture import simulate, write_simulated_clip
 from hapticplayer.errors import SequenceError
 from hapticplayer.media import probe
 from hapticplayer.sequence import files
@@ -30,6 +29,9 @@ def write_simulated_sequence(
         UsageError: for a scenario that does not exist.
         SequenceError: when the target exists or cannot be written.
     """
+    # the simulator brings half of scipy along, which playing does not need
+    from hapticplayer.capture import simulate, write_simulated_clip
+
     files.refuse_existing(target)
     recorded = simulate(scenario, seed)
     with tempfile.TemporaryDirectory(prefix="hapticplayer-") as scratch:
