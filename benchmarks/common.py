@@ -59,7 +59,9 @@ def screen() -> Iterator[dict[str, str]]:
 def sound_server() -> Iterator[dict[str, str]]:
     """Run a PulseAudio null sink and yield the environment for it."""
     with tempfile.TemporaryDirectory(prefix="hp-sound-") as folder:
-        private = dict.fromkeys(("PULSE_RUNTIME_PATH", "PULSE_STATE_PATH", "XDG_RUNTIME_DIR"), folder)
+        private = dict.fromkeys(
+            ("PULSE_RUNTIME_PATH", "PULSE_STATE_PATH", "XDG_RUNTIME_DIR"), folder
+        )
         socket = f"{folder}/native"
         command = ["pulseaudio", "-n", "--daemonize=no", "--use-pid-file=no"]
         command += ["--exit-idle-time=-1", "--disallow-exit=yes", "--realtime=no"]
@@ -155,12 +157,12 @@ class Usage:
 
 def run_measured(
     command: list[str], environment: dict[str, str], timeout_s: float
-) -> tuple[Usage, float]:
-    """Run to the end and return the usage of the parts and of the whole tree, s."""
+) -> tuple[Usage, float, str]:
+    """Run to the end; return the usage of the parts, of the whole tree, s, and output."""
     process = subprocess.Popen(
         command,
         env={**os.environ, **environment},
-        stdout=subprocess.DEVNULL,
+        stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
         start_new_session=True,
     )
@@ -181,7 +183,8 @@ def run_measured(
         sys.exit(
             f"failed ({process.returncode}): {' '.join(command)}\n{errors[-2000:]}"
         )
-    return usage, resources.ru_utime + resources.ru_stime
+    printed = process.stdout.read().decode() if process.stdout else ""
+    return usage, resources.ru_utime + resources.ru_stime, printed
 
 
 def player_command(*arguments: str) -> list[str]:

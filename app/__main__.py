@@ -1,0 +1,38 @@
+"""Composition root and the command `hapticplayer`.
+
+Qt is imported only when a window is needed.
+"""
+
+import argparse
+import os
+import sys
+from collections.abc import Sequence
+
+from hapticplayer import cli
+from hapticplayer.doctor import explain_import_error, x_server_answers
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    """Run a command; with a window where there is a display."""
+    return cli.main(argv, _open_window if has_display() else None)
+
+
+def has_display() -> bool:
+    """Whether a window could be opened; a stale DISPLAY does not count."""
+    if os.environ.get("QT_QPA_PLATFORM") or os.environ.get("WAYLAND_DISPLAY"):
+        return True
+    display = os.environ.get("DISPLAY", "")
+    return bool(display) and x_server_answers(display)
+
+
+def _open_window(options: argparse.Namespace) -> int:
+    try:
+        from app.player import application
+    except ImportError as problem:
+        sys.stderr.write(f"hapticplayer: {explain_import_error(problem)}\n")
+        return 1
+    return application.run(options)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

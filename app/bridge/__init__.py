@@ -1,0 +1,1 @@
+"""Between the engine and Qt: polling, background jobs, errors, settings."""

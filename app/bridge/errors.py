@@ -1,0 +1,92 @@
+"""The one gateway through which a problem reaches the person at the window."""
+
+import sys
+import threading
+import traceback
+from collections import deque
+from collections.abc import Callable
+from types import TracebackType
+
+from PySide6.QtCore import QCoreApplication
+
+from hapticplayer.errors import HapticPlayerError
+
+Show = Callable[[str], None]
+_MANY = 50
+"""Different places that may fail before the terminal stays quiet."""
+
+
+class ErrorGateway:
+    """Tells a person what went wrong, after the force is at rest where it must be.
+
+    What the engine refused (`HapticPlayerError`) is a sentence to show. Anything
+    else is a fault of this program: the force stops and the playback pauses first.
+
+    Args:
+        show: puts a sentence into the window.
+        halt: stops the force and pauses; must not raise.
+    """
+
+    def __init__(self, show: Show, halt: Callable[[], None]) -> None:
+        self._show = show
+        self._halt = halt
+        self._known: set[str] = set()
+        self._from_threads: deque[BaseException] = deque(maxlen=16)
+        self._hooks_before = (sys.excepthook, threading.excepthook)
+
+    def install(self) -> None:
+        """Receive what nobody caught, in slots and in threads."""
+        self._hooks_before = (sys.excepthook, threading.excepthook)
+        sys.excepthook = self._uncaught
+        threading.excepthook = self._uncaught_in_thread
+
+    def uninstall(self) -> None:
+        """Give the hooks back."""
+        sys.excepthook, threading.excepthook = self._hooks_before
+
+    def report(self, problem: BaseException) -> None:
+        """Show a problem; on the window's thread."""
+        if isinstance(problem, HapticPlayerError):
+            self._show(str(problem))
+        else:
+            self._unexpected(problem)
+
+    @staticmethod
+    def note(problem: BaseException) -> None:
+        """Write the details of a fault on the terminal."""
+        sys.stderr.write("".join(traceback.format_exception(problem)))
+
+    def poll(self) -> None:
+        """Report what other threads left here."""
+        while self._from_threads:
+            self.report(self._from_threads.popleft())
+
+    def _unexpected(self, problem: BaseException) -> None:
+        self._halt()
+        where = "".join(traceback.format_tb(problem.__traceback__)[-1:])
+        place = f"{type(problem).__name__} {where}"
+        if place in self._known or len(self._known) >= _MANY:
+            return  # a fault that returns with each picture is told once
+        self._known.add(place)
+        self.note(problem)
+        text = QCoreApplication.translate(
+            "ErrorGateway",
+            "Something went wrong inside the program ({kind}: {text}); the force was "
+            "stopped and the playback paused. Details are on the terminal.",
+        )
+        self._show(text.format(kind=type(problem).__name__, text=problem))
+
+    def _uncaught(
+        self,
+        kind: type[BaseException],
+        problem: BaseException,
+        trace: TracebackType | None,
+    ) -> None:
+        if issubclass(kind, Exception):
+            self.report(problem.with_traceback(trace))
+        else:
+            self._hooks_before[0](kind, problem, trace)
+
+    def _uncaught_in_thread(self, args: threading.ExceptHookArgs) -> None:
+        if args.exc_value is not None:
+            self._from_threads.append(args.exc_value)

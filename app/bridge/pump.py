@@ -1,0 +1,89 @@
+"""Drives the player from Qt's event loop, and says when there is time to draw."""
+
+import math
+from collections.abc import Callable
+
+from PySide6.QtCore import QObject, Qt, QTimer
+
+from hapticplayer.clock import Clock
+
+LONGEST_MS = 25
+"""The heartbeat of the haptics process: it ramps after 150 ms of silence."""
+TIMER_LATE_MS = 0.5
+"""Qt counts whole milliseconds and wakes 0.3 to 0.6 ms late."""
+NAP_S = 0.0015
+"""What is left until the picture is due is slept away: shorter than painting it."""
+GAP_S = 0.008
+"""Drawing plots and labels takes 2 to 5 ms; a picture must not wait for it."""
+LONGEST_WITHOUT_GAP_S = 0.1
+
+
+class Pump(QObject):
+    """Calls `poll` when it asks to be called, also in menus and modal dialogs.
+
+    A precise single-shot timer is armed anew after each call, whatever happened in
+    it: an error goes on to sys.excepthook, the next call comes all the same.
+
+    Args:
+        poll: does what is due and returns when to be called next, s.
+        clock: of the machine.
+        gap: called after `poll` when nothing is due for a while: the time to draw
+            what is not the picture.
+        parent: Qt's owner.
+    """
+
+    def __init__(
+        self,
+        poll: Callable[[], float],
+        clock: Clock,
+        gap: Callable[[], None],
+        parent: QObject | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self._poll = poll
+        self._clock = clock
+        self._gap = gap
+        self._last_gap_s = float("-inf")
+        self._due_s = float("-inf")
+        self._is_running = False
+        self._timer = QTimer(self)
+        self._timer.setSingleShot(True)
+        self._timer.setTimerType(Qt.TimerType.PreciseTimer)
+        self._timer.timeout.connect(self._beat)
+
+    def start(self) -> None:
+        """Begin to call."""
+        self._is_running = True
+        self._timer.start(0)
+
+    def stop(self) -> None:
+        """Call no more."""
+        self._is_running = False
+        self._timer.stop()
+
+    def _beat(self) -> None:
+        if self._due_s - self._clock.now_s() <= NAP_S:
+            self._clock.sleep_until(self._due_s)
+        next_s = self._clock.now_s()
+        try:
+            next_s = self._poll()
+            self._fill_gap(next_s)
+        finally:
+            self._due_s = next_s
+            if self._is_running:
+                self._timer.start(delay_ms(next_s - self._clock.now_s()))
+
+    def _fill_gap(self, next_s: float) -> None:
+        now_s = self._clock.now_s()
+        is_free = next_s - now_s >= GAP_S
+        if is_free or now_s - self._last_gap_s >= LONGEST_WITHOUT_GAP_S:
+            self._last_gap_s = now_s
+            self._gap()
+
+
+def delay_ms(remaining_s: float) -> int:
+    """Return the timer's interval: a little early, at least 1, at most 25 ms."""
+    if math.isnan(remaining_s):
+        return LONGEST_MS
+    early_ms = 1e3 * remaining_s - TIMER_LATE_MS
+    return math.floor(min(max(1.0, early_ms), LONGEST_MS))

@@ -1,0 +1,136 @@
+"""Starts the window: the command `hapticplayer` where there is a display."""
+
+import argparse
+import json
+import sys
+
+from PySide6.QtCore import QTimer
+from PySide6.QtWidgets import QApplication
+
+from app.bridge.interrupts import closing_on_signals
+from app.bridge.settings import Settings, default_path
+from app.player.video_surface import SurfaceSink, VideoSurface
+from app.player.window import DEVICE, PlayerWindow
+from app.widgets import theme
+from app.widgets.icons import icon
+from hapticplayer.clock import SystemClock
+from hapticplayer.console import (
+    attach_log,
+    complain,
+    say,
+    until_s,
+    wanted_scheduling,
+)
+from hapticplayer.devices import DEVICES
+from hapticplayer.playback.haptic_link import NO_DEVICE
+from hapticplayer.playback.player import Player
+from hapticplayer.playback.source import Source, choose_feedback, open_source
+
+AT_REST_MS = 150  # the log shall show the force at rest after the end
+
+
+def run(options: argparse.Namespace) -> int:
+    """Show the window and return the exit status once it is closed.
+
+    Args:
+        options: of `hapticplayer` or `hapticplayer play`, see hapticplayer.cli.
+
+    Raises:
+        HapticPlayerError: when what the command line names cannot be played; no
+            window has been shown then.
+    """
+    source = open_source(options.source, options.force) if options.source else None
+    feedback = choose_feedback(source, options.feedback) if source else None
+    end_s = until_s(options, source) if source else 0.0
+    application = make_application()
+    settings = Settings(default_path())
+    clock, surface = SystemClock(), VideoSurface()
+    device = options.device if source else _last_device(settings)
+    player = Player(
+        clock,
+        SurfaceSink(surface),
+        device=device,
+        scheduling=wanted_scheduling(options),
+    )
+    try:
+        window = PlayerWindow(player, surface, clock, settings)
+    except BaseException:
+        player.close()
+        raise
+    try:
+        if source and feedback:
+            player.link.wait_ready()
+            attach_log(player, options.log, source, feedback)
+    except BaseException:
+        window.close()
+        raise
+    window.show_plots(are_wanted=options.plots)
+    _begin(window, options, source, feedback)
+    player.end_s = min(player.end_s, end_s) if source else player.end_s
+    return _run_until_closed(application, window, options)
+
+
+def make_application() -> QApplication:
+    """Return the one application of this process, with our look."""
+    application = QApplication.instance() or QApplication(sys.argv[:1])
+    assert isinstance(application, QApplication)
+    application.setApplicationName("hapticplayer")
+    application.setDesktopFileName("hapticplayer")
+    application.setWindowIcon(icon("hapticplayer"))
+    theme.apply(application)
+    return application
+
+
+def _begin(
+    window: PlayerWindow,
+    options: argparse.Namespace,
+    source: Source | None,
+    feedback: str | None,
+) -> None:
+    """Show the window, and play what was asked for."""
+    player = window.player
+    if options.fullscreen and source:
+        window.enter_fullscreen()
+    else:
+        window.show()
+    window.activateWindow()
+    if source is None:
+        window.session.open_demo()
+        return
+    window.session.show_source(source, feedback)
+    if options.start > 0.0:
+        player.seek(options.start)
+    player.play()
+    if options.close_at_end:
+        window.session.ended.connect(
+            lambda: QTimer.singleShot(AT_REST_MS, window.close)
+        )
+
+
+def _run_until_closed(
+    application: QApplication, window: PlayerWindow, options: argparse.Namespace
+) -> int:
+    gateway = window.session.gateway
+    gateway.install()
+
+    def close() -> None:
+        window.close()
+        application.quit()  # also out of dialogs that are still open
+
+    try:
+        with closing_on_signals(lambda: QTimer.singleShot(0, close)):
+            application.exec()
+    finally:
+        gateway.uninstall()
+        window.close()
+    if options.json:
+        say(json.dumps(window.player.summary()))
+    if options.close_at_end and window.session.told:
+        complain(window.session.told)
+        return 1
+    return 0
+
+
+def _last_device(settings: Settings) -> str:
+    name = settings.text(DEVICE, "simulated")
+    return name if name in DEVICES or name == NO_DEVICE else "simulated"

@@ -1,0 +1,61 @@
+"""What is shown of a running clip beside the picture, and how often."""
+
+from PySide6.QtWidgets import QMainWindow
+
+from app.bridge.cadence import Cadence
+from app.player.health_line import HealthLine
+from app.player.plots_place import PlotsPlace
+from app.player.session import Session
+from app.player.transport import Transport
+from hapticplayer.clock import Clock
+
+PLOTS_HZ, STILL_PLOTS_HZ, TRANSPORT_HZ, HEALTH_HZ = 20.0, 4.0, 10.0, 2.0
+
+
+class Display:
+    """Refreshes position, plots and health; what is hidden costs nothing.
+
+    Args:
+        window: draws nothing while it is minimised.
+        session: whose player is shown.
+        clock: of the machine.
+    """
+
+    def __init__(
+        self,
+        window: QMainWindow,
+        session: Session,
+        clock: Clock,
+        parts: tuple[Transport, PlotsPlace, HealthLine],
+    ) -> None:
+        self._window = window
+        self._session = session
+        self._clock = clock
+        self._transport, self._plots, self._health = parts
+        self._transport_turn = Cadence(TRANSPORT_HZ)
+        self._plots_turn = Cadence(PLOTS_HZ)
+        self._still_plots_turn = Cadence(STILL_PLOTS_HZ)
+        self._health_turn = Cadence(HEALTH_HZ)
+
+    def refresh(self) -> None:
+        """Draw what is due; called when the picture leaves time for it."""
+        if self._window.isMinimized():
+            return
+        now_s = self._clock.now_s()
+        player = self._session.player
+        if self._transport.isVisible() and self._transport_turn.is_due(now_s):
+            self._transport.follow(player.media_s())
+        if self._plots.isVisible() and self._is_plots_turn(now_s):
+            self._plots.follow(player.media_s(), player.feedback, player.link.history)
+        if self._health.isVisible() and self._health_turn.is_due(now_s):
+            self._health.show_snapshot(player.snapshot())
+
+    def refresh_soon(self) -> None:
+        """Draw everything at the next opportunity: something has changed."""
+        for turn in (self._transport_turn, self._still_plots_turn, self._health_turn):
+            turn.reset()
+
+    def _is_plots_turn(self, now_s: float) -> bool:
+        if self._session.player.is_playing:
+            return self._plots_turn.is_due(now_s)
+        return self._still_plots_turn.is_due(now_s)

@@ -1,0 +1,80 @@
+"""What the window shows while nothing is open."""
+
+from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QVBoxLayout, QWidget
+
+from app.widgets import theme
+from app.widgets.buttons import text_button
+from app.widgets.icons import icon
+
+
+class EmptyPage(QWidget):
+    """Three ways to begin.
+
+    Signals:
+        demo_clicked, open_clicked, import_clicked: the buttons.
+    """
+
+    demo_clicked = Signal()
+    open_clicked = Signal()
+    import_clicked = Signal()
+
+    def __init__(self) -> None:
+        super().__init__()
+        column = QVBoxLayout(self)
+        column.setContentsMargins(16, 8, 16, 8)
+        column.setSpacing(12)
+        column.addStretch(1)
+        column.addWidget(_picture())
+        title = QLabel(self.tr("Feel the motion of what you watch"))
+        title.setFont(theme.scaled(self.font(), 1.6, bold=True))
+        text = QLabel(
+            self.tr(
+                "Open a sequence or a video, or drop one here. A video alone plays "
+                "without force; import it with its motion to feel it."
+            )
+        )
+        text.setStyleSheet(f"color: {theme.DIM};")
+        for label in (title, text):
+            label.setAlignment(Qt.AlignmentFlag.AlignCenter)
+            label.setWordWrap(True)
+            column.addWidget(label)
+        column.addSpacing(6)
+        column.addLayout(self._buttons())
+        column.addStretch(2)
+
+    def _buttons(self) -> QHBoxLayout:
+        self.demo = text_button(
+            self.tr("Play the demo"),
+            self.tr("A simulated ride; made on first use"),
+            "primary",
+        )
+        self.open = text_button(
+            self.tr("Open a sequence\u2026"), self.tr("The folder of a sequence")
+        )
+        self.import_recording = text_button(
+            self.tr("Import a recording\u2026"),
+            self.tr("Make a sequence of a video and its motion"),
+        )
+        self.demo.clicked.connect(self.demo_clicked)
+        self.open.clicked.connect(self.open_clicked)
+        self.import_recording.clicked.connect(self.import_clicked)
+        row = QHBoxLayout()
+        row.setSpacing(10)
+        row.addStretch(1)
+        for button in (self.demo, self.open, self.import_recording):
+            row.addWidget(button)
+        row.addStretch(1)
+        return row
+
+    def set_busy(self, *, is_busy: bool) -> None:
+        """Offer nothing while a piece of work runs."""
+        for button in (self.demo, self.open, self.import_recording):
+            button.setEnabled(not is_busy)
+
+
+def _picture() -> QLabel:
+    label = QLabel()
+    label.setPixmap(icon("hapticplayer").pixmap(QSize(72, 72)))
+    label.setAlignment(Qt.AlignmentFlag.AlignCenter)
+    return label

@@ -1,0 +1,168 @@
+"""What the engine reports, in words and with a judgement: snapshot to readings."""
+
+import enum
+from typing import NamedTuple
+
+from PySide6.QtCore import QCoreApplication
+
+from hapticplayer.haptics.process import Health
+from hapticplayer.haptics.scheduling import Scheduling
+from hapticplayer.haptics.step import Cause, Mode
+from hapticplayer.model import SyncStats
+from hapticplayer.playback.haptic_link import NO_DEVICE
+from hapticplayer.playback.player import Snapshot
+
+translate = QCoreApplication.translate
+
+# The slice request reaches p99 of 60 to 75 us, normal scheduling 0.7 to 2 ms
+# (reference/playback.md, part A).
+LATENESS_GOOD_US, LATENESS_BAD_US = 300.0, 1500.0
+MISSED_GOOD, MISSED_BAD = 0.001, 0.01
+# Nobody notices touch and picture 20 ms apart; the project promises 5 ms.
+SYNC_GOOD_MS, SYNC_BAD_MS = 5.0, 20.0
+DROPPED_GOOD, DROPPED_BAD = 0.002, 0.02
+
+
+class Level(enum.IntEnum):
+    """How something is doing."""
+
+    NEUTRAL = 0
+    GOOD = 1
+    WATCH = 2
+    BAD = 3
+
+
+class Reading(NamedTuple):
+    """One entry of the health line."""
+
+    level: Level
+    text: str
+
+
+def readings(snapshot: Snapshot) -> tuple[Reading, ...]:
+    """Return the entries in the order of the line."""
+    return (
+        device(snapshot),
+        scheduling(snapshot),
+        lateness(snapshot),
+        sync(snapshot.force_minus_video),
+        sync(snapshot.force_minus_audio),
+        pictures(snapshot),
+        clock(snapshot),
+    )
+
+
+def device(snapshot: Snapshot) -> Reading:
+    """Return the device, its health and what it does."""
+    if snapshot.device == NO_DEVICE:
+        return Reading(Level.NEUTRAL, translate("Health", "none"))
+    name = device_name(snapshot.device)
+    if snapshot.device_health == Health.STARTING:
+        return Reading(Level.WATCH, f"{name}, {translate('Health', 'starting')}")
+    if snapshot.device_health == Health.FAILED:
+        return Reading(Level.BAD, f"{name}, {translate('Health', 'failed')}")
+    if snapshot.device_health == Health.GONE:
+        return Reading(Level.BAD, f"{name}, {translate('Health', 'gone')}")
+    if snapshot.mode is Mode.TRIPPED:
+        return Reading(Level.BAD, f"{name}, {stop_reason(snapshot.cause)}")
+    return Reading(Level.GOOD, f"{name}, {mode_text(snapshot.mode)}")
+
+
+def device_name(name: str) -> str:
+    """Return a device's name for people."""
+    names = {
+        "simulated": translate("Health", "Simulated"),
+        "falcon": translate("Health", "Falcon"),
+        NO_DEVICE: translate("Health", "None"),
+    }
+    return names.get(name, name)
+
+
+def mode_text(mode: Mode) -> str:
+    """Return what the loop does with the force."""
+    return {
+        Mode.IDLE: translate("Health", "at rest"),
+        Mode.ENTERING: translate("Health", "fading in"),
+        Mode.FOLLOWING: translate("Health", "active"),
+        Mode.RAMPING: translate("Health", "fading out"),
+        Mode.TRIPPED: translate("Health", "STOPPED"),
+    }[mode]
+
+
+def stop_reason(cause: Cause) -> str:
+    """Return why the force was stopped."""
+    reasons = {
+        Cause.STOPPED: translate("Health", "STOPPED"),
+        Cause.HEARTBEAT_LOST: translate("Health", "STOPPED: the window hung"),
+        Cause.PLAYER_GONE: translate("Health", "STOPPED: the player ended"),
+        Cause.NOT_FINITE: translate("Health", "STOPPED: the track is broken"),
+    }
+    return reasons.get(cause) or reasons[Cause.STOPPED]
+
+
+def scheduling(snapshot: Snapshot) -> Reading:
+    """Return the class that the loop runs in."""
+    if not snapshot.scheduling:
+        return Reading(Level.NEUTRAL, "\u2013")
+    level, text = {
+        Scheduling.FIFO: (Level.GOOD, translate("Health", "FIFO")),
+        Scheduling.SLICE: (Level.GOOD, translate("Health", "slice")),
+        Scheduling.NORMAL: (Level.WATCH, translate("Health", "normal")),
+    }[Scheduling(snapshot.scheduling)]
+    return Reading(level, text)
+
+
+def lateness(snapshot: Snapshot) -> Reading:
+    """Return how punctual the 1 kHz loop has been in the last 10 s."""
+    loop = snapshot.loop
+    if loop is None:
+        return Reading(Level.NEUTRAL, "\u2013")
+    p99_us = loop.lateness_p99_us
+    missed = loop.missed / max(1, loop.ticks)
+    level = max(
+        _judge(p99_us, LATENESS_GOOD_US, LATENESS_BAD_US),
+        _judge(missed, MISSED_GOOD, MISSED_BAD),
+    )
+    text = translate("Health", "{us:.0f} \u00b5s, {missed} missed")
+    return Reading(level, text.format(us=p99_us, missed=loop.missed))
+
+
+def sync(stats: SyncStats | None) -> Reading:
+    """Return by how much the force is later than what it belongs to."""
+    if stats is None:
+        return Reading(Level.NEUTRAL, "\u2013")
+    level = _judge(abs(stats.p50_ms), SYNC_GOOD_MS, SYNC_BAD_MS)
+    text = translate("Health", "{ms:+.1f} ms").format(ms=stats.p50_ms)
+    return Reading(level, text.replace("-", "\u2212"))
+
+
+def pictures(snapshot: Snapshot) -> Reading:
+    """Return how many pictures were shown and how many came too late."""
+    shown, dropped = snapshot.frames_shown, snapshot.frames_dropped
+    share = dropped / max(1, shown + dropped)
+    level = _judge(share, DROPPED_GOOD, DROPPED_BAD) if shown else Level.NEUTRAL
+    text = translate("Health", "{shown} shown, {dropped} dropped")
+    return Reading(level, text.format(shown=shown, dropped=dropped))
+
+
+def clock(snapshot: Snapshot) -> Reading:
+    """Return what leads the clock."""
+    if snapshot.clock == "audio":
+        return Reading(Level.GOOD, translate("Health", "audio"))
+    return Reading(Level.NEUTRAL, translate("Health", "monotonic"))
+
+
+def level_word(level: Level) -> str:
+    """Return a judgement in a word, for those who do not see its colour."""
+    return {
+        Level.NEUTRAL: translate("Health", "no data"),
+        Level.GOOD: translate("Health", "good"),
+        Level.WATCH: translate("Health", "watch"),
+        Level.BAD: translate("Health", "bad"),
+    }[level]
+
+
+def _judge(value: float, good: float, bad: float) -> Level:
+    if value <= good:
+        return Level.GOOD
+    return Level.WATCH if value <= bad else Level.BAD

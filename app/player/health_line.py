@@ -1,0 +1,138 @@
+"""The line at the bottom: is everything in order?"""
+
+from typing import NamedTuple
+
+from PySide6.QtWidgets import QFrame, QHBoxLayout, QVBoxLayout, QWidget
+
+from app.player.health import Level, Reading, level_word, readings
+from app.widgets import theme
+from app.widgets.labels import ElidedLabel
+from hapticplayer.playback.player import Snapshot
+
+_STYLE = f"""
+HealthLine {{ background: {theme.PANEL}; border: 0; border-top: 1px solid {theme.BORDER}; }}
+"""
+# a sign of its own for each level: colour alone tells some people nothing
+_SIGNS = {
+    Level.NEUTRAL: ("\u25cb", theme.DIM),
+    Level.GOOD: ("\u25cf", theme.GOOD),
+    Level.WATCH: ("\u25b2", theme.WARN),
+    Level.BAD: ("\u25a0", theme.BAD),
+}
+
+_SIGN_ROOM_PX = 20
+
+
+class _Column(NamedTuple):
+    title: str
+    tip: str
+    widest: str
+
+
+class HealthEntry(QWidget):
+    """A title, and under it a sign and a value."""
+
+    def __init__(self, column: _Column) -> None:
+        super().__init__()
+        self._title, self._tip = column.title, column.tip
+        title = ElidedLabel(column.title, theme.DIM)
+        title.setFont(theme.scaled(self.font(), 0.85))
+        self._sign = ElidedLabel("\u25cb", theme.DIM)
+        self._sign.fix_width(self.fontMetrics().horizontalAdvance("\u25a0") + 2)
+        self._value = ElidedLabel("\u2013")
+        row = QHBoxLayout()
+        row.setSpacing(4)
+        row.addWidget(self._sign)
+        row.addWidget(self._value, 1)
+        both = QVBoxLayout(self)
+        both.setContentsMargins(0, 0, 0, 0)
+        both.setSpacing(1)
+        both.addWidget(title)
+        both.addLayout(row)
+
+    def text(self) -> str:
+        """Return the value that is shown."""
+        return self._value.text()
+
+    def show_reading(self, reading: Reading) -> None:
+        """Show a value; its judgement as sign, colour and word."""
+        sign, colour = _SIGNS[reading.level]
+        self._sign.set_text(sign, colour)
+        is_alarming = reading.level >= Level.WATCH
+        self._value.set_text(reading.text, colour if is_alarming else theme.TEXT)
+        said = f"{self._title}: {reading.text} ({level_word(reading.level)})"
+        if said != self.accessibleName():
+            self.setAccessibleName(said)
+            self.setToolTip(f"{said}\n{self._tip}")
+
+
+class HealthLine(QFrame):
+    """All entries side by side; each keeps its width, whatever its value is."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setStyleSheet(_STYLE)
+        self.setAccessibleName(self.tr("Health"))
+        row = QHBoxLayout(self)
+        row.setContentsMargins(12, 4, 12, 5)
+        row.setSpacing(14)
+        self.entries = []
+        for column in self._columns():
+            entry = HealthEntry(column)
+            wide = max(column.widest, column.title, key=len)
+            room_px = self.fontMetrics().horizontalAdvance(wide) + _SIGN_ROOM_PX
+            row.addWidget(entry, room_px)
+            self.entries.append(entry)
+
+    def show_snapshot(self, snapshot: Snapshot) -> None:
+        """Show what the player reports."""
+        for entry, reading in zip(self.entries, readings(snapshot), strict=True):
+            entry.show_reading(reading)
+
+    def _columns(self) -> list[_Column]:
+        return [
+            _Column(
+                self.tr("Device"),
+                self.tr("The haptic device and what it does"),
+                self.tr("Simulated, fading out"),
+            ),
+            _Column(
+                self.tr("Scheduling"),
+                self.tr(
+                    "Class of the 1 kHz loop: FIFO is best, slice nearly as good, "
+                    "normal lets it be late by milliseconds"
+                ),
+                self.tr("Scheduling"),
+            ),
+            _Column(
+                self.tr("Loop lateness, p99"),
+                self.tr(
+                    "99 % of the loop's wake-ups in the last 10 s were no later "
+                    "than this; missed are periods that were skipped"
+                ),
+                self.tr("888 \u00b5s, 88 missed"),
+            ),
+            _Column(
+                self.tr("Force \u2212 picture"),
+                self.tr("How much later the force comes than its picture, median"),
+                self.tr("Force \u2212 picture"),
+            ),
+            _Column(
+                self.tr("Force \u2212 sound"),
+                self.tr("How much later the force comes than its sound, median"),
+                self.tr("Force \u2212 sound"),
+            ),
+            _Column(
+                self.tr("Pictures"),
+                self.tr("Shown in time, and dropped because they came too late"),
+                self.tr("88888 shown, 88 dropped"),
+            ),
+            _Column(
+                self.tr("Clock"),
+                self.tr(
+                    "What leads: the sound that is heard, or the machine's "
+                    "monotonic clock where there is no sound"
+                ),
+                self.tr("monotonic"),
+            ),
+        ]

@@ -1,0 +1,45 @@
+"""Where the plots are in the window."""
+
+from typing import TYPE_CHECKING
+
+from PySide6.QtWidgets import QFrame, QVBoxLayout
+
+from app.widgets import theme
+from hapticplayer.playback.meters import TickHistory
+from hapticplayer.playback.source import Source
+
+if TYPE_CHECKING:
+    from app.plots.panel import PlotPanel
+
+HEIGHT_PX, LEAST_HEIGHT_PX = 190, 110
+_STYLE = f"PlotsPlace {{ border: 0; border-top: 1px solid {theme.BORDER}; }}"
+
+
+class PlotsPlace(QFrame):
+    """Holds the plots; pyqtgraph is imported when they are first drawn."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setAccessibleName(self.tr("Live plots"))
+        self.setStyleSheet(_STYLE)
+        self.setMinimumHeight(LEAST_HEIGHT_PX)
+        self._source: Source | None = None
+        self._column = QVBoxLayout(self)
+        self._column.setContentsMargins(0, 1, 0, 0)
+        self.panel: PlotPanel | None = None
+
+    def set_source(self, source: Source | None) -> None:
+        """Show another clip."""
+        self._source = source
+        if self.panel:
+            self.panel.set_source(source)
+
+    def follow(self, media_s: float, feedback: str, history: TickHistory) -> None:
+        """Draw what lies around a media time."""
+        if self.panel is None:
+            from app.plots.panel import PlotPanel
+
+            self.panel = PlotPanel()
+            self.panel.set_source(self._source)
+            self._column.addWidget(self.panel)
+        self.panel.follow(media_s, feedback, history)

@@ -1,0 +1,217 @@
+"""What the window does with the player: open, import, choose, stop."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+from PySide6.QtCore import QObject, Signal
+
+from app.bridge.errors import ErrorGateway
+from app.bridge.jobs import Jobs, Progress
+from hapticplayer.errors import HapticPlayerError, HapticsError
+from hapticplayer.haptics.process import Health
+from hapticplayer.haptics.step import Mode
+from hapticplayer.playback.haptic_link import NO_DEVICE
+from hapticplayer.playback.player import Phase, Player
+from hapticplayer.playback.source import Source, open_source
+from hapticplayer.sequence import build_sequence
+from hapticplayer.sequence.demo import demo_folder
+
+SKIP_S = 5.0
+_DEAD = (Health.FAILED, Health.GONE)
+
+
+@dataclass(frozen=True, slots=True)
+class ImportRequest:
+    """What a person filled in to import a recording."""
+
+    video: Path
+    imu_log: Path | None
+    offset_s: float | None
+    target: Path
+
+
+class Session(QObject):
+    """Runs the player for the window; everything on the window's thread.
+
+    Signals:
+        opening: another source is about to be loaded; sizes can be prepared.
+        opened: another source is loaded.
+        changed: the phase, the stop, the device or the feedback is another.
+        ended: the clip has come to its end.
+    """
+
+    opening = Signal(object)
+    opened = Signal()
+    changed = Signal()
+    ended = Signal()
+
+    def __init__(self, player: Player, show: Callable[[str], None]) -> None:
+        super().__init__()
+        self.player = player
+        self.gateway = ErrorGateway(show, self.halt)
+        self.jobs = Jobs(self.gateway.report)
+        self.told = ""
+        self._state: tuple[object, ...] = ()
+
+    # --- opening -------------------------------------------------------------
+
+    def open_path(self, path: Path) -> None:
+        """Open a sequence or a video and play it."""
+        self._run(
+            self.tr("Opening {name}").format(name=path.name),
+            lambda _progress: open_source(path),
+        )
+
+    def open_demo(self) -> None:
+        """Open the built-in demo; it is made on first use."""
+
+        def work(progress: Progress) -> Source:
+            return open_source(demo_folder(progress))
+
+        self._run(self.tr("Preparing the demo"), work)
+
+    def import_recording(self, request: ImportRequest) -> None:
+        """Make a sequence of a recording, and open it."""
+
+        def work(progress: Progress) -> Source:
+            folder = build_sequence(
+                request.video,
+                request.target,
+                imu_log=request.imu_log,
+                offset_s=request.offset_s,
+                progress=progress,
+            )
+            return open_source(folder)
+
+        name = request.video.name
+        self._run(self.tr("Importing {name}").format(name=name), work)
+
+    def _run(self, title: str, work: Callable[[Progress], Source]) -> None:
+        if self.jobs.is_busy:
+            self.gateway.report(
+                HapticPlayerError(
+                    self.tr("Something else is being done; wait for it or cancel it")
+                )
+            )
+            return
+        self.jobs.run(title, work, self._play_source)
+        self.changed.emit()
+
+    def _play_source(self, source: Source) -> None:
+        self.show_source(source)
+        self.player.play()
+
+    def show_source(self, source: Source, feedback: str | None = None) -> None:
+        """Load a source in place of what was open; it stands at its beginning."""
+        self.told = ""
+        self.opening.emit(source)
+        self.player.open(source, feedback)
+        self.opened.emit()
+
+    # --- controls ------------------------------------------------------------
+
+    @property
+    def is_stopped(self) -> bool:
+        """Whether the force was stopped and waits for a person."""
+        latest = self.player.link.history.latest()
+        return latest is not None and int(latest["mode"]) == Mode.TRIPPED
+
+    def stop_or_rearm(self) -> None:
+        """Press the big button."""
+        if self.is_stopped:
+            self.rearm()
+        else:
+            self.stop()
+
+    def stop(self) -> None:
+        """Take the force away at once and pause."""
+        self.player.stop_force()
+
+    def rearm(self) -> None:
+        """Let the force come back after a stop."""
+        if self.is_stopped:
+            self.player.rearm()
+
+    def skip(self, by_s: float) -> None:
+        """Go some seconds forwards or backwards."""
+        self.player.seek(self.player.media_s() + by_s)
+
+    def go_to_end(self) -> None:
+        """Go to the last picture."""
+        if self.player.source is not None:
+            self.player.seek(self.player.source.clip.duration_s)
+
+    def refresh_picture(self) -> None:
+        """Decode the picture anew for another size, where the clip stands still."""
+        if self.player.phase is Phase.PAUSED:
+            self.player.seek(self.player.media_s())
+
+    def choose_device(self, name: str) -> None:
+        """Take another device; none where that fails."""
+        link = self.player.link
+        if name == link.device and link.health not in _DEAD:
+            return
+        self.told = ""
+        try:
+            self.player.set_device(name)
+        except HapticsError as problem:
+            self.gateway.report(problem)
+            self.player.set_device(NO_DEVICE)
+        self.changed.emit()
+
+    def choose_feedback(self, name: str) -> None:
+        """Play another force track."""
+        self.player.set_feedback(name)
+        self.changed.emit()
+
+    def halt(self) -> None:
+        """Stop force and clip whatever else is broken."""
+        for action in (self.player.link.stop_force, self.player.pause):
+            try:
+                action()
+            except Exception as problem:  # noqa: BLE001 - the gateway's last resort
+                self.gateway.note(problem)
+
+    # --- what happens by itself ----------------------------------------------
+
+    def watch(self) -> None:
+        """Look for what has changed since the last call, and tell."""
+        self.gateway.poll()
+        was_busy = self.jobs.is_busy
+        self.jobs.poll()
+        self._tell_problem()
+        player = self.player
+        state = (player.phase, self.is_stopped, player.link.health, player.feedback)
+        if state != self._state or was_busy != self.jobs.is_busy:
+            has_ended = player.phase is Phase.ENDED and self._state[:1] != state[:1]
+            self._state = state
+            self.changed.emit()
+            if has_ended:
+                self._on_ended()
+
+    def _on_ended(self) -> None:
+        """Tell; the next time the clip plays to its own end."""
+        if self.player.source is not None:
+            self.player.end_s = self.player.source.clip.duration_s
+        self.ended.emit()
+
+    def _tell_problem(self) -> None:
+        """Report once what the player or the device complains about."""
+        text = self.player.problem or self._device_problem()
+        if text and text != self.told:
+            self.told = text
+            self.gateway.report(HapticPlayerError(text))
+
+    def _device_problem(self) -> str:
+        link = self.player.link
+        if link.health not in _DEAD:
+            return ""
+        return link.problem or self.tr(
+            "The haptics process has ended; choose the device again"
+        )
+
+    def close(self) -> None:
+        """Stop what runs, bring the hand to rest and finish the log."""
+        self.jobs.close()
+        self.player.close()

@@ -1,0 +1,205 @@
+"""The controls under the picture."""
+
+from collections.abc import Iterable
+
+from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtGui import QStandardItemModel
+from PySide6.QtWidgets import (
+    QComboBox,
+    QFrame,
+    QHBoxLayout,
+    QLabel,
+    QSizePolicy,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.player.choices import Choice
+from app.player.times import position_text
+from app.widgets import theme
+from app.widgets.buttons import set_role, text_button, tool_button
+from app.widgets.icons import icon
+from app.widgets.labels import ElidedLabel
+from app.widgets.seek_slider import SeekSlider
+
+_STYLE = f"""
+Transport {{ background: {theme.PANEL}; border: 0; border-top: 1px solid {theme.BORDER}; }}
+"""
+
+_COMBO_PX, _LEAST_CHARACTERS = 170, 6
+_BEFORE_THE_GAP = 100  # stretch: the lists grow to their full width first
+
+
+class Transport(QFrame):
+    """Position, play and pause, stop, feedback, device, fullscreen.
+
+    Signals:
+        play_clicked, stop_clicked, fullscreen_clicked: the buttons.
+        sought: a person wants to be at this time, s.
+        feedback_chosen, device_chosen: the engine's name of the choice.
+    """
+
+    play_clicked = Signal()
+    stop_clicked = Signal()
+    fullscreen_clicked = Signal()
+    sought = Signal(float)
+    feedback_chosen = Signal(str)
+    device_chosen = Signal(str)
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setStyleSheet(_STYLE)
+        self._duration_s = 0.0
+        self.slider = SeekSlider()
+        self.slider.setAccessibleName(self.tr("Position"))
+        self.slider.setToolTip(self.tr("Position in the clip: click or drag"))
+        self.slider.sought.connect(self.sought)
+        self.play = tool_button("play", "", "")
+        self.play.clicked.connect(self.play_clicked)
+        self.stop = text_button("", "", "stop")
+        self.stop.setIconSize(QSize(18, 18))
+        self.stop.clicked.connect(self.stop_clicked)
+        self.time = ElidedLabel()
+        self.time.setAccessibleName(self.tr("Time"))
+        self.feedback = self._combo(
+            self.tr("Feedback"), self.tr("Which force goes with the clip")
+        )
+        self.feedback.activated.connect(
+            lambda _: self.feedback_chosen.emit(self.feedback.currentData())
+        )
+        self.device = self._combo(
+            self.tr("Device"), self.tr("Which haptic device is moved")
+        )
+        self.device.activated.connect(
+            lambda _: self.device_chosen.emit(self.device.currentData())
+        )
+        self.fullscreen = tool_button(
+            "fullscreen",
+            self.tr("Fullscreen"),
+            self.tr("Show the clip and nothing else (F)"),
+        )
+        self.fullscreen.clicked.connect(self.fullscreen_clicked)
+        self._lay_out()
+        self.show_playing(is_playing=False)
+        self.show_stopped(is_stopped=False)
+        self.set_duration(0.0)
+
+    def _lay_out(self) -> None:
+        self.stop.setFixedWidth(self._widest_stop_px())
+        column = QVBoxLayout(self)
+        column.setContentsMargins(8, 4, 12, 8)
+        column.setSpacing(4)
+        column.addWidget(self.slider)
+        row = QHBoxLayout()
+        row.setContentsMargins(4, 0, 0, 0)
+        row.setSpacing(10)
+        row.addWidget(self.play)
+        row.addWidget(self.stop)
+        row.addWidget(self.time)
+        row.addStretch(1)
+        for combo in (self.feedback, self.device):
+            row.addWidget(_caption(combo))
+            row.addWidget(combo, _BEFORE_THE_GAP)
+            row.addSpacing(6)
+        row.addWidget(self.fullscreen)
+        column.addLayout(row)
+
+    def _widest_stop_px(self) -> int:
+        texts = (self._stop_text(is_stopped=False), self._stop_text(is_stopped=True))
+        font = self.stop.font()
+        font.setBold(True)
+        self.stop.setFont(font)
+        metrics = self.stop.fontMetrics()
+        return max(metrics.horizontalAdvance(text) for text in texts) + 52
+
+    def _combo(self, name: str, tip: str) -> QComboBox:
+        combo = QComboBox()
+        combo.setAccessibleName(name)
+        combo.setToolTip(tip)
+        combo.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+        # long names of tracks must not widen the window
+        combo.setSizeAdjustPolicy(
+            QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
+        )
+        combo.setMinimumContentsLength(_LEAST_CHARACTERS)
+        combo.setMaximumWidth(_COMBO_PX)
+        combo.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        return combo
+
+    def set_duration(self, duration_s: float) -> None:
+        """Say how long the clip is; without one there is nothing to control."""
+        self._duration_s = duration_s
+        self.slider.set_duration(duration_s)
+        for widget in (self.play, self.feedback, self.fullscreen):
+            widget.setEnabled(duration_s > 0.0)
+        self._show_time(0.0)
+
+    def follow(self, media_s: float) -> None:
+        """Show where the clip is."""
+        self.slider.follow(media_s)
+        self._show_time(media_s)
+
+    def _show_time(self, media_s: float) -> None:
+        text = position_text(media_s, self._duration_s)
+        self.time.set_text(text)
+        wide = self.time.sizeHint().width()
+        if wide > self.time.minimumWidth() or wide < self.time.maximumWidth() - 8:
+            self.time.fix_width(wide + 2)
+
+    def show_playing(self, *, is_playing: bool) -> None:
+        """Offer to pause or to play."""
+        name = self.tr("Pause") if is_playing else self.tr("Play")
+        self.play.setIcon(icon("pause" if is_playing else "play"))
+        self.play.setAccessibleName(name)
+        self.play.setToolTip(self.tr("{name} (Space)").format(name=name))
+
+    def show_stopped(self, *, is_stopped: bool) -> None:
+        """Offer to stop the force, or to bring it back after a stop."""
+        self.stop.setText(self._stop_text(is_stopped=is_stopped))
+        self.stop.setIcon(icon("rearm" if is_stopped else "stop"))
+        set_role(self.stop, "rearm" if is_stopped else "stop")
+        self.stop.setToolTip(
+            self.tr("The force was stopped: let it come back (Ctrl+R)")
+            if is_stopped
+            else self.tr("Take the force away at once and pause (Esc)")
+        )
+        self.stop.setAccessibleName(
+            self.tr("Re-arm the force") if is_stopped else self.tr("Stop the force")
+        )
+
+    def _stop_text(self, *, is_stopped: bool) -> str:
+        return self.tr("Re-arm") if is_stopped else self.tr("STOP")
+
+    def set_feedbacks(self, offered: Iterable[Choice]) -> None:
+        """Offer these force tracks."""
+        _fill(self.feedback, offered)
+
+    def select_feedback(self, name: str) -> None:
+        """Show which force track plays."""
+        self.feedback.setCurrentIndex(self.feedback.findData(name))
+
+    def set_devices(self, offered: Iterable[Choice]) -> None:
+        """Offer these devices."""
+        _fill(self.device, offered)
+
+    def select_device(self, name: str) -> None:
+        """Show which device is moved."""
+        self.device.setCurrentIndex(self.device.findData(name))
+
+
+def _fill(combo: QComboBox, offered: Iterable[Choice]) -> None:
+    combo.clear()
+    for row, choice in enumerate(offered):
+        combo.addItem(choice.text, choice.name)
+        tip = choice.refusal or choice.text
+        combo.setItemData(row, tip, Qt.ItemDataRole.ToolTipRole)
+        model = combo.model()
+        if choice.refusal and isinstance(model, QStandardItemModel):
+            model.item(row).setEnabled(False)
+
+
+def _caption(combo: QComboBox) -> QWidget:
+    label = QLabel(combo.accessibleName())
+    label.setStyleSheet(f"color: {theme.DIM};")
+    label.setBuddy(combo)
+    return label

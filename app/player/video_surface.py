@@ -1,0 +1,162 @@
+"""The picture on a plain widget: one copy from the decoder's memory, no GPU needed.
+
+On a machine without a GPU this costs 0.6 to 0.8 of mpv's x11 output and a fourth
+of every OpenGL way (reference/playback.md, part B).
+"""
+
+import math
+
+from PySide6.QtCore import QEvent, QPointF, QRect, QRectF, Qt, Signal
+from PySide6.QtGui import (
+    QImage,
+    QMouseEvent,
+    QPainter,
+    QPaintEvent,
+    QRegion,
+    QResizeEvent,
+)
+from PySide6.QtWidgets import QSizePolicy, QWidget
+
+from app.player.letterbox import Box, letterbox
+from hapticplayer.media import Picture
+
+
+class VideoSurface(QWidget):
+    """Shows pictures as they come, with black bars around them.
+
+    Signals:
+        target_changed: width and height in device pixels that the next pictures
+            should have.
+        double_clicked: a person wants fullscreen, or to leave it.
+        pointer_moved: the pointer moved over the picture.
+    """
+
+    target_changed = Signal(int, int)
+    double_clicked = Signal()
+    pointer_moved = Signal()
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
+        self.setAttribute(Qt.WidgetAttribute.WA_NoSystemBackground)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
+        self.setMinimumSize(160, 90)
+        self.setMouseTracking(True)
+        self.setAccessibleName(self.tr("Picture"))
+        self._clip_size = (16, 9)
+        self._target = Box(0, 0, 2, 2)
+        self._picture: Picture | None = None
+        self._image: QImage | None = None
+
+    @property
+    def target(self) -> Box:
+        """Where the picture goes, in device pixels."""
+        return self._target
+
+    @property
+    def has_picture_of_target_size(self) -> bool:
+        """Whether what is shown needs no scaling."""
+        picture = self._picture
+        return picture is None or _size(picture) == self._target[2:]
+
+    def set_clip_size(self, width_px: int, height_px: int) -> None:
+        """Say what shape the clip has; what was shown is forgotten."""
+        self._clip_size = (width_px, height_px)
+        self.clear()
+        self._place()
+
+    def clear(self) -> None:
+        """Show black."""
+        self._image = self._picture = None
+        self.update()
+
+    def present(self, picture: Picture) -> None:
+        """Paint a picture now; returns when it is on its way to the screen."""
+        self._image = QImage(
+            picture.pixels,
+            picture.width,
+            picture.height,
+            picture.stride_bytes,
+            QImage.Format.Format_RGB32,
+        )
+        self._picture = picture  # owns the memory of the image
+        if self._is_seen():
+            self.repaint(self._logical(self._target).toAlignedRect())
+
+    def _is_seen(self) -> bool:
+        window = self.window().windowHandle()
+        return self.isVisible() and bool(window) and window.isExposed()
+
+    def _place(self) -> None:
+        """Find the target anew and ask for pictures of its size."""
+        ratio = self.devicePixelRatioF()
+        area = (int(self.width() * ratio), int(self.height() * ratio))
+        target = letterbox(self._clip_size, area)
+        if target != self._target:
+            is_new_size = target[2:] != self._target[2:]
+            self._target = target
+            self.update()
+            if is_new_size:
+                self.target_changed.emit(target.width, target.height)
+
+    def _logical(self, box: Box) -> QRectF:
+        ratio = self.devicePixelRatioF()
+        return QRectF(*(value / ratio for value in box))
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        """Copy the picture to the window; black where there is none."""
+        painter = QPainter(self)
+        painter.setCompositionMode(QPainter.CompositionMode.CompositionMode_Source)
+        where = self._logical(self._target)
+        covered = _inside(where) if self._image is not None else QRect()
+        if not covered.contains(event.rect()):
+            painter.setClipRegion(QRegion(event.rect()) - QRegion(covered))
+            painter.fillRect(event.rect(), Qt.GlobalColor.black)
+            painter.setClipping(False)
+        if self._image is not None:
+            self._draw(painter, where, self._image)
+
+    def _draw(self, painter: QPainter, where: QRectF, image: QImage) -> None:
+        if (image.width(), image.height()) == self._target[2:]:
+            image.setDevicePixelRatio(self.devicePixelRatioF())
+            painter.drawImage(QPointF(where.topLeft()), image)
+        else:  # decoded for another size: a few pictures after a resize
+            painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
+            painter.drawImage(where, image)
+
+    def resizeEvent(self, _event: QResizeEvent) -> None:
+        """Follow the window."""
+        self._place()
+
+    def event(self, event: QEvent) -> bool:
+        """Follow the window to a screen of another scale."""
+        if event.type() == QEvent.Type.DevicePixelRatioChange:
+            self._place()
+        return super().event(event)
+
+    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+        """Toggle fullscreen."""
+        if event.button() == Qt.MouseButton.LeftButton:
+            self.double_clicked.emit()
+
+    def mouseMoveEvent(self, _event: QMouseEvent) -> None:
+        """Tell that the pointer is being used."""
+        self.pointer_moved.emit()
+
+
+class SurfaceSink:
+    """The surface as the player knows it (FrameSink)."""
+
+    def __init__(self, surface: VideoSurface) -> None:
+        self.show = surface.present
+
+
+def _inside(where: QRectF) -> QRect:
+    """Return the whole logical pixels that a rectangle covers."""
+    left, top = math.ceil(where.left()), math.ceil(where.top())
+    right, bottom = math.floor(where.right()), math.floor(where.bottom())
+    return QRect(left, top, right - left, bottom - top)
+
+
+def _size(picture: Picture) -> tuple[int, int]:
+    return picture.width, picture.height

@@ -1,0 +1,266 @@
+"""The player's window: its parts, and what they do with the session."""
+
+from PySide6.QtCore import Qt, QTimer
+from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent
+from PySide6.QtWidgets import (
+    QMainWindow,
+    QSplitter,
+    QStackedWidget,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.bridge.cadence import Cadence
+from app.bridge.pump import Pump
+from app.bridge.settings import Settings
+from app.player import choices, plots_place
+from app.player.actions import Actions
+from app.player.dialogs import Dialogs
+from app.player.display import Display
+from app.player.empty_page import EmptyPage
+from app.player.escape import EscapeEverywhere
+from app.player.files import dropped_path
+from app.player.fullscreen import Fullscreen
+from app.player.health_line import HealthLine
+from app.player.plots_place import PlotsPlace
+from app.player.session import SKIP_S, Session
+from app.player.transport import Transport
+from app.player.video_surface import VideoSurface
+from app.widgets.icons import icon
+from app.widgets.job_bar import JobBar
+from app.widgets.message_bar import MessageBar
+from hapticplayer.clock import Clock
+from hapticplayer.playback.player import Player
+from hapticplayer.playback.source import Source
+
+WIDTH_PX, HEIGHT_PX = 1280, 800
+SETTLED_MS = 150  # after the last step of a resize
+WATCH_HZ = 30.0  # what is shown beside the picture needs no more
+LONGEST_TITLE_PX = 600
+DEVICE = "device"
+
+
+class PlayerWindow(QMainWindow):
+    """Shows one player; closing it closes the player.
+
+    Args:
+        player: presents its pictures on `surface`.
+        surface: becomes the middle of the window.
+        clock: of the machine.
+        settings: what is remembered.
+    """
+
+    def __init__(
+        self, player: Player, surface: VideoSurface, clock: Clock, settings: Settings
+    ) -> None:
+        super().__init__()
+        self.player, self.surface = player, surface
+        self._clock, self._settings = clock, settings
+        self.session = Session(player, self.show_message)
+        self.dialogs = Dialogs(self, self.session, settings)
+        self.messages, self.job_bar = MessageBar(), JobBar()
+        self.empty_page, self.plots = EmptyPage(), PlotsPlace()
+        self.transport, self.health = Transport(), HealthLine()
+        self.commands = Actions(self)
+        self._lay_out()
+        parts = (self.transport, self.plots, self.health)
+        self.fullscreen = Fullscreen(self, surface, [self.menuBar(), *parts])
+        self._display = Display(self, self.session, clock, parts)
+        self.pump = Pump(player.poll, clock, self._on_gap, self)
+        self._watch_turn = Cadence(WATCH_HZ)
+        self._escape = EscapeEverywhere(self.stop, self)
+        self._settled = QTimer(self)
+        self._settled.setSingleShot(True)
+        self._settled.setInterval(SETTLED_MS)
+        self._connect()
+        self._settings.restore_geometry(self, WIDTH_PX, HEIGHT_PX)
+        self.transport.set_devices(choices.devices())
+        self.show_plots(are_wanted=True)
+        self._on_opened()
+        self._on_changed()
+        self.stage.setFocus()
+        self._escape.install()
+        self.pump.start()
+
+    # --- building ------------------------------------------------------------
+
+    def _lay_out(self) -> None:
+        self.setWindowIcon(icon("hapticplayer"))
+        self.setAcceptDrops(True)
+        self.commands.fill(self.menuBar())
+        self.stage = QStackedWidget()
+        self.stage.addWidget(self.empty_page)
+        self.stage.addWidget(self.surface)
+        splitter = QSplitter(Qt.Orientation.Vertical)
+        splitter.addWidget(self.stage)
+        splitter.addWidget(self.plots)
+        splitter.setStretchFactor(0, 1)
+        splitter.setChildrenCollapsible(False)
+        splitter.setHandleWidth(3)
+        splitter.setSizes([HEIGHT_PX, plots_place.HEIGHT_PX])
+        column = QVBoxLayout()
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(0)
+        column.addWidget(self.messages)
+        column.addWidget(self.job_bar)
+        column.addWidget(splitter, 1)
+        column.addWidget(self.transport)
+        column.addWidget(self.health)
+        middle = QWidget()
+        middle.setLayout(column)
+        self.setCentralWidget(middle)
+
+    def _connect(self) -> None:
+        session, transport, page = self.session, self.transport, self.empty_page
+        session.opening.connect(self._on_opening)
+        session.opened.connect(self._on_opened)
+        session.changed.connect(self._on_changed)
+        self.surface.target_changed.connect(self._on_target_changed)
+        self.surface.double_clicked.connect(self.toggle_fullscreen)
+        self._settled.timeout.connect(session.refresh_picture)
+        self.job_bar.cancelled.connect(session.jobs.cancel)
+        transport.play_clicked.connect(self.player.toggle)
+        transport.stop_clicked.connect(session.stop_or_rearm)
+        transport.fullscreen_clicked.connect(self.toggle_fullscreen)
+        transport.sought.connect(self.player.seek)
+        transport.feedback_chosen.connect(session.choose_feedback)
+        transport.device_chosen.connect(self._on_device_chosen)
+        page.demo_clicked.connect(session.open_demo)
+        page.open_clicked.connect(self.dialogs.open_sequence)
+        page.import_clicked.connect(self.dialogs.import_recording)
+        self._connect_commands()
+
+    def _connect_commands(self) -> None:
+        commands, session = self.commands, self.session
+        for action, slot in (
+            (commands.open_sequence, self.dialogs.open_sequence),
+            (commands.open_video, self.dialogs.open_video),
+            (commands.import_recording, self.dialogs.import_recording),
+            (commands.open_demo, session.open_demo),
+            (commands.quit, self.close),
+            (commands.play, self.player.toggle),
+            (commands.back, lambda: session.skip(-SKIP_S)),
+            (commands.forward, lambda: session.skip(SKIP_S)),
+            (commands.to_start, lambda: self.player.seek(0.0)),
+            (commands.to_end, session.go_to_end),
+            (commands.stop, self.stop),
+            (commands.rearm, session.rearm),
+            (commands.fullscreen, self.toggle_fullscreen),
+            (commands.shortcuts, self.dialogs.shortcuts),
+            (commands.about, self.dialogs.about),
+        ):
+            action.triggered.connect(slot)
+        commands.plots.toggled.connect(lambda on: self.show_plots(are_wanted=on))
+
+    # --- what a person does --------------------------------------------------
+
+    def stop(self) -> None:
+        """Take the force away, pause, and leave fullscreen."""
+        self.session.stop()
+        self.fullscreen.leave()
+
+    def toggle_fullscreen(self) -> None:
+        """Show the clip and nothing else, or everything again."""
+        if self.fullscreen.is_on:
+            self.fullscreen.leave()
+        elif self.player.source is not None:
+            self.enter_fullscreen()
+
+    def enter_fullscreen(self) -> None:
+        """Show the clip and nothing else."""
+        self.stage.setCurrentWidget(self.surface)
+        self.messages.hide()
+        self.job_bar.hide()
+        self._keep_geometry()
+        self.fullscreen.enter()
+
+    def show_plots(self, *, are_wanted: bool) -> None:
+        """Show or hide the live plots."""
+        self.commands.plots.setChecked(are_wanted)
+        self.fullscreen.will_show(self.plots, is_wanted=are_wanted)
+
+    def show_message(self, text: str) -> None:
+        """Say what went wrong; not behind a picture that fills the screen."""
+        self.fullscreen.leave()
+        self.messages.show_text(text)
+
+    def _on_device_chosen(self, name: str) -> None:
+        self.session.choose_device(name)
+        self._settings.keep(DEVICE, self.player.link.device)
+
+    def dragEnterEvent(self, event: QDragEnterEvent) -> None:
+        """Take files and folders."""
+        if dropped_path(event.mimeData()) is not None:
+            event.acceptProposedAction()
+
+    def dropEvent(self, event: QDropEvent) -> None:
+        """Open what is dropped."""
+        path = dropped_path(event.mimeData())
+        if path is not None:
+            event.acceptProposedAction()
+            self.session.open_path(path)
+
+    # --- what the session tells ----------------------------------------------
+
+    def _on_gap(self) -> None:
+        if not self._watch_turn.is_due(self._clock.now_s()):
+            return
+        self.session.watch()
+        if not self.fullscreen.is_on:
+            state = self.session.jobs.state()
+            self.job_bar.show_state(state, self._clock.now_s())
+        self._display.refresh()
+
+    def _on_opening(self, source: Source) -> None:
+        self.messages.hide()
+        self.stage.setCurrentWidget(self.surface)
+        self.surface.set_clip_size(source.clip.width, source.clip.height)
+
+    def _on_opened(self) -> None:
+        source = self.player.source
+        title = self.tr("hapticplayer")
+        if source is not None:
+            shown = self.fontMetrics().elidedText(
+                source.title, Qt.TextElideMode.ElideMiddle, LONGEST_TITLE_PX
+            )
+            title = f"{shown} \u2013 {title}"
+        self.setWindowTitle(title)
+        self.plots.set_source(source)
+        self.transport.set_duration(source.clip.duration_s if source else 0.0)
+        names = source.tracks if source else ()
+        self.transport.set_feedbacks(choices.feedbacks(names))
+        self.transport.select_feedback(self.player.feedback)
+
+    def _on_changed(self) -> None:
+        is_busy, has_clip = self.session.jobs.is_busy, self.player.source is not None
+        self.empty_page.set_busy(is_busy=is_busy)
+        for action in self.commands.opening:
+            action.setEnabled(not is_busy)
+        for action in self.commands.playing:
+            action.setEnabled(has_clip)
+        self.commands.rearm.setEnabled(self.session.is_stopped)
+        self.transport.show_playing(is_playing=self.player.is_playing)
+        self.transport.show_stopped(is_stopped=self.session.is_stopped)
+        self.transport.select_feedback(self.player.feedback)
+        self.transport.select_device(self.player.link.device)
+        self._display.refresh_soon()
+
+    def _on_target_changed(self, width_px: int, height_px: int) -> None:
+        self.player.set_size(width_px, height_px)
+        self._settled.start()
+
+    # --- beginning and end ---------------------------------------------------
+
+    def _keep_geometry(self) -> None:
+        if not self.fullscreen.is_on:
+            self._settings.keep_geometry(self)
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        """Bring the hand to rest, and everything to an end."""
+        self.pump.stop()
+        self._settled.stop()
+        self._escape.remove()
+        self._keep_geometry()
+        self._settings.save()
+        self.session.close()
+        event.accept()

@@ -1,0 +1,167 @@
+"""Acceleration and force side by side, around the playhead."""
+
+from PySide6.QtCore import QCoreApplication
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QVBoxLayout, QWidget
+
+from app.plots.playhead_plot import PlayheadPlot
+from app.plots.series import EMPTY, Page, Trail, cut, half_range, sampled, thin
+from app.widgets import theme
+from hapticplayer.playback.meters import TickHistory
+from hapticplayer.playback.source import Source
+
+translate = QCoreApplication.translate
+
+LEAST_ACCELERATION_MPS2 = 2.0
+LEAST_FORCE_N = 1.0
+_PLANNED, _SENT = 0, 1
+
+
+class AccelerationPlot(PlayheadPlot):
+    """The camera's motion without gravity, in the frame of who carried it."""
+
+    def __init__(self) -> None:
+        super().__init__(
+            translate("PlotPanel", "Acceleration around the playhead"), (1.0,)
+        )
+        self._source: Source | None = None
+
+    def set_source(self, source: Source | None) -> None:
+        """Show another clip's motion."""
+        self._source = source
+        self.forget_page()
+        motion = source.motion if source else None
+        peak = float(abs(motion.acceleration_mps2).max()) if motion else 0.0
+        self.set_half_range(half_range(peak, LEAST_ACCELERATION_MPS2))
+        self.set_notice(
+            translate("PlotPanel", "This clip has no motion data")
+            if source and not motion
+            else ""
+        )
+
+    def follow(self, media_s: float) -> None:
+        """Draw what lies around a media time."""
+        span_s = self.new_page(media_s)
+        motion = self._source.motion if self._source else None
+        if span_s and motion:
+            page = cut(motion.time_s, motion.acceleration_mps2, *span_s)
+            self.set_lines(0, thin(page))
+        elif span_s:
+            self.set_lines(0, EMPTY)
+        self.set_playhead(media_s)
+
+
+class ForcePlot(PlayheadPlot):
+    """The planned force, thin, and over it what was sent to the device, thick."""
+
+    def __init__(self) -> None:
+        super().__init__(
+            translate("PlotPanel", "Force around the playhead"), (1.0, 2.0)
+        )
+        self._source: Source | None = None
+        self._feedback = ""
+        self._trail = Trail()
+        self._history: TickHistory | None = None
+
+    def set_source(self, source: Source | None) -> None:
+        """Show another clip's force."""
+        self._source, self._feedback = source, ""
+        self._trail = Trail()
+        peak = (
+            max((t.peak_n() for t in source.tracks.values()), default=0.0)
+            if (source)
+            else 0.0
+        )
+        self.set_half_range(half_range(peak, LEAST_FORCE_N))
+
+    def follow(self, media_s: float, feedback: str, history: TickHistory) -> None:
+        """Draw what lies around a media time."""
+        if feedback != self._feedback:
+            self._feedback = feedback
+            self.forget_page()
+        span_s = self.new_page(media_s)
+        if span_s:
+            self.set_lines(_PLANNED, self._planned(*span_s))
+        if history is not self._history:
+            self._history, self._trail = history, Trail()
+        self._trail.add(history.since(self._trail.last_tick_s))
+        self.set_lines(_SENT, self._trail.page())
+        self.set_playhead(media_s)
+
+    def _planned(self, first_s: float, last_s: float) -> Page:
+        source = self._source
+        track = source.tracks.get(self._feedback) if source else None
+        if source is None or track is None:
+            return EMPTY
+        return sampled(track, first_s, min(last_s, source.clip.duration_s))
+
+
+class PlotPanel(QWidget):
+    """Both plots with their titles and legends."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
+        self.acceleration = AccelerationPlot()
+        self.force = ForcePlot()
+        row = QHBoxLayout(self)
+        row.setContentsMargins(0, 0, 0, 0)
+        row.setSpacing(1)
+        row.addWidget(
+            _titled(
+                translate("PlotPanel", "Acceleration, m/s\u00b2"),
+                (
+                    translate("PlotPanel", "x right"),
+                    translate("PlotPanel", "y front"),
+                    translate("PlotPanel", "z up"),
+                ),
+                "",
+                self.acceleration,
+            ),
+            1,
+        )
+        row.addWidget(
+            _titled(
+                translate("PlotPanel", "Force, N"),
+                (
+                    translate("PlotPanel", "x right"),
+                    translate("PlotPanel", "y up"),
+                    translate("PlotPanel", "z to you"),
+                ),
+                translate("PlotPanel", "thin: planned, thick: sent"),
+                self.force,
+            ),
+            1,
+        )
+
+    def set_source(self, source: Source | None) -> None:
+        """Show another clip."""
+        self.acceleration.set_source(source)
+        self.force.set_source(source)
+
+    def follow(self, media_s: float, feedback: str, history: TickHistory) -> None:
+        """Draw what lies around a media time."""
+        self.acceleration.follow(media_s)
+        self.force.follow(media_s, feedback, history)
+
+
+def _titled(
+    title: str, axes: tuple[str, str, str], note: str, plot: PlayheadPlot
+) -> QWidget:
+    """Return a plot under a line with its title and legend."""
+    box = QWidget()
+    box.setStyleSheet(f"background: {theme.PANEL};")
+    entries = "".join(
+        f"&nbsp;&nbsp; <span style='color:{colour}'>\u25ac</span>&nbsp;{name}"
+        for name, colour in zip(axes, theme.AXIS_COLOURS, strict=True)
+    )
+    tail = f"&nbsp;&nbsp; <span style='color:{theme.DIM}'>{note}</span>" if note else ""
+    legend = QLabel(f"<b>{title}</b>{entries}{tail}")
+    legend.setFont(theme.scaled(legend.font(), 0.92))
+    legend.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+    legend.setContentsMargins(10, 6, 6, 0)
+    column = QVBoxLayout(box)
+    column.setContentsMargins(0, 0, 0, 0)
+    column.setSpacing(0)
+    column.addWidget(legend)
+    column.addWidget(plot, 1)
+    return box

@@ -1,0 +1,65 @@
+"""Push buttons for mouse, keyboard and screen reader alike."""
+
+from PySide6.QtCore import QEvent, QSize, Qt
+from PySide6.QtGui import QKeyEvent
+from PySide6.QtWidgets import QPushButton, QWidget
+
+from app.widgets.icons import icon
+
+_ICON_PX = 20
+_PRESSING = (Qt.Key.Key_Space, Qt.Key.Key_Return, Qt.Key.Key_Enter)
+
+
+class Button(QPushButton):
+    """A button whose Space and Enter press it, whatever the window's shortcuts are.
+
+    A click leaves the focus where it is, so that Space goes on to play and pause.
+    """
+
+    def __init__(self, text: str = "", parent: QWidget | None = None) -> None:
+        super().__init__(text, parent)
+        self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+        self.setAutoDefault(False)
+
+    def event(self, event: QEvent) -> bool:
+        """Keep the keys that press the focused button from the shortcuts."""
+        is_override = event.type() == QEvent.Type.ShortcutOverride
+        if is_override and isinstance(event, QKeyEvent) and event.key() in _PRESSING:
+            event.accept()
+            return True
+        return super().event(event)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Let Enter press as well."""
+        if event.key() in _PRESSING[1:]:
+            self.click()
+        else:
+            super().keyPressEvent(event)
+
+
+def text_button(text: str, tip: str, role: str = "") -> Button:
+    """Return a button with a text."""
+    button = Button(text)
+    set_role(button, role)
+    button.setToolTip(tip)
+    return button
+
+
+def tool_button(picture: str, name: str, tip: str) -> Button:
+    """Return a button with a drawing; its name is for screen readers."""
+    button = Button()
+    set_role(button, "tool")
+    button.setIcon(icon(picture))
+    button.setIconSize(QSize(_ICON_PX, _ICON_PX))
+    button.setFixedSize(QSize(_ICON_PX + 20, _ICON_PX + 14))
+    button.setAccessibleName(name)
+    button.setToolTip(tip)
+    return button
+
+
+def set_role(button: QPushButton, role: str) -> None:
+    """Choose the look of a button by the role that the style sheet knows."""
+    if button.property("role") != role:
+        button.setProperty("role", role)
+        button.style().unpolish(button)
+        button.style().polish(button)

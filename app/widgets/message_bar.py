@@ -1,0 +1,55 @@
+"""The place where the window says what went wrong."""
+
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QAccessible, QAccessibleEvent
+from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QSizePolicy
+
+from app.widgets import theme
+from app.widgets.buttons import text_button
+
+_STYLE = f"""
+MessageBar {{ background: #4a1d22; border: 0; border-bottom: 1px solid {theme.BAD}; }}
+"""
+_LONGEST = 600
+
+
+class MessageBar(QFrame):
+    """One message, until it is closed or another one comes."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setStyleSheet(_STYLE)
+        self._sign = QLabel("\u25a0")  # the same sign as "bad" in the health line
+        self._sign.setStyleSheet(f"color: {theme.BAD};")
+        self._text = QLabel()
+        self._text.setTextFormat(Qt.TextFormat.PlainText)
+        self._text.setWordWrap(True)
+        # a long path must neither widen the window nor be cut off
+        self._text.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Minimum)
+        self._text.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        self._close = text_button(self.tr("Close"), self.tr("Hide this message"))
+        self._close.clicked.connect(self.hide)
+        row = QHBoxLayout(self)
+        row.setContentsMargins(12, 6, 8, 6)
+        row.addWidget(self._sign, 0)
+        row.addWidget(self._text, 1)
+        row.addWidget(self._close, 0)
+        self.hide()
+
+    def text(self) -> str:
+        """Return what it says, "" while hidden."""
+        return "" if self.isHidden() else self._text.property("whole") or ""
+
+    def show_text(self, text: str) -> None:
+        """Say something, also to a screen reader."""
+        self._text.setProperty("whole", text)
+        shown = text if len(text) <= _LONGEST else text[: _LONGEST - 1] + "\u2026"
+        self._text.setText(breakable(shown))
+        self.setAccessibleName(text)
+        self.show()
+        QAccessible.updateAccessibility(QAccessibleEvent(self, QAccessible.Event.Alert))
+
+
+def breakable(text: str) -> str:
+    """Return the text with places where a long path may be broken."""
+    return text.replace("/", "/\u200b").replace("_", "_\u200b")

@@ -1,0 +1,124 @@
+"""Fixtures for the front end: a real window, a short clip, and nothing of the user's."""
+
+import os
+
+os.environ["QT_QPA_PLATFORM"] = "offscreen"
+
+import threading
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PySide6.QtWidgets import QApplication
+
+from app.bridge.settings import Settings
+from app.player.application import make_application
+from app.player.video_surface import SurfaceSink, VideoSurface
+from app.player.window import PlayerWindow
+from hapticplayer.capture import Recording
+from hapticplayer.clock import SystemClock
+from hapticplayer.media import probe, write_clip
+from hapticplayer.model import STANDARD_GRAVITY_MPS2, ClockMap, ImuLog
+from hapticplayer.playback.player import Player
+from hapticplayer.playback.source import open_source
+from hapticplayer.sequence.build import Choices, write_sequence
+
+RATE_HZ, CLIP_S, WIDTH, HEIGHT = 25, 2, 160, 90
+LONG_TITLE = "A ride whose title is as long as titles can be. " * 8
+PATIENCE_MS = 20_000  # for a busy machine; nothing waits that long where all is well
+
+MakeWindow = Callable[..., PlayerWindow]
+
+
+@pytest.fixture(scope="session")
+def clip(tmp_path_factory) -> Path:
+    """Two seconds that go from dark to bright, without sound."""
+    path = tmp_path_factory.mktemp("clip") / "clip.mp4"
+    levels = np.linspace(20, 235, CLIP_S * RATE_HZ).astype(np.uint8)
+    pictures = (np.full((HEIGHT, WIDTH, 3), level, np.uint8) for level in levels)
+    write_clip(path, pictures, frame_rate_hz=RATE_HZ)
+    return path
+
+
+@pytest.fixture(scope="session")
+def sequence(clip, tmp_path_factory) -> Path:
+    """The clip with a gentle shake up and down."""
+    time_s = np.arange(0.0, CLIP_S, 1 / 200)
+    force = np.zeros((len(time_s), 3))
+    force[:, 2] = STANDARD_GRAVITY_MPS2 + 3.0 * np.sin(2 * np.pi * 2.0 * time_s)
+    recording = Recording(
+        ImuLog(time_s, force, np.zeros_like(force), source="shake"),
+        ClockMap(),
+        "test camera",
+    )
+    target = tmp_path_factory.mktemp("sequences") / "shake"
+    choices = Choices(title=LONG_TITLE, seed=1)
+    return write_sequence(probe(clip), recording, target, choices=choices)
+
+
+@pytest.fixture
+def source(sequence):
+    return open_source(sequence)
+
+
+@pytest.fixture(autouse=True)
+def _own_places(tmp_path, monkeypatch) -> None:
+    """Keep settings and caches away from the user's."""
+    monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path / "config"))
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
+
+
+@pytest.fixture
+def application(qapp) -> QApplication:
+    """The application as the program sets it up."""
+    return make_application()
+
+
+@pytest.fixture
+def settings(tmp_path) -> Settings:
+    return Settings(tmp_path / "window.json")
+
+
+@pytest.fixture
+def make_window(application, qtbot, settings) -> Iterator[MakeWindow]:
+    """Make a shown window with a player of its own; closed after the test."""
+    made = []
+
+    def make(device: str = "none", **more) -> PlayerWindow:
+        surface = VideoSurface()
+        clock = SystemClock()
+        player = Player(clock, SurfaceSink(surface), device=device, audio=None, **more)
+        window = PlayerWindow(player, surface, clock, settings)
+        qtbot.addWidget(window)
+        made.append(window)
+        window.show()
+        qtbot.waitExposed(window)
+        return window
+
+    before = set(threading.enumerate())
+    yield make
+    for window in made:
+        window.close()
+    left = [t.name for t in threading.enumerate() if t not in before and t.is_alive()]
+    assert not left, f"threads were left behind: {left}"
+
+
+@pytest.fixture
+def window(make_window) -> PlayerWindow:
+    return make_window()
+
+
+@pytest.fixture
+def wait_for(qtbot) -> Callable[[Callable[[], bool]], None]:
+    """Let the event loop run until something is true."""
+    return lambda condition: qtbot.waitUntil(condition, timeout=PATIENCE_MS)
+
+
+@pytest.fixture
+def playing(window, source, wait_for) -> PlayerWindow:
+    """A window in which the clip plays, without a device."""
+    window.session.show_source(source)
+    window.player.play()
+    wait_for(lambda: window.player.media_s() > 0.1)
+    return window

@@ -1,0 +1,141 @@
+"""The command with a window, as `hapticplayer play` calls it."""
+
+import json
+import os
+import signal
+
+import pytest
+from PySide6.QtCore import QTimer
+from PySide6.QtWidgets import QApplication
+
+from app.player import application
+from app.player.window import PlayerWindow
+from hapticplayer import cli
+from hapticplayer.playback.player import Phase
+
+
+def run(*arguments) -> int:
+    return cli.main([str(argument) for argument in arguments], application.run)
+
+
+def open_windows() -> list[PlayerWindow]:
+    return [w for w in QApplication.topLevelWidgets() if isinstance(w, PlayerWindow)]
+
+
+@pytest.fixture
+def when_playing(application):
+    """Call something in the window once its clip plays."""
+    timer = QTimer()
+
+    def arrange(action) -> None:
+        def look() -> None:
+            for window in open_windows():
+                if window.player.phase is Phase.PLAYING:
+                    timer.stop()
+                    action(window)
+
+        timer.timeout.connect(look)
+        timer.start(10)
+
+    yield arrange
+    timer.stop()
+
+
+def test_a_clip_plays_to_its_end_and_writes_the_log(qapp, sequence, tmp_path):
+    log = tmp_path / "log.jsonl"
+    status = run(
+        "play",
+        sequence,
+        "--close-at-end",
+        "--log",
+        log,
+        "--start",
+        1,
+        "--duration",
+        0.5,
+    )
+    assert status == 0
+    lines = [json.loads(line) for line in log.read_text().splitlines()]
+    kinds = {line["kind"] for line in lines}
+    assert kinds >= {"header", "frame", "force", "event", "summary"}
+    shown = [line["media_s"] for line in lines if line["kind"] == "frame"]
+    assert min(shown) > 0.9
+    assert max(shown) < 1.6
+    last = [line for line in lines if line["kind"] == "force"][-1]
+    assert last["force_n"] == [0.0, 0.0, 0.0]
+    assert lines[-1]["kind"] == "summary"
+
+
+def test_a_missing_source_is_one_sentence_and_no_window(qapp, tmp_path, capsys):
+    assert run("play", tmp_path / "missing.mp4") == 1
+    told = capsys.readouterr().err
+    assert told.startswith("hapticplayer: ")
+    assert told.count("\n") == 1
+    assert not [w for w in open_windows() if w.isVisible()]
+
+
+def test_a_device_without_a_driver_is_refused(qapp, clip, capsys):
+    from hapticplayer.devices import DEVICES
+
+    if "falcon" in DEVICES:
+        pytest.skip("this version drives a Falcon")
+    assert run("play", clip, "--device", "falcon") == 1
+    assert "falcon" in capsys.readouterr().err
+
+
+def test_a_feedback_that_does_not_exist_is_wrong_usage(qapp, clip, capsys):
+    assert run("play", clip, "--feedback", "sweet", "--device", "none") == 2
+    assert "sweet" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_signals_close_in_good_order(when_playing, sequence, tmp_path, number):
+    log = tmp_path / "log.jsonl"
+    when_playing(lambda _window: os.kill(os.getpid(), number))
+    before = signal.getsignal(number)
+    assert run("play", sequence, "--device", "none", "--log", log) == 0
+    assert json.loads(log.read_text().splitlines()[-1])["kind"] == "summary"
+    assert signal.getsignal(number) is before
+
+
+def test_fullscreen_and_no_plots_from_the_command_line(when_playing, sequence):
+    seen = []
+
+    def look(window) -> None:
+        seen.append((window.isFullScreen(), window.transport.isVisible()))
+        window.fullscreen.leave()
+        seen.append((window.transport.isVisible(), window.plots.isVisible()))
+        window.close()
+
+    when_playing(look)
+    assert run("play", sequence, "--device", "none", "--fullscreen", "--no-plots") == 0
+    assert seen == [(True, False), (True, False)]
+
+
+def test_without_a_source_the_demo_is_made_and_played(
+    when_playing, monkeypatch, sequence
+):
+    steps = []
+
+    def demo_folder(progress):
+        progress(0.5, "drawing")
+        steps.append("made")
+        return sequence
+
+    monkeypatch.setattr("app.player.session.demo_folder", demo_folder)
+    when_playing(lambda window: window.close())
+    assert run() == 0
+    assert steps == ["made"]
+
+
+def test_a_damaged_clip_that_closes_at_the_end_is_a_failure(
+    qapp, clip, tmp_path, capsys
+):
+    # the index stands in front, so a clip cut off in the middle opens
+    cut = tmp_path / "cut.mp4"
+    whole = clip.read_bytes()
+    cut.write_bytes(whole[: int(0.8 * len(whole))])
+    status = run("play", cut, "--device", "none", "--close-at-end")
+    assert status in (0, 1)
+    if status:
+        assert "cut.mp4" in capsys.readouterr().err

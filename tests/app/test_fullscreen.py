@@ -1,0 +1,100 @@
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+
+from hapticplayer.playback.player import Phase
+
+
+def key(window, code) -> None:
+    QTest.keyClick(window.windowHandle(), code)
+
+
+def beside_the_surface(window) -> list:
+    return [
+        window.menuBar(),
+        window.messages,
+        window.job_bar,
+        window.plots,
+        window.transport,
+        window.health,
+    ]
+
+
+@pytest.fixture
+def full(playing, wait_for):
+    key(playing, Qt.Key.Key_F)
+    wait_for(lambda: playing.geometry() == playing.screen().geometry())
+    return playing
+
+
+def test_fullscreen_shows_the_clip_and_nothing_else(full):
+    assert full.isFullScreen()
+    assert [w for w in beside_the_surface(full) if w.isVisible()] == []
+    assert full.surface.isVisible()
+
+
+def test_the_surface_fills_the_screen(full, wait_for):
+    wait_for(lambda: full.surface.size() == full.screen().geometry().size())
+
+
+def test_the_clip_goes_on(full, wait_for):
+    shown = full.player.snapshot().frames_shown
+    wait_for(lambda: full.player.snapshot().frames_shown > shown)
+
+
+def test_leaving_brings_everything_back(playing, wait_for):
+    before = playing.geometry()
+    shown = [w for w in beside_the_surface(playing) if w.isVisible()]
+    key(playing, Qt.Key.Key_F11)
+    assert playing.fullscreen.is_on
+    key(playing, Qt.Key.Key_F)
+    wait_for(lambda: playing.geometry() == before)
+    assert not playing.isFullScreen()
+    assert [w for w in beside_the_surface(playing) if w.isVisible()] == shown
+
+
+def test_escape_leaves_fullscreen_and_pauses(full, wait_for):
+    key(full, Qt.Key.Key_Escape)
+    assert not full.isFullScreen()
+    assert full.player.phase is Phase.PAUSED
+
+
+def test_a_double_click_toggles(playing, qtbot):
+    qtbot.mouseDClick(playing.surface, Qt.MouseButton.LeftButton)
+    assert playing.isFullScreen()
+    qtbot.mouseDClick(playing.surface, Qt.MouseButton.LeftButton)
+    assert not playing.isFullScreen()
+
+
+def test_the_cursor_goes_and_comes_back_with_the_pointer(full, wait_for):
+    surface = full.surface
+    wait_for(lambda: surface.cursor().shape() == Qt.CursorShape.BlankCursor)
+    surface.pointer_moved.emit()
+    assert surface.cursor().shape() != Qt.CursorShape.BlankCursor
+
+
+def test_an_error_leaves_fullscreen(full):
+    full.show_message("something to read")
+    assert not full.isFullScreen()
+    assert full.messages.isVisible()
+
+
+def test_plots_switched_off_in_fullscreen_stay_off(full):
+    key(full, Qt.Key.Key_P)
+    assert not full.plots.isVisible()
+    key(full, Qt.Key.Key_F)
+    assert not full.plots.isVisible()
+
+
+def test_a_job_does_not_show_in_fullscreen(full, wait_for):
+    steps = []
+
+    def work(progress):
+        while not steps:
+            progress(0.5, "working")
+
+    full.session.jobs.run("A job", work, lambda _: None)
+    wait_for(lambda: full.session.jobs.state().fraction == 0.5)
+    assert not full.job_bar.isVisible()
+    steps.append("enough")
+    wait_for(lambda: not full.session.jobs.is_busy)

@@ -1,0 +1,96 @@
+import dataclasses
+
+import pytest
+
+from app.player.health import Level, readings
+from app.player.health_line import HealthLine
+from hapticplayer.haptics.step import Cause, Mode
+from hapticplayer.model import LoopStats, SyncStats
+from hapticplayer.playback.player import Phase, Snapshot
+
+GOOD = Snapshot(
+    phase=Phase.PLAYING,
+    media_s=1.0,
+    duration_s=10.0,
+    feedback="realistic",
+    clock="audio",
+    audio="default",
+    device="simulated",
+    device_health="ready",
+    scheduling="fifo",
+    mode=Mode.FOLLOWING,
+    cause=Cause.NONE,
+    loop=LoopStats(10_000, 0, 20.0, 53.0, 200.0, 900.0),
+    force_minus_video=SyncStats(100, -1.0, -0.25, 0.5),
+    force_minus_audio=SyncStats(100, 0.0, 0.2, 0.4),
+    frames_shown=300,
+    frames_dropped=0,
+    problem="",
+)
+
+
+def shown(**changes) -> list[tuple[Level, str]]:
+    return [tuple(r) for r in readings(dataclasses.replace(GOOD, **changes))]
+
+
+def test_all_is_well():
+    assert shown() == [
+        (Level.GOOD, "Simulated, active"),
+        (Level.GOOD, "FIFO"),
+        (Level.GOOD, "53 \u00b5s, 0 missed"),
+        (Level.GOOD, "\u22120.2 ms"),
+        (Level.GOOD, "+0.2 ms"),
+        (Level.GOOD, "300 shown, 0 dropped"),
+        (Level.GOOD, "audio"),
+    ]
+
+
+@pytest.mark.parametrize(
+    ("changes", "entry", "level", "words"),
+    [
+        ({"mode": Mode.TRIPPED, "cause": Cause.STOPPED}, 0, Level.BAD, "STOPPED"),
+        (
+            {"mode": Mode.TRIPPED, "cause": Cause.HEARTBEAT_LOST},
+            0,
+            Level.BAD,
+            "the window hung",
+        ),
+        ({"device_health": "gone"}, 0, Level.BAD, "gone"),
+        ({"device_health": "starting"}, 0, Level.WATCH, "starting"),
+        ({"device": "none", "device_health": ""}, 0, Level.NEUTRAL, "none"),
+        ({"scheduling": "normal"}, 1, Level.WATCH, "normal"),
+        ({"scheduling": ""}, 1, Level.NEUTRAL, "\u2013"),
+        ({"loop": LoopStats(10_000, 0, 20, 900, 2e3, 5e3)}, 2, Level.WATCH, "900"),
+        ({"loop": LoopStats(10_000, 500, 20, 90, 2e3, 5e3)}, 2, Level.BAD, "500 miss"),
+        ({"force_minus_video": None}, 3, Level.NEUTRAL, "\u2013"),
+        ({"force_minus_video": SyncStats(9, 20, 25, 30)}, 3, Level.BAD, "+25.0 ms"),
+        ({"frames_dropped": 30}, 5, Level.BAD, "30 dropped"),
+        ({"clock": "monotonic"}, 6, Level.NEUTRAL, "monotonic"),
+    ],
+)
+def test_what_is_not_well_is_said(changes, entry, level, words):
+    found_level, text = shown(**changes)[entry]
+    assert found_level is level
+    assert words in text
+
+
+def test_the_line_tells_the_judgement_in_words(qtbot):
+    line = HealthLine()
+    qtbot.addWidget(line)
+    line.show_snapshot(dataclasses.replace(GOOD, scheduling="normal"))
+    assert line.entries[1].accessibleName() == "Scheduling: normal (watch)"
+    assert line.entries[1].toolTip().startswith("Scheduling: normal (watch)")
+
+
+def test_entries_keep_their_width_when_the_values_change(qtbot):
+    line = HealthLine()
+    qtbot.addWidget(line)
+    line.resize(1000, 44)
+    line.show()
+    qtbot.waitExposed(line)
+    line.show_snapshot(GOOD)
+    before = [entry.geometry() for entry in line.entries]
+    loop = LoopStats(10_000, 9999, 1e4, 1e6, 1e6, 1e6)
+    line.show_snapshot(dataclasses.replace(GOOD, loop=loop, frames_shown=10**9))
+    line.layout().activate()
+    assert [entry.geometry() for entry in line.entries] == before

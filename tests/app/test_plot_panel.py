@@ -1,0 +1,81 @@
+import dataclasses
+
+import numpy as np
+import pytest
+
+from app.plots.panel import PlotPanel
+from app.plots.playhead_plot import clock_text
+from hapticplayer.playback.meters import TickHistory
+
+
+@pytest.fixture
+def panel(qtbot, application) -> PlotPanel:
+    made = PlotPanel()
+    qtbot.addWidget(made)
+    made.resize(900, 180)
+    made.show()
+    qtbot.waitExposed(made)
+    return made
+
+
+def curves(plot, group: int = 0) -> list:
+    return plot._groups[group]
+
+
+def test_the_acceleration_is_the_motion_of_the_source(panel, source):
+    panel.set_source(source)
+    panel.follow(1.0, source.feedback, TickHistory())
+    time_s, up = curves(panel.acceleration)[2].getData()
+    motion = source.motion
+    assert len(time_s) == len(motion.time_s)
+    assert np.allclose(up, motion.acceleration_mps2[:, 2])
+
+
+def test_the_planned_force_follows_the_feedback(panel, source):
+    panel.set_source(source)
+    panel.follow(1.0, "realistic", TickHistory())
+    _, up = curves(panel.force)[1].getData()
+    assert np.abs(up).max() > 0.5
+    panel.follow(1.0, "none", TickHistory())
+    _, up = curves(panel.force)[1].getData()
+    assert not up.any()
+
+
+def test_the_planned_force_ends_with_the_clip(panel, source):
+    panel.set_source(source)
+    panel.follow(1.0, "realistic", TickHistory())
+    time_s, _ = curves(panel.force)[0].getData()
+    assert time_s[-1] <= source.clip.duration_s + 0.01
+
+
+def test_the_playhead_stays_in_the_middle(panel, source):
+    panel.set_source(source)
+    for media_s in (0.0, 0.7, 1.9):
+        panel.follow(media_s, "realistic", TickHistory())
+        left, right = panel.force._view.viewRange()[0]
+        assert (left + right) / 2 == pytest.approx(media_s)
+
+
+def test_a_page_is_drawn_once_and_then_only_moved(panel, source, monkeypatch):
+    panel.set_source(source)
+    panel.follow(0.5, "realistic", TickHistory())
+    drawn = []
+    monkeypatch.setattr(panel.acceleration, "set_lines", lambda *_: drawn.append(1))
+    for step in range(10):
+        panel.follow(0.5 + 0.1 * step, "realistic", TickHistory())
+    assert not drawn
+
+
+def test_a_clip_without_motion_says_so(panel, source):
+    panel.set_source(dataclasses.replace(source, motion=None))
+    panel.follow(0.0, "realistic", TickHistory())
+    assert "no motion" in panel.acceleration._notice
+    panel.set_source(source)
+    assert not panel.acceleration._notice
+
+
+@pytest.mark.parametrize(
+    ("media_s", "text"), [(0, "0:00"), (65, "1:05"), (3725, "1:02:05")]
+)
+def test_times_under_the_plots(media_s, text):
+    assert clock_text(media_s) == text

@@ -1,0 +1,129 @@
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from PySide6.QtGui import QImage
+
+from app.player.letterbox import letterbox
+from app.player.video_surface import VideoSurface
+from hapticplayer.media import Picture
+
+SIDES = st.integers(2, 8000)
+
+
+@given(st.tuples(SIDES, SIDES), st.tuples(SIDES, SIDES))
+def test_the_picture_lies_in_the_middle_of_the_area(picture, area):
+    x, y, width, height = letterbox(picture, area)
+    assert x >= 0
+    assert y >= 0
+    assert x + width <= area[0]
+    assert y + height <= area[1]
+    assert abs((area[0] - width) - 2 * x) <= 1
+    assert abs((area[1] - height) - 2 * y) <= 1
+    assert width % 2 == 0
+
+
+@given(st.tuples(SIDES, SIDES), st.tuples(SIDES, SIDES))
+def test_the_picture_touches_two_sides_and_keeps_its_shape(picture, area):
+    _, _, width, height = letterbox(picture, area)
+    assert width >= area[0] - 1 or height >= area[1]
+    # rounding to whole, even pixels and filling bars of one pixel: 3 px at most
+    wide, high = picture
+    exact = min(area[0] / wide, area[1] / high)
+    assert abs(width - exact * wide) <= 3
+    assert abs(height - exact * high) <= 3
+
+
+@pytest.mark.parametrize(
+    ("picture", "area", "box"),
+    [
+        ((1280, 720), (1280, 720), (0, 0, 1280, 720)),
+        ((1280, 720), (1366, 768), (0, 0, 1366, 768)),
+        ((640, 480), (1920, 1080), (240, 0, 1440, 1080)),
+        ((720, 1280), (1920, 1080), (656, 0, 608, 1080)),
+    ],
+)
+def test_letterboxes_of_common_screens(picture, area, box):
+    assert letterbox(picture, area) == box
+
+
+def noise(width: int, height: int, seed: int = 1) -> tuple[Picture, np.ndarray]:
+    """A picture with padded rows, and its RGB."""
+    stride = 4 * width + 32
+    rows = np.zeros((height, stride), np.uint8)
+    rgb = np.random.default_rng(seed).integers(0, 256, (height, width, 3), np.uint8)
+    pixels = np.dstack([rgb[:, :, ::-1], np.full((height, width), 255, np.uint8)])
+    rows[:, : 4 * width] = pixels.reshape(height, -1)
+    flat = rows.reshape(-1)
+    return Picture(0.0, width, height, stride, flat.data, flat), rgb
+
+
+def grabbed(surface: VideoSurface) -> np.ndarray:
+    image = surface.grab().toImage().convertToFormat(QImage.Format.Format_RGB32)
+    rows = np.frombuffer(image.constBits(), np.uint8)
+    rows = rows.reshape(image.height(), image.bytesPerLine())[:, : 4 * image.width()]
+    return rows.reshape(image.height(), image.width(), 4)[:, :, 2::-1].copy()
+
+
+@pytest.fixture
+def surface(qtbot) -> VideoSurface:
+    made = VideoSurface()
+    qtbot.addWidget(made)
+    made.resize(400, 200)
+    made.set_clip_size(160, 90)
+    made.show()
+    qtbot.waitExposed(made)
+    return made
+
+
+def test_a_picture_of_the_target_size_is_painted_pixel_by_pixel(surface):
+    box = surface.target
+    picture, rgb = noise(box.width, box.height)
+    surface.present(picture)
+    shown = grabbed(surface)
+    inside = shown[box.y : box.y + box.height, box.x : box.x + box.width]
+    assert np.array_equal(inside, rgb)
+
+
+def test_the_bars_are_black(surface):
+    box = surface.target
+    picture, _ = noise(box.width, box.height)
+    surface.present(picture)
+    shown = grabbed(surface)
+    assert box.x > 0
+    assert not shown[:, : box.x].any()
+    assert not shown[:, box.x + box.width :].any()
+
+
+def test_a_picture_of_another_size_fills_the_same_target(surface):
+    box = surface.target
+    flat = np.full((45, 80, 4), 255, np.uint8).reshape(-1)
+    surface.present(Picture(0.0, 80, 45, 320, flat.data, flat))
+    shown = grabbed(surface)
+    inside = shown[box.y : box.y + box.height, box.x : box.x + box.width]
+    assert (inside == 255).all()
+
+
+def test_the_target_follows_the_size(surface, qtbot):
+    with qtbot.waitSignal(surface.target_changed) as told:
+        surface.resize(320, 180)
+    ratio = surface.devicePixelRatioF()
+    assert told.args == [320 * ratio, 180 * ratio]
+    assert surface.target == (0, 0, 320 * ratio, 180 * ratio)
+
+
+def test_the_surface_is_black_without_a_picture(surface):
+    picture, _ = noise(surface.target.width, surface.target.height)
+    surface.present(picture)
+    surface.clear()
+    assert not grabbed(surface).any()
+
+
+def test_a_hidden_surface_keeps_the_picture_and_paints_nothing(surface, monkeypatch):
+    painted = []
+    surface.hide()
+    monkeypatch.setattr(surface, "repaint", lambda *_: painted.append(1))
+    picture, _ = noise(surface.target.width, surface.target.height)
+    surface.present(picture)
+    assert not painted
+    assert surface.has_picture_of_target_size

@@ -1,0 +1,150 @@
+import pytest
+from PySide6.QtCore import QPoint, Qt
+
+from app.bridge.jobs import JobState
+from app.player.times import position_text, time_text
+from app.widgets import theme
+from app.widgets.buttons import text_button
+from app.widgets.icons import FOLDER, icon
+from app.widgets.job_bar import JobBar
+from app.widgets.labels import ElidedLabel
+from app.widgets.message_bar import MessageBar
+from app.widgets.seek_slider import SeekSlider
+
+
+@pytest.fixture
+def slider(qtbot) -> SeekSlider:
+    made = SeekSlider()
+    qtbot.addWidget(made)
+    made.resize(400, 26)
+    made.set_duration(60.0)
+    made.show()
+    qtbot.waitExposed(made)
+    return made
+
+
+def test_a_drag_scrubs_and_the_clip_does_not_pull_at_the_handle(slider, qtbot):
+    sought = []
+    slider.sought.connect(sought.append)
+    qtbot.mousePress(slider, Qt.MouseButton.LeftButton, pos=QPoint(100, 13))
+    qtbot.mouseMove(slider, QPoint(200, 13))
+    slider.follow(1.0)
+    assert slider.value() == pytest.approx(30_000, abs=200)
+    qtbot.mouseRelease(slider, Qt.MouseButton.LeftButton, pos=QPoint(200, 13))
+    assert sought[-1] == pytest.approx(30.0, abs=0.2)
+    slider.follow(1.0)
+    assert slider.value() == 1000
+
+
+def test_following_the_clip_seeks_nothing(slider, qtbot):
+    with qtbot.assertNotEmitted(slider.sought):
+        slider.follow(20.0)
+
+
+def test_the_keys_step(slider, qtbot):
+    slider.follow(20.0)
+    with qtbot.waitSignal(slider.sought) as told:
+        qtbot.keyClick(slider, Qt.Key.Key_PageUp)
+    assert told.args == [30.0]
+
+
+def test_a_slider_without_a_clip_does_nothing(slider, qtbot):
+    slider.set_duration(0.0)
+    with qtbot.assertNotEmitted(slider.sought):
+        qtbot.mouseClick(slider, Qt.MouseButton.LeftButton, pos=QPoint(200, 13))
+
+
+@pytest.mark.parametrize(
+    ("media_s", "text"),
+    [(0.0, "00:00.0"), (9.99, "00:09.9"), (65.35, "01:05.3"), (3599.95, "59:59.9")],
+)
+def test_times_are_rounded_down(media_s, text):
+    assert time_text(media_s) == text
+
+
+def test_a_long_clip_has_hours_on_both_sides():
+    assert position_text(65.0, 7325.0) == "0:01:05.0 / 2:02:05.0"
+
+
+def test_a_long_label_asks_for_no_room(qtbot):
+    label = ElidedLabel("x" * 500)
+    qtbot.addWidget(label)
+    assert label.minimumSizeHint().width() == 0
+    assert label.sizeHint().width() > 1000
+
+
+def test_a_message_breaks_a_long_path_into_lines(qtbot):
+    bar = MessageBar()
+    qtbot.addWidget(bar)
+    text = "/a/very/long/path" * 30 + ": is broken"
+    bar.show_text(text)
+    assert bar.text() == text
+    assert bar.minimumSizeHint().width() < 400
+    bar._close.click()
+    assert bar.text() == ""
+
+
+def test_a_job_that_is_done_at_once_shows_no_bar(qtbot):
+    bar = JobBar()
+    qtbot.addWidget(bar)
+    bar.show_state(JobState("Opening", 0.0, ""), 10.0)
+    assert bar.isHidden()
+    bar.show_state(None, 10.1)
+    assert bar.isHidden()
+
+
+def test_a_long_job_shows_its_step_and_can_be_cancelled(qtbot):
+    bar = JobBar()
+    qtbot.addWidget(bar)
+    bar.show_state(JobState("Import", 0.0, ""), 10.0)
+    bar.show_state(JobState("Import", 0.5, "copying the clip"), 11.0)
+    assert not bar.isHidden()
+    assert bar._label.text() == "Import: copying the clip"
+    with qtbot.waitSignal(bar.cancelled):
+        bar._cancel.click()
+    assert not bar._cancel.isEnabled()
+    bar.show_state(None, 12.0)
+    assert bar.isHidden()
+    assert bar._cancel.isEnabled()
+
+
+def test_enter_presses_a_focused_button(qtbot):
+    button = text_button("Go", "")
+    qtbot.addWidget(button)
+    button.show()
+    with qtbot.waitSignal(button.clicked):
+        qtbot.keyClick(button, Qt.Key.Key_Return)
+
+
+@pytest.mark.parametrize("name", sorted(path.stem for path in FOLDER.glob("*.svg")))
+def test_every_drawing_loads(qapp, name):
+    assert not icon(name).pixmap(24, 24).toImage().isNull()
+    assert icon(name).pixmap(24, 24).toImage().pixelColor(12, 12).isValid()
+
+
+def luminance(colour: str) -> float:
+    parts = [int(colour[k : k + 2], 16) / 255 for k in (1, 3, 5)]
+    linear = [
+        p / 12.92 if p <= 0.04045 else ((p + 0.055) / 1.055) ** 2.4 for p in parts
+    ]
+    return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
+
+
+@pytest.mark.parametrize(
+    ("text", "ground", "least"),
+    [
+        (theme.TEXT, theme.RAISED, 4.5),
+        (theme.DIM, theme.PANEL, 4.5),
+        ("#ffffff", theme.STOP, 4.5),
+        ("#ffffff", "#8a5a00", 4.5),
+        (theme.GOOD, theme.PANEL, 4.5),
+        (theme.WARN, theme.PANEL, 4.5),
+        (theme.BAD, theme.PANEL, 4.5),
+        (theme.FOCUS, theme.PANEL, 3.0),
+        *((colour, theme.PANEL, 3.0) for colour in theme.AXIS_COLOURS),
+    ],
+)
+def test_contrast_is_enough_to_read(text, ground, least):
+    # WCAG 2.2, success criteria 1.4.3 (text) and 1.4.11 (lines and focus)
+    light, dark = sorted((luminance(text), luminance(ground)), reverse=True)
+    assert (light + 0.05) / (dark + 0.05) >= least

@@ -1,0 +1,244 @@
+"""The real window with a real player; a device only where force matters."""
+
+import os
+
+import pytest
+from PySide6.QtCore import QMimeData, QPointF, Qt, QTimer, QUrl
+from PySide6.QtGui import QDropEvent
+from PySide6.QtTest import QTest
+
+from app.player.import_dialog import ImportDialog
+from hapticplayer.haptics.step import Mode
+from hapticplayer.playback.player import Phase
+
+
+def key(window, code, modifier=Qt.KeyboardModifier.NoModifier) -> None:
+    """Press a key as the window system would."""
+    QTest.keyClick(window.windowHandle(), code, modifier)
+
+
+def test_nothing_is_open_at_first(window):
+    assert window.stage.currentWidget() is window.empty_page
+    assert window.player.phase is Phase.EMPTY
+    assert not window.transport.play.isEnabled()
+    assert not window.commands.fullscreen.isEnabled()
+    assert window.windowTitle() == "hapticplayer"
+
+
+def test_a_sequence_that_is_opened_plays(window, sequence, wait_for):
+    window.session.open_path(sequence)
+    wait_for(lambda: window.player.snapshot().frames_shown > 3)
+    assert window.stage.currentWidget() is window.surface
+    assert window.player.phase is Phase.PLAYING
+    assert window.transport.feedback.currentData() == "realistic"
+    assert not window.surface.grab().toImage().isNull()
+
+
+def test_a_video_that_is_dropped_plays_without_force(window, clip, wait_for):
+    content = QMimeData()
+    content.setUrls([QUrl.fromLocalFile(str(clip))])
+    window.dropEvent(
+        QDropEvent(
+            QPointF(9, 9),
+            Qt.DropAction.CopyAction,
+            content,
+            Qt.MouseButton.LeftButton,
+            Qt.KeyboardModifier.NoModifier,
+        )
+    )
+    wait_for(lambda: window.player.phase is Phase.PLAYING)
+    assert window.transport.feedback.currentData() == "none"
+
+
+def test_pictures_are_decoded_at_the_size_of_the_surface(playing, wait_for):
+    surface = playing.surface
+    wait_for(lambda: surface._picture is not None)
+    wait_for(lambda: surface.has_picture_of_target_size)
+
+
+def test_space_pauses_and_plays(playing, wait_for):
+    key(playing, Qt.Key.Key_Space)
+    wait_for(lambda: playing.player.phase is Phase.PAUSED)
+    wait_for(lambda: playing.transport.play.accessibleName() == "Play")
+    key(playing, Qt.Key.Key_Space)
+    wait_for(lambda: playing.player.phase is Phase.PLAYING)
+    wait_for(lambda: playing.transport.play.accessibleName() == "Pause")
+
+
+def test_the_arrows_and_home_and_end_seek(playing, wait_for):
+    playing.player.pause()
+    key(playing, Qt.Key.Key_End)
+    assert playing.player.media_s() == playing.player.source.clip.duration_s
+    key(playing, Qt.Key.Key_Left)
+    assert playing.player.media_s() == 0.0  # the clip is shorter than a step
+    key(playing, Qt.Key.Key_Right)
+    assert playing.player.media_s() == playing.player.source.clip.duration_s
+    key(playing, Qt.Key.Key_Home)
+    assert playing.player.media_s() == 0.0
+    wait_for(lambda: playing.transport.slider.value() == 0)
+
+
+def test_a_click_on_the_slider_jumps_there(playing, wait_for, qtbot):
+    playing.player.pause()
+    slider = playing.transport.slider
+    middle = slider.rect().center()
+    qtbot.mouseClick(slider, Qt.MouseButton.LeftButton, pos=middle)
+    half_s = playing.player.source.clip.duration_s / 2
+    assert playing.player.media_s() == pytest.approx(half_s, abs=0.02)
+
+
+def test_the_slider_and_the_time_follow_the_clip(playing, wait_for):
+    wait_for(lambda: playing.transport.slider.value() > 300)
+    assert playing.transport.time.text().startswith("00:0")
+    assert playing.transport.time.text().endswith("/ 00:02.0")
+
+
+def test_the_clip_ends_and_can_be_played_again(playing, wait_for):
+    wait_for(lambda: playing.player.phase is Phase.ENDED)
+    wait_for(lambda: playing.transport.play.accessibleName() == "Play")
+    playing.transport.play.click()
+    wait_for(lambda: playing.player.phase is Phase.PLAYING)
+    assert playing.player.media_s() < playing.player.source.clip.duration_s
+
+
+def test_a_missing_file_is_told_and_what_was_open_stays(playing, wait_for, tmp_path):
+    before = playing.player.source
+    playing.session.open_path(tmp_path / "missing.mp4")
+    wait_for(lambda: "missing.mp4" in playing.messages.text())
+    assert playing.player.source is before
+    assert playing.player.phase in (Phase.PLAYING, Phase.ENDED)
+
+
+def test_a_broken_file_is_told_and_the_next_good_one_clears_it(
+    window, sequence, wait_for, tmp_path
+):
+    broken = tmp_path / "broken.mp4"
+    broken.write_bytes(b"no video at all" * 100)
+    window.session.open_path(broken)
+    wait_for(lambda: "broken.mp4" in window.messages.text())
+    assert window.stage.currentWidget() is window.empty_page
+    window.session.open_path(sequence)
+    wait_for(lambda: window.player.phase is Phase.PLAYING)
+    assert not window.messages.text()
+
+
+def test_a_long_name_does_not_widen_the_window(playing, wait_for, tmp_path):
+    wide = playing.width()
+    playing.session.open_path(tmp_path / ("very-long-" * 20) / "name.mp4")
+    wait_for(playing.messages.isVisible)
+    assert playing.minimumSizeHint().width() < 780
+    assert playing.width() == wide
+    assert len(playing.windowTitle()) < 150
+
+
+def test_a_fault_in_a_slot_halts_and_is_told(playing, capsys):
+    playing.session.gateway.report(ValueError("a fault of ours"))
+    assert playing.player.phase is Phase.PAUSED
+    assert "a fault of ours" in playing.messages.text()
+    assert "ValueError" in capsys.readouterr().err
+
+
+def test_the_plots_hide_and_show(playing, wait_for):
+    wait_for(lambda: playing.plots.panel is not None)
+    key(playing, Qt.Key.Key_P)
+    assert playing.plots.isHidden()
+    assert not playing.commands.plots.isChecked()
+    key(playing, Qt.Key.Key_P)
+    assert playing.plots.isVisible()
+
+
+def test_every_control_has_a_name_and_a_tooltip(playing):
+    transport = playing.transport
+    for control in (
+        transport.play,
+        transport.stop,
+        transport.slider,
+        transport.feedback,
+        transport.device,
+        transport.fullscreen,
+    ):
+        assert control.accessibleName(), control
+        assert control.toolTip(), control
+        assert control.focusPolicy() & Qt.FocusPolicy.TabFocus, control
+
+
+def test_space_on_a_focused_button_presses_it(playing, wait_for):
+    playing.activateWindow()
+    playing.transport.stop.setFocus(Qt.FocusReason.TabFocusReason)
+    QTest.keyClick(playing.transport.stop, Qt.Key.Key_Space)
+    wait_for(lambda: playing.player.phase is Phase.PAUSED)
+
+
+def test_the_device_that_has_no_driver_is_refused_with_its_reason(window):
+    combo = window.transport.device
+    row = combo.findData("falcon")
+    if combo.model().item(row).isEnabled():
+        pytest.skip("this version drives a Falcon")
+    tip = combo.itemData(row, Qt.ItemDataRole.ToolTipRole)
+    assert "driver" in tip
+
+
+def test_stop_trips_and_rearm_lets_the_force_back(make_window, source, wait_for):
+    window = make_window("simulated")
+    window.session.show_source(source)
+    window.player.play()
+    history = window.player.link.history
+    wait_for(lambda: window.player.snapshot().mode is Mode.FOLLOWING)
+    window.transport.stop.click()
+    wait_for(lambda: window.session.is_stopped)
+    wait_for(lambda: window.transport.stop.text() == "Re-arm")
+    assert window.player.phase is Phase.PAUSED
+    assert not history.latest()["force_n"].any()
+    wait_for(lambda: "STOPPED" in window.health.entries[0].text())
+    window.transport.stop.click()
+    wait_for(lambda: not window.session.is_stopped)
+    wait_for(lambda: window.transport.stop.text() == "STOP")
+    window.player.seek(0.0)
+    window.player.play()
+    wait_for(lambda: window.player.snapshot().mode is Mode.FOLLOWING)
+
+
+def test_escape_stops_also_while_a_dialog_is_open(make_window, source, wait_for):
+    window = make_window("simulated")
+    window.session.show_source(source)
+    window.dialogs.import_recording()
+    dialog = window.findChild(ImportDialog)
+    wait_for(lambda: window.player.link.history.latest() is not None)
+    key(dialog, Qt.Key.Key_Escape)
+    wait_for(lambda: window.session.is_stopped)
+    assert dialog.isHidden()
+
+
+def test_changing_feedback_and_device_while_it_plays(make_window, source, wait_for):
+    window = make_window("simulated")
+    window.session.show_source(source)
+    window.player.play()
+    wait_for(lambda: window.player.snapshot().mode is Mode.FOLLOWING)
+    window.transport.feedback_chosen.emit("none")
+    assert window.player.feedback == "none"
+    first = window.player.link.pid
+    window.transport.device_chosen.emit("none")
+    assert window.player.link.pid is None
+    with pytest.raises(ProcessLookupError):
+        os.kill(first, 0)
+    wait_for(lambda: window.health.entries[0].text() == "none")
+
+
+def test_closing_leaves_nothing_running(make_window, source, wait_for):
+    window = make_window("simulated")
+    window.session.show_source(source)
+    window.player.play()
+    wait_for(lambda: window.player.snapshot().mode is Mode.FOLLOWING)
+    process = window.player.link.pid
+    window.close()
+    with pytest.raises(ProcessLookupError):
+        os.kill(process, 0)
+    assert not [t for t in window.findChildren(QTimer) if t.isActive()]
+
+
+def test_the_window_remembers_its_size(make_window, settings):
+    first = make_window()
+    first.resize(780, 640)  # fits the screen of the offscreen platform
+    first.close()
+    assert settings.text("geometry")
+    assert make_window().size() == first.size()
