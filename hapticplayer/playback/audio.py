@@ -18,6 +18,7 @@ from hapticplayer.playback.clock import AudioReport
 RATE_HZ = 48_000
 CHANNELS = 2
 LATENCY_S = 0.120
+MAX_AHEAD_S = 1.0
 CAPACITY_S = 2.0
 HISTORY_S = 0.5  # kept behind the reader, for a pause that was heard late
 
@@ -195,6 +196,7 @@ class SoundDeviceOut:
         # PortAudio's own clock is CLOCK_REALTIME on Linux, which a time server may
         # move: only the difference within one callback is used
         ahead_s = time_info.outputBufferDacTime - time_info.currentTime
+        ahead_s = min(max(ahead_s, 0.0), MAX_AHEAD_S)  # some drivers say nonsense
         self._ring.render(out, now_s + ahead_s)
         self.callback_errors += bool(status)
 

@@ -6,7 +6,6 @@ process of their own. A front end that stops polling stops the heartbeat, and th
 force with it.
 """
 
-import contextlib
 import enum
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -159,9 +158,7 @@ class Player:
         self._link.load(source.tracks)
         self._video_feeder = VideoFeeder(source.clip.path)
         self._video_feeder.set_size(*self._size_px)
-        if source.clip.has_audio and self._make_audio is not None:
-            with contextlib.suppress(OSError):
-                self._audio = self._make_audio(self._ring, self._clock)
+        self._audio = self._open_audio() if source.clip.has_audio else None
         if self._audio is not None:
             self._audio_feeder = AudioFeeder(source.clip.path, self._ring)
         self.phase = Phase.PAUSED
@@ -169,6 +166,15 @@ class Player:
         for feeder in (self._video_feeder, self._audio_feeder):
             if feeder is not None:
                 feeder.start()
+
+    def _open_audio(self) -> AudioOut | None:
+        if self._make_audio is None:
+            return None
+        try:
+            return self._make_audio(self._ring, self._clock)
+        except OSError as problem:
+            self._event("no_sound_output", reason=str(problem))
+            return None
 
     def unload(self) -> None:
         """Stop playing and forget the source."""
