@@ -22,6 +22,9 @@ class Clock(Protocol):
         ...
 
 
+WAKE_UP_S = 15e-6
+
+
 class SystemClock:
     """CLOCK_MONOTONIC of this machine, shared by all its processes."""
 
@@ -29,10 +32,16 @@ class SystemClock:
 
     @staticmethod
     def sleep_until(deadline_s: float) -> None:
-        """Sleep with clock_nanosleep (20 us median wake-up with FIFO)."""
+        """Sleep with clock_nanosleep, and spin for what waking up takes at least.
+
+        Kernel and interpreter take 20 to 26 us to come back (measured with FIFO);
+        asking for 15 us less and spinning when it was quicker halves the lateness.
+        """
         remaining_s = deadline_s - time.monotonic()
-        if remaining_s > 0.0:
-            time.sleep(remaining_s)
+        if remaining_s > WAKE_UP_S:
+            time.sleep(remaining_s - WAKE_UP_S)
+        while time.monotonic() < deadline_s:
+            pass
 
 
 class ManualClock:

@@ -74,6 +74,8 @@ class HapticsProcess:
                 command,
                 pass_fds=(descriptor, theirs.fileno()),
                 stdin=subprocess.DEVNULL,
+                # the loop needs no algebra, and threads of it would be locked memory
+                env={**os.environ, "OPENBLAS_NUM_THREADS": "1"},
             )
         except OSError as problem:
             raise HapticsError(
