@@ -26,6 +26,9 @@ def has_display() -> bool:
 
 
 def _open_window(options: argparse.Namespace) -> int:
+    from app.bridge.interrupts import hold_signals
+
+    hold_signals()
     try:
         from app.player import application
     except ImportError as problem:

@@ -15,6 +15,7 @@ from hapticplayer import __version__
 from hapticplayer.clock import SystemClock
 from hapticplayer.devices import DEVICES
 from hapticplayer.errors import Cancelled, UsageError
+from hapticplayer.haptics.limiter import Limits
 from hapticplayer.haptics.scheduling import Scheduling
 from hapticplayer.model import Mapping
 from hapticplayer.playback import headless
@@ -32,6 +33,7 @@ def play(options: argparse.Namespace) -> int:
     source = open_source(options.source, options.force)
     feedback = choose_feedback(source, options.feedback)
     end_s = until_s(options, source)
+    advise(source, feedback)
     clock = SystemClock()
     player = Player(clock, device=options.device, scheduling=wanted_scheduling(options))
     try:
@@ -45,15 +47,28 @@ def play(options: argparse.Namespace) -> int:
                 start_s=options.start,
                 until_s=end_s,
             )
-        problem = player.problem
+        problem = player.problem or player.link.problem
     finally:
         player.close()
     report = player.summary()
     say(json.dumps(report) if options.json else _summary_text(source, feedback, report))
+    for sentence in player.told:
+        if sentence != problem:
+            say_aside(sentence)
+    problem = problem or (player.log_problem if options.log else "")
     if problem:
         complain(problem)
         return 1
     return 0
+
+
+def advise(source: Source, feedback: str) -> None:
+    """Say on stderr what a user of this source may not expect."""
+    track = source.tracks[feedback]
+    if track.peak_n() > Limits().force_cap_n:
+        say_aside(f"forces above {Limits().force_cap_n} N are capped")
+    if source.clip.has_telemetry and source.motion is None and feedback == "none":
+        say_aside("the clip holds motion: import it to feel it")
 
 
 def wanted_scheduling(options: argparse.Namespace) -> Scheduling | None:
@@ -204,6 +219,11 @@ def shown_progress() -> Iterator[Any]:
 def say(text: str) -> None:
     """Print a result."""
     sys.stdout.write(text + "\n")
+
+
+def say_aside(text: str) -> None:
+    """Print a remark that is no result."""
+    sys.stderr.write(f"note: {text}\n")
 
 
 def complain(text: str) -> None:

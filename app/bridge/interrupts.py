@@ -6,6 +6,17 @@ import threading
 from collections.abc import Callable, Iterator
 from types import FrameType
 
+NUMBERS = (signal.SIGINT, signal.SIGTERM)
+
+
+def hold_signals() -> None:
+    """Keep SIGINT and SIGTERM waiting until `closing_on_signals` takes them.
+
+    An interrupt in the middle of importing or building Qt's classes crashes the
+    interpreter. Threads that start meanwhile never see these signals.
+    """
+    signal.pthread_sigmask(signal.SIG_BLOCK, NUMBERS)
+
 
 @contextlib.contextmanager
 def closing_on_signals(close: Callable[[], None]) -> Iterator[None]:
@@ -24,10 +35,10 @@ def closing_on_signals(close: Callable[[], None]) -> Iterator[None]:
     def handle(_number: int, _frame: FrameType | None) -> None:
         close()
 
-    numbers = (signal.SIGINT, signal.SIGTERM)
-    before = [signal.signal(number, handle) for number in numbers]
+    before = [signal.signal(number, handle) for number in NUMBERS]
+    signal.pthread_sigmask(signal.SIG_UNBLOCK, NUMBERS)
     try:
         yield
     finally:
-        for number, handler in zip(numbers, before, strict=True):
+        for number, handler in zip(NUMBERS, before, strict=True):
             signal.signal(number, handler)

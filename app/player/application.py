@@ -46,25 +46,17 @@ def run(options: argparse.Namespace) -> int:
     settings = Settings(default_path())
     clock, surface = SystemClock(), VideoSurface()
     device = options.device if source else _last_device(settings)
-    player = Player(
-        clock,
-        SurfaceSink(surface),
-        device=device,
-        scheduling=wanted_scheduling(options),
-    )
+    player = Player(clock, SurfaceSink(surface), scheduling=wanted_scheduling(options))
+    window = PlayerWindow(player, surface, clock, settings, plots=options.plots)
     try:
-        window = PlayerWindow(player, surface, clock, settings)
-    except BaseException:
-        player.close()
-        raise
-    try:
+        # only now: the haptics process wants to hear from us within a second
+        player.set_device(device)
         if source and feedback:
             player.link.wait_ready()
             attach_log(player, options.log, source, feedback)
     except BaseException:
         window.close()
         raise
-    window.show_plots(are_wanted=options.plots)
     _begin(window, options, source, feedback)
     player.end_s = min(player.end_s, end_s) if source else player.end_s
     return _run_until_closed(application, window, options)
@@ -94,6 +86,7 @@ def _begin(
     else:
         window.show()
     window.activateWindow()
+    player.poll()  # showing took a while
     if source is None:
         window.session.open_demo()
         return

@@ -16,7 +16,7 @@ class Display:
     """Refreshes position, plots and health; what is hidden costs nothing.
 
     Args:
-        window: draws nothing while it is minimised.
+        window: draws nothing while it is minimised or covered.
         session: whose player is shown.
         clock: of the machine.
     """
@@ -39,7 +39,8 @@ class Display:
 
     def refresh(self) -> None:
         """Draw what is due; called when the picture leaves time for it."""
-        if self._window.isMinimized():
+        window = self._window
+        if not window.isVisible() or not window.windowHandle().isExposed():
             return
         now_s = self._clock.now_s()
         player = self._session.player

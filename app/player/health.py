@@ -10,7 +10,7 @@ from hapticplayer.haptics.scheduling import Scheduling
 from hapticplayer.haptics.step import Cause, Mode
 from hapticplayer.model import SyncStats
 from hapticplayer.playback.haptic_link import NO_DEVICE
-from hapticplayer.playback.player import Snapshot
+from hapticplayer.playback.player import Phase, Snapshot
 
 translate = QCoreApplication.translate
 
@@ -20,7 +20,7 @@ LATENESS_GOOD_US, LATENESS_BAD_US = 300.0, 1500.0
 MISSED_GOOD, MISSED_BAD = 0.001, 0.01
 # Nobody notices touch and picture 20 ms apart; the project promises 5 ms.
 SYNC_GOOD_MS, SYNC_BAD_MS = 5.0, 20.0
-DROPPED_GOOD, DROPPED_BAD = 0.002, 0.02
+DROPPED_GOOD, DROPPED_BAD = 0.005, 0.02
 
 
 class Level(enum.IntEnum):
@@ -46,7 +46,7 @@ def readings(snapshot: Snapshot) -> tuple[Reading, ...]:
         scheduling(snapshot),
         lateness(snapshot),
         sync(snapshot.force_minus_video),
-        sync(snapshot.force_minus_audio),
+        sync(snapshot.force_minus_audio if is_heard(snapshot) else None),
         pictures(snapshot),
         clock(snapshot),
     )
@@ -102,7 +102,7 @@ def stop_reason(cause: Cause) -> str:
 
 def scheduling(snapshot: Snapshot) -> Reading:
     """Return the class that the loop runs in."""
-    if not snapshot.scheduling:
+    if not snapshot.scheduling or is_dead(snapshot):
         return Reading(Level.NEUTRAL, "\u2013")
     level, text = {
         Scheduling.FIFO: (Level.GOOD, translate("Health", "FIFO")),
@@ -115,7 +115,7 @@ def scheduling(snapshot: Snapshot) -> Reading:
 def lateness(snapshot: Snapshot) -> Reading:
     """Return how punctual the 1 kHz loop has been in the last 10 s."""
     loop = snapshot.loop
-    if loop is None:
+    if loop is None or is_dead(snapshot):
         return Reading(Level.NEUTRAL, "\u2013")
     p99_us = loop.lateness_p99_us
     missed = loop.missed / max(1, loop.ticks)
@@ -147,9 +147,21 @@ def pictures(snapshot: Snapshot) -> Reading:
 
 def clock(snapshot: Snapshot) -> Reading:
     """Return what leads the clock."""
-    if snapshot.clock == "audio":
+    if is_heard(snapshot):
         return Reading(Level.GOOD, translate("Health", "audio"))
+    if snapshot.audio and snapshot.phase is Phase.PLAYING:
+        return Reading(Level.WATCH, translate("Health", "no sound"))
     return Reading(Level.NEUTRAL, translate("Health", "monotonic"))
+
+
+def is_heard(snapshot: Snapshot) -> bool:
+    """Whether the sound leads the clock at present."""
+    return snapshot.clock == "audio"
+
+
+def is_dead(snapshot: Snapshot) -> bool:
+    """Whether the loop is gone, and its last figures with it."""
+    return snapshot.device_health in (Health.FAILED, Health.GONE)
 
 
 def level_word(level: Level) -> str:

@@ -163,6 +163,8 @@ class ImportDialog(QDialog):
     def _suggest_target(self, video: str) -> None:
         if self.target.text() == self._suggested and video.strip():
             path = Path(video.strip())
+            if not path.name:  # "/" or "..", on the way to a name
+                return
             self._suggested = str(path.with_name(f"{path.stem}-sequence"))
             self.target.setText(self._suggested)
 

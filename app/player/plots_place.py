@@ -11,12 +11,12 @@ from hapticplayer.playback.source import Source
 if TYPE_CHECKING:
     from app.plots.panel import PlotPanel
 
-HEIGHT_PX, LEAST_HEIGHT_PX = 190, 110
+LEAST_HEIGHT_PX = 110
 _STYLE = f"PlotsPlace {{ border: 0; border-top: 1px solid {theme.BORDER}; }}"
 
 
 class PlotsPlace(QFrame):
-    """Holds the plots; pyqtgraph is imported when they are first drawn."""
+    """Holds the plots; pyqtgraph is imported when they are first wanted."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -34,12 +34,16 @@ class PlotsPlace(QFrame):
         if self.panel:
             self.panel.set_source(source)
 
-    def follow(self, media_s: float, feedback: str, history: TickHistory) -> None:
-        """Draw what lies around a media time."""
+    def prepare(self) -> None:
+        """Make the plots, in 0.2 s."""
         if self.panel is None:
             from app.plots.panel import PlotPanel
 
             self.panel = PlotPanel()
             self.panel.set_source(self._source)
             self._column.addWidget(self.panel)
-        self.panel.follow(media_s, feedback, history)
+
+    def follow(self, media_s: float, feedback: str, history: TickHistory) -> None:
+        """Draw what lies around a media time."""
+        if self.panel is not None:
+            self.panel.follow(media_s, feedback, history)

@@ -178,16 +178,20 @@ class Session(QObject):
     def watch(self) -> None:
         """Look for what has changed since the last call, and tell."""
         self.gateway.poll()
-        was_busy = self.jobs.is_busy
         self.jobs.poll()
         self._tell_problem()
-        player = self.player
-        state = (player.phase, self.is_stopped, player.link.health, player.feedback)
-        if state != self._state or was_busy != self.jobs.is_busy:
-            has_ended = player.phase is Phase.ENDED and self._state[:1] != state[:1]
+        player, phase_before = self.player, self._state[:1]
+        state = (
+            player.phase,
+            self.is_stopped,
+            player.link.health,
+            player.feedback,
+            self.jobs.is_busy,
+        )
+        if state != self._state:
             self._state = state
             self.changed.emit()
-            if has_ended:
+            if player.phase is Phase.ENDED and phase_before != (Phase.ENDED,):
                 self._on_ended()
 
     def _on_ended(self) -> None:
@@ -207,9 +211,9 @@ class Session(QObject):
         link = self.player.link
         if link.health not in _DEAD:
             return ""
-        return link.problem or self.tr(
-            "The haptics process has ended; choose the device again"
-        )
+        if link.health is Health.GONE:
+            return self.tr("The haptics process has ended; choose the device again")
+        return link.problem
 
     def close(self) -> None:
         """Stop what runs, bring the hand to rest and finish the log."""

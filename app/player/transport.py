@@ -17,8 +17,8 @@ from PySide6.QtWidgets import (
 from app.player.choices import Choice
 from app.player.times import position_text
 from app.widgets import theme
-from app.widgets.buttons import set_role, text_button, tool_button
-from app.widgets.icons import icon
+from app.widgets.buttons import ICON_PX, set_role, text_button, tool_button
+from app.widgets.icons import control_icon
 from app.widgets.labels import ElidedLabel
 from app.widgets.seek_slider import SeekSlider
 
@@ -57,7 +57,7 @@ class Transport(QFrame):
         self.play = tool_button("play", "", "")
         self.play.clicked.connect(self.play_clicked)
         self.stop = text_button("", "", "stop")
-        self.stop.setIconSize(QSize(18, 18))
+        self.stop.setIconSize(QSize(ICON_PX, ICON_PX))
         self.stop.clicked.connect(self.stop_clicked)
         self.time = ElidedLabel()
         self.time.setAccessibleName(self.tr("Time"))
@@ -141,22 +141,23 @@ class Transport(QFrame):
 
     def _show_time(self, media_s: float) -> None:
         text = position_text(media_s, self._duration_s)
+        is_longer = len(text) != len(self.time.text())
         self.time.set_text(text)
-        wide = self.time.sizeHint().width()
-        if wide > self.time.minimumWidth() or wide < self.time.maximumWidth() - 8:
-            self.time.fix_width(wide + 2)
+        if is_longer:
+            widest = "".join("8" if c.isdigit() else c for c in text)
+            self.time.fix_width(self.time.fontMetrics().horizontalAdvance(widest) + 4)
 
     def show_playing(self, *, is_playing: bool) -> None:
         """Offer to pause or to play."""
         name = self.tr("Pause") if is_playing else self.tr("Play")
-        self.play.setIcon(icon("pause" if is_playing else "play"))
+        self.play.setIcon(control_icon("pause" if is_playing else "play", ICON_PX))
         self.play.setAccessibleName(name)
         self.play.setToolTip(self.tr("{name} (Space)").format(name=name))
 
     def show_stopped(self, *, is_stopped: bool) -> None:
         """Offer to stop the force, or to bring it back after a stop."""
         self.stop.setText(self._stop_text(is_stopped=is_stopped))
-        self.stop.setIcon(icon("rearm" if is_stopped else "stop"))
+        self.stop.setIcon(control_icon("rearm" if is_stopped else "stop", ICON_PX))
         set_role(self.stop, "rearm" if is_stopped else "stop")
         self.stop.setToolTip(
             self.tr("The force was stopped: let it come back (Ctrl+R)")

@@ -4,16 +4,14 @@ from PySide6.QtCore import Qt, QTimer
 from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent
 from PySide6.QtWidgets import (
     QMainWindow,
-    QSplitter,
     QStackedWidget,
-    QVBoxLayout,
     QWidget,
 )
 
 from app.bridge.cadence import Cadence
 from app.bridge.pump import Pump
 from app.bridge.settings import Settings
-from app.player import choices, plots_place
+from app.player import choices, layout
 from app.player.actions import Actions
 from app.player.dialogs import Dialogs
 from app.player.display import Display
@@ -34,6 +32,7 @@ from hapticplayer.playback.player import Player
 from hapticplayer.playback.source import Source
 
 WIDTH_PX, HEIGHT_PX = 1280, 800
+LEAST_SCREEN_PX = 520  # on a lower screen the plots would push STOP out of it
 SETTLED_MS = 150  # after the last step of a resize
 WATCH_HZ = 30.0  # what is shown beside the picture needs no more
 LONGEST_TITLE_PX = 600
@@ -48,14 +47,22 @@ class PlayerWindow(QMainWindow):
         surface: becomes the middle of the window.
         clock: of the machine.
         settings: what is remembered.
+        plots: whether the live plots are shown at first.
     """
 
     def __init__(
-        self, player: Player, surface: VideoSurface, clock: Clock, settings: Settings
+        self,
+        player: Player,
+        surface: VideoSurface,
+        clock: Clock,
+        settings: Settings,
+        *,
+        plots: bool = True,
     ) -> None:
         super().__init__()
         self.player, self.surface = player, surface
         self._clock, self._settings = clock, settings
+        self._is_over = False
         self.session = Session(player, self.show_message)
         self.dialogs = Dialogs(self, self.session, settings)
         self.messages, self.job_bar = MessageBar(), JobBar()
@@ -75,7 +82,8 @@ class PlayerWindow(QMainWindow):
         self._connect()
         self._settings.restore_geometry(self, WIDTH_PX, HEIGHT_PX)
         self.transport.set_devices(choices.devices())
-        self.show_plots(are_wanted=True)
+        room_px = self.screen().availableGeometry().height()
+        self.show_plots(are_wanted=plots and room_px >= LEAST_SCREEN_PX)
         self._on_opened()
         self._on_changed()
         self.stage.setFocus()
@@ -91,24 +99,9 @@ class PlayerWindow(QMainWindow):
         self.stage = QStackedWidget()
         self.stage.addWidget(self.empty_page)
         self.stage.addWidget(self.surface)
-        splitter = QSplitter(Qt.Orientation.Vertical)
-        splitter.addWidget(self.stage)
-        splitter.addWidget(self.plots)
-        splitter.setStretchFactor(0, 1)
-        splitter.setChildrenCollapsible(False)
-        splitter.setHandleWidth(3)
-        splitter.setSizes([HEIGHT_PX, plots_place.HEIGHT_PX])
-        column = QVBoxLayout()
-        column.setContentsMargins(0, 0, 0, 0)
-        column.setSpacing(0)
-        column.addWidget(self.messages)
-        column.addWidget(self.job_bar)
-        column.addWidget(splitter, 1)
-        column.addWidget(self.transport)
-        column.addWidget(self.health)
-        middle = QWidget()
-        middle.setLayout(column)
-        self.setCentralWidget(middle)
+        above: list[QWidget] = [self.messages, self.job_bar]
+        below: list[QWidget] = [self.transport, self.health]
+        layout.arrange(self, above, self.stage, self.plots, below)
 
     def _connect(self) -> None:
         session, transport, page = self.session, self.transport, self.empty_page
@@ -177,6 +170,8 @@ class PlayerWindow(QMainWindow):
     def show_plots(self, *, are_wanted: bool) -> None:
         """Show or hide the live plots."""
         self.commands.plots.setChecked(are_wanted)
+        if are_wanted:
+            self.plots.prepare()
         self.fullscreen.will_show(self.plots, is_wanted=are_wanted)
 
     def show_message(self, text: str) -> None:
@@ -185,6 +180,7 @@ class PlayerWindow(QMainWindow):
         self.messages.show_text(text)
 
     def _on_device_chosen(self, name: str) -> None:
+        self.messages.hide()
         self.session.choose_device(name)
         self._settings.keep(DEVICE, self.player.link.device)
 
@@ -257,10 +253,13 @@ class PlayerWindow(QMainWindow):
 
     def closeEvent(self, event: QCloseEvent) -> None:
         """Bring the hand to rest, and everything to an end."""
+        event.accept()
+        if self._is_over:
+            return
+        self._is_over = True
         self.pump.stop()
         self._settled.stop()
         self._escape.remove()
         self._keep_geometry()
         self._settings.save()
         self.session.close()
-        event.accept()

@@ -20,6 +20,7 @@ MOST_POINTS = 800
 TRACK_RATE_HZ = 200.0  # of the recordings; finer than a pixel after thinning
 TRAIL_STEP_S = 0.010  # of media time between two points of what was sent
 JUMP_S = 0.100
+_TRAIL_MARGIN_S = 0.2  # behind the view, between two refreshes
 
 
 class Page(NamedTuple):
@@ -110,7 +111,7 @@ class Trail:
         # a pause steps back by what the loop had extrapolated: no jump
         jumps = np.flatnonzero(np.abs(step_s) > JUMP_S)
         start = int(jumps[-1]) + 1 if len(jumps) else 0
-        oldest_s = time_s[-1] - HALF_WINDOW_S - PAGE_MARGIN_S
+        oldest_s = time_s[-1] - HALF_WINDOW_S - _TRAIL_MARGIN_S
         start = max(start, int(np.searchsorted(time_s[start:], oldest_s)) + start)
         keep = _spaced(time_s, max(start, known), last_kept=known - 1 >= start)
         rows = np.concatenate([np.arange(start, known), keep]).astype(np.intp)

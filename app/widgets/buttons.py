@@ -4,9 +4,9 @@ from PySide6.QtCore import QEvent, QSize, Qt
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QPushButton, QWidget
 
-from app.widgets.icons import icon
+from app.widgets.icons import control_icon
 
-_ICON_PX = 20
+ICON_PX = 20
 _PRESSING = (Qt.Key.Key_Space, Qt.Key.Key_Return, Qt.Key.Key_Enter)
 
 
@@ -49,9 +49,9 @@ def tool_button(picture: str, name: str, tip: str) -> Button:
     """Return a button with a drawing; its name is for screen readers."""
     button = Button()
     set_role(button, "tool")
-    button.setIcon(icon(picture))
-    button.setIconSize(QSize(_ICON_PX, _ICON_PX))
-    button.setFixedSize(QSize(_ICON_PX + 20, _ICON_PX + 14))
+    button.setIcon(control_icon(picture, ICON_PX))
+    button.setIconSize(QSize(ICON_PX, ICON_PX))
+    button.setFixedSize(QSize(ICON_PX + 20, ICON_PX + 14))
     button.setAccessibleName(name)
     button.setToolTip(tip)
     return button

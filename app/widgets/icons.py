@@ -8,16 +8,26 @@ from PySide6.QtGui import QIcon, QPainter, QPixmap
 
 FOLDER = Path(__file__).resolve().parents[2] / "resources" / "icons"
 _OFF_OPACITY = 0.35
-_OFF_SIZE = QSize(24, 24)
+_RATIOS = (1.0, 1.25, 1.5, 2.0, 3.0)  # of screens
 
 
 @cache
 def icon(name: str) -> QIcon:
     """Return an icon by the name of its file; empty where it is missing."""
-    made = QIcon(str(FOLDER / f"{name}.svg"))
-    # Qt's own way of greying leaves a light drawing as light as it was
-    for ratio in (1.0, 2.0, 3.0):
-        made.addPixmap(_faded(made.pixmap(_OFF_SIZE, ratio)), QIcon.Mode.Disabled)
+    return QIcon(str(FOLDER / f"{name}.svg"))
+
+
+@cache
+def control_icon(name: str, size_px: int) -> QIcon:
+    """Return an icon of one size that fades when its control is disabled.
+
+    Qt's own way of greying leaves a light drawing as light as it was.
+    """
+    made = QIcon()
+    for ratio in _RATIOS:
+        drawing = icon(name).pixmap(QSize(size_px, size_px), ratio)
+        made.addPixmap(drawing, QIcon.Mode.Normal)
+        made.addPixmap(_faded(drawing), QIcon.Mode.Disabled)
     return made
 
 

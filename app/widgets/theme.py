@@ -42,7 +42,7 @@ QMenu::item:disabled {{ color: {DISABLED}; }}
 QMenu::separator {{ height: 1px; background: {BORDER}; margin: 4px 6px; }}
 QPushButton, QComboBox, QLineEdit {{
   background: {RAISED}; border: 1px solid {BORDER}; border-radius: 5px;
-  padding: 4px 10px; min-height: 20px; }}
+  padding: 4px 10px; min-height: 20px; outline: 0; }}
 QPushButton:hover, QComboBox:hover {{ background: {HOVER}; }}
 QPushButton:pressed {{ background: {BORDER}; }}
 QPushButton:disabled, QComboBox:disabled, QLineEdit:disabled {{ color: {DISABLED}; background: {PANEL}; }}

@@ -16,6 +16,7 @@ from hapticplayer.capture.limits import (
     MAX_ACCELERATION_MPS2,
     MAX_ANGULAR_RATE_RADPS,
     MAX_FORCE_N,
+    MIN_RATE_HZ,
 )
 from hapticplayer.capture.table import TIME, Layout, Table, read_table
 from hapticplayer.errors import InputError
@@ -53,6 +54,7 @@ def read_imu_csv(path: str | os.PathLike[str]) -> ImuLog:
     force, rate = table.values[:, 1:4], table.values[:, 4:7]
     _check_force_unit(force, table)
     _check_rate_unit(rate, table)
+    _check_time_unit(table)
     has_field = table.values.shape[1] == 10
     return ImuLog(
         time_s=table.values[:, 0],
@@ -146,6 +148,21 @@ def _unit_remedy(norm: float) -> str:
             "gravity seems to be removed already: export the acceleration with gravity"
         )
     return "give the specific force in m/s2, about 9.8 at rest"
+
+
+def _check_time_unit(table: Table) -> None:
+    steps = np.diff(table.values[:, 0])
+    rate_hz = 1.0 / float(np.median(steps)) if len(steps) else MIN_RATE_HZ
+    if rate_hz >= MIN_RATE_HZ:
+        return
+    is_milliseconds = 1000.0 * rate_hz >= MIN_RATE_HZ
+    raise InputError(
+        f"time_s runs at {rate_hz:.3g} samples a second",
+        where=str(table.path),
+        remedy="it looks like milliseconds: divide time_s by 1000"
+        if is_milliseconds
+        else f"give at least {MIN_RATE_HZ:g} samples a second",
+    )
 
 
 def _check_rate_unit(rate: Floats, table: Table) -> None:

@@ -31,5 +31,8 @@ MAX_ACCELERATION_MPS2 = 500.0
 MAX_ANGULAR_RATE_RADPS = 100.0
 """5700 deg/s; sensors end at 2000 or 4000 deg/s."""
 
+MIN_RATE_HZ = 5.0
+"""Slower than this is no motion log; mostly it is time in milliseconds."""
+
 MAX_FORCE_N = 1000.0
 """No haptic device of this kind pushes harder; the Falcon ends at 9 N."""

@@ -99,12 +99,11 @@ def _from_gopro(telemetry: GoProTelemetry, reader: str) -> Recording:
 
 def _from_log(file: Path) -> Recording:
     imu = read_imu_csv(file)
-    note = "The log's clock is taken as media time until an offset is given."
     return Recording(
         imu=imu,
         clock_map=ClockMap(confidence=0.0),
         camera="CSV log",
-        notes=(note, *_gaps(imu)),
+        notes=_gaps(imu),
         provenance={"reader": "CSV log"},
     )
 

@@ -51,6 +51,7 @@ class Cause(enum.IntEnum):
     STOPPED = 8
     NOT_FINITE = 9
     CLOSING = 10
+    TRACK_ENDED = 11
 
 
 class Request(enum.IntEnum):
@@ -148,13 +149,23 @@ def _assess(
         return reaction, cause
     if clock is None or track is None:
         return Reaction.RAMP, Cause.NO_TRACK
+    reaction, cause = _assess_clock(now_s, clock, track)
+    following = state.mode is Mode.ENTERING or state.mode is Mode.FOLLOWING
+    if reaction is Reaction.GO and following and clock.epoch != state.epoch:
+        return Reaction.RAMP, Cause.SEEK
+    return reaction, cause
+
+
+def _assess_clock(
+    now_s: float, clock: PlaybackClock, track: LoadedTrack
+) -> tuple[Reaction, Cause]:
+    """Return what the clock and the end of the track ask for."""
     if clock.rate == 0.0 or now_s < clock.monotonic0_s:
         return Reaction.RAMP, Cause.PAUSED
     if now_s > clock.valid_until_s:
         return Reaction.RAMP, Cause.CLOCK_STALE
-    following = state.mode is Mode.ENTERING or state.mode is Mode.FOLLOWING
-    if following and clock.epoch != state.epoch:
-        return Reaction.RAMP, Cause.SEEK
+    if clock.media_s(now_s) >= track.end_s:
+        return Reaction.RAMP, Cause.TRACK_ENDED
     return Reaction.GO, Cause.NONE
 
 

@@ -1,5 +1,6 @@
 """A force track as the loop reads it: one value at a time, from shared memory."""
 
+import math
 import mmap
 import os
 import struct
@@ -34,6 +35,7 @@ class LoadedTrack:
         self._force_n = view[force_at:].cast("f")
         self._is_hold = bool(is_hold)
         self._last = rows - 1
+        self.end_s = math.inf if is_hold else self._time_s[self._last]
 
     def force_at(self, media_s: float) -> Vector:
         """Return the planned force, N, frame D.

@@ -33,7 +33,7 @@ OPTIONS = {
     "protocol_whitelist": "file",
     "format_whitelist": "mov,matroska,webm,avi,wav",
 }
-CONVERT = "convert it to MP4 (H.264 and AAC), or choose another file"
+CONVERT = "copy it again, convert it to MP4 (H.264 and AAC), or choose another file"
 
 
 def open_media(path: str | os.PathLike[str]) -> InputContainer:

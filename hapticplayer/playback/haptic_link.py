@@ -36,6 +36,7 @@ class HapticLink:
         self.audio_sync = SyncMeter()
         self._clock = clock
         self._next_read_s = 0.0
+        self._is_closed = False
         self._mode = Mode.IDLE
         self._track_ids: dict[str, int] = {}
         self._process: HapticsProcess | None = None
@@ -54,8 +55,12 @@ class HapticLink:
 
     @property
     def problem(self) -> str:
-        """What the process complained about."""
-        return self._process.problem if self._process else ""
+        """What is wrong with device or process, "" when nothing is."""
+        if self._process is None or self._is_closed:
+            return ""
+        if self._process.health is Health.GONE:
+            return "the haptics process has ended, so there is no force any more"
+        return self._process.problem
 
     @property
     def pid(self) -> int | None:
@@ -108,6 +113,7 @@ class HapticLink:
     def close(self) -> None:
         """Bring the hand to rest and end the process."""
         if self._process:
+            self._is_closed = True
             self._process.close()
             self._next_read_s = 0.0  # the last ticks are still to be read
 

@@ -64,7 +64,13 @@ class PlaybackLog:
         self.line("summary", **summary)
         self._queue.put(None)
         self._thread.join()
-        self._file.close()
+        try:
+            self._file.close()
+        except OSError as problem:
+            self._note(problem)
+
+    def _note(self, problem: OSError) -> None:
+        self.problem = f"the log is not complete ({problem.strerror})"
 
     def _run(self) -> None:
         while (item := self._queue.get()) is not None:
@@ -73,7 +79,7 @@ class PlaybackLog:
                 try:
                     self._file.write(text)
                 except OSError as problem:  # a full disk must not stop the playback
-                    self.problem = f"the log stopped ({problem.strerror})"
+                    self._note(problem)
 
 
 def _json(line: _Line) -> str:

@@ -109,6 +109,8 @@ class Player:
         self.phase = Phase.EMPTY
         self.feedback = ""
         self.problem = ""
+        self.told: list[str] = []  # remarks for people, in order
+        self.log_problem = ""
         self.end_s = 0.0
         self._clock = clock
         self._sink = sink or NullSink()
@@ -174,6 +176,7 @@ class Player:
             return self._make_audio(self._ring, self._clock)
         except OSError as problem:
             self._event("no_sound_output", reason=str(problem))
+            self.told.append("there is no sound output, so the clip plays silently")
             return None
 
     def unload(self) -> None:
@@ -266,6 +269,7 @@ class Player:
         self._link.poll(self._log)
         if self._log is not None:
             self._log.close(self.summary())
+            self.log_problem = self._log.problem
             self._log = None
 
     def snapshot(self) -> Snapshot:
@@ -329,6 +333,7 @@ class Player:
         now_s = self._clock.now_s()
         if not self._link.poll(self._log):
             self._event("device_lost", problem=self._link.problem)
+            self.told.append(self._link.problem)
         self._hear()
         self._media.check(now_s)
         self._advance(now_s)
@@ -391,6 +396,8 @@ class Player:
         if self._media.source is not self._led_by:
             self._led_by = self._media.source
             self._event("clock", source=self._led_by.value)
+            if self._audio is not None and self._led_by is ClockSource.MONOTONIC:
+                self.told.append("the sound was lost; picture and force go on")
 
     def _is_ready(self, feeder: VideoFeeder) -> bool:
         has_picture = feeder.peek(1) is not None or feeder.is_at_end

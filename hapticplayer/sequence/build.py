@@ -22,6 +22,7 @@ from hapticplayer.model import (
 )
 from hapticplayer.sequence import files, store
 
+_UNCOVERED_S = 0.5  # shorter ends without motion go unnoticed
 _COPY_SHARE = 0.4  # of the whole work; a long clip is mostly copied and hashed
 
 
@@ -133,7 +134,7 @@ def write_sequence(
                 "gravity_removal": choices.method,
                 "accelerometer_gain": gain.gain,
                 "accelerometer_gain_from": gain.reason,
-                "notes": list(recording.notes),
+                "notes": [*recording.notes, *_notes(recording, track, tracks, clip)],
                 **recording.provenance,
             },
         }
@@ -157,6 +158,29 @@ def _check_overlap(track: MotionTrack, clip: ClipInfo) -> None:
             where=clip.path.name,
             remedy="give another --offset",
         )
+
+
+def _notes(
+    recording: Recording,
+    track: MotionTrack,
+    tracks: dict[str, ForceTrack],
+    clip: ClipInfo,
+) -> list[str]:
+    """Return what the experimenter should know before using the sequence."""
+    notes = []
+    if recording.clock_map.confidence == 0.0:
+        notes.append("no --offset was given: the log's clock is taken as media time")
+    first_s = max(0.0, float(track.time_s[0]))
+    last_s = min(clip.duration_s, float(track.time_s[-1]))
+    if clip.duration_s - (last_s - first_s) > _UNCOVERED_S:
+        notes.append(
+            f"the motion covers {first_s:.1f} to {last_s:.1f} s of the clip's "
+            f"{clip.duration_s:.1f} s; there is no force outside"
+        )
+    saturated = tracks[Feedback.REALISTIC.value].provenance["saturated_share"]
+    if saturated > 0.0:
+        notes.append(f"{saturated:.1%} of the force samples reach the force limit")
+    return notes
 
 
 def _copy_clip(source: Path, target: Path, progress: files.Progress) -> None:

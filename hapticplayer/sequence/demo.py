@@ -32,10 +32,9 @@ def write_simulated_sequence(
     # the simulator brings half of scipy along, which playing does not need
     from hapticplayer.capture import simulate, write_simulated_clip
 
-    files.refuse_existing(target)
     recorded = simulate(scenario, seed)
-    with tempfile.TemporaryDirectory(prefix="hapticplayer-") as scratch:
-        path = Path(scratch) / f"{scenario}.mp4"
+    with files.scratch_beside(target) as scratch:
+        path = scratch / f"{scenario}.mp4"
         write_simulated_clip(
             recorded, path, lambda f: progress(0.8 * f, "drawing the ride")
         )

@@ -47,35 +47,49 @@ def written_aside(target: Path) -> Iterator[Path]:
         SequenceError: when the target exists or its parent cannot be written.
     """
     target = Path.cwd() / target
+    with scratch_beside(target) as aside:
+        try:
+            yield aside
+            aside.chmod(0o755)
+            sync_folder(aside)
+            target.parent.mkdir(parents=True, exist_ok=True)
+            aside.rename(target)
+            sync_folder(target.parent)
+        except OSError as problem:
+            raise SequenceError(
+                f"writing failed ({problem.strerror})",
+                where=str(target),
+                remedy="free some space or choose another folder",
+            ) from problem
+
+
+@contextmanager
+def scratch_beside(target: Path) -> Iterator[Path]:
+    """Yield a folder on the file system of a target that does not exist yet.
+
+    It is gone after the block, unless it was renamed.
+
+    Raises:
+        SequenceError: when the target exists or nothing can be written there.
+    """
+    target = Path.cwd() / target
     refuse_existing(target)
+    home = next(parent for parent in target.parents if parent.exists())
     try:
-        target.parent.mkdir(parents=True, exist_ok=True)
-        aside = Path(
-            tempfile.mkdtemp(
-                prefix=f".{target.name}.", suffix=".part", dir=target.parent
-            )
+        scratch = Path(
+            tempfile.mkdtemp(prefix=f".{target.name}.", suffix=".part", dir=home)
         )
     except OSError as problem:
         raise SequenceError(
             f"cannot be written ({problem.strerror})",
-            where=str(target.parent),
+            where=str(home),
             remedy="choose a folder that you may write to",
         ) from problem
     try:
-        yield aside
-        aside.chmod(0o755)
-        sync_folder(aside)
-        aside.rename(target)
-        sync_folder(target.parent)
-    except OSError as problem:
-        raise SequenceError(
-            f"writing failed ({problem.strerror})",
-            where=str(target),
-            remedy="free some space or choose another folder",
-        ) from problem
+        yield scratch
     finally:
-        if aside.exists():
-            shutil.rmtree(aside, ignore_errors=True)
+        if scratch.exists():
+            shutil.rmtree(scratch, ignore_errors=True)
 
 
 def sync_folder(folder: Path) -> None:

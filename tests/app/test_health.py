@@ -65,7 +65,10 @@ def test_all_is_well():
         ({"force_minus_video": None}, 3, Level.NEUTRAL, "\u2013"),
         ({"force_minus_video": SyncStats(9, 20, 25, 30)}, 3, Level.BAD, "+25.0 ms"),
         ({"frames_dropped": 30}, 5, Level.BAD, "30 dropped"),
-        ({"clock": "monotonic"}, 6, Level.NEUTRAL, "monotonic"),
+        ({"clock": "monotonic", "audio": ""}, 6, Level.NEUTRAL, "monotonic"),
+        ({"clock": "monotonic"}, 6, Level.WATCH, "no sound"),
+        ({"clock": "monotonic"}, 4, Level.NEUTRAL, "\u2013"),
+        ({"device_health": "gone"}, 2, Level.NEUTRAL, "\u2013"),
     ],
 )
 def test_what_is_not_well_is_said(changes, entry, level, words):

@@ -86,3 +86,9 @@ def test_help_opens_and_closes(window, name, qtbot):
     assert dialog.isVisible()
     with qtbot.waitSignal(dialog.destroyed):
         dialog.accept()
+
+
+@pytest.mark.parametrize("typed", ["/", "..", ".", "~", " "])
+def test_a_path_on_its_way_to_a_name_is_no_error(dialog, typed):
+    dialog.video.setText(typed)
+    assert not dialog.ok.isEnabled()

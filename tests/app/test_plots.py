@@ -6,7 +6,6 @@ from hypothesis import strategies as st
 from app.plots.series import (
     HALF_WINDOW_S,
     MOST_POINTS,
-    PAGE_MARGIN_S,
     Page,
     Trail,
     cut,
@@ -95,7 +94,7 @@ def test_a_trail_forgets_what_has_left_the_view():
     trail = Trail()
     play(trail, 100.0, 0.0, 20_000)
     shown = trail.page()
-    assert shown.time_s[0] >= 20.0 - HALF_WINDOW_S - PAGE_MARGIN_S - 0.1
+    assert shown.time_s[0] >= 20.0 - HALF_WINDOW_S - 0.3
     assert len(shown.time_s) <= MOST_POINTS
 
 

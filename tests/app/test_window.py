@@ -1,6 +1,8 @@
 """The real window with a real player; a device only where force matters."""
 
 import os
+import signal
+import threading
 
 import pytest
 from PySide6.QtCore import QMimeData, QPointF, Qt, QTimer, QUrl
@@ -222,6 +224,55 @@ def test_changing_feedback_and_device_while_it_plays(make_window, source, wait_f
     with pytest.raises(ProcessLookupError):
         os.kill(first, 0)
     wait_for(lambda: window.health.entries[0].text() == "none")
+
+
+def test_a_haptics_process_that_dies_is_told_and_can_be_had_again(
+    make_window, source, wait_for
+):
+    window = make_window("simulated")
+    window.session.show_source(source)
+    link = window.player.link
+    wait_for(lambda: link.history.latest() is not None)
+    os.kill(link.pid, signal.SIGKILL)
+    wait_for(lambda: "choose the device again" in window.messages.text())
+    wait_for(lambda: "gone" in window.health.entries[0].text())
+    window.transport.device_chosen.emit("simulated")
+    wait_for(lambda: window.player.link.history.latest() is not None)
+    assert window.player.source is source
+
+
+def test_a_second_piece_of_work_is_refused_while_one_runs(window, sequence, wait_for):
+    is_enough = threading.Event()
+
+    def work(progress) -> None:
+        while not is_enough.wait(0.01):
+            progress(0.0, "")
+
+    window.session.jobs.run("slow", work, lambda _: None)
+    wait_for(lambda: not window.commands.open_video.isEnabled())
+    assert not window.empty_page.demo.isEnabled()
+    window.session.open_path(sequence)
+    assert "wait for it" in window.messages.text()
+    is_enough.set()
+    wait_for(window.commands.open_video.isEnabled)
+    assert window.player.source is None
+
+
+def test_hidden_plots_are_not_drawn(playing, wait_for, monkeypatch):
+    drawn = []
+    follow = playing.plots.follow
+
+    def count(*arguments) -> None:
+        drawn.append(1)
+        follow(*arguments)
+
+    monkeypatch.setattr(playing.plots, "follow", count)
+    wait_for(lambda: len(drawn) > 2)
+    playing.show_plots(are_wanted=False)
+    drawn.clear()
+    shown = playing.player.snapshot().frames_shown
+    wait_for(lambda: playing.player.snapshot().frames_shown > shown + 5)
+    assert not drawn
 
 
 def test_closing_leaves_nothing_running(make_window, source, wait_for):

@@ -159,7 +159,9 @@ def test_a_video_with_a_csv_log_is_imported_with_its_offset(clip, tmp_path, stil
         "--json",
     )
     assert done.returncode == 0, done.stderr
-    assert json.loads(done.stdout)["clock_map"]["offset_s"] == -3.25
+    report = json.loads(done.stdout)
+    assert report["clock_map"]["offset_s"] == -3.25
+    assert not [note for note in report["provenance"]["notes"] if "offset" in note]
 
 
 def test_any_video_plays_with_any_force_track_held_between_rows(clip, tmp_path):
@@ -195,6 +197,46 @@ def test_devices_and_doctor_report_as_json():
     listed = json.loads(hapticplayer("device", "list", "--json").stdout)
     assert [d["name"] for d in listed["devices"]] == ["simulated", "none"]
     assert json.loads(hapticplayer("doctor", "--json").stdout)
+
+
+def test_a_haptics_process_that_dies_is_told(demo, tmp_path):
+    log = tmp_path / "log.jsonl"
+    process = subprocess.Popen(
+        [sys.executable, "-m", "app", "play", demo, "--headless", "--log", log],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        cwd=ROOT,
+    )
+    try:
+        child = wait_for_child(process.pid)
+        os.kill(child, signal.SIGKILL)
+        _, complaint = process.communicate(timeout=60)
+    finally:
+        process.kill()
+        process.wait()
+    assert process.returncode == 1
+    assert "haptics process has ended" in complaint
+    lost = [x for x in read_log(log) if x.get("name") == "device_lost"]
+    assert "has ended" in lost[0]["problem"]
+
+
+def wait_for_child(pid):
+    """Return the pid of the haptics process, once the loop of it runs."""
+    children = Path(f"/proc/{pid}/task/{pid}/children")
+    while not (found := children.read_text().split()):
+        os.sched_yield()
+    stat = Path(f"/proc/{found[0]}/cmdline")
+    while b"hapticplayer.haptics" not in stat.read_bytes():
+        os.sched_yield()
+    return int(found[0])
+
+
+def test_a_log_on_a_full_disk_is_told(demo):
+    done = hapticplayer(
+        "play", demo, "--headless", "--duration", 1, "--log", "/dev/full"
+    )
+    assert "log is not complete" in refused(done)
 
 
 # --- what is refused --------------------------------------------------------
@@ -314,6 +356,7 @@ def test_time_lapse_telemetry_is_refused(shared_data, clip, tmp_path):
         (HEADER, ["row"]),
         ("", []),
         (HEADER + GOOD_ROW.replace("9.81", "1.0"), ["9.80665"]),
+        (HEADER + GOOD_ROW.replace("0.01,", "10.0,"), ["1000"]),
     ],
 )
 def test_a_bad_log_is_refused_with_line_and_column(content, words, clip, tmp_path):

@@ -31,7 +31,10 @@ def test_plain_log_is_read(tmp_path: Path) -> None:
 
 
 def test_field_columns_are_read(tmp_path: Path) -> None:
-    lines = [HEADER + ",mx,my,mz", *(f"{t},0,0,9.8,0,0,0,20,-3,40" for t in range(3))]
+    lines = [
+        HEADER + ",mx,my,mz",
+        *(f"0.0{t},0,0,9.8,0,0,0,20,-3,40" for t in range(3)),
+    ]
     imu = read_imu_csv(write(tmp_path / "log.csv", lines))
     assert imu.magnetic_field_ut is not None
     np.testing.assert_array_equal(imu.magnetic_field_ut[1], [20.0, -3.0, 40.0])

@@ -225,6 +225,17 @@ def test_after_a_long_rest_the_force_still_fades_in():
     assert max(slews([ZERO, *world.sent])) <= LIMITS.entry_slew_n + 1e-9
 
 
+def test_where_the_track_ends_before_the_clip_the_force_ramps():
+    world = World()
+    world.track = loaded(ForceTrack([0.0, 2.0], [[0, 4.0, 0], [0, 4.0, 0]]))
+    world.tick(1000 - 5)
+    assert world.state.mode is Mode.FOLLOWING
+    world.sent.clear()
+    world.tick(30)
+    assert (world.sent[-1], world.state.cause) == (ZERO, Cause.TRACK_ENDED)
+    assert max(slews(world.sent)) <= LIMITS.stop_slew_n + 1e-9
+
+
 def test_closing_ramps_and_is_no_trip():
     world = World().following()
     for _ in range(20):
