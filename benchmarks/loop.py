@@ -63,8 +63,8 @@ def cyclictest(
         stderr=subprocess.DEVNULL,
     )
     with tempfile.NamedTemporaryFile("r") as histogram:
-        subprocess.run(["sleep", "3"], check=True)
-        test = ["cyclictest", *arguments, "-i1000", "-q", "-D", str(int(seconds - 2))]
+        subprocess.run(["sleep", "1"], check=True)  # as long as ours takes to start
+        test = ["cyclictest", *arguments, "-i1000", "-q", "-D", str(int(seconds))]
         test += ["-h", "60000", f"--histfile={histogram.name}"]
         subprocess.run(test, check=True, capture_output=True)
         counts = [
