@@ -27,6 +27,8 @@ from hapticplayer.sequence.build import Choices
 from hapticplayer.sequence.demo import DEMO_SEED, write_simulated_sequence
 from hapticplayer.sequence.demo import demo_folder as make_demo_folder
 
+ROUNDING_N = 1e-3  # tracks are stored as float32
+
 
 def play(options: argparse.Namespace) -> int:
     """Play in real time without a window, and print the summary."""
@@ -65,8 +67,9 @@ def play(options: argparse.Namespace) -> int:
 def advise(source: Source, feedback: str) -> None:
     """Say on stderr what a user of this source may not expect."""
     track = source.tracks[feedback]
-    if track.peak_n() > Limits().force_cap_n:
-        say_aside(f"forces above {Limits().force_cap_n} N are capped")
+    cap_n = Limits().force_cap_n
+    if track.peak_n() > cap_n + ROUNDING_N:
+        say_aside(f"forces above {cap_n} N are capped")
     if source.clip.has_telemetry and source.motion is None and feedback == "none":
         say_aside("the clip holds motion: import it to feel it")
 

@@ -209,8 +209,7 @@ def test_a_haptics_process_that_dies_is_told(demo, tmp_path):
         cwd=ROOT,
     )
     try:
-        child = wait_for_child(process.pid)
-        os.kill(child, signal.SIGKILL)
+        os.kill(child_of_a_playing(process, log), signal.SIGKILL)
         _, complaint = process.communicate(timeout=60)
     finally:
         process.kill()
@@ -221,15 +220,14 @@ def test_a_haptics_process_that_dies_is_told(demo, tmp_path):
     assert "has ended" in lost[0]["problem"]
 
 
-def wait_for_child(pid):
-    """Return the pid of the haptics process, once the loop of it runs."""
-    children = Path(f"/proc/{pid}/task/{pid}/children")
-    while not (found := children.read_text().split()):
+def child_of_a_playing(process, log):
+    """Return the pid of the haptics process, once pictures are shown."""
+    while process.poll() is None and not (
+        log.exists() and '"kind": "frame"' in log.read_text()
+    ):
         os.sched_yield()
-    stat = Path(f"/proc/{found[0]}/cmdline")
-    while b"hapticplayer.haptics" not in stat.read_bytes():
-        os.sched_yield()
-    return int(found[0])
+    children = Path(f"/proc/{process.pid}/task/{process.pid}/children")
+    return int(children.read_text().split()[0])
 
 
 def test_a_log_on_a_full_disk_is_told(demo):
