@@ -4,7 +4,7 @@ import math
 import os
 from collections import deque
 from dataclasses import dataclass
-from typing import Any, Self, cast
+from typing import Any, cast
 
 import numpy as np
 from av.audio.frame import AudioFrame
@@ -12,7 +12,7 @@ from av.audio.resampler import AudioResampler
 from numpy.typing import NDArray
 
 from hapticplayer.errors import MediaError
-from hapticplayer.media.demux import PacketReader
+from hapticplayer.media.demux import ClipDecoder, PacketReader
 from hapticplayer.media.limits import MAX_AUDIO_CHANNELS, MAX_AUDIO_RATE_HZ
 from hapticplayer.media.opening import (
     context_of,
@@ -44,7 +44,7 @@ class AudioBlock:
     samples: NDArray[np.float32]
 
 
-class AudioDecoder:
+class AudioDecoder(ClipDecoder[AudioFrame]):
     """The sound of a clip, resampled, from any position.
 
     One thread at a time. Gaps and edit lists show in the times of the blocks: a
@@ -107,21 +107,6 @@ class AudioDecoder:
         read_only(self._container, stream)
         self._reader = PacketReader[AudioFrame](self._container, stream, self._path)
         self._restart(0.0)
-
-    @property
-    def damaged(self) -> int:
-        """Packets that could not be decoded so far."""
-        return self._reader.damaged
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        self.close()
-
-    def close(self) -> None:
-        """Release the file and the decoder."""
-        self._container.close()
 
     def seek(self, media_s: float) -> None:
         """Go to `media_s`: the next block begins there, or after it in a gap.

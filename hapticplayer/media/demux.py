@@ -3,7 +3,7 @@
 import os
 from collections import deque
 from collections.abc import Iterator
-from typing import Any, Generic, TypeVar, cast
+from typing import Any, Generic, Self, TypeVar, cast
 
 import av.error
 from av.container import InputContainer
@@ -98,3 +98,25 @@ class PacketReader(Generic[FrameT]):
                 where=str(self._path),
                 remedy=COPY_AGAIN,
             ) from error
+
+
+class ClipDecoder(Generic[FrameT]):
+    """What the decoders of pictures and of sound share: an open clip and its damage."""
+
+    _container: InputContainer
+    _reader: PacketReader[FrameT]
+
+    @property
+    def damaged(self) -> int:
+        """Packets that could not be decoded so far."""
+        return self._reader.damaged
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+    def close(self) -> None:
+        """Release the file and the decoder."""
+        self._container.close()

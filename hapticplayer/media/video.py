@@ -8,7 +8,6 @@ import math
 import os
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Self
 
 from av.video.frame import VideoFrame
 
@@ -19,7 +18,7 @@ from hapticplayer.media.clip_info import (
     rotation_of,
     shown_size,
 )
-from hapticplayer.media.demux import PacketReader
+from hapticplayer.media.demux import ClipDecoder, PacketReader
 from hapticplayer.media.files import COPY_AGAIN
 from hapticplayer.media.limits import MAX_PIXELS
 from hapticplayer.media.opening import (
@@ -54,7 +53,7 @@ class DecodedFrame:
     native: VideoFrame
 
 
-class VideoDecoder:
+class VideoDecoder(ClipDecoder[VideoFrame]):
     """The pictures of a clip, in order, from any position.
 
     One thread at a time. A damaged packet is skipped and counted in `damaged`;
@@ -106,21 +105,10 @@ class VideoDecoder:
         rotation_deg = rotation_of(first.native)
         self.width, self.height = shown_size(self._stream, rotation_deg)
 
-    @property
-    def damaged(self) -> int:
-        """Packets that could not be decoded so far."""
-        return self._reader.damaged
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        self.close()
-
     def close(self) -> None:
         """Release the file and the decoder."""
         self._pending.clear()
-        self._container.close()
+        super().close()
 
     def seek(self, media_s: float) -> None:
         """Go to the picture that covers `media_s`; `next_frame` returns it.

@@ -162,6 +162,17 @@ def test_a_video_with_a_csv_log_is_imported_with_its_offset(clip, tmp_path, stil
     report = json.loads(done.stdout)
     assert report["clock_map"]["offset_s"] == -3.25
     assert not [note for note in report["provenance"]["notes"] if "offset" in note]
+    played = tmp_path / "played.jsonl"
+    done = hapticplayer("play", tmp_path / "out", "--headless", "--log", played)
+    assert done.returncode == 0, done.stderr
+    with np.load(tmp_path / "out" / "force_realistic.npz") as stored:
+        times, planned = stored["time_s"], stored["force_n"]
+    forces = [x for x in read_log(played) if x["kind"] == "force"]
+    felt = np.array([[x["media_s"], *x["force_n"]] for x in forces])
+    felt = felt[(felt[:, 0] > 0.6) & (felt[:, 0] < 1.9)]  # the entry is over
+    meant = [np.interp(felt[:, 0], times, planned[:, axis]) for axis in range(3)]
+    assert len(felt) > 1000
+    assert np.allclose(felt[:, 1:], np.transpose(meant), atol=1e-4)
 
 
 def test_any_video_plays_with_any_force_track_held_between_rows(clip, tmp_path):
