@@ -29,6 +29,8 @@ class ImuLog:
         magnetic_field_ut: (N, 3) in microtesla, or None.
         sampling: what one sample stands for.
         source: where it came from, for people.
+        valid: (N,) False where a sample was missing and has been filled in, or
+            None when all were there.
 
     Raises:
         InputError: on wrong shapes, values that are not finite, or times that do
@@ -41,6 +43,7 @@ class ImuLog:
     magnetic_field_ut: NDArray[np.float64] | None = None
     sampling: Sampling = Sampling.INSTANT
     source: str = ""
+    valid: NDArray[np.bool_] | None = None
 
     def __post_init__(self) -> None:
         put = object.__setattr__
@@ -48,11 +51,14 @@ class ImuLog:
         for name in ("specific_force_mps2", "angular_rate_radps", "magnetic_field_ut"):
             if getattr(self, name) is not None:
                 put(self, name, frozen(getattr(self, name), (None, 3), name))
+        if self.valid is not None:
+            put(self, "valid", frozen(self.valid, (None,), "valid", np.bool_))
         same_length(
             self.time_s,
             specific_force_mps2=self.specific_force_mps2,
             angular_rate_radps=self.angular_rate_radps,
             magnetic_field_ut=self.magnetic_field_ut,
+            valid=self.valid,
         )
 
     def __len__(self) -> int:

@@ -1,0 +1,325 @@
+"""Raw arrays of a flawed recording -> an honest ImuLog, or a refusal that helps.
+
+What can be put right without guessing is, and is said; what has to be filled in is
+marked as not valid; what would make every number wrong (units, a clock set back) is
+refused with the remedy. Cost: 0.4 us a sample, linear.
+"""
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from hapticplayer.errors import InputError
+from hapticplayer.model import STANDARD_GRAVITY_MPS2, ImuLog, Sampling
+from hapticplayer.model.arrays import Floats
+from hapticplayer.motion.repair.timestamps import Kind, Repair, Timeline, repair_times
+from hapticplayer.motion.repair.units import check_force_unit, check_rate_unit
+
+Flags = NDArray[np.bool_]
+
+MIN_SAMPLES = 2
+MAX_SAMPLES = 100_000_000
+"""Rows: 34 h of an 800 Hz sensor."""
+
+MAX_FORCE = 1e5
+MAX_RATE = 1e4
+MAX_FIELD = 1e7
+"""Numbers beyond these are damage in any unit: 16 g are 16000 mg; 4000 deg/s; a
+magnet at the sensor shows 1e6 nT."""
+
+MAX_MISSING = 0.5
+"""Beyond this part of the samples of a sensor there is no recording to repair."""
+
+MIN_UNPAIRED = 0.1
+"""Each of two sensors alone in this part of the rows: streams of different times."""
+
+# Over this time a hand moves nearly straight; longer gaps take means of both sides.
+MAX_LINE_S = 0.1
+SIDE_S = 0.25
+# An exact zero beside a force above this is a placeholder, no free fall.
+PLACEHOLDER_MPS2 = 0.3 * STANDARD_GRAVITY_MPS2
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Repaired:
+    """A log that can be trusted, and what it took.
+
+    Attributes:
+        imu: the log; its `valid` is False where force or rate was filled in, and
+            None where nothing was.
+        repairs: one entry for each kind of flaw; empty for a clean recording.
+    """
+
+    imu: ImuLog
+    repairs: tuple[Repair, ...]
+
+    def __str__(self) -> str:
+        return "\n".join(repair.text for repair in self.repairs)
+
+
+class _Sensor(NamedTuple):
+    name: str
+    kind: Kind
+    largest: float
+
+
+_FORCE = _Sensor("specific_force_mps2", Kind.FORCE_FILLED, MAX_FORCE)
+_RATE = _Sensor("angular_rate_radps", Kind.RATE_FILLED, MAX_RATE)
+_FIELD = _Sensor("magnetic_field_ut", Kind.FIELD_FILLED, MAX_FIELD)
+
+
+def repair_samples(
+    time_s: ArrayLike,
+    specific_force_mps2: ArrayLike,
+    angular_rate_radps: ArrayLike,
+    magnetic_field_ut: ArrayLike | None = None,
+    *,
+    sampling: Sampling = Sampling.INSTANT,
+    source: str = "",
+) -> Repaired:
+    """Turn raw samples into a log, with every flaw repaired, marked or refused.
+
+    Times: see `repair_times`. A sample of force or rate that is not finite (or an
+    exact zero force between real ones) is filled: up to 0.1 s by straight lines,
+    longer between the means of the quarter seconds beside the gap; it is marked as
+    not valid. The magnetometer is filled the same way and does not make the motion
+    invalid; without useful samples it is left out. Gaps in the times stay gaps.
+
+    Args:
+        time_s: (N,) seconds of any epoch.
+        specific_force_mps2: (N, 3) in frame A.
+        angular_rate_radps: (N, 3) in frame A.
+        magnetic_field_ut: (N, 3) or None.
+        sampling: what one sample stands for.
+        source: where it came from, for messages.
+
+    Raises:
+        InputError: for fewer than 2 or more than 1e8 samples, wrong shapes, a
+            clock that runs backwards, a sensor that is missing for more than half
+            of the time, a stuck sensor, or a unit that is plainly another.
+    """
+    times, sensors = _arrays(
+        time_s, specific_force_mps2, angular_rate_radps, magnetic_field_ut, source
+    )
+    line = repair_times(times, sensors, source)
+    repairs = list(line.repairs)
+    sensors = [_at_times(line, values) for values in sensors]
+    force, rate = sensors[0], sensors[1]
+    lost_force = _missing(force, _FORCE) | _placeholders(force)
+    lost_rate = _missing(rate, _RATE)
+    _refuse_unpaired(lost_force, lost_rate, source)
+    for sensor, values, lost in ((_FORCE, force, lost_force), (_RATE, rate, lost_rate)):
+        _refuse_missing(sensor, lost, line, source)
+        _fill(values, lost, line, repairs, sensor)
+    field = _field(sensors[2], line, repairs) if len(sensors) > 2 else None
+    _check_motion(line, force, rate, repairs, source)
+    is_valid = ~(lost_force | lost_rate)
+    imu = ImuLog(
+        time_s=line.time_s,
+        specific_force_mps2=force,
+        angular_rate_radps=rate,
+        magnetic_field_ut=field,
+        sampling=sampling,
+        source=source,
+        valid=None if is_valid.all() else is_valid,
+    )
+    return Repaired(imu, tuple(repairs))
+
+
+def _arrays(
+    time_s: ArrayLike,
+    force: ArrayLike,
+    rate: ArrayLike,
+    field: ArrayLike | None,
+    source: str,
+) -> tuple[Floats, list[Floats]]:
+    """Return own copies as float64; the caller's arrays stay as they are."""
+    times = _numbers(time_s, "time_s", source)
+    if times.ndim != 1:
+        raise InputError(f"time_s has {times.ndim} axes, expected one", where=source)
+    if not MIN_SAMPLES <= len(times) <= MAX_SAMPLES:
+        raise InputError(
+            f"the number of samples is {len(times)}; {MIN_SAMPLES} to {MAX_SAMPLES} can be used",
+            where=source,
+            remedy="give a recording of at least a few seconds"
+            if len(times) < MIN_SAMPLES
+            else "cut it into parts",
+        )
+    given = [(_FORCE, force), (_RATE, rate)]
+    if field is not None:
+        given.append((_FIELD, field))
+    sensors = []
+    for sensor, values in given:
+        array = _numbers(values, sensor.name, source)
+        if array.shape != (len(times), 3):
+            got = " x ".join(map(str, array.shape))
+            raise InputError(
+                f"{sensor.name} has the shape {got}, expected {len(times)} x 3",
+                where=source,
+                remedy="give three axes for each time",
+            )
+        sensors.append(array)
+    return times, sensors
+
+
+def _numbers(values: ArrayLike, name: str, source: str) -> Floats:
+    if isinstance(values, np.ma.MaskedArray):
+        values = np.ma.filled(values.astype(np.float64), np.nan)
+    try:
+        array = np.asarray(values)
+        if array.dtype.kind not in "biufO":
+            raise TypeError(f"{array.dtype} is no real number")  # noqa: TRY301
+        return np.array(array, dtype=np.float64, order="C")
+    except (TypeError, ValueError) as error:
+        raise InputError(
+            f"{name} does not hold numbers only ({error})", where=source
+        ) from error
+
+
+def _at_times(line: Timeline, values: Floats) -> Floats:
+    """Return one row for each time; rows that share one are averaged."""
+    if len(line.rows) == len(values) and (np.diff(line.rows) == 1).all():
+        ordered = values
+    else:
+        ordered = values[line.rows]
+    if len(line.starts) == len(line.rows):
+        return ordered
+    sizes = np.diff(line.starts, append=len(line.rows))
+    # one by one, because infinities of both signs may meet in a sum
+    finite = np.where(np.isfinite(ordered), ordered, np.nan)
+    return np.asarray(np.add.reduceat(finite, line.starts) / sizes[:, None])
+
+
+def _missing(values: Floats, sensor: _Sensor) -> Flags:
+    # a comparison with NaN is False, so that this finds NaN and infinity too
+    return np.asarray(~(np.abs(values) <= sensor.largest).all(axis=1))
+
+
+def _placeholders(force: Floats) -> Flags:
+    """Return spans of exact zeros that begin and end abruptly."""
+    is_zero = ~force.any(axis=1)
+    if is_zero.all() or not is_zero.any():
+        return np.asarray(is_zero)
+    edges = np.flatnonzero(np.diff(is_zero, prepend=False, append=False))
+    begins, ends = edges[::2], edges[1::2]
+    loud = np.ones(len(force) + 2, dtype=np.bool_)  # outside counts as loud
+    norm = np.sqrt(np.einsum("ij,ij->i", force, force))
+    loud[1:-1] = ~(norm <= PLACEHOLDER_MPS2)
+    steps = np.zeros(len(force) + 1, dtype=np.int64)
+    is_abrupt = loud[begins] & loud[ends + 1]
+    steps[begins[is_abrupt]] = 1
+    steps[ends[is_abrupt]] = -1
+    return np.asarray(np.cumsum(steps[:-1]) > 0)
+
+
+def _refuse_unpaired(lost_force: Flags, lost_rate: Flags, source: str) -> None:
+    """Refuse two streams of different times that were put under each other."""
+    pairs = np.count_nonzero(~lost_force & ~lost_rate)
+    alone = min(
+        np.count_nonzero(lost_force & ~lost_rate),
+        np.count_nonzero(lost_rate & ~lost_force),
+    )
+    if alone > MIN_UNPAIRED * len(lost_force):
+        raise InputError(
+            f"only {pairs} of {len(lost_force)} rows hold both specific force and "
+            f"angular rate",
+            where=source,
+            remedy="bring the streams to common times by interpolation first",
+        )
+
+
+def _refuse_missing(sensor: _Sensor, lost: Flags, line: Timeline, source: str) -> None:
+    count = int(np.count_nonzero(lost))
+    if count <= MAX_MISSING * len(lost):
+        return
+    row = int(line.rows[line.starts[int(np.argmax(lost))]])
+    raise InputError(
+        f"{sensor.name} is zero, not finite or beyond any sensor in {count} of "
+        f"{len(lost)} rows, first in row {row}",
+        where=source,
+        remedy="give a recording of a sensor that worked",
+    )
+
+
+def _fill(
+    values: Floats,
+    lost: Flags,
+    line: Timeline,
+    repairs: list[Repair],
+    sensor: _Sensor,
+) -> None:
+    """Fill the lost rows of `values` in place and say so."""
+    if not lost.any():
+        return
+    good = np.flatnonzero(~lost)
+    time_s, kept = line.time_s, values[good]
+    after = np.searchsorted(good, np.flatnonzero(lost))
+    before = np.maximum(after - 1, 0)
+    after = np.minimum(after, len(good) - 1)
+    is_long = time_s[good[after]] - time_s[good[before]] > MAX_LINE_S
+    count = max(1, round(SIDE_S / float(np.median(np.diff(time_s)))))
+    for axis in range(3):
+        column = kept[:, axis]
+        filled = np.interp(time_s[lost], time_s[good], column)
+        if is_long.any():
+            left, right = before[is_long], after[is_long]
+            back, ahead = _side_means(column, left, right, count)
+            span_s = time_s[good[right]] - time_s[good[left]]
+            part = (time_s[lost][is_long] - time_s[good[left]]) / span_s
+            filled[is_long] = back + part * (ahead - back)
+        values[lost, axis] = filled
+    number, row = int(np.count_nonzero(lost)), int(np.argmax(lost))
+    first_row = int(line.rows[line.starts[row]])
+    what = (
+        f"{number} of {len(lost)} samples of {sensor.name} were missing, the first in "
+        f"row {first_row}; they were filled in"
+    )
+    if sensor is not _FIELD:
+        what += " and are marked as not valid"
+    repairs.append(Repair(sensor.kind, number, first_row, what))
+
+
+def _side_means(
+    column: Floats, left: NDArray[np.intp], right: NDArray[np.intp], count: int
+) -> tuple[Floats, Floats]:
+    """Return the means of `count` samples that end at `left` and begin at `right`."""
+    sums = np.concatenate([[0.0], np.cumsum(column)])
+    low = np.maximum(left + 1 - count, 0)
+    high = np.minimum(right + count, len(column))
+    back = (sums[left + 1] - sums[low]) / (left + 1 - low)
+    ahead = (sums[high] - sums[right]) / (high - right)
+    return back, ahead
+
+
+def _field(field: Floats, line: Timeline, repairs: list[Repair]) -> Floats | None:
+    """Return the magnetic field without holes, or None when it says nothing."""
+    lost = _missing(field, _FIELD) | ~field.any(axis=1)
+    if np.count_nonzero(lost) > MAX_MISSING * len(lost):
+        row = int(line.rows[line.starts[int(np.argmax(lost))]])
+        count = int(np.count_nonzero(lost))
+        what = (
+            f"the magnetometer was left out: {count} of {len(lost)} samples are empty"
+        )
+        repairs.append(Repair(Kind.FIELD_DROPPED, count, row, what))
+        return None
+    _fill(field, lost, line, repairs, _FIELD)
+    return field
+
+
+def _check_motion(
+    line: Timeline, force: Floats, rate: Floats, repairs: list[Repair], source: str
+) -> None:
+    """Refuse stuck sensors and wrong units; mention a gyroscope that says nothing."""
+    if (force == force[0]).all() and (rate == rate[0]).all():
+        raise InputError(
+            "all samples are the same, so the sensor was stuck",
+            where=source,
+            remedy="give a recording of a sensor that worked",
+        )
+    check_force_unit(line.time_s, force, source)
+    check_rate_unit(line.time_s, force, rate, source)
+    if not rate.any():
+        what = "the angular rate is zero throughout, so no rotation is assumed"
+        repairs.append(Repair(Kind.NO_ROTATION, len(rate), int(line.rows[0]), what))

@@ -1,0 +1,89 @@
+"""Units are recognised from how gravity looks and turns."""
+
+import numpy as np
+import pytest
+from scipy.spatial.transform import Rotation
+
+from hapticplayer.errors import InputError
+from hapticplayer.model import STANDARD_GRAVITY_MPS2
+from hapticplayer.motion.repair.units import (
+    calm_norm,
+    check_force_unit,
+    check_rate_unit,
+)
+
+T = np.arange(0, 20, 0.01)
+DEGREES = 180.0 / np.pi
+
+
+def still(rng, rate_noise, bias=(0.0, 0.0, 0.0)):
+    force = [0.0, 3.0, 9.3] + 0.02 * rng.standard_normal((len(T), 3))
+    return force, np.array(bias) + rate_noise * rng.standard_normal((len(T), 3))
+
+
+@pytest.mark.parametrize(
+    ("factor", "remedy"),
+    [
+        (1 / STANDARD_GRAVITY_MPS2, r"in g: multiply it by 9\.80665"),
+        (1000 / STANDARD_GRAVITY_MPS2, r"milli-g: multiply it by 0\.00980665"),
+        (0.2, "if it is in g.*removed already"),
+        (0.02, "gravity seems to be removed already"),
+        (5.0, r"give the specific force in m/s\^2"),
+    ],
+)
+def test_a_force_in_another_unit_is_refused_with_the_factor(swing, factor, remedy):
+    log, _ = swing
+    check_force_unit(log.time_s, log.specific_force_mps2)
+    with pytest.raises(InputError, match=remedy):
+        check_force_unit(log.time_s, factor * log.specific_force_mps2)
+
+
+def test_the_calm_norm_looks_past_free_fall_and_shaking(rng):
+    force, _ = still(rng, 0.001)
+    force[300:900] = 0.02 * rng.standard_normal((600, 3))
+    force[1000:1400] += 30.0 * rng.standard_normal((400, 3))
+    true = np.hypot(3.0, 9.3)
+    assert calm_norm(T, force) == pytest.approx(true, abs=0.01)
+
+
+def test_turning_tells_degrees_from_radians(swing):
+    log, _ = swing
+    given = log.time_s, log.specific_force_mps2
+    check_rate_unit(*given, log.angular_rate_radps)
+    with pytest.raises(InputError, match=r"deg/s: multiply it by 0\.0174532925"):
+        check_rate_unit(*given, DEGREES * log.angular_rate_radps)
+
+
+def test_a_rate_that_was_converted_twice_is_recognised():
+    angle = 1.2 * np.sin(1.5 * T)
+    force = Rotation.from_rotvec(np.outer(-angle, [1.0, 0, 0])).apply([0, 0, 9.8])
+    rate = np.outer(1.8 * np.cos(1.5 * T), [1.0, 0, 0])
+    check_rate_unit(T, force, rate)
+    with pytest.raises(InputError, match=r"twice: multiply it by 57\.2957795"):
+        check_rate_unit(T, force, rate / DEGREES)
+
+
+@pytest.mark.parametrize("bias", [(0, 0, 0), (0.1, -0.1, 0.1), (0.0, 0.0, 2.0)])
+def test_rest_bias_and_turning_about_the_vertical_pass(rng, bias):
+    force, rate = still(rng, 0.003, bias)
+    check_rate_unit(T, force, rate)
+
+
+def test_a_recording_shorter_than_a_second_passes(rng):
+    force, rate = still(rng, 2.0)
+    check_rate_unit(T[:50], force[:50], DEGREES * rate[:50])
+
+
+def test_real_recordings_pass_and_are_refused_in_degrees_or_g(shared_data):
+    paths = sorted((shared_data / "orientation" / "native").glob("*.npz"))
+    assert len(paths) >= 10
+    for path in paths:
+        with np.load(path) as data:
+            force, rate = data["acc"].astype(float), data["gyr"].astype(float)
+            time_s = np.arange(len(force)) / float(data["rate"])
+        check_force_unit(time_s, force, path.stem)
+        check_rate_unit(time_s, force, rate, path.stem)
+        with pytest.raises(InputError, match="deg/s"):
+            check_rate_unit(time_s, force, DEGREES * rate, path.stem)
+        with pytest.raises(InputError, match="in g"):
+            check_force_unit(time_s, force / STANDARD_GRAVITY_MPS2, path.stem)
