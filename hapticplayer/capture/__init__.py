@@ -14,8 +14,14 @@ if TYPE_CHECKING:
         write_imu_csv,
     )
     from hapticplayer.capture.gopro import GoProTelemetry, read_gopro, read_raw_gopro
+    from hapticplayer.capture.motion_scenes import (
+        MOTION_SCENES,
+        SimulatedMotion,
+        simulate_motion,
+    )
     from hapticplayer.capture.recording import Recording, read_recording
     from hapticplayer.capture.scenes import SCENES
+    from hapticplayer.capture.sensor_model import SENSORS, SensorErrors, SensorModel
     from hapticplayer.capture.simulator import (
         SimulatedRecording,
         simulate,
@@ -23,9 +29,14 @@ if TYPE_CHECKING:
     )
 
 _HOMES = {
+    "MOTION_SCENES": "motion_scenes",
     "SCENES": "scenes",
+    "SENSORS": "sensor_model",
     "GoProTelemetry": "gopro",
     "Recording": "recording",
+    "SensorErrors": "sensor_model",
+    "SensorModel": "sensor_model",
+    "SimulatedMotion": "motion_scenes",
     "SimulatedRecording": "simulator",
     "read_force_csv": "csv_log",
     "read_gopro": "gopro",
@@ -33,14 +44,20 @@ _HOMES = {
     "read_raw_gopro": "gopro",
     "read_recording": "recording",
     "simulate": "simulator",
+    "simulate_motion": "motion_scenes",
     "write_imu_csv": "csv_log",
     "write_simulated_clip": "simulator",
 }
 
 __all__ = [
+    "MOTION_SCENES",
     "SCENES",
+    "SENSORS",
     "GoProTelemetry",
     "Recording",
+    "SensorErrors",
+    "SensorModel",
+    "SimulatedMotion",
     "SimulatedRecording",
     "read_force_csv",
     "read_gopro",
@@ -48,6 +65,7 @@ __all__ = [
     "read_raw_gopro",
     "read_recording",
     "simulate",
+    "simulate_motion",
     "write_imu_csv",
     "write_simulated_clip",
 ]
