@@ -11,6 +11,7 @@ from hapticplayer.model import STANDARD_GRAVITY_MPS2, ImuLog
 from hapticplayer.model import quaternions as quat
 
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+os.environ["HAPTICPLAYER_CACHE"] = "off"  # no test shall depend on an earlier run
 
 SHARED_DATA = Path(__file__).resolve().parents[2] / "shared" / "data"
 

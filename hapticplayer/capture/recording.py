@@ -7,8 +7,9 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
-from hapticplayer.capture.csv_log import read_imu_csv
+from hapticplayer.capture.csv_log import read_motion_log
 from hapticplayer.capture.gopro import GoProTelemetry, read_gopro, read_raw_gopro
 from hapticplayer.capture.gopro_packets import RAW_MAGIC
 from hapticplayer.errors import TelemetryError
@@ -98,19 +99,26 @@ def _from_gopro(telemetry: GoProTelemetry, reader: str) -> Recording:
 
 
 def _from_log(file: Path) -> Recording:
-    imu = read_imu_csv(file)
+    log = read_motion_log(file)
     return Recording(
-        imu=imu,
+        imu=log.imu,
         clock_map=ClockMap(confidence=0.0),
         camera="CSV log",
-        notes=_gaps(imu),
+        notes=_gaps(log.imu) + log.notes,
         provenance={"reader": "CSV log"},
     )
 
 
-def _gaps(imu: ImuLog) -> tuple[str, ...]:
+def find_gaps(imu: ImuLog) -> NDArray[np.intp]:
+    """Return the samples (G,) that are followed by a gap."""
     steps_s = np.diff(imu.time_s)
-    wide = np.flatnonzero(steps_s > _GAP_STEPS * np.median(steps_s))
+    if not steps_s.size:
+        return np.zeros(0, dtype=np.intp)
+    return np.flatnonzero(steps_s > _GAP_STEPS * np.median(steps_s))
+
+
+def _gaps(imu: ImuLog) -> tuple[str, ...]:
+    steps_s, wide = np.diff(imu.time_s), find_gaps(imu)
     if not wide.size:
         return ()
     longest = int(wide[np.argmax(steps_s[wide])])

@@ -1,13 +1,15 @@
 """Reads strict tables of numbers: a header that must fit, then numbers only.
 
 A good file is read by numpy in one pass. Only when that fails a slow second pass
-looks for the first line at fault, so that the message can name it.
+looks for the first line at fault, so that the message can name it. A layout may allow
+holes (empty cells, NaN, times in disorder), which its reader then has to repair.
 """
 
 import contextlib
 import functools
 import math
 import os
+import re
 import warnings
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
@@ -23,6 +25,8 @@ from hapticplayer.model.arrays import Floats
 
 TIME = "time_s"
 
+_HOLE = re.compile(r"(^|,)\s*(?=,|$)")
+
 
 @dataclass(frozen=True, slots=True)
 class Layout:
@@ -32,11 +36,13 @@ class Layout:
         required: names of the columns, in order; the first is TIME.
         optional: names that may follow, all or none of them.
         least_rows: how many rows make sense.
+        has_holes: whether cells may be empty or not finite, and times in disorder.
     """
 
     required: tuple[str, ...]
     optional: tuple[str, ...] = ()
     least_rows: int = 1
+    has_holes: bool = False
 
     @property
     def header(self) -> str:
@@ -52,7 +58,8 @@ class Table:
     Attributes:
         path: absolute.
         columns: names in order.
-        values: (rows, columns) finite; the first column increases strictly.
+        values: (rows, columns) finite, the first column increases strictly; or with
+            NaN and in any order, where the layout allows holes.
     """
 
     path: Path
@@ -78,9 +85,33 @@ def read_table(path: str | os.PathLike[str], layout: Layout) -> Table:
     with _text_errors(file), file.open(encoding="utf-8-sig") as lines:
         columns = _read_header(lines, layout, file)
         values = _parse(_short_lines(lines), len(columns))
+        if values is None and layout.has_holes:
+            _rewind(lines)
+            values = _parse(_without_holes(lines), len(columns))
     if values is None or not _is_good(values, layout):
         values = _parse_or_blame(file, columns, layout)
     return Table(file, columns, values)
+
+
+def find_lines(path: Path, rows: Iterable[int]) -> dict[int, int]:
+    """Return in which lines, counted from 1, rows of a table stand, from 0."""
+    wanted, row, found = set(rows), -1, {}
+    with path.open(encoding="utf-8-sig") as lines:
+        _rewind(lines)
+        for number, line in enumerate(_short_lines(lines), start=2):
+            row += bool(line.strip())
+            if row in wanted:
+                found[row] = number
+                wanted.remove(row)
+            if not wanted:
+                break
+    return found
+
+
+def _rewind(lines: IO[str]) -> None:
+    """Go to the line behind the header."""
+    lines.seek(0)
+    lines.readline()
 
 
 @contextlib.contextmanager
@@ -110,6 +141,13 @@ def _read_header(lines: IO[str], layout: Layout, file: Path) -> tuple[str, ...]:
 def _short_lines(lines: IO[str]) -> Iterator[str]:
     """Yield lines; one that never ends is cut instead of filling the memory."""
     return iter(functools.partial(lines.readline, MAX_LINE_BYTES + 1), "")
+
+
+def _without_holes(lines: IO[str]) -> Iterator[str]:
+    """Yield lines with NaN in empty cells."""
+    for line in _short_lines(lines):
+        if content := line.strip():
+            yield _HOLE.sub(r"\1nan", content)
 
 
 def _what_is_wrong(line: str, names: tuple[str, ...], layout: Layout) -> str:
@@ -142,10 +180,10 @@ def _parse(lines: Iterable[str], width: int) -> Floats | None:
 
 
 def _is_good(values: Floats, layout: Layout) -> bool:
-    return bool(
-        layout.least_rows <= len(values) <= MAX_CSV_ROWS
-        and np.isfinite(values).all()
-        and (np.diff(values[:, 0]) > 0.0).all()
+    if not layout.least_rows <= len(values) <= MAX_CSV_ROWS:
+        return False
+    return layout.has_holes or bool(
+        np.isfinite(values).all() and (np.diff(values[:, 0]) > 0.0).all()
     )
 
 
@@ -157,12 +195,12 @@ def _parse_or_blame(file: Path, columns: Sequence[str], layout: Layout) -> Float
             if number == 1 or not line.strip():
                 continue
             where = f"{file}, line {number}"
-            time_s = _check_line(line, columns, where)
-            _check_order(time_s, last_s, where)
+            time_s = _check_line(line, columns, where, has_holes=layout.has_holes)
+            if not layout.has_holes:
+                _check_order(time_s, last_s, where)
             rows, last_s = rows + 1, time_s
         if layout.least_rows <= rows <= MAX_CSV_ROWS:
-            lines.seek(0)
-            lines.readline()
+            _rewind(lines)
             values = _parse(filter(str.strip, _short_lines(lines)), len(columns))
             if values is not None and _is_good(values, layout):
                 return values
@@ -173,7 +211,9 @@ def _parse_or_blame(file: Path, columns: Sequence[str], layout: Layout) -> Float
     )
 
 
-def _check_line(line: str, columns: Sequence[str], where: str) -> float:
+def _check_line(
+    line: str, columns: Sequence[str], where: str, *, has_holes: bool
+) -> float:
     if len(line) > MAX_LINE_BYTES:
         raise InputError(
             f"is longer than {MAX_LINE_BYTES} characters",
@@ -187,10 +227,13 @@ def _check_line(line: str, columns: Sequence[str], where: str) -> float:
             where=where,
             remedy="remove or complete the line",
         )
+    if has_holes:
+        cells = [cell if cell.strip() else "nan" for cell in cells]
     for name, cell in zip(columns, cells, strict=True):
-        if not _is_number(cell) or not math.isfinite(float(cell)):
+        if not _is_number(cell) or not (has_holes or math.isfinite(float(cell))):
+            kind = "number" if has_holes else "finite number"
             raise InputError(
-                f"{cell.strip()[:30]!r} is not a finite number",
+                f"{cell.strip()[:30]!r} is not a {kind}",
                 where=f"{where}, column {name}",
                 remedy="remove the line or correct the number",
             )

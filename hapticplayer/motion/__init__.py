@@ -3,12 +3,16 @@
 A pure room: no I/O, no threads, no clocks.
 """
 
+from hapticplayer.motion.ekf import EkfParameters
 from hapticplayer.motion.gravity import (
-    DEFAULT_METHOD,
-    METHODS,
+    GravityRemoval,
+    analyse,
     estimate_orientation,
     remove_gravity,
 )
+from hapticplayer.motion.methods import DEFAULT_METHOD, METHODS
+from hapticplayer.motion.repair import Repaired, repair_samples
+from hapticplayer.motion.smoother import SmootherParameters
 from hapticplayer.motion.stillness import (
     AccelerometerGain,
     estimate_accelerometer_gain,
@@ -18,7 +22,13 @@ __all__ = [
     "DEFAULT_METHOD",
     "METHODS",
     "AccelerometerGain",
+    "EkfParameters",
+    "GravityRemoval",
+    "Repaired",
+    "SmootherParameters",
+    "analyse",
     "estimate_accelerometer_gain",
     "estimate_orientation",
     "remove_gravity",
+    "repair_samples",
 ]

@@ -1,76 +1,77 @@
 """Gravity removal, p[k] = a[k] - |g| n_g[k].
 
 Source: Danieau et al. 2012, "A Framework for Enhancing Video Viewing Experience
-with Haptic Effects of Motion", equation 1; orientation by offline VQF (Laidig and
-Seel 2023, doi:10.1016/j.inffus.2022.10.014). Cost: 0.5 us a sample.
+with Haptic Effects of Motion", equation 1.
 """
 
-from collections.abc import Callable
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
 from hapticplayer.errors import InputError, UsageError
-from hapticplayer.model import STANDARD_GRAVITY_MPS2, ImuLog, MotionTrack, Sampling
-from hapticplayer.model import quaternions as quat
+from hapticplayer.model import STANDARD_GRAVITY_MPS2, ImuLog, MotionTrack
 from hapticplayer.model.arrays import Floats
-from hapticplayer.motion import grid
-from hapticplayer.motion.stillness import estimate_accelerometer_gain
+from hapticplayer.motion.estimate import Estimate
+from hapticplayer.motion.flaws import find_flaws
+from hapticplayer.motion.methods import DEFAULT_METHOD, METHODS, Parameters, Task
+from hapticplayer.motion.stillness import (
+    WINDOW_S,
+    StillSpans,
+    estimate_accelerometer_gain,
+    find_still,
+)
 
 MIN_SAMPLES = 2
+MIN_SPAN_S = 1e-3
 
 
-def _offline_vqf(log: grid.EvenLog) -> Floats:
-    """Return (M, 4) sensor to earth; heading starts at an arbitrary angle."""
-    import vqf
+@dataclass(frozen=True, slots=True, eq=False)
+class GravityRemoval:
+    """A motion track with what is known about how it came about.
 
-    # no magnetometer: only the vertical is subtracted, and heading does not move it
-    result = vqf.offlineVQF(
-        np.array(log.angular_rate_radps),
-        np.array(log.specific_force_mps2),
-        None,
-        log.interval_s,
-    )
-    return np.asarray(result["quat6D"])
+    Attributes:
+        track: the gravity-free motion.
+        summary: plain numbers, lists and texts, for provenance and for people.
+    """
 
-
-METHODS: dict[str, Callable[[grid.EvenLog], Floats]] = {"offline-vqf": _offline_vqf}
-"""Orientation estimators by name; each takes an even log and returns (M, 4)."""
-
-DEFAULT_METHOD = "offline-vqf"
+    track: MotionTrack
+    summary: Mapping[str, Any]
 
 
-def estimate_orientation(imu: ImuLog, method: str = DEFAULT_METHOD) -> Floats:
+def estimate_orientation(
+    imu: ImuLog,
+    method: str = DEFAULT_METHOD,
+    *,
+    parameters: Parameters | None = None,
+    heading: bool = False,
+) -> Floats:
     """Return the orientation (N, 4), wxyz, sensor to earth, at the log's times.
 
     For averaged samples it is the orientation at the middle of each window.
 
+    Args:
+        imu: samples in frame A; see ImuLog.
+        method: one of METHODS.
+        parameters: of the method; None for its defaults.
+        heading: whether the heading is wanted, from the magnetometer; without, it
+            starts at an arbitrary angle and drifts, and nothing is spent on it.
+
     Raises:
-        UsageError: for a method that does not exist.
-        InputError: for fewer than two samples.
+        UsageError: for a method that does not exist or knows no heading, and for
+            parameters of another one.
+        InputError: for fewer than two samples, or less than a millisecond of them.
     """
-    if method not in METHODS:
-        raise UsageError(
-            f"there is no method {method!r}; choose one of {', '.join(METHODS)}"
-        )
-    if len(imu) < MIN_SAMPLES:
-        raise InputError(
-            f"{len(imu)} motion samples are too few; at least {MIN_SAMPLES} are needed",
-            where=imu.source,
-        )
-    log = grid.even(imu)
-    q = METHODS[method](log)
-    if imu.sampling is Sampling.AVERAGED:
-        # the filter's answer belongs to the end of the window, half of one later
-        half_s = 0.5 * log.interval_s
-        q = quat.multiply(
-            q, quat.from_rotation_vector(-half_s * log.angular_rate_radps)
-        )
-    if log.time_s is imu.time_s:
-        return quat.normalized(q)
-    return quat.interpolate(imu.time_s, log.time_s, q)
+    return _estimate(_task(imu, parameters, heading=heading), method).quaternion_wxyz
 
 
-def remove_gravity(imu: ImuLog, method: str = DEFAULT_METHOD) -> MotionTrack:
+def remove_gravity(
+    imu: ImuLog,
+    method: str = DEFAULT_METHOD,
+    *,
+    parameters: Parameters | None = None,
+) -> MotionTrack:
     """Return the gravity-free acceleration of a log, in frame A.
 
     The accelerometer's gain is corrected where the recording stands still for at
@@ -79,20 +80,115 @@ def remove_gravity(imu: ImuLog, method: str = DEFAULT_METHOD) -> MotionTrack:
     Args:
         imu: samples in frame A; see ImuLog.
         method: one of METHODS.
+        parameters: of the method; None for its defaults.
 
     Raises:
-        UsageError: for a method that does not exist.
-        InputError: for fewer than two samples.
+        UsageError: for a method that does not exist, and for parameters of another.
+        InputError: for fewer than two samples, or less than a millisecond of them.
     """
-    gain = estimate_accelerometer_gain(imu).gain
-    q = estimate_orientation(imu, method)
-    gravity = STANDARD_GRAVITY_MPS2 * quat.vertical(q)
-    return MotionTrack(
-        time_s=imu.time_s,
-        acceleration_mps2=gain * imu.specific_force_mps2 - gravity,
+    return _removed(_task(imu, parameters), method)[0]
+
+
+def analyse(
+    imu: ImuLog,
+    method: str = DEFAULT_METHOD,
+    *,
+    parameters: Parameters | None = None,
+) -> GravityRemoval:
+    """Remove gravity like `remove_gravity` and say what was found on the way.
+
+    The summary holds `method`, `accelerometer_gain` and where it comes from,
+    `still_s`, `leak_at_rest_mps2` (RMS over still spans of what is left there, the
+    norm of its mean over each second; None without one), `saturated_share`,
+    `invalid_share`, `gravity_sigma_mps2` (median; None if unknown) and what the
+    method itself reports.
+
+    Raises:
+        UsageError, InputError: as `remove_gravity`.
+    """
+    task = _task(imu, parameters)
+    track, estimate = _removed(task, method)
+    still = _at_rest(task, estimate)
+    gain = estimate_accelerometer_gain(imu, still)
+    sigma = track.gravity_sigma_mps2
+    summary = {
+        "method": method,
+        "accelerometer_gain": gain.gain,
+        "accelerometer_gain_from": gain.reason,
+        "still_s": round(gain.still_s, 3),
+        "leak_at_rest_mps2": _leak_mps2(track, still),
+        "saturated_share": task.flaws.saturated_share,
+        "invalid_share": 1.0 - float(np.mean(track.valid)),
+        "gravity_sigma_mps2": None if sigma is None else float(np.median(sigma)),
+        **estimate.found,
+    }
+    return GravityRemoval(track, summary)
+
+
+def _task(imu: ImuLog, parameters: Parameters | None, *, heading: bool = False) -> Task:
+    if len(imu) < MIN_SAMPLES:
+        raise InputError(
+            f"{len(imu)} motion samples are too few; at least {MIN_SAMPLES} are needed",
+            where=imu.source,
+        )
+    span_s = float(imu.time_s[-1] - imu.time_s[0])
+    if span_s < MIN_SPAN_S:
+        raise InputError(
+            f"{len(imu)} motion samples within {1000.0 * span_s:.3g} ms are no motion",
+            where=imu.source,
+            remedy="give their times in seconds",
+        )
+    flaws = find_flaws(imu)
+    still = find_still(imu, flaws.interval_s)
+    gain = estimate_accelerometer_gain(imu, still).gain
+    return Task(imu, gain, still, flaws, parameters, heading)
+
+
+def _estimate(task: Task, method: str) -> Estimate:
+    if method not in METHODS:
+        raise UsageError(
+            f"there is no method {method!r}; choose one of {', '.join(METHODS)}"
+        )
+    return METHODS[method](task)
+
+
+def _removed(task: Task, method: str) -> tuple[MotionTrack, Estimate]:
+    estimate = _estimate(task, method)
+    gravity = STANDARD_GRAVITY_MPS2 * estimate.vertical
+    gain = task.gain
+    if estimate.at_rest is not None and gain != 1.0:
+        # what only seemed to stand still has no say in the scale
+        gain = estimate_accelerometer_gain(task.imu, _at_rest(task, estimate)).gain
+    acceleration = gain * task.imu.specific_force_mps2
+    acceleration -= gravity
+    sigma = estimate.sigma_rad
+    valid = task.flaws.valid
+    track = MotionTrack(
+        time_s=task.imu.time_s,
+        acceleration_mps2=acceleration,
         gravity_mps2=gravity,
         accelerometer_gain=gain,
-        quaternion_wxyz=q,
-        gravity_sigma_mps2=None,
-        valid=~grid.gap_mask(imu.time_s),
+        quaternion_wxyz=estimate.quaternion_wxyz,
+        gravity_sigma_mps2=None if sigma is None else STANDARD_GRAVITY_MPS2 * sigma,
+        valid=valid,
     )
+    return track, estimate
+
+
+def _at_rest(task: Task, estimate: Estimate) -> StillSpans:
+    if estimate.at_rest is None:
+        return task.still
+    return task.still.confirmed(estimate.at_rest)
+
+
+def _leak_mps2(track: MotionTrack, still: StillSpans) -> float | None:
+    """Return the RMS of what is left per second of the still spans."""
+    if not still.bins.any() or still.still_s < WINDOW_S - still.bin_s:
+        return None
+    mask = still.mask(len(track))
+    left = track.acceleration_mps2[mask]
+    per_second = max(1, round(still.per_bin / still.bin_s))
+    starts = np.arange(0, len(left), per_second)
+    counts = np.diff(np.append(starts, len(left)))
+    means = np.add.reduceat(left, starts, axis=0) / counts[:, None]
+    return float(np.sqrt(np.average(np.square(means).sum(axis=1), weights=counts)))

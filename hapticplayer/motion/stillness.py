@@ -1,25 +1,28 @@
-"""Where a recording stands still, and what the accelerometer's scale is there.
+"""Where a recording stands still, and what the sensors read there.
 
 Accelerometers of action cameras are uncalibrated: norms at rest between 9.8 and
 10.8 m/s^2 were measured. A scale error of 1 % leaves 0.1 m/s^2 of gravity in
-every sample, so still spans set the gain before anything else.
+every sample, so still spans set the gain before anything else. What the gyro reads
+there is its bias.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
+from numpy.typing import NDArray
 
 from hapticplayer.model import STANDARD_GRAVITY_MPS2, ImuLog
 from hapticplayer.model.arrays import Floats
 
 WINDOW_S = 1.0
-# A tripod or a standing person stays below these, a rolling wheel does not
-# (measured: ADXL345 noise 0.1 m/s^2 per sample, hand tremor 0.05 rad/s).
-MAX_FORCE_STD_MPS2 = 0.25
-MAX_RATE_STD_RADPS = 0.05
-MAX_RATE_MEAN_RADPS = 0.1  # allows a gyro bias of 5 deg/s
+# A tripod or a table stays below these, a hand or a rolling wheel does not
+# (ADXL345: noise 0.1 m/s^2 per sample and axis; held cameras: above 0.03 rad/s).
+MAX_FORCE_STD_MPS2 = 0.2
+MAX_RATE_STD_RADPS = 0.02
+MAX_RATE_MEAN_RADPS = 0.2  # allows a gyro bias of 11 deg/s
 # Beyond this the norm is no scale error but a wrong unit or constant motion.
 GAIN_RANGE = (0.85, 1.15)
+_BINS = 4  # to a window
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,57 +40,137 @@ class AccelerometerGain:
     reason: str
 
 
-def estimate_accelerometer_gain(imu: ImuLog) -> AccelerometerGain:
+@dataclass(frozen=True, slots=True, eq=False)
+class StillSpans:
+    """Where a log of N samples stands still, in B bins of a quarter of a second.
+
+    Attributes:
+        per_bin: samples of a bin; what is left at the end belongs to none.
+        bins: (B,) True for bins inside a window of 1 s that stands still.
+        force_mps2: (3, B) mean of each bin.
+        rate_radps: (3, B) mean of each bin.
+        bin_s: length of a bin.
+    """
+
+    per_bin: int
+    bins: NDArray[np.bool_]
+    force_mps2: Floats
+    rate_radps: Floats
+    bin_s: float
+
+    @property
+    def still_s(self) -> float:
+        """Total time of the still spans."""
+        return float(np.count_nonzero(self.bins)) * self.bin_s
+
+    def confirmed(self, at_rest: NDArray[np.bool_]) -> "StillSpans":
+        """Return the spans without the bins that are not all at rest, (N,)."""
+        used = at_rest[: len(self.bins) * self.per_bin]
+        kept = self.bins & used.reshape(-1, self.per_bin).all(axis=1)
+        return replace(self, bins=kept)
+
+    def mask(self, count: int) -> NDArray[np.bool_]:
+        """Return True for the samples of still bins, (count,)."""
+        mask = np.zeros(count, dtype=np.bool_)
+        mask[: len(self.bins) * self.per_bin] = np.repeat(self.bins, self.per_bin)
+        return mask
+
+
+def find_still(imu: ImuLog, interval_s: float | None = None) -> StillSpans:
+    """Return the spans of at least 1 s without motion.
+
+    Args:
+        imu: the log.
+        interval_s: its median step, when it is known already.
+    """
+    if interval_s is None:
+        interval_s = 1.0 / imu.rate_hz if len(imu) > 1 else WINDOW_S
+    per_bin = max(1, round(WINDOW_S / (_BINS * interval_s)))
+    count = len(imu) // per_bin
+    bin_s = per_bin * interval_s
+    if count < _BINS:
+        nothing = np.zeros((3, count))
+        none = np.zeros(count, dtype=np.bool_)
+        return StillSpans(per_bin, none, nothing, nothing, bin_s)
+    used = count * per_bin
+    force = _Bins.of(imu.specific_force_mps2[:used], count)
+    rate = _Bins.of(imu.angular_rate_radps[:used], count)
+    ends_s = imu.time_s[per_bin - 1 : used : per_bin]
+    span_s = ends_s[_BINS - 1 :] - imu.time_s[:used:per_bin][: count - _BINS + 1]
+    starts = np.flatnonzero(
+        (force.deviation < MAX_FORCE_STD_MPS2)
+        & (rate.deviation < MAX_RATE_STD_RADPS)
+        & (rate.norm < MAX_RATE_MEAN_RADPS)
+        & (force.norm > 0.5 * STANDARD_GRAVITY_MPS2)
+        & (span_s < 1.5 * WINDOW_S)  # a gap inside is no evidence of rest
+    )
+    edges = np.bincount(starts, minlength=count + 1)
+    edges -= np.bincount(starts + _BINS, minlength=count + 1)
+    still = np.cumsum(edges[:-1]) > 0
+    if imu.valid is not None:
+        still &= imu.valid[:used].reshape(count, per_bin).all(axis=1)
+    return StillSpans(per_bin, still, force.means, rate.means, bin_s)
+
+
+def estimate_accelerometer_gain(
+    imu: ImuLog, still: StillSpans | None = None
+) -> AccelerometerGain:
     """Return the gain that makes the norm of the specific force 1 g at rest.
 
     Args:
         imu: the log; needs no particular rate.
+        still: from `find_still`, when it is known already.
 
     Returns:
         gain = |g| / median norm over the still spans, or 1 where there is none or
         where the result would be outside 0.85 to 1.15.
     """
-    still = still_mask(imu)
-    still_s = float(np.sum(np.diff(imu.time_s)[still[1:]])) if len(imu) > 1 else 0.0
-    if still_s < WINDOW_S:
+    still = find_still(imu) if still is None else still
+    if not still.bins.any() or still.still_s < WINDOW_S - still.bin_s:
         return AccelerometerGain(1.0, 0.0, "assumed: the recording has no still span")
-    norm = np.linalg.norm(imu.specific_force_mps2[still], axis=1)
-    gain = STANDARD_GRAVITY_MPS2 / float(np.median(norm))
+    force = still.force_mps2[:, still.bins]
+    gain = STANDARD_GRAVITY_MPS2 / float(
+        np.median(np.sqrt((force * force).sum(axis=0)))
+    )
     if not GAIN_RANGE[0] <= gain <= GAIN_RANGE[1]:
         reason = f"assumed: still spans would give {gain:.3f}, which is not plausible"
         return AccelerometerGain(1.0, 0.0, reason)
-    return AccelerometerGain(gain, still_s, f"from {still_s:.1f} s of still spans")
-
-
-def still_mask(imu: ImuLog) -> np.ndarray[tuple[int], np.dtype[np.bool_]]:
-    """Return (N,) True for samples inside a window of 1 s that stands still."""
-    count = max(2, round(WINDOW_S * imu.rate_hz))
-    mask = np.zeros(len(imu), dtype=np.bool_)
-    if len(imu) < count:
-        return mask
-    force_mean, force_std = _windows(imu.specific_force_mps2, count)
-    rate_mean, rate_std = _windows(imu.angular_rate_radps, count)
-    span_s = imu.time_s[count - 1 :] - imu.time_s[: len(imu) - count + 1]
-    starts = np.flatnonzero(
-        (force_std < MAX_FORCE_STD_MPS2)
-        & (rate_std < MAX_RATE_STD_RADPS)
-        & (rate_mean < MAX_RATE_MEAN_RADPS)
-        & (force_mean > 0.5 * STANDARD_GRAVITY_MPS2)
-        & (span_s < 1.5 * WINDOW_S)  # a gap inside is no evidence of rest
+    return AccelerometerGain(
+        gain, still.still_s, f"from {still.still_s:.1f} s of still spans"
     )
-    edges = np.zeros(len(imu) + 1, dtype=np.int64)
-    np.add.at(edges, starts, 1)
-    np.add.at(edges, starts + count, -1)
-    mask[:] = np.cumsum(edges[:-1]) > 0
-    return mask
 
 
-def _windows(values: Floats, count: int) -> tuple[Floats, Floats]:
-    """Return norm of the mean and norm of the deviation of sliding windows."""
-    centred = values - values.mean(axis=0)  # cancellation would eat the variance
-    sums = np.cumsum(np.vstack([np.zeros(3), centred]), axis=0)
-    squares = np.cumsum(np.vstack([np.zeros(3), np.square(centred)]), axis=0)
-    mean = (sums[count:] - sums[:-count]) / count
-    variance = (squares[count:] - squares[:-count]) / count - np.square(mean)
-    deviation = np.sqrt(np.maximum(variance, 0.0).sum(axis=1))
-    return np.linalg.norm(mean + values.mean(axis=0), axis=1), deviation
+@dataclass(frozen=True, slots=True, eq=False)
+class _Bins:
+    """Means of bins (3, B), and norm of the mean and deviation of 4 neighbours."""
+
+    means: Floats
+    norm: Floats
+    deviation: Floats
+
+    @classmethod
+    def of(cls, values: Floats, count: int) -> "_Bins":
+        # column by column: numpy is slow along axes of three
+        columns = [column.reshape(count, -1) for column in values.T]
+        per_bin = columns[0].shape[1]
+        means = np.stack([column.sum(axis=1) for column in columns]) / per_bin
+        squares = np.einsum("bk,bk->b", *[values.reshape(count, -1)] * 2) / per_bin
+        inside = np.maximum(squares - np.square(means).sum(axis=0), 0.0)
+        overall = means.mean(axis=1, keepdims=True)
+        centred = means - overall  # or the variance cancels
+        running = _running_mean(
+            np.concatenate([centred, np.square(centred), inside[None]])
+        )
+        mean, squared, within = running[:3], running[3:6], running[6]
+        between = np.abs(squared - np.square(mean)).sum(axis=0)
+        mean = mean + overall
+        return cls(
+            means, np.sqrt(np.square(mean).sum(axis=0)), np.sqrt(within + between)
+        )
+
+
+def _running_mean(values: Floats) -> Floats:
+    """Return the means of 4 neighbours along the last axis."""
+    total = np.zeros((len(values), values.shape[1] + 1))
+    np.cumsum(values, axis=1, out=total[:, 1:])
+    return np.asarray(total[:, _BINS:] - total[:, :-_BINS]) / _BINS

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from hapticplayer import __version__, motion, rendering
+from hapticplayer import __version__, rendering
 from hapticplayer.capture import Recording, read_recording
 from hapticplayer.clock import utc_now_iso
 from hapticplayer.errors import InputError
@@ -21,8 +21,10 @@ from hapticplayer.model import (
     MotionTrack,
 )
 from hapticplayer.sequence import files, store
+from hapticplayer.sequence.motion_cache import user_cache
+from hapticplayer.sequence.notes import notes_on_motion, notes_on_sequence
+from hapticplayer.sequence.processing import Processed, Processing, process_motion
 
-_UNCOVERED_S = 0.5  # shorter ends without motion go unnoticed
 _COPY_SHARE = 0.4  # of the whole work; a long clip is mostly copied and hashed
 
 
@@ -33,14 +35,16 @@ class Choices:
     Attributes:
         title: None for the name of the video.
         mapping: axes, gain and limit.
-        method: of gravity removal, see hapticplayer.motion.METHODS.
+        processing: what is done to the motion before it becomes a force.
         seed: of the random feedback; None derives it from the clip's content.
+        use_cache: whether a known result of gravity removal may be taken and kept.
     """
 
     title: str | None = None
     mapping: Mapping = dataclasses.field(default_factory=Mapping)
-    method: str = motion.DEFAULT_METHOD
+    processing: Processing = dataclasses.field(default_factory=Processing)
     seed: int | None = None
+    use_cache: bool = True
 
 
 def build_sequence(
@@ -100,7 +104,9 @@ def write_sequence(
     """
     choices = choices or Choices()
     progress(0.05, "removing gravity")
-    track = _mapped(motion.remove_gravity(recording.imu, choices.method), recording)
+    cache = user_cache(wanted=choices.use_cache)
+    processed = process_motion(recording.imu, choices.processing, cache)
+    track = _mapped(processed.track, recording)
     _check_overlap(track, clip)
     with files.written_aside(target) as folder:
         clip_name = "clip" + clip.path.suffix.lower()
@@ -113,7 +119,11 @@ def write_sequence(
         _write_arrays(folder, recording.imu, track, tracks, extras or {})
         listed = _checksums(folder, {clip_name: clip_hash})
         progress(0.95, "writing")
-        gain = motion.estimate_accelerometer_gain(recording.imu)
+        notes = [
+            *recording.notes,
+            *notes_on_motion(processed.imu, processed.summary),
+            *notes_on_sequence(recording, track, tracks, clip),
+        ]
         description = {
             "schema": store.SCHEMA,
             "version": store.VERSION,
@@ -131,10 +141,8 @@ def write_sequence(
                 "camera": recording.camera,
                 "imu_rate_hz": round(recording.imu.rate_hz, 3),
                 "imu_samples": len(recording.imu),
-                "gravity_removal": choices.method,
-                "accelerometer_gain": gain.gain,
-                "accelerometer_gain_from": gain.reason,
-                "notes": [*recording.notes, *_notes(recording, track, tracks, clip)],
+                **_describe_processing(processed, choices.processing),
+                "notes": notes,
                 **recording.provenance,
             },
         }
@@ -158,29 +166,6 @@ def _check_overlap(track: MotionTrack, clip: ClipInfo) -> None:
             where=clip.path.name,
             remedy="give another --offset",
         )
-
-
-def _notes(
-    recording: Recording,
-    track: MotionTrack,
-    tracks: dict[str, ForceTrack],
-    clip: ClipInfo,
-) -> list[str]:
-    """Return what the experimenter should know before using the sequence."""
-    notes = []
-    if recording.clock_map.confidence == 0.0:
-        notes.append("no --offset was given: the log's clock is taken as media time")
-    first_s = max(0.0, float(track.time_s[0]))
-    last_s = min(clip.duration_s, float(track.time_s[-1]))
-    if clip.duration_s - (last_s - first_s) > _UNCOVERED_S:
-        notes.append(
-            f"the motion covers {first_s:.1f} to {last_s:.1f} s of the clip's "
-            f"{clip.duration_s:.1f} s; there is no force outside"
-        )
-    saturated = tracks[Feedback.REALISTIC.value].provenance["saturated_share"]
-    if saturated > 0.0:
-        notes.append(f"{saturated:.1%} of the force samples reach the force limit")
-    return notes
 
 
 def _copy_clip(source: Path, target: Path, progress: files.Progress) -> None:
@@ -223,8 +208,9 @@ def _write_arrays(
         "angular_rate_radps": imu.angular_rate_radps,
         "sampling": imu.sampling.value,
     }
-    if imu.magnetic_field_ut is not None:
-        fields["magnetic_field_ut"] = imu.magnetic_field_ut
+    for name in store.OPTIONAL_IMU_FIELDS:
+        if getattr(imu, name) is not None:
+            fields[name] = getattr(imu, name)
     files.write_arrays(folder / store.IMU, **fields)
     kept = {f.name: getattr(track, f.name) for f in dataclasses.fields(track)}
     kept = {name: value for name, value in kept.items() if value is not None}
@@ -253,6 +239,18 @@ def _describe_clip(clip: ClipInfo, name: str) -> dict[str, Any]:
         "height": clip.height,
         "frame_rate_hz": clip.frame_rate_hz,
         "has_audio": clip.has_audio,
+    }
+
+
+def _describe_processing(processed: Processed, chosen: Processing) -> dict[str, Any]:
+    summary = processed.summary
+    return {
+        "gravity_removal": chosen.method,
+        "accelerometer_gain": summary["accelerometer_gain"],
+        "accelerometer_gain_from": summary["accelerometer_gain_from"],
+        "motion_summary": dict(summary),
+        "processing": dataclasses.asdict(chosen),
+        "conditioning": list(processed.conditioning),
     }
 
 

@@ -1,7 +1,6 @@
 """The built-in demo: a simulated ride with known truth, as a sequence."""
 
 import atexit
-import os
 import shutil
 import tempfile
 from pathlib import Path
@@ -64,8 +63,7 @@ def demo_folder(progress: files.Progress = files.no_progress) -> Path:
 
 
 def _cache_root() -> Path:
-    home = os.environ.get("XDG_CACHE_HOME") or "~/.cache"
-    root = Path(home).expanduser() / "hapticplayer"
+    root = files.cache_home()
     try:
         root.mkdir(parents=True, exist_ok=True)
     except OSError:  # a home that cannot be written: make it anew every time

@@ -5,8 +5,10 @@ import json
 import math
 import os
 import shutil
+import struct
 import tempfile
 import zipfile
+import zlib
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -20,6 +22,18 @@ from hapticplayer.errors import SequenceError
 MAX_JSON_BYTES = 4 << 20
 MAX_ARRAYS_BYTES = 2 << 30
 _CHUNK_BYTES = 1 << 20
+_DAMAGED = (
+    ValueError,
+    EOFError,
+    KeyError,
+    MemoryError,
+    OverflowError,
+    RuntimeError,  # encrypted, or packed in an unknown way
+    struct.error,
+    zlib.error,
+    zipfile.BadZipFile,
+)
+"""What numpy and zipfile raise for an archive that is none."""
 
 Progress = Callable[[float, str], None]
 """Called with the done fraction (0 to 1) and the step; raises Cancelled to stop."""
@@ -29,12 +43,22 @@ def no_progress(_fraction: float, _step: str) -> None:
     """Ignore the progress."""
 
 
-def refuse_existing(target: Path) -> None:
+def refuse_existing(target: Path, kind: str = "folder") -> None:
     """Raise SequenceError when something lies at the target already."""
     if os.path.lexists(target):
         raise SequenceError(
-            "already exists", where=str(target), remedy="choose another folder"
+            "already exists", where=str(target), remedy=f"choose another {kind}"
         )
+
+
+def cache_home() -> Path:
+    """Return the folder for what can be made again; it may not exist yet.
+
+    Raises:
+        RuntimeError: when nobody's home is known.
+    """
+    home = os.environ.get("XDG_CACHE_HOME") or "~/.cache"
+    return Path(home).expanduser() / "hapticplayer"
 
 
 @contextmanager
@@ -64,7 +88,31 @@ def written_aside(target: Path) -> Iterator[Path]:
 
 
 @contextmanager
-def scratch_beside(target: Path) -> Iterator[Path]:
+def file_written_aside(target: Path) -> Iterator[Path]:
+    """Yield the path of a new file that becomes `target` when the block ends well.
+
+    However the block ends otherwise, nothing is left behind.
+
+    Raises:
+        SequenceError: when the target exists or cannot be written.
+    """
+    with scratch_beside(target, "file") as scratch:
+        part = scratch / target.name
+        try:
+            yield part
+            refuse_existing(target, "file")
+            (Path.cwd() / target).parent.mkdir(parents=True, exist_ok=True)
+            part.rename(Path.cwd() / target)
+        except OSError as problem:
+            raise SequenceError(
+                f"writing failed ({problem.strerror})",
+                where=str(target),
+                remedy="free some space or choose another folder",
+            ) from problem
+
+
+@contextmanager
+def scratch_beside(target: Path, kind: str = "folder") -> Iterator[Path]:
     """Yield a folder on the file system of a target that does not exist yet.
 
     It is gone after the block, unless it was renamed.
@@ -73,7 +121,7 @@ def scratch_beside(target: Path) -> Iterator[Path]:
         SequenceError: when the target exists or nothing can be written there.
     """
     target = Path.cwd() / target
-    refuse_existing(target)
+    refuse_existing(target, kind)
     home = next(parent for parent in target.parents if parent.exists())
     try:
         scratch = Path(
@@ -179,7 +227,7 @@ def read_arrays(path: Path) -> dict[str, NDArray[Any]]:
         raise SequenceError(
             f"cannot be read ({reason})", where=str(path), remedy="import it again"
         ) from problem
-    except (ValueError, EOFError, KeyError, MemoryError, zipfile.BadZipFile) as problem:
+    except _DAMAGED as problem:
         raise SequenceError(
             f"is damaged ({problem})", where=str(path), remedy="import it again"
         ) from problem

@@ -9,9 +9,11 @@ from hapticplayer.errors import InputError, SequenceError
 from hapticplayer.model import (
     Feedback,
     ForceTrack,
+    ImuLog,
     Mapping,
     MotionTrack,
     Reconstruction,
+    Sampling,
 )
 from hapticplayer.rendering import no_feedback
 from hapticplayer.sequence import files
@@ -21,6 +23,7 @@ VERSION = 1
 DESCRIPTION = "sequence.json"
 MOTION = "motion.npz"
 IMU = "imu.npz"
+OPTIONAL_IMU_FIELDS = ("magnetic_field_ut", "valid")
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -102,6 +105,38 @@ def verify_sequence(
     for number, (name, entry) in enumerate(listed.items()):
         progress(number / len(listed), f"checking {name}")
         _check_file(folder, name, entry, with_checksum=True)
+
+
+def read_recorded(folder: str | Path) -> tuple[ImuLog, dict[str, Any]]:
+    """Return the samples that a sequence was made of, and its provenance.
+
+    Raises:
+        SequenceError: what is missing or damaged, and what to do.
+    """
+    folder = Path(folder)
+    description = files.read_json(folder / DESCRIPTION)
+    _check_schema(folder, description)
+    try:
+        _check_file(folder, IMU, description["files"][IMU], with_checksum=True)
+        made_of = dict(description["provenance"])
+        arrays = files.read_arrays(folder / IMU)
+        imu = ImuLog(
+            time_s=arrays["time_s"],
+            specific_force_mps2=arrays["specific_force_mps2"],
+            angular_rate_radps=arrays["angular_rate_radps"],
+            sampling=Sampling(str(arrays["sampling"])),
+            source=str(made_of["motion_source"]),
+            **{name: arrays.get(name) for name in OPTIONAL_IMU_FIELDS},
+        )
+    except SequenceError:
+        raise
+    except (InputError, KeyError, TypeError, ValueError) as problem:
+        raise SequenceError(
+            f"an entry is missing or of the wrong kind ({problem})",
+            where=str(folder),
+            remedy="import it again",
+        ) from problem
+    return imu, made_of
 
 
 def track_arrays(track: ForceTrack) -> dict[str, Any]:

@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from hapticplayer.capture import write_imu_csv
+from hapticplayer.capture import read_imu_csv, simulate_motion, write_imu_csv
 from hapticplayer.media import write_clip
 from hapticplayer.model import ImuLog
 
@@ -77,7 +77,7 @@ def test_help_and_version_import_nothing_heavy():
         check=True,
     )
     assert done.stdout.splitlines()[-1] == "[]"
-    for command in ("play", "import", "simulate", "device", "doctor"):
+    for command in ("play", "import", "process", "simulate", "device", "doctor"):
         assert command in done.stdout
 
 
@@ -356,9 +356,9 @@ def test_time_lapse_telemetry_is_refused(shared_data, clip, tmp_path):
 @pytest.mark.parametrize(
     ("content", "words"),
     [
-        (HEADER + GOOD_ROW + "0.02,0,nan,9.81,0,0,0\n", ["4", "ay"]),
-        (HEADER + GOOD_ROW + "0.005,0,0,9.81,0,0,0\n", ["4", "time_s"]),
-        (HEADER + GOOD_ROW + "0.01,0,0,9.81,0,0,0\n", ["4", "time_s"]),
+        (HEADER + 3 * (GOOD_ROW + "0.02,0,1,9.81,0,0,0\n"), ["jumps", "line 5"]),
+        (HEADER + GOOD_ROW + 3 * "0.02,,,,0,0,0.1\n", ["specific_force", "line 4"]),
+        (HEADER + GOOD_ROW + "0.02,0,nan,9.81,0,0,0\n", ["stuck"]),
         (HEADER + GOOD_ROW + "0.02,0,0,9.81,0,0\n", ["4"]),
         (HEADER + GOOD_ROW + "0.02,zero,0,9.81,0,0,0\n", ["4", "ax"]),
         ("t,x,y,z\n1,2,3,4\n", ["time_s"]),
@@ -395,6 +395,26 @@ def test_a_bad_force_track_is_refused(content, clip, tmp_path):
     force.write_text(content)
     done = hapticplayer("play", clip, "--force", force, "--headless", timeout=10)
     assert "force.csv" in refused(done)
+
+
+def test_a_ride_without_a_clip_is_a_log_with_its_truth(tmp_path):
+    target = tmp_path / "walk"
+    done = hapticplayer("simulate", "walk", "-o", target, "--seed", "3")
+    assert done.returncode == 0, done.stderr
+    assert sorted(path.name for path in target.iterdir()) == ["imu.csv", "truth.npz"]
+    assert [path.name for path in tmp_path.iterdir()] == ["walk"]
+    log = read_imu_csv(target / "imu.csv")
+    expected = simulate_motion("walk", 3)
+    np.testing.assert_allclose(log.time_s, expected.imu.time_s, atol=1e-9)
+    np.testing.assert_allclose(
+        log.specific_force_mps2, expected.imu.specific_force_mps2, rtol=1e-8, atol=1e-9
+    )
+    with np.load(target / "truth.npz", allow_pickle=False) as truth:
+        gravity = log.specific_force_mps2 - truth["acceleration_mps2"]
+        leak = gravity - 9.80665 * truth["vertical"]
+        assert np.sqrt(np.mean(leak**2)) < 0.1  # noise and bias of the sensor
+    again = hapticplayer("simulate", "walk", "-o", target)
+    assert "already exists" in refused(again)
 
 
 def test_a_device_without_a_driver_is_refused(clip):

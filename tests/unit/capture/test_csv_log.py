@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from hapticplayer.capture import read_force_csv, read_imu_csv, write_imu_csv
+from hapticplayer.capture.csv_log import read_motion_log
 from hapticplayer.errors import InputError
 from hapticplayer.model import ImuLog, Reconstruction, Sampling
 
@@ -81,16 +82,27 @@ def changed(number: int, line: str) -> list[str]:
 
 
 FAULTS = {
-    "nan": (changed(7, "0.05,nan,0,9.8,0,0,0"), "line 7, column ax.*finite"),
-    "inf": (changed(7, "0.05,0,0,9.8,0,-inf,0"), "line 7, column gy.*finite"),
     "word": (changed(9, "0.07,0,0,9.8,0,zero,0"), "line 9, column gy: 'zero'"),
-    "empty cell": (changed(9, "0.07,0,,9.8,0,0,0"), "line 9, column ay: ''"),
+    "word beside an empty cell": (
+        changed(9, "0.07,0,,9.8,0,zero,0"),
+        "line 9, column gy: 'zero' is not a number",
+    ),
     "underscore": (changed(9, "0.07,0,0,1_0,0,0,0"), "line 9, column az: '1_0'"),
     "decimal comma": (changed(9, "0,07,0,0,9,8,0,0,0"), "line 9: has 9 columns"),
     "short": (changed(12, "0.1,0,0,9.8"), "line 12: has 4 columns, the header has 7"),
     "long": (changed(12, "0.1,0,0,9.8,0,0,0,1"), "line 12: has 8 columns"),
-    "backwards": (changed(5, "0.011,0,0,9.8,0,0,0"), "line 5, column time_s: .*back"),
-    "twice": (changed(5, "0.02,0,0,9.8,0,0,0"), "line 5, column time_s: .*repeats"),
+    "clock set back": (
+        [*log_lines(), *log_lines()[1:]],
+        "time_s jumps back by 0.19 s at line 22; cut the recording there",
+    ),
+    "mostly empty": (
+        [
+            HEADER,
+            *(ROW.format(t / 9) if t < 9 else f"{t / 9},,,,0,0,{t}" for t in range(20)),
+        ],
+        "specific_force_mps2 is zero, not finite .* in 11 of 20 rows, first in line 11",
+    ),
+    "stuck, with a hole": (changed(9, "0.07,,0.2,9.8,0,0,0.01"), "sensor was stuck"),
     "endless": (changed(12, "0.1" + ",0" * 9000), "line 12: is longer than 4096"),
     "no rows": ([HEADER], "has 0 rows"),
     "one row": (log_lines(1), "has 1 rows"),
@@ -139,6 +151,90 @@ def test_fault_is_named_with_its_place_and_a_remedy(tmp_path: Path, name: str) -
     assert "log.csv" in str(caught.value)
     assert "; " in str(caught.value)
     assert "\n" not in str(caught.value)
+
+
+def noisy_lines(count: int = 200) -> list[str]:
+    noise = 0.02 * np.random.default_rng(4).standard_normal((count, 6))
+    rows = noise + np.array([0.1, 0.2, 9.8, 0.0, 0.0, 0.0])
+    cells = (
+        f"{k / 100}," + ",".join(f"{v:.6f}" for v in rows[k]) for k in range(count)
+    )
+    return [HEADER, *cells]
+
+
+def with_cell(line: str, column: int, cell: str) -> str:
+    cells = line.split(",")
+    cells[column] = cell
+    return ",".join(cells)
+
+
+@pytest.mark.parametrize("cell", ["", "  ", "nan", "NaN", "inf", "-inf"])
+@pytest.mark.parametrize("column", [1, 3, 6])
+def test_a_missing_value_is_filled_marked_and_said(
+    tmp_path: Path, cell: str, column: int
+) -> None:
+    lines = noisy_lines()
+    clean = read_imu_csv(write(tmp_path / "clean.csv", lines))
+    lines[60] = with_cell(lines[60], column, cell)
+    lines.insert(20, "")
+    log = read_motion_log(write(tmp_path / "log.csv", lines))
+    assert log.imu.valid is not None
+    assert np.flatnonzero(~log.imu.valid).tolist() == [59]
+    kept = np.arange(200) != 59
+    force = log.imu.specific_force_mps2
+    np.testing.assert_array_equal(force[kept], clean.specific_force_mps2[kept])
+    assert np.abs(force[59] - clean.specific_force_mps2[59]).max() < 0.1
+    name = "specific_force_mps2" if column < 4 else "angular_rate_radps"
+    assert len(log.notes) == 1
+    assert f"1 of 200 samples of {name} were missing" in log.notes[0]
+    assert "first in line 62" in log.notes[0]  # the header and an empty line before it
+
+
+def test_a_clean_log_has_nothing_to_say(tmp_path: Path) -> None:
+    log = read_motion_log(write(tmp_path / "log.csv", noisy_lines()))
+    assert log.notes == ()
+    assert log.imu.valid is None
+
+
+def test_a_missing_time_is_interpolated(tmp_path: Path) -> None:
+    lines = noisy_lines()
+    lines[60] = with_cell(lines[60], 0, "")
+    log = read_motion_log(write(tmp_path / "log.csv", lines))
+    np.testing.assert_allclose(log.imu.time_s, np.arange(200) / 100, atol=1e-12)
+    assert log.notes == (
+        "1 missing or wild times were interpolated (first in line 61)",
+    )
+
+
+def test_swapped_and_repeated_rows_are_put_in_order(tmp_path: Path) -> None:
+    lines = noisy_lines()
+    clean = read_imu_csv(write(tmp_path / "clean.csv", lines))
+    lines[30], lines[31] = lines[31], lines[30]
+    lines.insert(100, lines[100])
+    log = read_motion_log(write(tmp_path / "log.csv", lines))
+    np.testing.assert_array_equal(log.imu.time_s, clean.time_s)
+    np.testing.assert_array_equal(
+        log.imu.specific_force_mps2, clean.specific_force_mps2
+    )
+    assert log.imu.valid is None
+    assert [note.split(" ", 1)[1] for note in log.notes] == [
+        "pairs of rows were swapped in time and put in order (first in line 31)",
+        "of 201 rows repeat the one before and were left out (first in line 102)",
+    ]
+
+
+def test_a_gap_stays_a_gap(tmp_path: Path) -> None:
+    lines = noisy_lines()
+    del lines[101:151]
+    log = read_motion_log(write(tmp_path / "log.csv", lines))
+    assert len(log.imu) == 150
+    assert np.diff(log.imu.time_s).max() == pytest.approx(0.51)
+    assert "about 50 samples were never recorded" in log.notes[0]
+
+
+def test_a_log_without_any_noise_is_read_and_doubted(tmp_path: Path) -> None:
+    log = read_motion_log(write(tmp_path / "log.csv", log_lines()))
+    assert log.notes == ("all samples are the same: was the sensor stuck?",)
 
 
 def test_fault_is_found_behind_empty_lines(tmp_path: Path) -> None:

@@ -38,12 +38,24 @@ def test_raw_dump_is_recognised_whatever_its_name(tmp_path: Path) -> None:
 
 def test_log_is_recognised_and_its_clock_is_open(tmp_path: Path) -> None:
     path = tmp_path / "log.txt"
-    rows = [f"{number / 100},0,0,9.8,0,0,0" for number in range(50)]
+    rows = [f"{n / 100},0,0,9.8{n % 3},0,0,0.0{n % 2}" for n in range(50)]
     path.write_text("\n".join(["time_s,ax,ay,az,gx,gy,gz", *rows]))
     recording = read_recording(path)
     assert len(recording.imu) == 50
     assert recording.clock_map.confidence == 0.0
     assert recording.notes == ()
+
+
+def test_what_was_repaired_is_noted(tmp_path: Path) -> None:
+    path = tmp_path / "log.csv"
+    rows = [f"{n / 100},0,0,9.8{n % 3},0,0,0.0{n % 2}" for n in range(50)]
+    rows[7] = "0.07,,,,0,0,0"
+    path.write_text("\n".join(["time_s,ax,ay,az,gx,gy,gz", *rows]))
+    recording = read_recording(path)
+    assert recording.imu.valid is not None
+    assert np.flatnonzero(~recording.imu.valid).tolist() == [7]
+    assert len(recording.notes) == 1
+    assert "line 9" in recording.notes[0]
 
 
 def test_gap_is_noted(tmp_path: Path) -> None:

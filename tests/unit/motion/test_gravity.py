@@ -44,12 +44,25 @@ def test_an_implausible_gain_is_not_used(still_log):
     assert "not plausible" in gain.reason
 
 
+# A sensor that swings by 30 deg at 0.2 Hz, turns and is shaken by 2 m/s^2; no noise.
+# What the causal filters leave is what they follow of the shaking; a low-pass of the
+# force that does not know of the turning cannot follow the swing either.
+LEFT_MPS2 = {
+    "smoother": 0.03,
+    "offline-vqf": 0.05,
+    "vqf": 0.3,
+    "ekf": 0.3,
+    "lowpass": 1.2,
+}
+
+
 @pytest.mark.parametrize("method", sorted(METHODS))
 def test_acceleration_comes_out_of_a_swinging_sensor(swing, method):
     log, truth = swing
     track = remove_gravity(log, method)
-    # offline VQF leaves 0.05 to 0.34 m/s^2 on real recordings; this one has no noise
-    assert rms(track.acceleration_mps2 - truth) < 0.12
+    assert rms(track.acceleration_mps2 - truth) < LEFT_MPS2[method]
+    # to follow the force would leave as much as there is
+    assert LEFT_MPS2[method] < 0.7 * rms(truth)
     assert np.allclose(np.linalg.norm(track.quaternion_wxyz, axis=1), 1.0, atol=1e-9)
     norm = np.linalg.norm(track.gravity_mps2, axis=1)
     assert np.allclose(norm, STANDARD_GRAVITY_MPS2, atol=1e-9)
@@ -85,15 +98,24 @@ def test_both_ends_of_a_gap_are_not_valid(swing):
     assert np.flatnonzero(~valid).tolist() == [1999, 2000]
 
 
-def test_averaged_samples_get_the_orientation_of_the_middle_of_their_window(swing):
+@pytest.mark.parametrize(
+    ("method", "tolerance_rad"),
+    # the filters' answers are turned back by half a window exactly; to the smoother
+    # means are other evidence, from which it levels by a little otherwise
+    [("ekf", 1e-6), ("vqf", 1e-6), ("offline-vqf", 1e-6), ("smoother", 2e-4)],
+)
+def test_averaged_samples_get_the_orientation_of_the_middle_of_their_window(
+    swing, method, tolerance_rad
+):
     log, _ = swing
     averaged = dataclasses.replace(log, sampling=Sampling.AVERAGED)
-    end = estimate_orientation(log)
-    middle = estimate_orientation(averaged)
+    end = estimate_orientation(log, method)
+    middle = estimate_orientation(averaged, method)
     half = 0.5 / 200.0
     angle = 2 * np.arccos(np.minimum(1, np.abs(np.sum(end * middle, axis=1))))
     expected = half * np.linalg.norm(log.angular_rate_radps, axis=1)
-    assert np.allclose(angle, expected, atol=1e-6)
+    # half a window is 1.7e-3 to 2.4e-3 rad
+    assert np.allclose(angle, expected, rtol=0.0, atol=tolerance_rad)
 
 
 def test_hours_of_silence_do_not_become_millions_of_samples():
@@ -111,4 +133,12 @@ def test_a_method_that_does_not_exist_is_named(still_log):
 def test_one_sample_is_too_few():
     log = ImuLog([0.0], [[0, 0, 9.8]], [[0, 0, 0]], source="log.csv")
     with pytest.raises(InputError, match=r"log\.csv.*too few"):
+        remove_gravity(log)
+
+
+@pytest.mark.parametrize("step_s", [1e-7, 1e-6])
+def test_times_that_are_hardly_seconds_are_asked_for(step_s):
+    force = np.tile([0.0, 0.0, STANDARD_GRAVITY_MPS2], (100, 1))
+    log = ImuLog(step_s * np.arange(100), force, np.zeros((100, 3)), source="log.csv")
+    with pytest.raises(InputError, match=r"log\.csv.*times in seconds"):
         remove_gravity(log)

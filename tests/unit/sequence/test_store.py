@@ -1,5 +1,6 @@
 """A sequence comes back as it was written, and says what is wrong when it was not."""
 
+import dataclasses
 import json
 import zipfile
 
@@ -8,7 +9,10 @@ import pytest
 
 from hapticplayer import motion, rendering
 from hapticplayer.errors import SequenceError
+from hapticplayer.model import Sampling
 from hapticplayer.sequence import open_sequence, verify_sequence
+from hapticplayer.sequence.build import write_sequence
+from hapticplayer.sequence.store import read_recorded
 
 
 def edit(folder, change):
@@ -36,9 +40,14 @@ def test_what_was_written_comes_back(sequence_folder, recording):
 
 def test_its_provenance_says_how_it_came_about(sequence_folder):
     made_of = open_sequence(sequence_folder).description["provenance"]
-    assert made_of["gravity_removal"] == "offline-vqf"
+    assert made_of["gravity_removal"] == motion.DEFAULT_METHOD
     assert made_of["accelerometer_gain"] == pytest.approx(1 / 1.03, abs=1e-3)
     assert "still spans" in made_of["accelerometer_gain_from"]
+    summary = made_of["motion_summary"]
+    assert summary["accelerometer_gain"] == made_of["accelerometer_gain"]
+    assert summary["leak_at_rest_mps2"] < 0.05
+    assert made_of["processing"]["time_constant_s"] is None
+    assert made_of["conditioning"] == []
     assert made_of["camera"] == "test camera"
     assert made_of["notes"] == ["a note"]
 
@@ -53,6 +62,49 @@ def test_the_same_seed_gives_the_same_random_track(tmp_path, tiny_clip, recordin
         for n in "ab"
     )
     assert np.array_equal(one.tracks["random"].force_n, two.tracks["random"].force_n)
+
+
+def test_the_recorded_samples_come_back_with_what_was_missing(
+    tmp_path, tiny_clip, recording
+):
+    valid = np.ones(len(recording.imu), dtype=bool)
+    valid[700:730] = False
+    field = np.tile([20.0, 0.0, -40.0], (len(valid), 1))
+    log = dataclasses.replace(recording.imu, valid=valid, magnetic_field_ut=field)
+    log = dataclasses.replace(log, sampling=Sampling.AVERAGED)
+    flawed = dataclasses.replace(recording, imu=log)
+    folder = write_sequence(tiny_clip, flawed, tmp_path / "flawed")
+    again, made_of = read_recorded(folder)
+    for name in (
+        "time_s",
+        "specific_force_mps2",
+        "angular_rate_radps",
+        "magnetic_field_ut",
+        "valid",
+    ):
+        assert np.array_equal(getattr(again, name), getattr(log, name)), name
+    assert again.sampling is Sampling.AVERAGED
+    assert made_of["camera"] == "test camera"
+    assert not open_sequence(folder).motion.valid[700:730].any()
+    assert "1.5 % of the motion is not to be trusted" in " ".join(made_of["notes"])
+
+
+def test_a_log_that_lacks_nothing_comes_back_without_marks(sequence_folder):
+    imu, _ = read_recorded(sequence_folder)
+    assert imu.valid is None
+    assert imu.magnetic_field_ut is None
+
+
+@pytest.mark.parametrize("damage", ["flip", "remove"])
+def test_damaged_samples_are_refused(sequence_folder, damage):
+    path = sequence_folder / "imu.npz"
+    content = bytearray(path.read_bytes())
+    content[len(content) // 2] ^= 1
+    path.unlink()
+    if damage == "flip":
+        path.write_bytes(content)
+    with pytest.raises(SequenceError, match=r"imu.npz"):
+        read_recorded(sequence_folder)
 
 
 @pytest.mark.parametrize(

@@ -1,31 +1,21 @@
-"""What the commands do without a window: play headless, import, report."""
+"""Plays without a window, and says how it went; lists the devices."""
 
 import argparse
-import contextlib
 import json
-import signal
-import sys
-import threading
-from collections.abc import Iterator
 from pathlib import Path
-from types import FrameType
 from typing import Any
 
 from hapticplayer import __version__
 from hapticplayer.clock import SystemClock
+from hapticplayer.console.speech import complain, interruptible, say, say_aside
 from hapticplayer.devices import DEVICES
-from hapticplayer.errors import Cancelled, UsageError
+from hapticplayer.errors import UsageError
 from hapticplayer.haptics.limiter import Limits
 from hapticplayer.haptics.scheduling import Scheduling
-from hapticplayer.model import Mapping
 from hapticplayer.playback import headless
 from hapticplayer.playback.log import PlaybackLog
 from hapticplayer.playback.player import Player
 from hapticplayer.playback.source import Source, choose_feedback, open_source
-from hapticplayer.sequence import build_sequence, open_sequence
-from hapticplayer.sequence.build import Choices
-from hapticplayer.sequence.demo import DEMO_SEED, write_simulated_sequence
-from hapticplayer.sequence.demo import demo_folder as make_demo_folder
 
 ROUNDING_N = 1e-3  # tracks are stored as float32
 
@@ -112,56 +102,6 @@ def attach_log(player: Player, path: str | None, source: Source, feedback: str) 
     player.attach_log(PlaybackLog(Path(path), header))
 
 
-def demo_folder() -> Path:
-    """Return the demo, made on first use with the progress shown."""
-    with shown_progress() as progress:
-        return make_demo_folder(progress)
-
-
-def import_recording(options: argparse.Namespace) -> int:
-    """Import a video with its motion, showing the progress."""
-    mapping = (
-        Mapping() if options.gain is None else Mapping(gain_n_per_mps2=options.gain)
-    )
-    with interruptible(), shown_progress() as progress:
-        folder = build_sequence(
-            options.video,
-            options.output,
-            imu_log=options.imu,
-            offset_s=options.offset,
-            choices=Choices(title=options.title, mapping=mapping, seed=options.seed),
-            progress=progress,
-        )
-    description = open_sequence(folder).description
-    if options.json:
-        say(json.dumps({"sequence": str(folder), **description}, ensure_ascii=False))
-        return 0
-    made_of = description["provenance"]
-    realistic = description["feedbacks"]["realistic"]
-    say(
-        f"{folder}: {description['clip']['duration_s']:.1f} s of "
-        f"{made_of['camera'] or made_of['motion_source']} at "
-        f"{made_of['imu_rate_hz']:.1f} Hz; force peak {realistic['peak_n']:.2f} N; "
-        f"accelerometer gain {made_of['accelerometer_gain']:.4f} "
-        f"({made_of['accelerometer_gain_from']})"
-    )
-    for note in made_of["notes"]:
-        say(f"note: {note}")
-    say(f"play it with: hapticplayer play {folder}")
-    return 0
-
-
-def simulate(options: argparse.Namespace) -> int:
-    """Write a simulated ride as a sequence."""
-    seed = DEMO_SEED if options.seed is None else options.seed
-    with interruptible(), shown_progress() as progress:
-        folder = write_simulated_sequence(
-            options.scenario, Path(options.output), seed=seed, progress=progress
-        )
-    say(f"{folder}: play it with: hapticplayer play {folder}")
-    return 0
-
-
 def list_devices(options: argparse.Namespace) -> int:
     """Print the devices that this version can drive."""
     entries = [{"name": d.name, "title": d.title} for d in DEVICES.values()]
@@ -172,66 +112,6 @@ def list_devices(options: argparse.Namespace) -> int:
         for entry in entries:
             say(f"{entry['name']:<12}{entry['title']}")
     return 0
-
-
-@contextlib.contextmanager
-def interruptible() -> Iterator[None]:
-    """Let SIGTERM end the work like Ctrl-C does: tidied up."""
-    if threading.current_thread() is not threading.main_thread():
-        yield
-        return
-
-    def interrupt(_number: int, _frame: FrameType | None) -> None:
-        raise KeyboardInterrupt
-
-    before = signal.signal(signal.SIGTERM, interrupt)
-    try:
-        yield
-    finally:
-        signal.signal(signal.SIGTERM, before)
-
-
-@contextlib.contextmanager
-def shown_progress() -> Iterator[Any]:
-    """Yield a progress callback that draws one line on a terminal's stderr.
-
-    Where stderr is no terminal, each step is a line of its own.
-    """
-    is_terminal = sys.stderr.isatty()
-    last_step = ""
-
-    def progress(fraction: float, step: str) -> None:
-        nonlocal last_step
-        if is_terminal:
-            bar = "#" * round(24 * fraction)
-            sys.stderr.write(f"\r[{bar:<24}] {100 * fraction:3.0f} %  {step:<40.40}")
-            sys.stderr.flush()
-        elif step != last_step:
-            sys.stderr.write(f"{step}\n")
-        last_step = step
-
-    try:
-        yield progress
-    except KeyboardInterrupt:
-        raise Cancelled from None
-    finally:
-        if is_terminal and last_step:
-            sys.stderr.write("\r" + " " * 76 + "\r")
-
-
-def say(text: str) -> None:
-    """Print a result."""
-    sys.stdout.write(text + "\n")
-
-
-def say_aside(text: str) -> None:
-    """Print a remark that is no result."""
-    sys.stderr.write(f"note: {text}\n")
-
-
-def complain(text: str) -> None:
-    """Print what went wrong."""
-    sys.stderr.write(f"hapticplayer: {text}\n")
 
 
 def _summary_text(source: Source, feedback: str, report: dict[str, Any]) -> str:

@@ -1,0 +1,239 @@
+"""The options of each command; needs nothing but the standard library."""
+
+import argparse
+from typing import Any, NoReturn
+
+from hapticplayer.cli import commands as run
+
+DEVICE_NAMES = ("simulated", "falcon", "none")
+CLIP_SCENARIOS = ("demo",)
+MOTION_SCENARIOS = (
+    "car-calm",
+    "car-brisk",
+    "car-hard",
+    "car-roundabouts",
+    "car-motorway",
+    "car-stop-and-go",
+    "car-on-ramp",
+    "car-hills",
+    "walk",
+    "run",
+    "handheld-quiet",
+    "handheld-brisk",
+    "bicycle",
+    "mountain-bike",
+)
+METHOD_NAMES = ("smoother", "ekf", "vqf", "offline-vqf", "lowpass")
+
+PLAY_DEFAULTS: dict[str, Any] = {
+    "source": None,
+    "feedback": None,
+    "force": None,
+    "device": "simulated",
+    "headless": False,
+    "fullscreen": False,
+    "plots": True,
+    "close_at_end": False,
+    "start": 0.0,
+    "duration": None,
+    "log": None,
+    "scheduling": None,
+    "json": False,
+}
+
+
+def add_play(commands: Any) -> None:
+    """Add the command `play`."""
+    play = commands.add_parser(
+        "play", help="play a sequence, or any video with any force track"
+    )
+    play.set_defaults(run=run.play)
+    play.add_argument(
+        "source", metavar="SEQUENCE_OR_VIDEO", help="folder of a sequence, or a video"
+    )
+    play.add_argument(
+        "--feedback",
+        metavar="F",
+        help="realistic, none, random or another of its tracks",
+    )
+    play.add_argument(
+        "--force",
+        metavar="FILE.csv",
+        help="force track: rows of time_s,fx_n,fy_n,fz_n, held between rows",
+    )
+    play.add_argument("--device", choices=DEVICE_NAMES, default="simulated")
+    play.add_argument("--headless", action="store_true", help="without a window")
+    play.add_argument("--fullscreen", action="store_true")
+    play.add_argument(
+        "--no-plots", dest="plots", action="store_false", help="hide the live plots"
+    )
+    play.add_argument(
+        "--close-at-end", action="store_true", help="close the window after the clip"
+    )
+    play.add_argument(
+        "--start", type=_seconds, default=0.0, metavar="S", help="media time, s"
+    )
+    play.add_argument(
+        "--duration", type=_seconds, metavar="S", help="stop after S seconds"
+    )
+    play.add_argument("--log", metavar="FILE", help="write what happened as JSON lines")
+    play.add_argument(
+        "--scheduling",
+        choices=("fifo", "slice", "normal"),
+        help="at most this class for the haptic loop; for measurements "
+        "(default: the best there is)",
+    )
+    play.add_argument("--json", action="store_true", help="print the summary as JSON")
+
+
+def add_import(commands: Any) -> None:
+    """Add the command `import`."""
+    command = commands.add_parser(
+        "import", help="make a sequence of a video and its motion"
+    )
+    command.set_defaults(run=run.import_)
+    command.add_argument("video", metavar="VIDEO")
+    command.add_argument(
+        "--imu",
+        metavar="LOG",
+        help="motion in a file of its own: CSV with the columns "
+        "time_s,ax,ay,az,gx,gy,gz[,mx,my,mz] in SI, x right, y front, z up",
+    )
+    command.add_argument(
+        "--offset",
+        type=_number,
+        metavar="S",
+        help="media time at which the log's clock reads zero (default 0)",
+    )
+    command.add_argument("-o", "--output", required=True, metavar="DIR")
+    command.add_argument("--title", help="default: the name of the video")
+    command.add_argument(
+        "--gain", type=_number, metavar="N", help="newtons per m/s^2 (default 0.4)"
+    )
+    command.add_argument(
+        "--seed", type=int, help="of the random feedback (default: from the clip)"
+    )
+    _add_processing(command)
+    command.add_argument("--json", action="store_true", help="print a report as JSON")
+
+
+def add_process(commands: Any) -> None:
+    """Add the command `process`."""
+    command = commands.add_parser(
+        "process", help="say how good a recording's motion is; compare the methods"
+    )
+    command.set_defaults(run=run.process)
+    command.add_argument(
+        "recording",
+        metavar="RECORDING",
+        help="a camera's video, a log as for `import --imu`, or a sequence's folder",
+    )
+    command.add_argument(
+        "--compare",
+        action="store_true",
+        help="run all methods and print them side by side",
+    )
+    command.add_argument(
+        "--plot",
+        metavar="FILE",
+        help="draw raw, gravity and motion over time (.png or .svg)",
+    )
+    _add_processing(command)
+    command.add_argument("--json", action="store_true", help="print the report as JSON")
+
+
+def _add_processing(command: argparse.ArgumentParser) -> None:
+    group = command.add_argument_group("motion")
+    group.add_argument(
+        "--method",
+        choices=METHOD_NAMES,
+        help=f"of gravity removal (default {METHOD_NAMES[0]})",
+    )
+    group.add_argument(
+        "--time-constant",
+        type=_positive,
+        metavar="S",
+        help="of the smoother: accelerations that last much longer count as gravity "
+        "(default: from how fast the recording moves)",
+    )
+    group.add_argument(
+        "--remove-spikes", action="store_true", help="replace isolated spikes"
+    )
+    group.add_argument(
+        "--repair-clipping",
+        action="store_true",
+        help="reconstruct short peaks beyond the sensor's range",
+    )
+    group.add_argument(
+        "--average", type=_positive, metavar="HZ", help="average the samples first"
+    )
+    group.add_argument(
+        "--lowpass",
+        type=_positive,
+        metavar="HZ",
+        help="low-pass the motion, zero phase",
+    )
+    group.add_argument(
+        "--no-cache",
+        dest="cache",
+        action="store_false",
+        help="neither use nor keep results of gravity removal",
+    )
+
+
+def add_simulate(commands: Any) -> None:
+    """Add the command `simulate`."""
+    command = commands.add_parser(
+        "simulate", help="make a simulated ride with known truth"
+    )
+    command.set_defaults(run=run.simulate)
+    command.add_argument(
+        "scenario",
+        metavar="SCENARIO",
+        help=f"a sequence with a clip: {', '.join(CLIP_SCENARIOS)}; motion only "
+        f"(imu.csv and truth.npz): {', '.join(MOTION_SCENARIOS)}",
+    )
+    command.add_argument("-o", "--output", required=True, metavar="DIR")
+    command.add_argument("--seed", type=int, help="of the ride and the sensor noise")
+
+
+def add_device(commands: Any) -> None:
+    """Add the command `device`."""
+    command = commands.add_parser("device", help="haptic devices")
+    command.set_defaults(run=lambda *_: _usage(command))
+    actions = command.add_subparsers(title="actions", metavar="ACTION")
+    listing = actions.add_parser("list", help="devices that can be chosen")
+    listing.add_argument("--json", action="store_true")
+    listing.set_defaults(run=run.device_list)
+
+
+def add_doctor(commands: Any) -> None:
+    """Add the command `doctor`."""
+    command = commands.add_parser("doctor", help="what is missing, by package name")
+    command.add_argument("--json", action="store_true")
+    command.set_defaults(run=run.doctor)
+
+
+def _number(text: str) -> float:
+    value = float(text)
+    if value != value or value in (float("inf"), float("-inf")):
+        raise argparse.ArgumentTypeError(f"{text!r} is not a finite number")
+    return value
+
+
+def _positive(text: str) -> float:
+    value = _number(text)
+    if value <= 0.0:
+        raise argparse.ArgumentTypeError(f"{text!r} is not above zero")
+    return value
+
+
+def _seconds(text: str) -> float:
+    value = _number(text)
+    if value < 0.0:
+        raise argparse.ArgumentTypeError(f"{text!r} is negative")
+    return value
+
+
+def _usage(parser: argparse.ArgumentParser) -> NoReturn:
+    parser.error("an action is needed")

@@ -1,0 +1,75 @@
+"""What the commands do without a window: play headless, import, process, report.
+
+Each module is loaded when its first name is used: playing needs no pipeline.
+"""
+
+import importlib
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from hapticplayer.console.playing import (
+        advise,
+        attach_log,
+        list_devices,
+        play,
+        until_s,
+        wanted_scheduling,
+    )
+    from hapticplayer.console.processing import process
+    from hapticplayer.console.recordings import (
+        demo_folder,
+        import_recording,
+        simulate,
+    )
+    from hapticplayer.console.speech import (
+        complain,
+        interruptible,
+        say,
+        say_aside,
+        shown_progress,
+    )
+
+_HOMES = {
+    "advise": "playing",
+    "attach_log": "playing",
+    "complain": "speech",
+    "demo_folder": "recordings",
+    "import_recording": "recordings",
+    "interruptible": "speech",
+    "list_devices": "playing",
+    "play": "playing",
+    "process": "processing",
+    "say": "speech",
+    "say_aside": "speech",
+    "shown_progress": "speech",
+    "simulate": "recordings",
+    "until_s": "playing",
+    "wanted_scheduling": "playing",
+}
+
+__all__ = [
+    "advise",
+    "attach_log",
+    "complain",
+    "demo_folder",
+    "import_recording",
+    "interruptible",
+    "list_devices",
+    "play",
+    "process",
+    "say",
+    "say_aside",
+    "shown_progress",
+    "simulate",
+    "until_s",
+    "wanted_scheduling",
+]
+
+
+def __getattr__(name: str) -> object:
+    """Load the module of a public name at its first use."""
+    if name not in _HOMES:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    module = importlib.import_module(f"{__name__}.{_HOMES[name]}")
+    globals()[name] = getattr(module, name)
+    return globals()[name]

@@ -1,0 +1,121 @@
+"""Makes sequences: of recordings, and of simulated rides."""
+
+import argparse
+import json
+from collections.abc import Mapping as Dict
+from pathlib import Path
+from typing import Any
+
+from hapticplayer.console.speech import interruptible, say, shown_progress
+from hapticplayer.errors import UsageError
+from hapticplayer.model import Mapping
+from hapticplayer.sequence import build_sequence, files, open_sequence
+from hapticplayer.sequence.build import Choices
+from hapticplayer.sequence.demo import DEMO_SEED, write_simulated_sequence
+from hapticplayer.sequence.demo import demo_folder as make_demo_folder
+from hapticplayer.sequence.processing import Processing
+
+
+def demo_folder() -> Path:
+    """Return the demo, made on first use with the progress shown."""
+    with shown_progress() as progress:
+        return make_demo_folder(progress)
+
+
+def import_recording(options: argparse.Namespace) -> int:
+    """Import a video with its motion, showing the progress."""
+    mapping = (
+        Mapping() if options.gain is None else Mapping(gain_n_per_mps2=options.gain)
+    )
+    with interruptible(), shown_progress() as progress:
+        folder = build_sequence(
+            options.video,
+            options.output,
+            imu_log=options.imu,
+            offset_s=options.offset,
+            choices=Choices(
+                title=options.title,
+                mapping=mapping,
+                processing=chosen_processing(options),
+                seed=options.seed,
+                use_cache=options.cache,
+            ),
+            progress=progress,
+        )
+    description = open_sequence(folder).description
+    if options.json:
+        say(json.dumps({"sequence": str(folder), **description}, ensure_ascii=False))
+        return 0
+    _say_imported(folder, description)
+    return 0
+
+
+def chosen_processing(options: argparse.Namespace) -> Processing:
+    """Return what the options say about the motion."""
+    method = {} if options.method is None else {"method": options.method}
+    return Processing(
+        **method,
+        time_constant_s=options.time_constant,
+        remove_spikes=options.remove_spikes,
+        repair_clipping=options.repair_clipping,
+        average_hz=options.average,
+        lowpass_hz=options.lowpass,
+    )
+
+
+def _say_imported(folder: Path, description: Dict[str, Any]) -> None:
+    made_of = description["provenance"]
+    realistic = description["feedbacks"]["realistic"]
+    say(
+        f"{folder}: {description['clip']['duration_s']:.1f} s of "
+        f"{made_of['camera'] or made_of['motion_source']} at "
+        f"{made_of['imu_rate_hz']:.1f} Hz; force peak {realistic['peak_n']:.2f} N; "
+        f"gravity removed by {made_of['gravity_removal']}; "
+        f"accelerometer gain {made_of['accelerometer_gain']:.4f} "
+        f"({made_of['accelerometer_gain_from']})"
+    )
+    for note in (*made_of["conditioning"], *made_of["notes"]):
+        say(f"note: {note}")
+    say(f"play it with: hapticplayer play {folder}")
+
+
+def simulate(options: argparse.Namespace) -> int:
+    """Write a simulated ride: a sequence, or motion and truth only."""
+    # the simulator brings half of scipy along, which playing does not need
+    from hapticplayer.capture import MOTION_SCENES, SCENES
+
+    seed = DEMO_SEED if options.seed is None else options.seed
+    if options.scenario in MOTION_SCENES:
+        return _simulate_motion(options.scenario, seed, Path(options.output))
+    if options.scenario not in SCENES:
+        known = ", ".join([*SCENES, *MOTION_SCENES])
+        raise UsageError(
+            f"there is no scenario {options.scenario!r}; choose one of {known}"
+        )
+    with interruptible(), shown_progress() as progress:
+        folder = write_simulated_sequence(
+            options.scenario, Path(options.output), seed=seed, progress=progress
+        )
+    say(f"{folder}: play it with: hapticplayer play {folder}")
+    return 0
+
+
+def _simulate_motion(name: str, seed: int, target: Path) -> int:
+    """Write imu.csv and truth.npz of a scene without a clip."""
+    from hapticplayer.capture import simulate_motion, write_imu_csv
+
+    with (
+        interruptible(),
+        shown_progress() as progress,
+        files.written_aside(target) as aside,
+    ):
+        progress(0.0, "riding")
+        ride = simulate_motion(name, seed)
+        progress(0.4, "writing")
+        write_imu_csv(aside / "imu.csv", ride.imu)
+        files.write_arrays(aside / "truth.npz", **ride.truth_arrays())
+    say(
+        f"{target}: {ride.title}, {len(ride.imu)} samples at "
+        f"{ride.imu.rate_hz:.0f} Hz in imu.csv, the exact motion in truth.npz"
+    )
+    return 0

@@ -1,0 +1,129 @@
+"""Which samples of a log are not to be trusted, and why."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hapticplayer.model import ImuLog
+from hapticplayer.model.arrays import Floats
+from hapticplayer.motion.saturation import (
+    ACCELEROMETER,
+    GYROSCOPE,
+    SensorRange,
+    saturated_mask,
+)
+
+Flags = NDArray[np.bool_]
+
+# A step longer than this many intervals is a gap.
+GAP_STEPS = 3.0
+# Straight lines bridge a hole of a few samples well; one of this length not at all.
+_BRIDGED_S = 0.3
+# Of a clipped sample much is known: it goes on in the same direction.
+_CLIPPED_RATE_LOST = 0.3
+_CLIPPED_FORCE_DOUBT = 1.0
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Flaws:
+    """The flaws of a log.
+
+    Attributes:
+        interval_s: the median step.
+        gap_s: (N,) time before each sample that no sample covers; 0 without a gap.
+        missing: (N,) samples that were filled in.
+        force_clipped: (N,) on a rail of the accelerometer.
+        rate_clipped: (N,) on a rail of the gyro.
+    """
+
+    interval_s: float
+    gap_s: Floats
+    missing: Flags
+    force_clipped: Flags
+    rate_clipped: Flags
+
+    @property
+    def valid(self) -> Flags:
+        """Samples whose motion may be trusted: not missing, clipped or at a gap."""
+        flawed = self.missing | self.force_clipped | self.rate_clipped
+        gap = self.gap_s > 0.0
+        flawed |= gap
+        flawed[:-1] |= gap[1:]
+        return ~flawed
+
+    @property
+    def flawless(self) -> bool:
+        """Whether there is nothing to be careful about."""
+        return not (
+            self.gap_s.any()
+            or self.missing.any()
+            or self.force_clipped.any()
+            or self.rate_clipped.any()
+        )
+
+    @property
+    def beyond_bridging(self) -> Flags:
+        """Samples after a gap that no straight line bridges, (N,)."""
+        return np.asarray(self.gap_s > _BRIDGED_S)
+
+    @property
+    def _unbridged_gap_s(self) -> Floats:
+        return np.asarray(self.gap_s * np.minimum(self.gap_s / _BRIDGED_S, 1.0) ** 2)
+
+    def lost_s(self, step_s: Floats) -> Floats:
+        """Return for how long nothing is known about the rotation, (N,)."""
+        if self.flawless:
+            return self.gap_s
+        missing = _unbridged(self.missing, step_s)
+        clipped = _CLIPPED_RATE_LOST * self.rate_clipped
+        lost = step_s * np.maximum(missing, clipped)
+        return np.asarray(self._unbridged_gap_s + lost)
+
+    def doubt_s(self, step_s: Floats) -> Floats:
+        """Return for how long the specific force is not to be trusted, (N,)."""
+        if self.flawless:
+            return self.gap_s
+        missing = _unbridged(self.missing, step_s)
+        clipped = _CLIPPED_FORCE_DOUBT * self.force_clipped
+        lost = step_s * np.maximum(missing, clipped)
+        return np.asarray(self._unbridged_gap_s + lost)
+
+    @property
+    def saturated_share(self) -> float:
+        """Share of samples on a rail of either sensor, 0 to 1."""
+        return float(np.mean(self.force_clipped | self.rate_clipped))
+
+
+def find_flaws(imu: ImuLog) -> Flaws:
+    """Return the flaws of a log of at least two samples."""
+    steps = np.diff(imu.time_s)
+    interval_s = float(np.median(steps))
+    gap_s = np.zeros(len(imu))
+    wide = steps > GAP_STEPS * interval_s
+    gap_s[1:][wide] = steps[wide] - interval_s
+    return Flaws(
+        interval_s,
+        gap_s,
+        np.zeros(len(imu), np.bool_) if imu.valid is None else ~imu.valid,
+        _clipped(imu.specific_force_mps2, ACCELEROMETER),
+        _clipped(imu.angular_rate_radps, GYROSCOPE),
+    )
+
+
+def _clipped(values: Floats, sensor: SensorRange) -> Flags:
+    mask, full_scale = saturated_mask(values, sensor)
+    if full_scale is None:
+        return np.zeros(len(values), np.bool_)
+    return np.asarray(mask.any(axis=1))
+
+
+def _unbridged(missing: Flags, step_s: Floats) -> Floats:
+    """Return how unknown filled-in samples are, 0 to 1, by the length of their hole."""
+    out = np.zeros(len(missing))
+    edges = np.flatnonzero(np.diff(missing, prepend=False, append=False))
+    end_s = np.concatenate([[0.0], np.cumsum(step_s)])
+    length_s = end_s[edges[1::2]] - end_s[edges[::2]]
+    share = np.minimum(length_s / _BRIDGED_S, 1.0)
+    out[missing] = np.repeat(share, edges[1::2] - edges[::2])
+    return out

@@ -1,0 +1,247 @@
+"""The orientation estimators by name."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hapticplayer.errors import UsageError
+from hapticplayer.model import ImuLog, Sampling
+from hapticplayer.model import quaternions as quat
+from hapticplayer.model.arrays import Floats
+from hapticplayer.motion import ekf, grid, lowpass
+from hapticplayer.motion.estimate import Estimate
+from hapticplayer.motion.flaws import Flaws
+from hapticplayer.motion.smoother import (
+    Samples,
+    SmootherParameters,
+    bridged,
+    smooth_recording,
+    window_mean,
+)
+from hapticplayer.motion.stillness import StillSpans
+
+Parameters = SmootherParameters | ekf.EkfParameters
+P = TypeVar("P", SmootherParameters, ekf.EkfParameters)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Task:
+    """What a method is given.
+
+    Attributes:
+        imu: the log, its specific force put right by `gain`.
+        gain: of the accelerometer.
+        still: where it stands still.
+        flaws: what is wrong with it.
+        parameters: of the method, or None for its defaults.
+        heading: whether the heading is wanted, from the magnetometer.
+    """
+
+    imu: ImuLog
+    gain: float
+    still: StillSpans
+    flaws: Flaws
+    parameters: Parameters | None = None
+    heading: bool = False
+
+    @property
+    def specific_force_mps2(self) -> Floats:
+        """The specific force with the right scale, (N, 3)."""
+        if self.gain == 1.0:
+            return self.imu.specific_force_mps2
+        return self.gain * self.imu.specific_force_mps2
+
+
+Method = Callable[[Task], Estimate]
+
+
+def smoother(task: Task) -> Estimate:
+    """The non-causal smoother; see `hapticplayer.motion.smoother`."""
+    if task.heading:
+        raise UsageError(
+            "the smoother has no heading; choose one of ekf, vqf, offline-vqf for it"
+        )
+    parameters = _of_type(task.parameters, SmootherParameters)
+    samples, places = _samples(task)
+    done = smooth_recording(samples, task.still, parameters, places)
+    return Estimate(
+        quaternion_wxyz=done.quaternion_wxyz,
+        vertical=done.vertical,
+        sigma_rad=done.sigma_rad,
+        at_rest=done.at_rest,
+        found={
+            "time_constant_s": [round(value, 2) for value in done.time_constant_s],
+            "time_constant_from": "how fast the recording moves"
+            if parameters.time_constant_s is None
+            else "chosen by a person",
+            "gyro_bias_radps": _rounded(done.mean("gyro_bias_radps")),
+            "accelerometer_bias_mps2": _rounded(done.mean("accelerometer_bias_mps2")),
+            "accelerometer_scale": round(float(1.0 + done.mean("force_scale")), 5),
+            "accelerometer_scale_sigma": round(
+                float(done.mean("force_scale_sigma")), 5
+            ),
+            "blocks": len(done.blocks),
+        },
+    )
+
+
+def _samples(task: Task) -> tuple[Samples, NDArray[np.intp] | None]:
+    """Return the samples, and their places where others were put between them."""
+    imu, flaws = task.imu, task.flaws
+    step = np.empty(len(imu))
+    step[0] = flaws.interval_s
+    np.subtract(imu.time_s[1:], imu.time_s[:-1], out=step[1:])
+    np.copyto(step, flaws.interval_s, where=flaws.beyond_bridging)
+    samples = Samples(
+        step,
+        imu.specific_force_mps2,
+        imu.angular_rate_radps,
+        imu.sampling is Sampling.AVERAGED,
+        flaws.lost_s(step),
+        flaws.doubt_s(step),
+        task.gain,
+        flaws.interval_s,
+    )
+    return bridged(samples)
+
+
+def kalman(task: Task) -> Estimate:
+    """The quaternion Kalman filter of Sabatini 2006; see `hapticplayer.motion.ekf`."""
+    parameters = _of_type(task.parameters, ekf.EkfParameters)
+    log = _even(task)
+    field = log.magnetic_field_ut if task.heading else None
+    done = ekf.run_ekf(
+        log.specific_force_mps2,
+        log.angular_rate_radps,
+        field,
+        log.interval_s,
+        parameters,
+    )
+    sigma = np.interp(task.imu.time_s, log.time_s, done.inclination_sigma_rad)
+    found = {
+        "gyro_bias_radps": _rounded(done.gyro_bias_radps),
+        "gyro_bias_from": f"{done.still_s:.1f} s of a still start"
+        if done.still_s
+        else "assumed: the recording does not start still",
+        "accelerometer_bias_mps2": _rounded(done.accelerometer_bias_mps2[-1]),
+        "accelerometer_skipped_share": round(done.accelerometer_skipped_share, 4),
+    }
+    return _back(task, log, done.quaternion_wxyz, sigma, found)
+
+
+def vqf(task: Task) -> Estimate:
+    """The causal filter VQF (Laidig and Seel 2023, doi:10.1016/j.inffus.2022.10.014)."""
+    import vqf as package
+
+    _no_parameters(task)
+    log = _even(task)
+    runner = package.VQF(log.interval_s)
+    if task.heading:
+        result = runner.updateBatch(
+            np.array(log.angular_rate_radps),
+            np.array(log.specific_force_mps2),
+            np.array(log.magnetic_field_ut),
+        )
+        return _back(task, log, np.asarray(result["quat9D"]))
+    result = runner.updateBatch(
+        np.array(log.angular_rate_radps), np.array(log.specific_force_mps2)
+    )
+    return _back(task, log, np.asarray(result["quat6D"]))
+
+
+def offline_vqf(task: Task) -> Estimate:
+    """Offline VQF (same paper): forwards and backwards."""
+    import vqf as package
+
+    _no_parameters(task)
+    log = _even(task)
+    field = np.array(log.magnetic_field_ut) if task.heading else None
+    result = package.offlineVQF(
+        np.array(log.angular_rate_radps),
+        np.array(log.specific_force_mps2),
+        field,
+        log.interval_s,
+    )
+    return _back(task, log, np.asarray(result["quat9D" if task.heading else "quat6D"]))
+
+
+def low_pass(task: Task) -> Estimate:
+    """The slow part of the specific force; see `hapticplayer.motion.lowpass`."""
+    if task.heading:
+        raise UsageError("the low-pass has no heading; choose one of ekf, vqf")
+    _no_parameters(task)
+    log = _even(task)
+    up = lowpass.lowpass_vertical(log.specific_force_mps2, log.interval_s)
+    q = lowpass.orientation_from_vertical(up)
+    # a filtered value has no half window to be turned back
+    q = _at_times(task, log, q)
+    return Estimate(q, quat.vertical(q))
+
+
+METHODS: dict[str, Method] = {
+    "smoother": smoother,
+    "ekf": kalman,
+    "vqf": vqf,
+    "offline-vqf": offline_vqf,
+    "lowpass": low_pass,
+}
+"""Orientation estimators by name."""
+
+DEFAULT_METHOD = "smoother"
+
+
+def _even(task: Task) -> grid.EvenLog:
+    if task.heading and task.imu.magnetic_field_ut is None:
+        raise UsageError("the recording has no magnetometer to find the heading with")
+    return grid.even(task.imu, task.specific_force_mps2, with_field=task.heading)
+
+
+def _back(
+    task: Task,
+    log: grid.EvenLog,
+    q: Floats,
+    sigma_rad: Floats | None = None,
+    found: dict[str, object] | None = None,
+) -> Estimate:
+    """Return an answer for the ends of even intervals at the times of the log."""
+    turn = log.interval_s * log.angular_rate_radps
+    averaged = task.imu.sampling is Sampling.AVERAGED
+    if averaged:
+        # the filter's answer belongs to the end of the window, half of one later
+        q = quat.multiply(q, quat.from_rotation_vector(-0.5 * turn))
+    q = _at_times(task, log, q)
+    vertical = quat.vertical(q)
+    if averaged:
+        same = log.time_s is task.imu.time_s
+        turned = turn if same else grid.columns(task.imu.time_s, log.time_s, turn)
+        vertical = np.ascontiguousarray(window_mean(vertical.T, turned.T).T)
+    return Estimate(q, vertical, sigma_rad, found=found or {})
+
+
+def _at_times(task: Task, log: grid.EvenLog, q: Floats) -> Floats:
+    if log.time_s is task.imu.time_s:
+        return quat.normalized(q)
+    return quat.interpolate(task.imu.time_s, log.time_s, q)
+
+
+def _of_type(given: Parameters | None, wanted: type[P]) -> P:
+    """Return the parameters of a method, its defaults where none are given."""
+    if given is None:
+        return wanted()
+    if not isinstance(given, wanted):
+        raise UsageError(
+            f"this method takes {wanted.__name__}, not {type(given).__name__}"
+        )
+    return given
+
+
+def _no_parameters(task: Task) -> None:
+    if task.parameters is not None:
+        raise UsageError("this method takes no parameters")
+
+
+def _rounded(values: Floats) -> list[float]:
+    return [round(float(value), 6) for value in values]

@@ -1,0 +1,384 @@
+"""Orientation of one block, from all of it.
+
+Strapdown integration at the full rate over windows of 1/16 s, then a least-squares
+smoother on nodes 0.75 s apart that holds the velocity bounded and calibrates
+gyro and accelerometer on the way (`calibrated`). The first solution, on windows twice
+as long and about a rough vertical, tells how fast the sensor moves and how wrong its
+gyro is; the second is about the first and uses both; more follow only while they
+change much.
+"""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hapticplayer.model import STANDARD_GRAVITY_MPS2
+from hapticplayer.model.arrays import Floats
+from hapticplayer.motion import rotations as rot
+from hapticplayer.motion.rotations import Pair
+from hapticplayer.motion.smoother import nodes as nd
+from hapticplayer.motion.smoother import rest as at_rest
+from hapticplayer.motion.smoother.calibrated import (
+    BIASES_ONLY,
+    CALIBRATION,
+    FORCE_BIAS,
+    FORCE_SCALE,
+    GYRO_BIAS,
+    GYRO_MATRIX,
+    Problem,
+    Solution,
+    minimise,
+)
+from hapticplayer.motion.smoother.linearise import (
+    Knowledge,
+    linearised,
+    velocity_bound,
+)
+from hapticplayer.motion.smoother.parameters import SmootherParameters
+from hapticplayer.motion.smoother.rest import Rest
+from hapticplayer.motion.smoother.strapdown import Samples, coarse, integrate, spread
+from hapticplayer.motion.smoother.uncertainty import tilt_variance
+
+# Weight of a calibration that is not to be changed.
+_CERTAIN = 1e12
+# No accelerometer that is worth its name has a bias beyond this.
+_SETTLE_MPS2 = 0.15
+# So much may be left at rest; nobody feels it.
+_LEFT_MPS2 = 0.03
+# Below this mean rate nodes may be twice as far apart.
+_CALM_RADPS = 0.015
+# Below this mean rate the gyro's matrix is not looked for.
+_TURNING_RADPS = 0.05
+# Share of the turn within a sample by which the vertical may be off.
+_TURN_ERROR = 0.04
+# Even a short log has so many windows.
+_WINDOWS = 8
+# Windows of so few samples are not worth a first look at their means.
+_FEW = 2
+# A window that may turn further is not seen through its means.
+_MEAN_TURN_RAD = 2.0
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Calibration:
+    """What was found about the sensor of a block.
+
+    Attributes:
+        gyro_bias_radps: (3,).
+        gyro_matrix: (3, 3) the gyro reads (1 + matrix) times the angular rate.
+        accelerometer_bias_mps2: (3,).
+        force_scale: the accelerometer reads 1 + so much times the specific force.
+        force_scale_sigma: standard deviation of that.
+        time_constant_s: of the levelling that was used, at the nodes.
+    """
+
+    gyro_bias_radps: Floats
+    gyro_matrix: Floats
+    accelerometer_bias_mps2: Floats
+    force_scale: float
+    force_scale_sigma: float
+    time_constant_s: Floats
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Smoothed:
+    """The result for one block.
+
+    Attributes:
+        quaternion_wxyz: (n, 4) sensor to earth at each sample.
+        vertical: (n, 3) up in the sensor frame; for averaged samples its mean over
+            their time.
+        sigma_rad: (n,) standard deviation of the tilt, both axes together.
+        at_rest: (n,) still samples that were found to be so.
+        calibration: of the sensor.
+    """
+
+    quaternion_wxyz: Floats
+    vertical: Floats
+    sigma_rad: Floats
+    at_rest: NDArray[np.bool_]
+    calibration: Calibration
+
+
+def smooth(samples: Samples, rest: Rest | None, p: SmootherParameters) -> Smoothed:
+    """Return the orientation of one block of at least two samples."""
+    step_s = samples.interval_s
+    most = max(1, len(samples) // _WINDOWS)  # of a moment not all is one window
+    per_window = min(max(1, round(1.0 / (p.window_hz * step_s))), most)
+    node_s = max(p.node_s, p.node_samples * step_s)
+    if p.shortcuts and _is_calm(samples, rest):
+        node_s *= 2.0
+    # even, because the first solution has nodes twice as far apart
+    per_node = 2 * max(1, round(0.5 * node_s / (per_window * step_s)))
+    block = _Block(samples, (per_window, per_node), rest, p)
+    while block.improve():
+        pass
+    block.obey()
+    return block.result()
+
+
+class _Block:
+    """One block, and what has been found about it so far."""
+
+    def __init__(
+        self,
+        samples: Samples,
+        grid: tuple[int, int],
+        rest: Rest | None,
+        p: SmootherParameters,
+    ) -> None:
+        self._samples, self._rest, self._p = samples, rest, p
+        self._frames: Pair
+        self._problem: Problem
+        self._solution: Solution
+        self._per_window, self._per_node = grid
+        self._expected = at_rest.expected_bias(rest, p)
+        self._calibration = np.zeros(CALIBRATION)
+        self._calibration[GYRO_BIAS] = self._expected[0]
+        # slow logs have few samples to a node: for them coarser windows save nothing
+        self._fine = self._per_window <= _FEW or _spins(samples, self._per_window)
+        if self._fine:
+            self._open(samples, self._per_window)
+        else:
+            self._open(coarse(samples, 2 * self._per_window), 1)
+        vertical = nd.rough_vertical(self._nodes, p.rough_s)
+        self._bound = np.full(vertical.shape[1], p.velocity_start_mps)
+        self._trusted = np.zeros(len(self._nodes.duration_s))
+        self._solutions = 0
+        self._solve(vertical, BIASES_ONLY)
+
+    def improve(self) -> bool:
+        """Solve once more about what was found; False if that would change little."""
+        p, change = self._p, self._solution.calibration
+        bound = velocity_bound(self._solution, self._nodes.duration_s, p)
+        moved = bool(np.abs(change[GYRO_BIAS]).max() > p.rebias_radps)
+        faster = bool(np.abs(np.log(bound / self._bound)).mean() > p.rebound)
+        unrest = self._unrest()
+        limit = max(2, p.rest_solutions if unrest else p.solutions)
+        first = self._solutions == 1
+        if self._solutions >= limit or not (first or moved or faster or unrest):
+            return False
+        self._bound = bound
+        vertical = rot.rotate(rot.inverse(self._frames), _up(self._solution.tilt))
+        if moved or not self._fine:
+            vertical = self._integrate(vertical)
+        self._trusted = self._rest_weight()
+        self._solve(vertical, self._columns())
+        return True
+
+    def obey(self) -> None:
+        """Use the time constant that a person chose, with the calibration found.
+
+        A time constant that is too short for the motion would find it in there.
+        """
+        velocity_mps = self._p.fixed_velocity_mps
+        if velocity_mps is None:
+            return
+        found = self._solution.calibration
+        vertical = rot.rotate(rot.inverse(self._frames), _up(self._solution.tilt))
+        self._frames = nd.level_frames(vertical)
+        self._bound = np.full_like(self._bound, velocity_mps)
+        problem = self._linearised(vertical, len(found))
+        self._problem = replace(
+            problem, prior=found, prior_weight=np.full(len(found), _CERTAIN)
+        )
+        self._solution = minimise(self._problem)
+
+    def result(self) -> Smoothed:
+        """Return the orientation at each sample."""
+        solution, count = self._solution, len(self._samples)
+        up = _up(self._settled(solution.tilt))
+        z = np.zeros_like(up)
+        z[2] = 1.0
+        level = rot.unit(rot.multiply(rot.shortest(up, z), self._frames))
+        total = self._calibration.copy()
+        total[: len(solution.calibration)] += solution.calibration
+        constant_s = self._p.time_constant_of_s(self._bound)
+        variance = tilt_variance(self._problem, solution, constant_s, self._p.local_s)
+        per_node = self._per_window * self._per_node
+        variance += _turning_variance(self._nodes.turned_rad / per_node)
+        at_samples = np.arange(count) / per_node
+        # two directions that know nothing of each other are 90 degrees apart
+        sigma = np.sqrt(np.clip(variance, 0.0, 2.0))
+        quaternion, vertical = self._at_samples(level, total[GYRO_BIAS])
+        return Smoothed(
+            quaternion_wxyz=quaternion,
+            vertical=vertical,
+            sigma_rad=np.interp(at_samples, np.arange(len(variance)), sigma),
+            at_rest=np.repeat(self._believed(), per_node)[:count],
+            calibration=Calibration(
+                gyro_bias_radps=total[GYRO_BIAS],
+                gyro_matrix=total[GYRO_MATRIX].reshape(3, 3),
+                accelerometer_bias_mps2=total[FORCE_BIAS],
+                force_scale=float(total[FORCE_SCALE]),
+                force_scale_sigma=float(solution.covariance[FORCE_SCALE, FORCE_SCALE])
+                ** 0.5,
+                time_constant_s=constant_s,
+            ),
+        )
+
+    def _open(self, samples: Samples, per_window: int) -> None:
+        """Integrate with the calibration so far."""
+        matrix = self._calibration[GYRO_MATRIX].reshape(3, 3)
+        bias = self._calibration[GYRO_BIAS]
+        self._windows = integrate(
+            samples, per_window, bias, matrix, shortcuts=self._p.shortcuts
+        )
+        self._nodes = nd.gather(self._windows, self._per_node, with_scale=self._fine)
+
+    def _integrate(self, vertical: Floats) -> Floats:
+        """Integrate anew with what was found; return the vertical in the new frame."""
+        change = self._solution.calibration
+        self._calibration[: len(change)] += change
+        # of the accelerometer everything is solved for in full each time
+        self._calibration[FORCE_BIAS] = self._calibration[FORCE_SCALE] = 0.0
+        sensor = rot.rotate(rot.inverse(self._nodes.at), vertical)
+        was_fine, self._fine = self._fine, True
+        self._open(self._samples, self._per_window)
+        at = self._nodes.at
+        if was_fine:
+            return rot.rotate(at, sensor)
+        last = len(at[0]) - 1
+        shared = np.append(2 * np.arange(sensor.shape[1] - 1), last)
+        known = rot.rotate((at[0][shared], at[1][shared]), sensor)
+        place = np.arange(last + 1)
+        self._bound = np.interp(place, shared, self._bound)
+        return _unit(np.stack([np.interp(place, shared, row) for row in known]))
+
+    def _solve(self, vertical: Floats, columns: int) -> None:
+        self._frames = nd.level_frames(vertical)
+        self._problem = self._linearised(vertical, columns)
+        self._solution = minimise(self._problem)
+        self._solved_s = np.concatenate([[0.0], np.cumsum(self._nodes.duration_s)])
+        self._solutions += 1
+
+    def _linearised(self, vertical: Floats, columns: int) -> Problem:
+        known = Knowledge(
+            self._bound, self._trusted, self._calibration[:columns], *self._expected
+        )
+        return linearised(self._nodes, vertical, self._frames, known, self._p)
+
+    def _settled(self, tilt: Floats) -> Floats:
+        """Return the tilt with hardly anything left of the specific force at rest.
+
+        What is left there is the accelerometer's bias for this attitude, and would
+        be felt as a steady pull.
+        """
+        still = self._resting()
+        inside = np.zeros(tilt.shape[1], dtype=np.bool_)
+        inside[1:-1] = still[1:] & still[:-1]
+        duration_s = self._problem.duration_s
+        span_mps = STANDARD_GRAVITY_MPS2 * (duration_s[1:] + duration_s[:-1])
+        impulse = self._problem.impulse[:2, 0]
+        level = np.zeros_like(tilt)
+        level[:, 1:-1] = (impulse[:, 1:] + impulse[:, :-1]) / span_mps
+        shift = np.where(inside, level - tilt, 0.0)
+        size = STANDARD_GRAVITY_MPS2 * np.sqrt(np.square(shift).sum(axis=0))
+        part = np.maximum(1.0 - _LEFT_MPS2 / np.maximum(size, 1e-9), 0.0)
+        # a steady acceleration that passes for rest is not to be levelled away
+        return np.asarray(tilt + np.where(size < _SETTLE_MPS2, part, 0.0) * shift)
+
+    def _columns(self) -> int:
+        """Return how much of the calibration is worth solving for.
+
+        Where little turns, the gyro's scale and alignment move nothing.
+        """
+        nodes = self._nodes
+        rate = float(nodes.turned_rad.sum() / nodes.duration_s.sum())
+        if self._p.shortcuts and rate < _TURNING_RADPS:
+            return BIASES_ONLY
+        return CALIBRATION
+
+    def _resting(self) -> NDArray[np.bool_]:
+        """Return which intervals between nodes lie in still spans."""
+        per_node = self._per_window * self._per_node * (1 if self._fine else 2)
+        edges = per_node * np.arange(len(self._nodes.duration_s) + 1)
+        return at_rest.resting(self._rest, np.minimum(edges, len(self._samples)))
+
+    def _believed(self) -> NDArray[np.bool_]:
+        """Return which still intervals do not seem to be accelerated, (K,)."""
+        seems = at_rest.seeming_acceleration(
+            self._solution, self._solved_s, self._nodes.duration_s
+        )
+        return np.asarray(self._resting() & (seems < _SETTLE_MPS2))
+
+    def _rest_weight(self) -> Floats:
+        """Return how far the still spans are to be believed after this solution."""
+        duration_s = self._nodes.duration_s
+        still = self._resting()
+        seems = at_rest.seeming_acceleration(self._solution, self._solved_s, duration_s)
+        return at_rest.rest_weight(still, duration_s, seems, self._p)
+
+    def _unrest(self) -> bool:
+        """Return whether still spans would be believed otherwise than they were."""
+        if self._rest is None:
+            return False
+        weight = self._rest_weight()
+        if self._solutions == 1:
+            return bool(weight.any())
+        changed = weight > 0.0
+        if not changed.any():
+            return False
+        ratio = weight[changed] / np.maximum(self._trusted[changed], 1e-12)
+        return bool(np.abs(np.log(ratio)).mean() > self._p.retrust)
+
+    def _at_samples(self, level: Pair, bias_radps: Floats) -> tuple[Floats, Floats]:
+        """Return orientation (n, 4) and vertical (n, 3) from the levelling at nodes."""
+        windows, per_node = self._windows, self._nodes.per_node
+        total = len(windows.duration_s)
+        share = np.arange(per_node) / per_node
+        if windows.lost_s.any():
+            share = self._shares()
+        between = [
+            (part[:-1, None] + share * (part[1:] - part[:-1])[:, None]).reshape(-1)
+            for part in level
+        ]
+        corrected = rot.unit(
+            rot.multiply((between[0][:total], between[1][:total]), self._nodes.start)
+        )
+        return spread(corrected, windows, self._samples, bias_radps)
+
+    def _shares(self) -> Floats:
+        """Return how far each window's start is from node to node, (K, per node).
+
+        Not by time but by variance: a jump belongs into the hole that hid it.
+        """
+        windows, nodes = self._windows, self._nodes
+        noise = self._p.rate_noise_rad_per_sqrt_s**2 * windows.duration_s
+        noise = noise + windows.lost_s**2
+        total = len(nodes.duration_s) * nodes.per_node
+        noise = np.append(noise, np.zeros(total - len(noise)))
+        noise = noise.reshape(-1, nodes.per_node)
+        before = np.cumsum(noise, axis=1) - noise
+        return np.asarray(before / noise.sum(axis=1, keepdims=True))
+
+
+def _turning_variance(turn_rad: Floats) -> Floats:
+    """Return what turns within a sample add to the variance, at the nodes, rad^2."""
+    at = np.append(turn_rad, turn_rad[-1:])
+    at[1:-1] = 0.5 * (turn_rad[1:] + turn_rad[:-1])
+    return np.asarray(np.square(_TURN_ERROR * at))
+
+
+def _is_calm(samples: Samples, rest: Rest | None) -> bool:
+    """Return whether hardly anything turns, by a sixteenth of the samples."""
+    rate = samples.angular_rate_radps[::16]
+    bias = np.zeros(3) if rest is None else rest.mean_radps
+    return bool(np.abs(rate - bias).mean() < _CALM_RADPS)
+
+
+def _spins(samples: Samples, per_window: int) -> bool:
+    """Return whether the sensor turns so fast that window means say little."""
+    rate = samples.angular_rate_radps
+    fastest = max(abs(float(rate.max())), abs(float(rate.min())))
+    return bool(2 * per_window * fastest * samples.interval_s > _MEAN_TURN_RAD)
+
+
+def _up(tilt: Floats) -> Floats:
+    """Return the vertical (3, n) of a tilt (2, n)."""
+    return _unit(np.concatenate([tilt, np.ones((1, tilt.shape[1]))]))
+
+
+def _unit(vectors: Floats) -> Floats:
+    return np.asarray(vectors / np.sqrt(rot.squared_norm(vectors)))

@@ -1,0 +1,219 @@
+"""The linear heart of the smoother: tilt, velocity and calibration at once.
+
+Unknown at each node: the tilt s (x, y of the vertical in the node's level frame) and
+the velocity v. Between nodes
+    s[k+1] - s[k] = r[k] + (A[k] b + S[k] m) turned by a quarter + w_s
+    v[k+1] - v[k] = (1 - e) dv[k] - g T (s[k] + s[k+1]) / 2 - A[k] c + w_v
+with the gyro's bias b, its error matrix m, the accelerometer's bias c and error of
+scale e, which are constant within a block; at each node v is small, v = 0 + w_b, and where the sensor
+rests it does not change, v[k+1] - v[k] = 0 + w_r. For given
+calibration the two horizontal axes are two problems with one banded matrix (4
+diagonals), so the calibration is found by least squares over the solutions for each
+of its columns: all of it costs one Cholesky factor of a band, whatever the length.
+Being a normal matrix with positive weights, it is positive definite by construction.
+"""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from scipy.linalg import lapack
+
+from hapticplayer.errors import InputError
+from hapticplayer.model import STANDARD_GRAVITY_MPS2
+from hapticplayer.model.arrays import Floats
+from hapticplayer.motion.rotations import Complexes
+
+GYRO_BIAS = slice(0, 3)
+FORCE_BIAS = slice(3, 6)
+FORCE_SCALE = 6
+GYRO_MATRIX = slice(7, 16)
+BIASES_ONLY = 7
+CALIBRATION = 16
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Problem:
+    """One linearised block; K intervals, K + 1 nodes, C calibration parameters.
+
+    Attributes:
+        duration_s: (K,).
+        tilt: (2, 1 + C, K): the known change of the vertical, r, and the change per
+            unit of calibration.
+        impulse: (3, 1 + C, K): the same of the velocity, m/s, in the level frames;
+            gravity is taken off the vertical one.
+        tilt_weight: (K,) 1 / variance of w_s.
+        velocity_weight: (K,) 1 / variance of w_v.
+        bound_weight: (K + 1,) 1 / variance of w_b.
+        rest_weight: (K,) 1 / variance of v[k+1] - v[k] = 0, where the sensor rests.
+        prior: (C,) where the calibration is expected.
+        prior_weight: (C,) 1 / variance of that.
+    """
+
+    duration_s: Floats
+    tilt: Floats
+    impulse: Floats
+    tilt_weight: Floats
+    velocity_weight: Floats
+    bound_weight: Floats
+    rest_weight: Floats
+    prior: Floats
+    prior_weight: Floats
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Solution:
+    """The minimum of a Problem.
+
+    Attributes:
+        tilt: (2, K + 1) of the vertical, first order.
+        velocity_mps: (2, K + 1) horizontal.
+        calibration: (C,).
+        covariance: (C, C) of the calibration.
+        tilt_per_calibration: (C, K + 1) x + iy.
+    """
+
+    tilt: Floats
+    velocity_mps: Floats
+    calibration: Floats
+    covariance: Floats
+    tilt_per_calibration: Complexes
+
+
+def minimise(problem: Problem) -> Solution:
+    """Return tilt, velocity and calibration of least squares."""
+    states, normal = _horizontal(problem)
+    normal += _vertical_normal(problem)
+    matrix = normal[1:, 1:]
+    matrix[np.diag_indices_from(matrix)] += problem.prior_weight
+    right = problem.prior_weight * problem.prior - normal[1:, 0]
+    inverse = np.linalg.inv(0.5 * (matrix + matrix.T))
+    calibration = inverse @ right
+    weights = np.concatenate([[1.0], calibration])
+    found = (weights @ states.reshape(len(weights), -1)).reshape(-1, 2)
+    tilt, velocity = found.T
+    return Solution(
+        tilt=np.stack([tilt.real, tilt.imag]),
+        velocity_mps=np.stack([velocity.real, velocity.imag]),
+        calibration=calibration,
+        covariance=0.5 * (inverse + inverse.T),
+        tilt_per_calibration=states[1:, :, 0],
+    )
+
+
+def tighter(problem: Problem, solution: Solution, factor: float) -> Problem:
+    """Return the problem with the velocity bound divided by `factor`.
+
+    The gyro matrix is kept as it was found.
+    """
+    found = solution.calibration[BIASES_ONLY:]
+
+    def fixed(columns: Floats) -> Floats:
+        kept = columns[:, : 1 + BIASES_ONLY].copy()
+        kept[:, 0] += np.matmul(found, columns[:, 1 + BIASES_ONLY :])
+        return kept
+
+    return replace(
+        problem,
+        tilt=fixed(problem.tilt),
+        impulse=fixed(problem.impulse),
+        bound_weight=problem.bound_weight * factor**2,
+        prior=problem.prior[:BIASES_ONLY],
+        prior_weight=problem.prior_weight[:BIASES_ONLY],
+    )
+
+
+def _horizontal(problem: Problem) -> tuple[Complexes, Floats]:
+    """Return the states per column (1 + C, K + 1, 2) and their normal matrix.
+
+    Both axes have the same matrix: x + iy goes through the solver at once.
+    """
+    half = 0.5 * STANDARD_GRAVITY_MPS2 * problem.duration_s
+    tilt = problem.tilt[0] + 1j * problem.tilt[1]
+    speed = problem.impulse[0] + 1j * problem.impulse[1]
+    weighted_tilt = problem.tilt_weight * tilt
+    weighted_speed = problem.velocity_weight * speed
+    sloped = half * weighted_speed
+    columns, count = tilt.shape
+    right = np.zeros((columns, count + 1, 2), complex)
+    right[:, 1:, 0] = weighted_tilt + sloped
+    right[:, :-1, 0] += sloped - weighted_tilt
+    right[:, 1:, 1] = weighted_speed
+    right[:, :-1, 1] -= weighted_speed
+    solve_band(horizontal_band(problem), right.reshape(columns, -1))
+    s, v = right[..., 0], right[..., 1]
+    tilt -= s[:, 1:]
+    tilt += s[:, :-1]
+    speed -= v[:, 1:]
+    speed += v[:, :-1]
+    speed -= half * (s[:, 1:] + s[:, :-1])
+    normal = (weighted_tilt.conj() @ tilt.T).real
+    normal += (weighted_speed.conj() @ speed.T).real
+    return right, normal
+
+
+def horizontal_band(problem: Problem) -> Floats:
+    """Return the lower band (4, 2 (K + 1)) of the normal matrix of one axis.
+
+    Order of the unknowns: s[0], v[0], s[1], v[1], ...
+    """
+    half = 0.5 * STANDARD_GRAVITY_MPS2 * problem.duration_s
+    wt, wv = problem.tilt_weight, problem.velocity_weight
+    slope = wv * half
+    square = slope * half
+    band = np.zeros((4, 2 * (len(half) + 1)))
+    s, v = band[:, 0::2], band[:, 1::2]
+    s[0, :-1] = wt + square
+    s[0, 1:] += wt + square
+    v[0] = problem.bound_weight
+    v[0, :-1] += wv + problem.rest_weight
+    v[0, 1:] += wv + problem.rest_weight
+    s[1, :-1] = -slope  # (v[k], s[k])
+    s[1, 1:] += slope  # (v[k+1], s[k+1])
+    v[1, :-1] = -slope  # (s[k+1], v[k])
+    s[2, :-1] = square - wt  # (s[k+1], s[k])
+    v[2, :-1] = -wv - problem.rest_weight  # (v[k+1], v[k])
+    s[3, :-1] = slope  # (v[k+1], s[k])
+    return band
+
+
+def _vertical_normal(problem: Problem) -> Floats:
+    """Return what the vertical velocity says about the calibration."""
+    wv, speed = problem.velocity_weight, problem.impulse[2]
+    weighted = wv * speed
+    main = problem.bound_weight.copy()
+    side = wv + problem.rest_weight
+    main[1:] += side
+    main[:-1] += side
+    right = np.zeros((len(speed), len(wv) + 1))
+    right[:, 1:] = weighted
+    right[:, :-1] -= weighted
+    *_, found, failed = lapack.dptsv(main, -side, right.T)
+    if failed:
+        raise _inseparable()
+    return np.asarray(weighted @ (speed - np.diff(found.T, axis=1)).T)
+
+
+def solve_band(band: Floats, right: Floats | Complexes) -> None:
+    """Solve in place for the rows of `right`; `band` is the lower one.
+
+    Raises:
+        InputError: when the matrix is singular to working precision.
+    """
+    routines = {
+        "f": (lapack.dpbtrf, lapack.dpbtrs),
+        "c": (lapack.zpbtrf, lapack.zpbtrs),
+    }
+    factorise, substitute = routines[right.dtype.kind]
+    factor, failed = factorise(np.asfortranarray(band, right.dtype), lower=1)
+    if failed:
+        raise _inseparable()
+    solved, _ = substitute(factor, right.T, lower=1, overwrite_b=1)
+    if not np.shares_memory(solved, right):
+        right[:] = solved.T
+
+
+def _inseparable() -> InputError:
+    return InputError(
+        "the motion cannot be separated from gravity",
+        remedy="look for values far beyond what a sensor can measure",
+    )

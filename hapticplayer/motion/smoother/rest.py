@@ -1,0 +1,94 @@
+"""What standing still says, and how far it is believed.
+
+Over a still span the velocity does not change. But what passes for one may be a
+smooth, steady acceleration, so that each interval is believed the less the more it
+seems to be accelerated in the solution so far (iteratively reweighted, as with
+Cauchy's distribution): true rest draws the solution to itself from one to the next,
+false rest lets go of it.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hapticplayer.model.arrays import Floats
+from hapticplayer.motion.smoother.calibrated import Solution
+from hapticplayer.motion.smoother.parameters import SmootherParameters
+
+# An interval rests if as much of it does; bins and nodes never quite agree.
+_ALL = 0.99
+# For so long what moves a resting sensor unseen stays the same.
+_STEADY_S = 1.0
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Rest:
+    """Where the sensor of a block stands still, and what its gyro reads there.
+
+    Attributes:
+        at: (n + 1,) edges of the bins, in samples of the block.
+        count: (n + 1,) still samples up to there.
+        mean_radps: (3,).
+        sigma_radps: standard deviation of the mean, by its scatter.
+    """
+
+    at: Floats
+    count: Floats
+    mean_radps: Floats
+    sigma_radps: float
+
+
+def resting(rest: Rest | None, edges: NDArray[np.intp]) -> NDArray[np.bool_]:
+    """Return which intervals between samples (K + 1,) lie in still spans, (K,)."""
+    if rest is None:
+        return np.zeros(len(edges) - 1, dtype=np.bool_)
+    still = np.diff(np.interp(edges, rest.at, rest.count))
+    return np.asarray(still > _ALL * np.diff(edges))
+
+
+def rest_weight(
+    still: NDArray[np.bool_],
+    duration_s: Floats,
+    seems_mps2: Floats,
+    p: SmootherParameters,
+) -> Floats:
+    """Return 1 / variance of the change of velocity in each interval, (m/s)^-2.
+
+    Args:
+        still: (K,) from `resting`.
+        duration_s: (K,).
+        seems_mps2: (K,) acceleration in the last solution.
+        p: of the smoother.
+    """
+    weight = np.zeros(len(duration_s))
+    squared = p.rest_mps2**2 + seems_mps2[still] ** 2
+    weight[still] = 1.0 / (squared * _STEADY_S * duration_s[still])
+    return weight
+
+
+def seeming_acceleration(
+    solution: Solution, solved_s: Floats, duration_s: Floats
+) -> Floats:
+    """Return how fast the velocity found changes in each interval, (K,) m/s^2.
+
+    Args:
+        solution: the last one.
+        solved_s: (n + 1,) times of its nodes.
+        duration_s: (K,) intervals that are asked for.
+    """
+    change = np.diff(solution.velocity_mps, axis=1) / np.maximum(
+        np.diff(solved_s), 1e-9
+    )
+    size = np.sqrt(np.square(change).sum(axis=0))
+    ends = np.cumsum(duration_s)
+    middle = 0.5 * (solved_s[1:] + solved_s[:-1])
+    return np.asarray(np.interp(ends - 0.5 * duration_s, middle, size))
+
+
+def expected_bias(rest: Rest | None, p: SmootherParameters) -> tuple[Floats, float]:
+    """Return the gyro's bias before the motion is looked at, and its deviation."""
+    if rest is None:
+        return np.zeros(3), p.gyro_bias_radps
+    sigma = float(np.hypot(p.still_bias_radps, p.still_scatter * rest.sigma_radps))
+    return rest.mean_radps, min(sigma, p.gyro_bias_radps)

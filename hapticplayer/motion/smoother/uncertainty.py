@@ -1,0 +1,77 @@
+"""How far the smoothed vertical may be off.
+
+Three parts, which add up in square: what the model says; how far the vertical moves
+when the velocity is bounded twice as tightly, which is large where accelerations last
+and cannot be told from tilt; and a floor for all that no part of it knows. How much
+of each was found on recordings with optical truth, for the model's noises are those
+that give the least error, not those that describe it best.
+"""
+
+import numpy as np
+
+from hapticplayer.model.arrays import Floats
+from hapticplayer.motion.smoother.calibrated import (
+    Problem,
+    Solution,
+    horizontal_band,
+    minimise,
+    solve_band,
+    tighter,
+)
+from hapticplayer.motion.smoother.linearise import local_mean
+
+# The model's variance is found exactly at nodes this far apart.
+_EVERY_S = 20.0
+_AT_LEAST = 5
+# Intervals whose tilt is less certain than the usual one by this factor, and at most
+# how many of them are looked at one by one.
+_HOLE, _HOLES = 0.02, 50
+_FLOOR_RAD = 0.0045
+_MOVED = 1.0
+_TIGHTER = 2.0
+# Share of the model's deviation, and by how much it grows where a long time constant
+# says that accelerations last.
+_MODEL = 0.27
+_LONG_S, _LONGER_S, _MOST = 35.0, 25.0, 2.0
+
+
+def tilt_variance(
+    problem: Problem, solution: Solution, time_constant_s: Floats, local_s: float
+) -> Floats:
+    """Return the variance of both tilts together at the nodes (K + 1,), rad^2.
+
+    Args:
+        problem: the last one.
+        solution: of it.
+        time_constant_s: (K + 1,) of the levelling.
+        local_s: half width of the means.
+    """
+    rows = solution.tilt_per_calibration
+    spread = (rows.conj() * (solution.covariance @ rows)).real.sum(axis=0)
+    model = 2.0 * noise_variance(problem) + spread
+    longer = np.clip((time_constant_s - _LONG_S) / _LONGER_S, 0.0, _MOST)
+    other = minimise(tighter(problem, solution, _TIGHTER)).tilt
+    moved = np.square(other - solution.tilt).sum(axis=0)
+    return np.asarray(
+        (_MODEL * (1.0 + longer)) ** 2 * model
+        + _MOVED**2 * local_mean(moved, problem.duration_s, local_s)
+        + _FLOOR_RAD**2
+    )
+
+
+def noise_variance(problem: Problem) -> Floats:
+    """Return the variance of one tilt for a known calibration, (K + 1,)."""
+    count = len(problem.duration_s) + 1
+    number = max(_AT_LEAST, round(float(problem.duration_s.sum()) / _EVERY_S))
+    even = np.linspace(0, count - 1, min(number, count)).round().astype(int)
+    # holes are looked at where they are
+    holes = np.flatnonzero(problem.tilt_weight < _HOLE * np.median(problem.tilt_weight))
+    holes = holes[:: max(1, len(holes) // _HOLES)]
+    near = (holes[:, None] + np.arange(-2, 4)).ravel().clip(0, count - 1)
+    chosen = np.unique(np.concatenate([even, near]))
+    right = np.zeros((len(chosen), 2 * count))
+    rows = np.arange(len(chosen))
+    right[rows, 2 * chosen] = 1.0
+    solve_band(horizontal_band(problem), right)
+    found = np.log(right[rows, 2 * chosen])
+    return np.asarray(np.exp(np.interp(np.arange(count), chosen, found)))

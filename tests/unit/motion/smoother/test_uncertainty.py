@@ -1,0 +1,139 @@
+"""How far the vertical may be off, against the inverse of the dense problem."""
+
+import dataclasses
+
+import numpy as np
+import pytest
+
+from hapticplayer.model import STANDARD_GRAVITY_MPS2 as G
+from hapticplayer.motion.smoother.calibrated import Problem, minimise
+from hapticplayer.motion.smoother.uncertainty import noise_variance, tilt_variance
+from tests.unit.motion.smoother.test_calibrated import Dense
+
+STEP_S = 0.5
+
+
+def steady_problem(intervals, bound_mps, hole=None, hole_s=10.0):
+    """Return the problem of a sensor that slowly turns about the vertical.
+
+    Args:
+        intervals: of half a second.
+        bound_mps: of the velocity; sets how soon a tilt is forgotten.
+        hole: interval in which nothing is known for `hole_s`, or None.
+        hole_s: how long.
+    """
+    duration = np.full(intervals, STEP_S)
+    tilt_noise = 0.0011**2 * duration + 0.001**2
+    velocity_noise = 0.01**2 * duration + 0.04**2
+    if hole is not None:
+        tilt_noise[hole], velocity_noise[hole] = hole_s**2, (5.0 * hole_s) ** 2
+    tilt = np.zeros((2, 8, intervals))
+    impulse = np.zeros((3, 8, intervals))
+    heading = 0.3 * STEP_S * np.arange(intervals)
+    cosine, sine = STEP_S * np.cos(heading), STEP_S * np.sin(heading)
+    # the vertical moves by (w_y, -w_x); a bias of the accelerometer by -R c
+    tilt[0, 1], tilt[0, 2], tilt[1, 1], tilt[1, 2] = sine, cosine, -cosine, sine
+    impulse[0, 4], impulse[0, 5] = -cosine, sine
+    impulse[1, 4], impulse[1, 5], impulse[2, 6] = -sine, -cosine, -STEP_S
+    around = np.full(intervals + 1, STEP_S)
+    around[[0, -1]] *= 0.5
+    return Problem(
+        duration_s=duration,
+        tilt=tilt,
+        impulse=impulse,
+        tilt_weight=1.0 / tilt_noise,
+        velocity_weight=1.0 / velocity_noise,
+        bound_weight=around / (2.0 * bound_mps**2),
+        rest_weight=np.zeros(intervals),
+        prior=np.zeros(7),
+        prior_weight=np.repeat([1 / 0.05**2, 1 / 0.14**2, 1 / 0.03**2], [3, 3, 1]),
+    )
+
+
+def exact_variance(problem):
+    """Return the variance of one tilt for a known calibration, by a dense inverse."""
+    intervals = len(problem.duration_s)
+    first, second = np.eye(intervals + 1)[:-1], np.eye(intervals + 1)[1:]
+    none = np.zeros_like(first)
+    half = 0.5 * G * problem.duration_s[:, None]
+    bound = np.concatenate([np.zeros((intervals + 1,) * 2), np.eye(intervals + 1)], 1)
+    rows = [
+        np.concatenate([second - first, none], 1),
+        np.concatenate([half * (first + second), second - first], 1),
+        bound,
+    ]
+    weights = problem.tilt_weight, problem.velocity_weight, problem.bound_weight
+    weighted = [
+        np.sqrt(weight)[:, None] * row
+        for weight, row in zip(weights, rows, strict=True)
+    ]
+    triangle = np.linalg.qr(np.concatenate(weighted), mode="r")
+    inverse = np.linalg.inv(triangle)
+    return np.square(inverse).sum(axis=1)[: intervals + 1]
+
+
+@pytest.mark.parametrize("bound_mps", [0.3, 1.0, 3.0])
+def test_in_the_middle_of_a_block_the_variance_is_that_of_the_inverse(bound_mps):
+    problem = steady_problem(240, bound_mps)
+    ratio = noise_variance(problem) / exact_variance(problem)
+    assert np.abs(ratio[80:-80] - 1.0).max() < 0.15
+    assert ratio.min() > 0.5
+    assert ratio.max() < 2.0
+
+
+@pytest.mark.parametrize("intervals", [1, 2, 3, 7, 30])
+def test_of_a_short_block_the_variance_is_that_of_the_inverse(intervals):
+    problem = steady_problem(intervals, 1.0)
+    ratio = noise_variance(problem) / exact_variance(problem)
+    assert ratio.min() > 0.8
+    assert ratio.max() < 1.25
+
+
+@pytest.mark.parametrize("bound_mps", [0.3, 1.0, 3.0])
+@pytest.mark.parametrize("hole", [100, 113])
+def test_what_is_not_known_in_a_hole_is_not_overlooked(hole, bound_mps):
+    problem = steady_problem(240, bound_mps, hole)
+    ratio = noise_variance(problem) / exact_variance(problem)
+    assert ratio[hole : hole + 2].min() > 0.7
+    assert ratio.min() > 0.6
+
+
+def test_both_ways_to_the_dense_inverse_agree():
+    problem = steady_problem(20, 1.0)
+    sure = dataclasses.replace(problem, prior_weight=np.full(7, 1e14))
+    expected = 0.5 * Dense(sure).tilt_variance()
+    assert np.allclose(exact_variance(problem), expected, rtol=1e-6)
+
+
+@pytest.mark.parametrize("intervals", [100, 30])
+def test_the_calibration_makes_both_tilts_as_uncertain_as_it_should(intervals):
+    problem = steady_problem(intervals, 1.0)
+    solution = minimise(problem)
+    rows = solution.tilt_per_calibration
+    spread = (rows.conj() * (solution.covariance @ rows)).real.sum(axis=0)
+    total = 2.0 * noise_variance(problem) + spread
+    exact = Dense(problem).tilt_variance()
+    assert np.abs(total / exact - 1.0)[intervals // 3 : -intervals // 3].max() < 0.15
+    # of a short block it is much of what is not known, or this would test nothing
+    assert (spread / total).max() > {100: 0.01, 30: 0.2}[intervals]
+
+
+def tilt_sigma(problem):
+    solution = minimise(problem)
+    nodes = len(problem.duration_s) + 1
+    constant_s = np.full(nodes, 10.0)
+    return np.sqrt(tilt_variance(problem, solution, constant_s, 17.0))
+
+
+def test_the_deviation_grows_with_what_is_not_known():
+    steady = tilt_sigma(steady_problem(240, 1.0))
+    assert np.isfinite(steady).all()
+    assert (steady > 0.0).all()
+    # at the ends one side's information is missing
+    assert steady[0] > steady[120]
+    assert steady[-1] > steady[120]
+    holed = tilt_sigma(steady_problem(240, 1.0, 120))
+    assert holed[120:122].min() > steady[120:122].max()
+    assert np.allclose(holed[:40], steady[:40], rtol=0.05)
+    longer = tilt_sigma(steady_problem(240, 3.0))
+    assert (longer > steady).all()
