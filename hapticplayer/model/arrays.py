@@ -18,6 +18,8 @@ def frozen(
 ) -> NDArray[Any]:
     """Return `values` as a read-only C-contiguous array of the given shape.
 
+    Copied, unless it is one already that nobody can write to any more.
+
     Args:
         values: anything numpy can read.
         shape: the expected shape; None stands for any length.
@@ -27,7 +29,7 @@ def frozen(
     Raises:
         InputError: when the shape is another or an element is not finite.
     """
-    array = np.array(values, dtype=dtype, order="C")
+    array = np.array(values, dtype=dtype, order="C", copy=not _is_frozen(values, dtype))
     if array.ndim != len(shape) or any(
         want is not None and got != want
         for got, want in zip(array.shape, shape, strict=True)
@@ -40,6 +42,20 @@ def frozen(
         raise InputError(f"{name} holds a value that is not finite in row {row}")
     array.setflags(write=False)
     return array
+
+
+def _is_frozen(values: ArrayLike, dtype: Any) -> bool:
+    """Return whether the array, and what it is a view of, can stay as it is."""
+    if not isinstance(values, np.ndarray):
+        return False
+    if values.dtype != dtype or not values.flags.c_contiguous:
+        return False
+    array: Any = values
+    while isinstance(array, np.ndarray):
+        if array.flags.writeable:
+            return False
+        array = array.base
+    return array is None
 
 
 def frozen_times(values: ArrayLike, name: str) -> Floats:

@@ -5,7 +5,7 @@ with Haptic Effects of Motion", equation 1.
 """
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -63,7 +63,8 @@ def estimate_orientation(
             parameters of another one.
         InputError: for fewer than two samples, or less than a millisecond of them.
     """
-    return _estimate(_task(imu, parameters, heading=heading), method).quaternion_wxyz
+    task = replace(_task(imu, parameters), heading=heading, sigma=False)
+    return _estimate(task, method).quaternion_wxyz
 
 
 def remove_gravity(
@@ -125,7 +126,7 @@ def analyse(
     return GravityRemoval(track, summary)
 
 
-def _task(imu: ImuLog, parameters: Parameters | None, *, heading: bool = False) -> Task:
+def _task(imu: ImuLog, parameters: Parameters | None) -> Task:
     if len(imu) < MIN_SAMPLES:
         raise InputError(
             f"{len(imu)} motion samples are too few; at least {MIN_SAMPLES} are needed",
@@ -141,7 +142,7 @@ def _task(imu: ImuLog, parameters: Parameters | None, *, heading: bool = False) 
     flaws = find_flaws(imu)
     still = find_still(imu, flaws.interval_s)
     gain = estimate_accelerometer_gain(imu, still).gain
-    return Task(imu, gain, still, flaws, parameters, heading)
+    return Task(imu, gain, still, flaws, parameters)
 
 
 def _estimate(task: Task, method: str) -> Estimate:
@@ -162,7 +163,8 @@ def _removed(task: Task, method: str) -> tuple[MotionTrack, Estimate]:
     acceleration = gain * task.imu.specific_force_mps2
     acceleration -= gravity
     sigma = estimate.sigma_rad
-    valid = task.flaws.valid
+    for fresh in (gravity, acceleration):
+        fresh.setflags(write=False)  # or the track would copy it
     track = MotionTrack(
         time_s=task.imu.time_s,
         acceleration_mps2=acceleration,
@@ -170,7 +172,7 @@ def _removed(task: Task, method: str) -> tuple[MotionTrack, Estimate]:
         accelerometer_gain=gain,
         quaternion_wxyz=estimate.quaternion_wxyz,
         gravity_sigma_mps2=None if sigma is None else STANDARD_GRAVITY_MPS2 * sigma,
-        valid=valid,
+        valid=task.flaws.valid,
     )
     return track, estimate
 

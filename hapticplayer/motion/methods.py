@@ -38,6 +38,7 @@ class Task:
         flaws: what is wrong with it.
         parameters: of the method, or None for its defaults.
         heading: whether the heading is wanted, from the magnetometer.
+        sigma: whether the uncertainty is.
     """
 
     imu: ImuLog
@@ -46,6 +47,7 @@ class Task:
     flaws: Flaws
     parameters: Parameters | None = None
     heading: bool = False
+    sigma: bool = True
 
     @property
     def specific_force_mps2(self) -> Floats:
@@ -66,11 +68,13 @@ def smoother(task: Task) -> Estimate:
         )
     parameters = _of_type(task.parameters, SmootherParameters)
     samples, places = _samples(task)
-    done = smooth_recording(samples, task.still, parameters, places)
+    done = smooth_recording(
+        samples, task.still, parameters, places, with_sigma=task.sigma
+    )
     return Estimate(
         quaternion_wxyz=done.quaternion_wxyz,
         vertical=done.vertical,
-        sigma_rad=done.sigma_rad,
+        sigma_rad=done.sigma_rad if task.sigma else None,
         at_rest=done.at_rest,
         found={
             "time_constant_s": [round(value, 2) for value in done.time_constant_s],

@@ -101,8 +101,21 @@ class Smoothed:
     calibration: Calibration
 
 
-def smooth(samples: Samples, rest: Rest | None, p: SmootherParameters) -> Smoothed:
-    """Return the orientation of one block of at least two samples."""
+def smooth(
+    samples: Samples,
+    rest: Rest | None,
+    p: SmootherParameters,
+    *,
+    with_sigma: bool = True,
+) -> Smoothed:
+    """Return the orientation of one block of at least two samples.
+
+    Args:
+        samples: of the block.
+        rest: where it stands still, or None.
+        p: settings.
+        with_sigma: whether the uncertainty is wanted; it is 0 otherwise.
+    """
     step_s = samples.interval_s
     most = max(1, len(samples) // _WINDOWS)  # of a moment not all is one window
     per_window = min(max(1, round(1.0 / (p.window_hz * step_s))), most)
@@ -115,7 +128,7 @@ def smooth(samples: Samples, rest: Rest | None, p: SmootherParameters) -> Smooth
     while block.improve():
         pass
     block.obey()
-    return block.result()
+    return block.result(with_sigma=with_sigma)
 
 
 class _Block:
@@ -185,8 +198,8 @@ class _Block:
         )
         self._solution = minimise(self._problem)
 
-    def result(self) -> Smoothed:
-        """Return the orientation at each sample."""
+    def result(self, *, with_sigma: bool) -> Smoothed:
+        """Return the orientation at each sample, and how certain it is."""
         solution, count = self._solution, len(self._samples)
         up = _up(self._settled(solution.tilt))
         z = np.zeros_like(up)
@@ -195,17 +208,12 @@ class _Block:
         total = self._calibration.copy()
         total[: len(solution.calibration)] += solution.calibration
         constant_s = self._p.time_constant_of_s(self._bound)
-        variance = tilt_variance(self._problem, solution, constant_s, self._p.local_s)
         per_node = self._per_window * self._per_node
-        variance += _turning_variance(self._nodes.turned_rad / per_node)
-        at_samples = np.arange(count) / per_node
-        # two directions that know nothing of each other are 90 degrees apart
-        sigma = np.sqrt(np.clip(variance, 0.0, 2.0))
         quaternion, vertical = self._at_samples(level, total[GYRO_BIAS])
         return Smoothed(
             quaternion_wxyz=quaternion,
             vertical=vertical,
-            sigma_rad=np.interp(at_samples, np.arange(len(variance)), sigma),
+            sigma_rad=self._sigma(constant_s) if with_sigma else np.zeros(count),
             at_rest=np.repeat(self._believed(), per_node)[:count],
             calibration=Calibration(
                 gyro_bias_radps=total[GYRO_BIAS],
@@ -217,6 +225,18 @@ class _Block:
                 time_constant_s=constant_s,
             ),
         )
+
+    def _sigma(self, time_constant_s: Floats) -> Floats:
+        """Return the standard deviation of the tilt at each sample, rad."""
+        variance = tilt_variance(
+            self._problem, self._solution, time_constant_s, self._p.local_s
+        )
+        per_node = self._per_window * self._per_node
+        variance += _turning_variance(self._nodes.turned_rad / per_node)
+        # two directions that know nothing of each other are 90 degrees apart
+        sigma = np.sqrt(np.clip(variance, 0.0, 2.0))
+        at_samples = np.arange(len(self._samples)) / per_node
+        return np.asarray(np.interp(at_samples, np.arange(len(sigma)), sigma))
 
     def _open(self, samples: Samples, per_window: int) -> None:
         """Integrate with the calibration so far."""

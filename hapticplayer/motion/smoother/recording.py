@@ -63,6 +63,8 @@ def smooth_recording(
     still: StillSpans,
     p: SmootherParameters,
     places: NDArray[np.intp] | None = None,
+    *,
+    with_sigma: bool = True,
 ) -> SmoothedRecording:
     """Return the orientation of at least two samples.
 
@@ -71,19 +73,22 @@ def smooth_recording(
         still: where it stands still, counted in `places`.
         p: settings.
         places: those samples that are asked for; None for all.
+        with_sigma: whether the uncertainty is wanted; it is 0 otherwise.
     """
-    if places is not None:
-        return _picked(_whole(samples, _moved(still, places), p), places)
-    return _whole(samples, _edges(still), p)
+    if places is None:
+        return _whole(samples, _edges(still), p, with_sigma=with_sigma)
+    moved = _moved(still, places)
+    return _picked(_whole(samples, moved, p, with_sigma=with_sigma), places)
 
 
 def _whole(
-    samples: Samples, still: "_Still", p: SmootherParameters
+    samples: Samples, still: "_Still", p: SmootherParameters, *, with_sigma: bool
 ) -> SmoothedRecording:
     count = len(samples)
     blocks = _blocks(samples.step_s, p)
     if len(blocks) == 1:
-        return _alone(smooth(samples, _rest(still, slice(0, count)), p))
+        rest = _rest(still, slice(0, count))
+        return _alone(smooth(samples, rest, p, with_sigma=with_sigma))
     whole = (
         np.empty((count, 4)),
         np.empty((count, 3)),
@@ -93,7 +98,8 @@ def _whole(
     found: list[Calibration] = []
     written = 0
     for core, reach in blocks:
-        block = smooth(samples.cut(reach.start, reach.stop), _rest(still, reach), p)
+        part, rest = samples.cut(reach.start, reach.stop), _rest(still, reach)
+        block = smooth(part, rest, p, with_sigma=with_sigma)
         found.append(block.calibration)
         _put(block, core.start, reach, whole, written)
         written = reach.stop

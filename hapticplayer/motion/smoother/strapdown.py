@@ -306,6 +306,8 @@ def spread(
         for axis, values in enumerate((q[0].real, q[0].imag, q[1].real, q[1].imag)):
             orientation[part, :, axis] = values.T
         vertical[part] = up.T
+    # nobody writes to these again, and a value type need not copy them
+    orientation.setflags(write=False)
     return orientation.reshape(-1, 4)[:count], vertical.reshape(-1, 3)[:count]
 
 
