@@ -42,8 +42,10 @@ from hapticplayer.motion.smoother.uncertainty import tilt_variance
 
 # Weight of a calibration that is not to be changed.
 _CERTAIN = 1e12
-# No accelerometer that is worth its name has a bias beyond this.
-_SETTLE_MPS2 = 0.15
+# A still span that seems to be accelerated by more is none.
+_SEEMS_MPS2 = 0.15
+# No accelerometer has a bias beyond this (data sheets: 0.25 g at the worst axis).
+_BIAS_MPS2 = 2.5
 # So much may be left at rest; nobody feels it.
 _LEFT_MPS2 = 0.03
 # Below this mean rate nodes may be twice as far apart.
@@ -285,7 +287,7 @@ class _Block:
         What is left there is the accelerometer's bias for this attitude, and would
         be felt as a steady pull.
         """
-        still = self._resting()
+        still = self._believed()
         inside = np.zeros(tilt.shape[1], dtype=np.bool_)
         inside[1:-1] = still[1:] & still[:-1]
         duration_s = self._problem.duration_s
@@ -296,8 +298,7 @@ class _Block:
         shift = np.where(inside, level - tilt, 0.0)
         size = STANDARD_GRAVITY_MPS2 * np.sqrt(np.square(shift).sum(axis=0))
         part = np.maximum(1.0 - _LEFT_MPS2 / np.maximum(size, 1e-9), 0.0)
-        # a steady acceleration that passes for rest is not to be levelled away
-        return np.asarray(tilt + np.where(size < _SETTLE_MPS2, part, 0.0) * shift)
+        return np.asarray(tilt + np.where(size < _BIAS_MPS2, part, 0.0) * shift)
 
     def _columns(self) -> int:
         """Return how much of the calibration is worth solving for.
@@ -321,7 +322,7 @@ class _Block:
         seems = at_rest.seeming_acceleration(
             self._solution, self._solved_s, self._nodes.duration_s
         )
-        return np.asarray(self._resting() & (seems < _SETTLE_MPS2))
+        return np.asarray(self._resting() & (seems < _SEEMS_MPS2))
 
     def _rest_weight(self) -> Floats:
         """Return how far the still spans are to be believed after this solution."""
