@@ -176,9 +176,13 @@ def test_a_clip_that_breaks_ends_with_a_sentence(theatre, monkeypatch):
         raise MediaError("is damaged", where="short.mp4")
 
     monkeypatch.setattr(decoder, "next_frame", broken)
-    for _ in range(400):
+    reading = threading.Event()  # never set: gives the reading thread a moment
+    for _ in range(4000):
         theatre.player.poll()
+        if theatre.player.phase is Phase.ENDED:
+            break
         theatre.out.advance(192)
         theatre.clock.advance(0.004)
+        reading.wait(0.002)
     assert "damaged" in theatre.player.problem
     assert theatre.player.phase is Phase.ENDED
