@@ -80,11 +80,7 @@ def written_aside(target: Path) -> Iterator[Path]:
             aside.rename(target)
             sync_folder(target.parent)
         except OSError as problem:
-            raise SequenceError(
-                f"writing failed ({problem.strerror})",
-                where=str(target),
-                remedy="free some space or choose another folder",
-            ) from problem
+            raise _writing_failed(problem, target) from problem
 
 
 @contextmanager
@@ -96,19 +92,18 @@ def file_written_aside(target: Path) -> Iterator[Path]:
     Raises:
         SequenceError: when the target exists or cannot be written.
     """
+    target = Path.cwd() / target
     with scratch_beside(target, "file") as scratch:
         part = scratch / target.name
         try:
             yield part
+            _sync(part)
             refuse_existing(target, "file")
-            (Path.cwd() / target).parent.mkdir(parents=True, exist_ok=True)
-            part.rename(Path.cwd() / target)
+            target.parent.mkdir(parents=True, exist_ok=True)
+            part.rename(target)
+            sync_folder(target.parent)
         except OSError as problem:
-            raise SequenceError(
-                f"writing failed ({problem.strerror})",
-                where=str(target),
-                remedy="free some space or choose another folder",
-            ) from problem
+            raise _writing_failed(problem, target) from problem
 
 
 @contextmanager
@@ -140,9 +135,21 @@ def scratch_beside(target: Path, kind: str = "folder") -> Iterator[Path]:
             shutil.rmtree(scratch, ignore_errors=True)
 
 
+def _writing_failed(problem: OSError, target: Path) -> SequenceError:
+    return SequenceError(
+        f"writing failed ({problem.strerror})",
+        where=str(target),
+        remedy="free some space or choose another folder",
+    )
+
+
 def sync_folder(folder: Path) -> None:
     """Make the entries of a folder durable."""
-    descriptor = os.open(folder, os.O_RDONLY)
+    _sync(folder)
+
+
+def _sync(path: Path) -> None:
+    descriptor = os.open(path, os.O_RDONLY)
     try:
         os.fsync(descriptor)
     finally:

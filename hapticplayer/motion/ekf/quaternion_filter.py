@@ -123,8 +123,7 @@ class QuaternionFilter:
         """Use three components, one after the other, at one point of linearisation.
 
         P loses w w', which is symmetric to the last bit. The textbook's P - K H P is
-        not: it drifts out of symmetry, and such a filter was seen to end in NaN
-        after 9.4 million samples.
+        not: it drifts out of symmetry (benchmarks/numerics.py shows where it breaks).
         """
         P = self.P
         dx = np.zeros(len(P))
