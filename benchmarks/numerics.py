@@ -18,6 +18,7 @@ from common import ROOT, save
 from motion import PAGE, on_one_thread, plain
 from motion_data import FAMILIES, Family, load_families, missing_data
 from motion_document import Document
+from numerics_choice import report as report_choice
 from numerics_filters import GRAVITY, UPDATES, Array, Assumptions, Run, motion, run
 from numerics_invariance import report as report_invariance
 from numerics_smoother import (
@@ -82,6 +83,7 @@ def smoother(
         "band_breaks": where_it_breaks(last_problem(held[0][1][0].imu), document),
         "products": open_loop(document),
         "invariance": report_invariance(held, document),
+        "choice": report_choice(held, document),
     }
 
 

@@ -34,6 +34,7 @@ PYTHON_PACKAGES = {
     "av": "av",
     "hid": "hidapi",
     "matplotlib": "matplotlib",
+    "numba": "numba",
     "numpy": "numpy",
     "pyqtgraph": "pyqtgraph",
     "scipy": "scipy",

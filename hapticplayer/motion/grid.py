@@ -1,6 +1,7 @@
 """Even time grids for filters that know only one sampling interval."""
 
-from dataclasses import dataclass
+import itertools
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -10,6 +11,11 @@ from hapticplayer.model.arrays import Floats
 # Below this the interval of a sample is as good as its time stamp.
 MAX_JITTER = 0.01
 MAX_GRID_GROWTH = 20.0
+# A longer hole says nothing of what came in it, however long it was.
+HOLE_S = 60.0
+_CLOSED_S = 1.0
+# Fewer samples are no piece of their own.
+_FEWEST = 50
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -66,6 +72,33 @@ def even(
         _mean_rate(time_s, imu),
         None if field is None else columns(time_s, imu.time_s, field),
     )
+
+
+def pieces(imu: ImuLog) -> list[slice]:
+    """Return the samples between holes of more than a minute.
+
+    After one a filter may as well start anew: it knows nothing of the attitude. What
+    is too short to start on stays with the piece before.
+    """
+    edges = [0]
+    holes = np.flatnonzero(np.diff(imu.time_s) > HOLE_S) + 1
+    for hole, after in itertools.pairwise([*holes.tolist(), len(imu)]):
+        if min(hole - edges[-1], after - hole) >= _FEWEST:
+            edges.append(hole)
+    return [slice(*ends) for ends in itertools.pairwise([*edges, len(imu)])]
+
+
+def with_holes_closed(imu: ImuLog) -> ImuLog:
+    """Return the log with holes of more than a minute shortened to a second.
+
+    Or a grid over hours of nothing would have to be coarse.
+    """
+    steps = np.diff(imu.time_s)
+    hole = steps > HOLE_S
+    if not hole.any():
+        return imu
+    steps[hole] = _CLOSED_S
+    return replace(imu, time_s=imu.time_s[0] + np.append(0.0, np.cumsum(steps)))
 
 
 def _mean_rate(grid_s: Floats, imu: ImuLog) -> Floats:

@@ -1,7 +1,8 @@
 """The orientation estimators by name."""
 
+import functools
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TypeVar
 
 import numpy as np
@@ -112,10 +113,44 @@ def _samples(task: Task) -> tuple[Samples, NDArray[np.intp] | None]:
     return bridged(samples)
 
 
+def _piecewise(method: Method) -> Method:
+    """Return a method that starts anew after each hole of more than a minute."""
+
+    @functools.wraps(method)
+    def run(task: Task) -> Estimate:
+        parts = grid.pieces(task.imu)
+        if len(parts) == 1:
+            return method(task)
+        done = [method(replace(task, imu=_part(task.imu, part))) for part in parts]
+        longest = max(done, key=lambda one: len(one.vertical))
+        sigmas = [one.sigma_rad for one in done if one.sigma_rad is not None]
+        return Estimate(
+            quaternion_wxyz=np.concatenate([one.quaternion_wxyz for one in done]),
+            vertical=np.concatenate([one.vertical for one in done]),
+            sigma_rad=np.concatenate(sigmas) if len(sigmas) == len(done) else None,
+            found={**longest.found, "pieces": len(done)},
+        )
+
+    return run
+
+
+def _part(imu: ImuLog, part: slice) -> ImuLog:
+    field, valid = imu.magnetic_field_ut, imu.valid
+    return replace(
+        imu,
+        time_s=imu.time_s[part],
+        specific_force_mps2=imu.specific_force_mps2[part],
+        angular_rate_radps=imu.angular_rate_radps[part],
+        magnetic_field_ut=None if field is None else field[part],
+        valid=None if valid is None else valid[part],
+    )
+
+
+@_piecewise
 def kalman(task: Task) -> Estimate:
     """The quaternion Kalman filter of Sabatini 2006; see `hapticplayer.motion.ekf`."""
     parameters = _of_type(task.parameters, ekf.EkfParameters)
-    log = _even(task)
+    task, log = _even(task)
     field = log.magnetic_field_ut if task.heading else None
     done = ekf.run_ekf(
         log.specific_force_mps2,
@@ -136,12 +171,13 @@ def kalman(task: Task) -> Estimate:
     return _back(task, log, done.quaternion_wxyz, sigma, found)
 
 
+@_piecewise
 def vqf(task: Task) -> Estimate:
     """The causal filter VQF (Laidig and Seel 2023, doi:10.1016/j.inffus.2022.10.014)."""
     import vqf as package
 
     _no_parameters(task)
-    log = _even(task)
+    task, log = _even(task)
     runner = package.VQF(log.interval_s)
     if task.heading:
         result = runner.updateBatch(
@@ -156,12 +192,13 @@ def vqf(task: Task) -> Estimate:
     return _back(task, log, np.asarray(result["quat6D"]))
 
 
+@_piecewise
 def offline_vqf(task: Task) -> Estimate:
     """Offline VQF (same paper): forwards and backwards."""
     import vqf as package
 
     _no_parameters(task)
-    log = _even(task)
+    task, log = _even(task)
     field = np.array(log.magnetic_field_ut) if task.heading else None
     result = package.offlineVQF(
         np.array(log.angular_rate_radps),
@@ -172,12 +209,13 @@ def offline_vqf(task: Task) -> Estimate:
     return _back(task, log, np.asarray(result["quat9D" if task.heading else "quat6D"]))
 
 
+@_piecewise
 def low_pass(task: Task) -> Estimate:
     """The slow part of the specific force; see `hapticplayer.motion.lowpass`."""
     if task.heading:
         raise UsageError("the low-pass has no heading; choose one of ekf, vqf")
     _no_parameters(task)
-    log = _even(task)
+    task, log = _even(task)
     up = lowpass.lowpass_vertical(log.specific_force_mps2, log.interval_s)
     q = lowpass.orientation_from_vertical(up)
     # a filtered value has no half window to be turned back
@@ -197,10 +235,13 @@ METHODS: dict[str, Method] = {
 DEFAULT_METHOD = "smoother"
 
 
-def _even(task: Task) -> grid.EvenLog:
+def _even(task: Task) -> tuple[Task, grid.EvenLog]:
+    """Return the task without long holes, and its log on an even grid."""
     if task.heading and task.imu.magnetic_field_ut is None:
         raise UsageError("the recording has no magnetometer to find the heading with")
-    return grid.even(task.imu, task.specific_force_mps2, with_field=task.heading)
+    task = replace(task, imu=grid.with_holes_closed(task.imu))
+    even = grid.even(task.imu, task.specific_force_mps2, with_field=task.heading)
+    return task, even
 
 
 def _back(

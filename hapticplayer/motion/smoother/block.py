@@ -19,6 +19,7 @@ from hapticplayer.motion import rotations as rot
 from hapticplayer.motion.rotations import Pair
 from hapticplayer.motion.smoother import nodes as nd
 from hapticplayer.motion.smoother import rest as at_rest
+from hapticplayer.motion.smoother import stages, standing, travel
 from hapticplayer.motion.smoother.calibrated import (
     BIASES_ONLY,
     CALIBRATION,
@@ -28,16 +29,11 @@ from hapticplayer.motion.smoother.calibrated import (
     GYRO_MATRIX,
     Problem,
     Solution,
-    minimise,
 )
-from hapticplayer.motion.smoother.linearise import (
-    Knowledge,
-    linearised,
-    velocity_bound,
-)
+from hapticplayer.motion.smoother.linearise import Knowledge, velocity_bound
 from hapticplayer.motion.smoother.parameters import SmootherParameters
 from hapticplayer.motion.smoother.rest import Rest
-from hapticplayer.motion.smoother.strapdown import Samples, coarse, integrate, spread
+from hapticplayer.motion.smoother.strapdown import Samples, coarse
 from hapticplayer.motion.smoother.uncertainty import tilt_variance
 
 # Weight of a calibration that is not to be changed.
@@ -48,8 +44,6 @@ _SEEMS_MPS2 = 0.15
 _BIAS_MPS2 = 2.5
 # So much may be left at rest; nobody feels it.
 _LEFT_MPS2 = 0.03
-# Below this mean rate nodes may be twice as far apart.
-_CALM_RADPS = 0.015
 # Below this mean rate the gyro's matrix is not looked for.
 _TURNING_RADPS = 0.05
 # Share of the turn within a sample by which the vertical may be off.
@@ -118,12 +112,34 @@ def smooth(
         p: settings.
         with_sigma: whether the uncertainty is wanted; it is 0 otherwise.
     """
+    count = len(samples)
+    parts = standing.samples_of_a_part(rest, count, samples.interval_s)
+    if rest is None or parts == 1 or not p.shortcuts:
+        return _smoothed(samples, rest, p, with_sigma=with_sigma)
+    still = standing.in_parts(rest, parts, count)
+    few = replace(p, node_samples=1)
+    done = _smoothed(coarse(samples, parts), still, few, with_sigma=with_sigma)
+    place = (parts, count)
+    averaged = samples.averaged
+    sigma = done.sigma_rad[:, None]
+    return replace(
+        done,
+        quaternion_wxyz=standing.orientation(
+            done.quaternion_wxyz, *place, averaged=averaged
+        ),
+        vertical=standing.at_samples(done.vertical, *place, averaged=averaged),
+        sigma_rad=standing.at_samples(sigma, *place, averaged=averaged)[:, 0],
+        at_rest=np.repeat(done.at_rest, parts)[:count],
+    )
+
+
+def _smoothed(
+    samples: Samples, rest: Rest | None, p: SmootherParameters, *, with_sigma: bool
+) -> Smoothed:
     step_s = samples.interval_s
     most = max(1, len(samples) // _WINDOWS)  # of a moment not all is one window
     per_window = min(max(1, round(1.0 / (p.window_hz * step_s))), most)
     node_s = max(p.node_s, p.node_samples * step_s)
-    if p.shortcuts and _is_calm(samples, rest):
-        node_s *= 2.0
     # even, because the first solution has nodes twice as far apart
     per_node = 2 * max(1, round(0.5 * node_s / (per_window * step_s)))
     block = _Block(samples, (per_window, per_node), rest, p)
@@ -160,8 +176,13 @@ class _Block:
         vertical = nd.rough_vertical(self._nodes, p.rough_s)
         self._bound = np.full(vertical.shape[1], p.velocity_start_mps)
         self._trusted = np.zeros(len(self._nodes.duration_s))
+        self._travel_sigma_mps = 0.0
         self._solutions = 0
         self._solve(vertical, BIASES_ONLY)
+        self._travel_sigma_mps = travel.expected_mps(self._solution.velocity_mps)
+        if self._travel_sigma_mps:
+            self._solutions = 0
+            self._solve(vertical, BIASES_ONLY)
 
     def improve(self) -> bool:
         """Solve once more about what was found; False if that would change little."""
@@ -172,14 +193,24 @@ class _Block:
         unrest = self._unrest()
         limit = max(2, p.rest_solutions if unrest else p.solutions)
         first = self._solutions == 1
-        if self._solutions >= limit or not (first or moved or faster or unrest):
+        again = self._solutions < limit and (first or moved or faster or unrest)
+        if not again and not self._expect_more():
             return False
         self._bound = bound
-        vertical = rot.rotate(rot.inverse(self._frames), _up(self._solution.tilt))
+        vertical = rot.rotate(rot.inverse(self._frames), nd.up(self._solution.tilt))
         if moved or not self._fine:
             vertical = self._integrate(vertical)
         self._trusted = self._rest_weight()
         self._solve(vertical, self._columns())
+        return True
+
+    def _expect_more(self) -> bool:
+        """Expect a larger bias if one is found that was not; whether that is so."""
+        found = self._calibration[GYRO_BIAS] + self._solution.calibration[GYRO_BIAS]
+        sigma = at_rest.widened(self._rest, found, self._p)
+        if sigma <= self._expected[1]:
+            return False
+        self._expected = self._expected[0], sigma
         return True
 
     def obey(self) -> None:
@@ -191,31 +222,36 @@ class _Block:
         if velocity_mps is None:
             return
         found = self._solution.calibration
-        vertical = rot.rotate(rot.inverse(self._frames), _up(self._solution.tilt))
-        self._frames = nd.level_frames(vertical)
+        vertical = rot.rotate(rot.inverse(self._frames), nd.up(self._solution.tilt))
         self._bound = np.full_like(self._bound, velocity_mps)
-        problem = self._linearised(vertical, len(found))
+        problem = self._linearised(vertical, self._solved_columns)
         self._problem = replace(
             problem, prior=found, prior_weight=np.full(len(found), _CERTAIN)
         )
-        self._solution = minimise(self._problem)
+        self._solution = stages.minimise(self._problem)
 
     def result(self, *, with_sigma: bool) -> Smoothed:
         """Return the orientation at each sample, and how certain it is."""
         solution, count = self._solution, len(self._samples)
-        up = _up(self._settled(solution.tilt))
-        z = np.zeros_like(up)
-        z[2] = 1.0
-        level = rot.unit(rot.multiply(rot.shortest(up, z), self._frames))
+        settled = self._settled(solution.tilt)
         total = self._calibration.copy()
-        total[: len(solution.calibration)] += solution.calibration
+        total[: self._solved_columns] += solution.calibration[: self._solved_columns]
         constant_s = self._p.time_constant_of_s(self._bound)
         per_node = self._per_window * self._per_node
-        quaternion, vertical = self._at_samples(level, total[GYRO_BIAS])
+        quaternion, vertical = stages.at_samples(
+            settled,
+            self._frames,
+            (self._windows, self._nodes),
+            self._samples,
+            total[GYRO_BIAS],
+            self._p.rate_noise_rad_per_sqrt_s,
+        )
         return Smoothed(
             quaternion_wxyz=quaternion,
             vertical=vertical,
-            sigma_rad=self._sigma(constant_s) if with_sigma else np.zeros(count),
+            sigma_rad=self._sigma(constant_s, settled)
+            if with_sigma
+            else np.zeros(count),
             at_rest=np.repeat(self._believed(), per_node)[:count],
             calibration=Calibration(
                 gyro_bias_radps=total[GYRO_BIAS],
@@ -228,30 +264,36 @@ class _Block:
             ),
         )
 
-    def _sigma(self, time_constant_s: Floats) -> Floats:
+    def _sigma(self, time_constant_s: Floats, settled: Floats) -> Floats:
         """Return the standard deviation of the tilt at each sample, rad."""
         variance = tilt_variance(
             self._problem, self._solution, time_constant_s, self._p.local_s
         )
         per_node = self._per_window * self._per_node
         variance += _turning_variance(self._nodes.turned_rad / per_node)
+        # at rest nothing shall be felt, so that the sensor's bias is taken for tilt
+        variance += np.square(settled - self._solution.tilt).sum(axis=0)
         # two directions that know nothing of each other are 90 degrees apart
         sigma = np.sqrt(np.clip(variance, 0.0, 2.0))
-        at_samples = np.arange(len(self._samples)) / per_node
-        return np.asarray(np.interp(at_samples, np.arange(len(sigma)), sigma))
+        share = np.arange(per_node) / per_node
+        at_samples = sigma[:-1, None] + np.diff(sigma)[:, None] * share
+        return np.asarray(at_samples.reshape(-1)[: len(self._samples)])
 
     def _open(self, samples: Samples, per_window: int) -> None:
         """Integrate with the calibration so far."""
         matrix = self._calibration[GYRO_MATRIX].reshape(3, 3)
         bias = self._calibration[GYRO_BIAS]
-        self._windows = integrate(
-            samples, per_window, bias, matrix, shortcuts=self._p.shortcuts
+        self._windows, self._nodes = stages.opened(
+            samples,
+            (per_window, self._per_node),
+            (bias, matrix),
+            with_scale=self._fine,
+            shortcuts=self._p.shortcuts,
         )
-        self._nodes = nd.gather(self._windows, self._per_node, with_scale=self._fine)
 
     def _integrate(self, vertical: Floats) -> Floats:
         """Integrate anew with what was found; return the vertical in the new frame."""
-        change = self._solution.calibration
+        change = self._solution.calibration[: self._solved_columns]
         self._calibration[: len(change)] += change
         # of the accelerometer everything is solved for in full each time
         self._calibration[FORCE_BIAS] = self._calibration[FORCE_SCALE] = 0.0
@@ -269,9 +311,9 @@ class _Block:
         return _unit(np.stack([np.interp(place, shared, row) for row in known]))
 
     def _solve(self, vertical: Floats, columns: int) -> None:
-        self._frames = nd.level_frames(vertical)
         self._problem = self._linearised(vertical, columns)
-        self._solution = minimise(self._problem)
+        self._solution = stages.minimise(self._problem)
+        self._solved_columns = columns
         self._solved_s = np.concatenate([[0.0], np.cumsum(self._nodes.duration_s)])
         self._solutions += 1
 
@@ -279,7 +321,10 @@ class _Block:
         known = Knowledge(
             self._bound, self._trusted, self._calibration[:columns], *self._expected
         )
-        return linearised(self._nodes, vertical, self._frames, known, self._p)
+        self._frames, problem = stages.linearised(self._nodes, vertical, known, self._p)
+        return travel.with_travel(
+            problem, self._nodes, self._frames, self._travel_sigma_mps
+        )
 
     def _settled(self, tilt: Floats) -> Floats:
         """Return the tilt with hardly anything left of the specific force at rest.
@@ -288,14 +333,16 @@ class _Block:
         be felt as a steady pull.
         """
         still = self._believed()
-        inside = np.zeros(tilt.shape[1], dtype=np.bool_)
-        inside[1:-1] = still[1:] & still[:-1]
-        duration_s = self._problem.duration_s
-        span_mps = STANDARD_GRAVITY_MPS2 * (duration_s[1:] + duration_s[:-1])
-        impulse = self._problem.impulse[:2, 0]
+        if not still.any():
+            return tilt
+        # at an edge of a still span only one side of the node has a say
+        span_mps = np.zeros(tilt.shape[1])
         level = np.zeros_like(tilt)
-        level[:, 1:-1] = (impulse[:, 1:] + impulse[:, :-1]) / span_mps
-        shift = np.where(inside, level - tilt, 0.0)
+        for side in (slice(1, None), slice(None, -1)):
+            span_mps[side] += still * STANDARD_GRAVITY_MPS2 * self._problem.duration_s
+            level[:, side] += still * self._problem.impulse[:2, 0]
+        inside = span_mps > 0.0
+        shift = np.where(inside, level / np.where(inside, span_mps, 1.0) - tilt, 0.0)
         size = STANDARD_GRAVITY_MPS2 * np.sqrt(np.square(shift).sum(axis=0))
         part = np.maximum(1.0 - _LEFT_MPS2 / np.maximum(size, 1e-9), 0.0)
         return np.asarray(tilt + np.where(size < _BIAS_MPS2, part, 0.0) * shift)
@@ -319,6 +366,8 @@ class _Block:
 
     def _believed(self) -> NDArray[np.bool_]:
         """Return which still intervals do not seem to be accelerated, (K,)."""
+        if self._rest is None:
+            return self._resting()
         seems = at_rest.seeming_acceleration(
             self._solution, self._solved_s, self._nodes.duration_s
         )
@@ -327,6 +376,8 @@ class _Block:
     def _rest_weight(self) -> Floats:
         """Return how far the still spans are to be believed after this solution."""
         duration_s = self._nodes.duration_s
+        if self._rest is None:
+            return np.zeros(len(duration_s))
         still = self._resting()
         seems = at_rest.seeming_acceleration(self._solution, self._solved_s, duration_s)
         return at_rest.rest_weight(still, duration_s, seems, self._p)
@@ -344,36 +395,6 @@ class _Block:
         ratio = weight[changed] / np.maximum(self._trusted[changed], 1e-12)
         return bool(np.abs(np.log(ratio)).mean() > self._p.retrust)
 
-    def _at_samples(self, level: Pair, bias_radps: Floats) -> tuple[Floats, Floats]:
-        """Return orientation (n, 4) and vertical (n, 3) from the levelling at nodes."""
-        windows, per_node = self._windows, self._nodes.per_node
-        total = len(windows.duration_s)
-        share = np.arange(per_node) / per_node
-        if windows.lost_s.any():
-            share = self._shares()
-        between = [
-            (part[:-1, None] + share * (part[1:] - part[:-1])[:, None]).reshape(-1)
-            for part in level
-        ]
-        corrected = rot.unit(
-            rot.multiply((between[0][:total], between[1][:total]), self._nodes.start)
-        )
-        return spread(corrected, windows, self._samples, bias_radps)
-
-    def _shares(self) -> Floats:
-        """Return how far each window's start is from node to node, (K, per node).
-
-        Not by time but by variance: a jump belongs into the hole that hid it.
-        """
-        windows, nodes = self._windows, self._nodes
-        noise = self._p.rate_noise_rad_per_sqrt_s**2 * windows.duration_s
-        noise = noise + windows.lost_s**2
-        total = len(nodes.duration_s) * nodes.per_node
-        noise = np.append(noise, np.zeros(total - len(noise)))
-        noise = noise.reshape(-1, nodes.per_node)
-        before = np.cumsum(noise, axis=1) - noise
-        return np.asarray(before / noise.sum(axis=1, keepdims=True))
-
 
 def _turning_variance(turn_rad: Floats) -> Floats:
     """Return what turns within a sample add to the variance, at the nodes, rad^2."""
@@ -382,23 +403,11 @@ def _turning_variance(turn_rad: Floats) -> Floats:
     return np.asarray(np.square(_TURN_ERROR * at))
 
 
-def _is_calm(samples: Samples, rest: Rest | None) -> bool:
-    """Return whether hardly anything turns, by a sixteenth of the samples."""
-    rate = samples.angular_rate_radps[::16]
-    bias = np.zeros(3) if rest is None else rest.mean_radps
-    return bool(np.abs(rate - bias).mean() < _CALM_RADPS)
-
-
 def _spins(samples: Samples, per_window: int) -> bool:
     """Return whether the sensor turns so fast that window means say little."""
     rate = samples.angular_rate_radps
     fastest = max(abs(float(rate.max())), abs(float(rate.min())))
     return bool(2 * per_window * fastest * samples.interval_s > _MEAN_TURN_RAD)
-
-
-def _up(tilt: Floats) -> Floats:
-    """Return the vertical (3, n) of a tilt (2, n)."""
-    return _unit(np.concatenate([tilt, np.ones((1, tilt.shape[1]))]))
 
 
 def _unit(vectors: Floats) -> Floats:

@@ -68,26 +68,28 @@ class Solution:
         tilt: (2, K + 1) of the vertical, first order.
         velocity_mps: (2, K + 1) horizontal.
         calibration: (C,).
-        covariance: (C, C) of the calibration.
+        information: (C, C) the inverse of the calibration's covariance.
         tilt_per_calibration: (C, K + 1) x + iy.
     """
 
     tilt: Floats
     velocity_mps: Floats
     calibration: Floats
-    covariance: Floats
+    information: Floats
     tilt_per_calibration: Complexes
+
+    @property
+    def covariance(self) -> Floats:
+        """Covariance (C, C) of the calibration."""
+        inverse = np.linalg.inv(self.information)
+        return 0.5 * (inverse + inverse.T)
 
 
 def minimise(problem: Problem) -> Solution:
     """Return tilt, velocity and calibration of least squares."""
     states, normal = _horizontal(problem)
     normal += _vertical_normal(problem)
-    matrix = normal[1:, 1:]
-    matrix[np.diag_indices_from(matrix)] += problem.prior_weight
-    right = problem.prior_weight * problem.prior - normal[1:, 0]
-    inverse = np.linalg.inv(0.5 * (matrix + matrix.T))
-    calibration = inverse @ right
+    calibration, information = best_calibration(problem, normal)
     weights = np.concatenate([[1.0], calibration])
     found = (weights @ states.reshape(len(weights), -1)).reshape(-1, 2)
     tilt, velocity = found.T
@@ -95,9 +97,20 @@ def minimise(problem: Problem) -> Solution:
         tilt=np.stack([tilt.real, tilt.imag]),
         velocity_mps=np.stack([velocity.real, velocity.imag]),
         calibration=calibration,
-        covariance=0.5 * (inverse + inverse.T),
+        information=information,
         tilt_per_calibration=states[1:, :, 0],
     )
+
+
+def best_calibration(problem: Problem, normal: Floats) -> tuple[Floats, Floats]:
+    """Return the calibration and its information from the columns' normal matrix."""
+    matrix = 0.5 * (normal[1:, 1:] + normal[1:, 1:].T)
+    matrix.flat[:: len(matrix) + 1] += problem.prior_weight
+    right = problem.prior_weight * problem.prior - normal[1:, 0]
+    _, calibration, failed = lapack.dposv(matrix, right)
+    if failed:
+        raise inseparable()
+    return np.asarray(calibration), matrix
 
 
 def tighter(problem: Problem, solution: Solution, factor: float) -> Problem:
@@ -189,7 +202,7 @@ def _vertical_normal(problem: Problem) -> Floats:
     right[:, :-1] -= weighted
     *_, found, failed = lapack.dptsv(main, -side, right.T)
     if failed:
-        raise _inseparable()
+        raise inseparable()
     return np.asarray(weighted @ (speed - np.diff(found.T, axis=1)).T)
 
 
@@ -206,13 +219,14 @@ def solve_band(band: Floats, right: Floats | Complexes) -> None:
     factorise, substitute = routines[right.dtype.kind]
     factor, failed = factorise(np.asfortranarray(band, right.dtype), lower=1)
     if failed:
-        raise _inseparable()
+        raise inseparable()
     solved, _ = substitute(factor, right.T, lower=1, overwrite_b=1)
     if not np.shares_memory(solved, right):
         right[:] = solved.T
 
 
-def _inseparable() -> InputError:
+def inseparable() -> InputError:
+    """Return the error for a problem without a solution."""
     return InputError(
         "the motion cannot be separated from gravity",
         remedy="look for values far beyond what a sensor can measure",

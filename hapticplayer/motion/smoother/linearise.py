@@ -22,9 +22,9 @@ from hapticplayer.motion.smoother.nodes import Nodes
 from hapticplayer.motion.smoother.parameters import SmootherParameters
 
 # A sample whose specific force is in doubt may be wrong by as much.
-_DOUBTFUL_MPS2 = 5.0
+DOUBTFUL_MPS2 = 5.0
 # Where the rotation is not known it may be this fast.
-_LOST_RADPS = 1.0
+LOST_RADPS = 1.0
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -71,12 +71,7 @@ def linearised(
     impulse[:, 1 + FORCE_SCALE] = -impulse[:, 0]
     impulse[2, 0] -= STANDARD_GRAVITY_MPS2 * duration_s
     impulse[:, 1:][:, FORCE_BIAS] = -turn
-    prior = -known.applied
-    prior[FORCE_BIAS] = prior[FORCE_SCALE] = 0.0
-    prior[GYRO_BIAS] += known.bias_radps
-    sigma = np.empty(CALIBRATION)
-    sigma[GYRO_BIAS], sigma[GYRO_MATRIX] = known.bias_sigma_radps, p.gyro_matrix
-    sigma[FORCE_BIAS], sigma[FORCE_SCALE] = p.accelerometer_bias_mps2, p.force_scale
+    prior, prior_weight = expected(known, p)
     return Problem(
         duration_s=duration_s,
         tilt=tilt,
@@ -86,8 +81,19 @@ def linearised(
         bound_weight=around(duration_s) / (2.0 * known.bound_mps**2),
         rest_weight=known.rest_weight,
         prior=prior,
-        prior_weight=sigma[:columns] ** -2.0,
+        prior_weight=prior_weight,
     )
+
+
+def expected(known: Knowledge, p: SmootherParameters) -> tuple[Floats, Floats]:
+    """Return where the calibration is expected, and 1 / variance of that, (C,)."""
+    prior = -known.applied
+    prior[FORCE_BIAS] = prior[FORCE_SCALE] = 0.0
+    prior[GYRO_BIAS] += known.bias_radps
+    sigma = np.empty(CALIBRATION)
+    sigma[GYRO_BIAS], sigma[GYRO_MATRIX] = known.bias_sigma_radps, p.gyro_matrix
+    sigma[FORCE_BIAS], sigma[FORCE_SCALE] = p.accelerometer_bias_mps2, p.force_scale
+    return prior, sigma[: len(prior)] ** -2.0
 
 
 def velocity_bound(
@@ -123,13 +129,13 @@ def _tilt_noise(nodes: Nodes, p: SmootherParameters) -> Floats:
     return np.asarray(
         p.rate_noise_rad_per_sqrt_s**2 * nodes.duration_s
         + (p.rotation_error * nodes.turned_rad) ** 2
-        + (_LOST_RADPS * nodes.lost_s) ** 2
+        + (LOST_RADPS * nodes.lost_s) ** 2
     )
 
 
 def _velocity_noise(nodes: Nodes, bound_mps: Floats, p: SmootherParameters) -> Floats:
     """Return the variance of the velocity's change from node to node, (m/s)^2."""
-    doubt = (_DOUBTFUL_MPS2 * nodes.doubt_s) ** 2
+    doubt = (DOUBTFUL_MPS2 * nodes.doubt_s) ** 2
     # a velocity that is bounded on both sides of a hole changes no more than this
     doubt = np.minimum(doubt, bound_mps[1:] ** 2 + bound_mps[:-1] ** 2)
     return np.asarray(

@@ -151,3 +151,41 @@ def level_frames(vertical: Floats) -> Pair:
     steps = rot.shortest(vertical[:, 1:], vertical[:, :-1])
     steps = np.append(to_z[0], steps[0]), np.append(to_z[1], steps[1])
     return rot.unit(rot.cumulative(steps))
+
+
+def up(tilt: Floats) -> Floats:
+    """Return the unit vertical (3, n) of a tilt (2, n)."""
+    vectors = np.concatenate([tilt, np.ones((1, tilt.shape[1]))])
+    return np.asarray(vectors / np.sqrt(rot.squared_norm(vectors)))
+
+
+def levelled(tilt: Floats, frames: Pair) -> Pair:
+    """Return the orientations of frame I over the earth for a tilt (2, K + 1)."""
+    z = np.zeros((3, tilt.shape[1]))
+    z[2] = 1.0
+    return rot.unit(rot.multiply(rot.shortest(up(tilt), z), frames))
+
+
+def shares(windows: Windows, nodes: Nodes, rate_noise_rad_per_sqrt_s: float) -> Floats:
+    """Return how far each window's start is from node to node, (1 or K, per node).
+
+    Not by time but by variance: a jump belongs into the hole that hid it.
+    """
+    if not windows.lost_s.any():
+        return np.arange(nodes.per_node)[None] / nodes.per_node
+    noise = rate_noise_rad_per_sqrt_s**2 * windows.duration_s + windows.lost_s**2
+    total = len(nodes.duration_s) * nodes.per_node
+    noise = np.append(noise, np.zeros(total - len(noise)))
+    noise = noise.reshape(-1, nodes.per_node)
+    before = np.cumsum(noise, axis=1) - noise
+    return np.asarray(before / noise.sum(axis=1, keepdims=True))
+
+
+def between(level: Pair, share: Floats, windows: Windows) -> Pair:
+    """Return the orientations at nodes (K + 1,), interpolated to windows' starts."""
+    first, second = (
+        (part[:-1, None] + share * (part[1:] - part[:-1])[:, None]).reshape(-1)
+        for part in level
+    )
+    total = len(windows.duration_s)
+    return first[:total], second[:total]

@@ -31,7 +31,8 @@ class SmootherParameters:
         gyro_bias_radps: standard deviation of the gyro's bias before anything is
             known; 2.9 deg/s.
         gyro_matrix: the same for each element of scale and misalignment.
-        accelerometer_bias_mps2: the same for the accelerometer's bias.
+        accelerometer_bias_mps2: the same for the accelerometer's bias; more where its
+            gain is off.
         force_scale: the same for the accelerometer's scale, beyond what still spans
             have put right.
         still_bias_radps: the same for the gyro's bias where still spans were found,
@@ -59,8 +60,8 @@ class SmootherParameters:
         block_s: longer recordings are taken in blocks, each with its own calibration.
         margin_s: blocks overlap by twice as much.
         shortcuts: whether work is skipped that a recording does not need: rotations
-            to first order and nodes twice as far apart where hardly anything turns,
-            the gyro's matrix where little does.
+            to first order where hardly anything turns, the gyro's matrix where
+            little does, the full rate where it stands still from beginning to end.
     """
 
     window_hz: float = 16.0

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from hapticplayer.model import STANDARD_GRAVITY_MPS2
 from hapticplayer.model import quaternions as quat
 from hapticplayer.model.arrays import Floats
 from hapticplayer.motion.smoother.block import Calibration, Smoothed, smooth
@@ -21,6 +22,9 @@ Flags = NDArray[np.bool_]
 _FEWEST = 50
 # Neighbouring blocks are blended over this share of their margins.
 _BLEND = 0.25
+# An accelerometer that is off by so much along the vertical at rest may be off by
+# twice that sideways.
+_SIDEWAYS = 2.0
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -53,9 +57,8 @@ class SmoothedRecording:
 
     def mean(self, name: str) -> Floats:
         """Return a calibration by its name, the mean over the blocks."""
-        return np.asarray(
-            np.mean([getattr(block, name) for block in self.blocks], axis=0)
-        )
+        found = [getattr(block, name) for block in self.blocks]
+        return np.asarray(found[0] if len(found) == 1 else np.mean(found, axis=0))
 
 
 def smooth_recording(
@@ -75,6 +78,10 @@ def smooth_recording(
         places: those samples that are asked for; None for all.
         with_sigma: whether the uncertainty is wanted; it is 0 otherwise.
     """
+    if samples.gain != 1.0:
+        upright_mps2 = STANDARD_GRAVITY_MPS2 * abs(samples.gain - 1.0)
+        bias_mps2 = math.hypot(p.accelerometer_bias_mps2, _SIDEWAYS * upright_mps2)
+        p = replace(p, accelerometer_bias_mps2=bias_mps2)
     if places is None:
         return _whole(samples, _edges(still), p, with_sigma=with_sigma)
     moved = _moved(still, places)
@@ -167,11 +174,11 @@ def _alone(block: Smoothed) -> SmoothedRecording:
 def _blocks(step_s: Floats, p: SmootherParameters) -> list[tuple[slice, slice]]:
     """Return (what a block is for, what it looks at) in samples."""
     count = len(step_s)
-    end_s = np.cumsum(step_s)
-    number = round(float(end_s[-1]) / p.block_s)
+    number = round(float(step_s.sum()) / p.block_s)
     number = max(1, min(number, count // _FEWEST))
     if number == 1:
         return [(slice(0, count), slice(0, count))]
+    end_s = np.cumsum(step_s)
     borders_s = np.linspace(0.0, float(end_s[-1]), number + 1)
 
     def at(time_s: float) -> int:

@@ -18,6 +18,8 @@ from hapticplayer.motion.smoother.parameters import SmootherParameters
 
 # An interval rests if as much of it does; bins and nodes never quite agree.
 _ALL = 0.99
+# A bias of so many deviations was not expected, and by how much more to expect then.
+_FAR, _WIDE = 2.0, 4.0
 # For so long what moves a resting sensor unseen stays the same.
 _STEADY_S = 1.0
 
@@ -92,3 +94,19 @@ def expected_bias(rest: Rest | None, p: SmootherParameters) -> tuple[Floats, flo
         return np.zeros(3), p.gyro_bias_radps
     sigma = float(np.hypot(p.still_bias_radps, p.still_scatter * rest.sigma_radps))
     return rest.mean_radps, min(sigma, p.gyro_bias_radps)
+
+
+def widened(rest: Rest | None, found_radps: Floats, p: SmootherParameters) -> float:
+    """Return the deviation of the gyro's bias once the motion has been looked at.
+
+    Without rest a bias far beyond what was expected is pulled towards zero by that,
+    and is more than is found.
+
+    Args:
+        rest: where the sensor stands still, or None.
+        found_radps: (3,) the bias in the last solution.
+        p: of the smoother.
+    """
+    sigma = expected_bias(rest, p)[1]
+    far = rest is None and float(np.linalg.norm(found_radps)) > _FAR * sigma
+    return _WIDE * sigma if far else sigma

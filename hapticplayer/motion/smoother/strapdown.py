@@ -9,6 +9,7 @@ Savage 1998, J. Guidance 21(1):19).
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from hapticplayer.model.arrays import Floats
 from hapticplayer.motion import rotations as rot
@@ -19,8 +20,11 @@ from hapticplayer.motion.rotations import SMALL_SQUARED_RAD2, Complexes, Pair
 # larger one come and go. It is never touched, so that no memory is used.
 np.empty(31 << 20, np.uint8)
 
+# What is taken off the gyro: bias (3,) rad/s and matrix (3, 3).
+Correction = tuple[Floats, Floats]
+
 # Samples at a time: what is in flight then fits into the cache of a core.
-_CHUNK = 8192
+CHUNK = 8192
 # Windows within which nothing turns further take first-order rotations; the vertical
 # is off by less than 2e-4 of g.
 _CALM_RAD = 0.02
@@ -119,6 +123,7 @@ def integrate(
         shortcuts: whether stretches that hardly turn are integrated to first order.
     """
     correct = np.linalg.inv(np.eye(3) + matrix) if matrix.any() else None
+    calm = calm_chunks(samples, per_window, bias_radps) if shortcuts else None
     total = -(-len(samples) // per_window)
     inside = (
         np.empty((per_window, total), complex),
@@ -127,7 +132,7 @@ def integrate(
     rotation = np.empty(total, complex), np.empty(total, complex)
     impulse, turned = np.empty((3, total)), np.empty((3, total))
     duration, power = np.empty(total), np.empty(total)
-    chunk = max(1, _CHUNK // per_window)
+    chunk = max(1, CHUNK // per_window)
     for start in range(0, total, chunk):
         part = slice(start, min(start + chunk, total))
         step = _columns(samples.step_s, per_window, part)
@@ -142,7 +147,7 @@ def integrate(
         if samples.averaged:
             change = _changes(samples, per_window, part, bias_radps)
             _averaged(turn, change, force, inside, rotation, part)
-        elif shortcuts and per_window * np.abs(turn).max() < _CALM_RAD:
+        elif calm is not None and calm[start // chunk]:
             _calm(turn, inside, rotation, part)
         else:
             _running(rot.exponential(turn), inside, rotation, part)
@@ -167,6 +172,24 @@ def integrate(
     )
 
 
+def calm_chunks(
+    samples: Samples, per_window: int, bias_radps: Floats
+) -> NDArray[np.bool_]:
+    """Return in which chunks no window can turn far, so that its turns add up."""
+    size = max(1, CHUNK // per_window) * per_window
+    starts = range(0, len(samples), size)
+    calm = np.zeros(len(starts), dtype=np.bool_)
+    if samples.averaged:
+        return calm
+    bias = float(np.abs(bias_radps).max())
+    for number, start in enumerate(starts):
+        rate = samples.angular_rate_radps[start : start + size]
+        fastest = bias + max(float(rate.max()), -float(rate.min()))
+        longest_s = float(samples.step_s[start : start + size].max())
+        calm[number] = per_window * fastest * longest_s < _CALM_RAD
+    return calm
+
+
 def coarse(samples: Samples, per_window: int) -> Samples:
     """Return means over windows: enough to see bias, speed and a rough vertical."""
     if per_window == 1:
@@ -176,10 +199,7 @@ def coarse(samples: Samples, per_window: int) -> Samples:
     weight = (1.0 / np.where(step > 0.0, step, 1.0))[:, None]
 
     def mean(values: Floats) -> Floats:
-        columns = [
-            _sums(column * samples.step_s, per_window, total) for column in values.T
-        ]
-        return weight * np.stack(columns, axis=1)
+        return weight * _weighted_sums(samples.step_s, values, per_window, total)
 
     return Samples(
         step,
@@ -197,8 +217,25 @@ def _sums(values: Floats, per_window: int, total: int) -> Floats:
     """Return (..., total) sums over windows of (..., n)."""
     if per_window == 1:
         return values
+    if not values.any():  # mostly so, of time lost and in doubt
+        return np.zeros((*values.shape[:-1], total))
     starts = np.arange(0, per_window * total, per_window)
     return np.add.reduceat(values, starts, axis=-1)
+
+
+def _weighted_sums(
+    weight: Floats, values: Floats, per_window: int, total: int
+) -> Floats:
+    """Return (total, 3) sums over windows of weighted (n, 3)."""
+    used = len(values) // per_window * per_window
+    # axis by axis and as a product, because numpy is slow along short axes
+    weighted = values.T * weight
+    out = np.empty((3, total))
+    by_window = weighted[:, :used].reshape(3, -1, per_window)
+    out[:, : used // per_window] = by_window @ np.ones(per_window)
+    if used < len(values):
+        out[:, -1] = weighted[:, used:].sum(axis=1)
+    return out.T
 
 
 def _columns(values: Floats, per_window: int, part: slice) -> Floats:
@@ -290,7 +327,7 @@ def spread(
     per_window, total = windows.inside[0].shape
     orientation = np.empty((total, per_window, 4))
     vertical = np.empty((total, per_window, 3))
-    chunk = max(1, _CHUNK // per_window)
+    chunk = max(1, CHUNK // per_window)
     for first in range(0, total, chunk):
         part = slice(first, min(first + chunk, total))
         local = windows.inside[0][:, part], windows.inside[1][:, part]

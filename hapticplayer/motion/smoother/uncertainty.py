@@ -1,8 +1,8 @@
 """How far the smoothed vertical may be off.
 
 Three parts, which add up in square: what the model says; how far the vertical moves
-when the velocity is bounded twice as tightly, which is large where accelerations last
-and cannot be told from tilt; and a floor for all that no part of it knows. How much
+when the velocity is bounded four times less tightly, which is large where accelerations
+last and cannot be told from tilt; and a floor for all that no part of it knows. How much
 of each was found on recordings with optical truth, for the model's noises are those
 that give the least error, not those that describe it best.
 """
@@ -14,11 +14,11 @@ from hapticplayer.motion.smoother.calibrated import (
     Problem,
     Solution,
     horizontal_band,
-    minimise,
     solve_band,
     tighter,
 )
 from hapticplayer.motion.smoother.linearise import local_mean
+from hapticplayer.motion.smoother.stages import minimise
 
 # The model's variance is found exactly at nodes this far apart.
 _EVERY_S = 20.0
@@ -27,8 +27,8 @@ _AT_LEAST = 5
 # how many of them are looked at one by one.
 _HOLE, _HOLES = 0.02, 50
 _FLOOR_RAD = 0.0045
-_MOVED = 1.0
-_TIGHTER = 2.0
+_MOVED = 1.5
+_LOOSER = 4.0
 # Share of the model's deviation, and by how much it grows where a long time constant
 # says that accelerations last.
 _MODEL = 0.27
@@ -50,7 +50,7 @@ def tilt_variance(
     spread = (rows.conj() * (solution.covariance @ rows)).real.sum(axis=0)
     model = 2.0 * noise_variance(problem) + spread
     longer = np.clip((time_constant_s - _LONG_S) / _LONGER_S, 0.0, _MOST)
-    other = minimise(tighter(problem, solution, _TIGHTER)).tilt
+    other = minimise(tighter(problem, solution, 1.0 / _LOOSER)).tilt
     moved = np.square(other - solution.tilt).sum(axis=0)
     return np.asarray(
         (_MODEL * (1.0 + longer)) ** 2 * model
@@ -66,9 +66,11 @@ def noise_variance(problem: Problem) -> Floats:
     even = np.linspace(0, count - 1, min(number, count)).round().astype(int)
     # holes are looked at where they are
     holes = np.flatnonzero(problem.tilt_weight < _HOLE * np.median(problem.tilt_weight))
-    holes = holes[:: max(1, len(holes) // _HOLES)]
-    near = (holes[:, None] + np.arange(-2, 4)).ravel().clip(0, count - 1)
-    chosen = np.unique(np.concatenate([even, near]))
+    chosen = even
+    if len(holes):
+        holes = holes[:: max(1, len(holes) // _HOLES)]
+        near = (holes[:, None] + np.arange(-2, 4)).ravel().clip(0, count - 1)
+        chosen = np.unique(np.concatenate([even, near]))
     right = np.zeros((len(chosen), 2 * count))
     rows = np.arange(len(chosen))
     right[rows, 2 * chosen] = 1.0

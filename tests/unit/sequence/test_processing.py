@@ -242,7 +242,8 @@ def test_playing_loads_neither_scipy_nor_the_motion_room():
     code = (
         "import sys, hapticplayer.console as c, hapticplayer.sequence.demo;"
         "c.play; c.attach_log;"
-        "print([m for m in ('scipy', 'vqf', 'matplotlib', 'hapticplayer.motion')"
+        "print([m for m in ('scipy', 'numba', 'llvmlite', 'vqf', 'matplotlib',"
+        " 'hapticplayer.motion')"
         " if m in sys.modules])"
     )
     result = subprocess.run(

@@ -143,7 +143,7 @@ def test_free_fall_costs_little():
 # ---- gyros ----------------------------------------------------------------------
 
 
-@pytest.mark.parametrize(("degrees", "bound_mps2"), [(1, 0.04), (3, 0.1), (10, 0.4)])
+@pytest.mark.parametrize(("degrees", "bound_mps2"), [(1, 0.04), (3, 0.1), (10, 0.15)])
 def test_a_gyro_bias_is_found_while_the_sensor_moves(degrees, bound_mps2):
     bias = 0.1 * degrees * TEN_DEG
     log = usual(angular_rate_radps=WOBBLE.instant(TIME_S).angular_rate_radps + bias)
@@ -290,7 +290,7 @@ def test_a_long_push_is_not_put_down_to_the_accelerometer(constant_s, rng):
     assert found < 5.0 * p.accelerometer_bias_mps2
     # half a minute after the push little of it is left in the vertical
     left = done.track.acceleration_mps2[13000:, 0].mean()
-    assert abs(left) < 0.25
+    assert abs(left) < 0.3
 
 
 # ---- rest -----------------------------------------------------------------------
@@ -304,6 +304,16 @@ def test_at_rest_nothing_is_left_and_the_summary_says_so(still_log):
     # the noise itself is 0.02 per axis
     assert rms(done.track.acceleration_mps2) < 0.04
     assert_sound(done.track)
+
+
+@pytest.mark.parametrize("scene", ["car-calm", "car-brisk", "bicycle", "walk", "run"])
+@pytest.mark.parametrize("seed", [1, 2])
+def test_at_rest_hardly_anything_is_left_of_a_bad_sensor(scene, seed):
+    # an accelerometer with 0.2 to 0.4 m/s^2 of bias, still for seconds at a time; with
+    # the edges of the spans not levelled 0.06 to 0.4 m/s^2 were left
+    done = analyse(simulate_motion(scene, seed, sensor="paper-board").imu)
+    assert 0.9 < done.summary["still_s"] < 30.0
+    assert done.summary["leak_at_rest_mps2"] < 0.055
 
 
 @pytest.mark.parametrize("name", ["broad_01", "broad_24", "broad_33"])

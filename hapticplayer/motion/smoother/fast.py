@@ -1,0 +1,269 @@
+"""The stages of the smoother by compiled loops: what `stages` calls where they exist.
+
+Each takes and returns what its counterpart in numpy does; tables that the loops share
+come along in PackedWindows and PackedNodes.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from hapticplayer.model import STANDARD_GRAVITY_MPS2
+from hapticplayer.model.arrays import Floats
+from hapticplayer.motion.rotations import Complexes, Pair
+from hapticplayer.motion.smoother import kernels, solver_kernel
+from hapticplayer.motion.smoother.calibrated import (
+    Problem,
+    Solution,
+    best_calibration,
+    inseparable,
+)
+from hapticplayer.motion.smoother.linearise import (
+    DOUBTFUL_MPS2,
+    LOST_RADPS,
+    Knowledge,
+    expected,
+)
+from hapticplayer.motion.smoother.nodes import Nodes
+from hapticplayer.motion.smoother.parameters import SmootherParameters
+from hapticplayer.motion.smoother.strapdown import (
+    CHUNK,
+    Samples,
+    Windows,
+    calm_chunks,
+)
+
+# Of half of g times the durations, and the weights of tilt, velocity and rest, what
+# the vertical velocity knows.
+_UPRIGHT = np.array([[0.0], [0.0], [1.0], [1.0]])
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class PackedWindows(Windows):
+    """Windows with the tables that they are views of; see `kernels.integrate`."""
+
+    orientations: Complexes
+    rotations: Complexes
+    table: Floats
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class PackedNodes(Nodes):
+    """Nodes with the tables that they are views of; see `kernels.gather`."""
+
+    starts: Complexes
+    table: Floats
+    levers: Floats
+
+
+def _ready(values: Floats) -> Floats:
+    return np.ascontiguousarray(values, dtype=np.float64)
+
+
+def integrate(
+    samples: Samples,
+    per_window: int,
+    bias_radps: Floats,
+    matrix: Floats,
+    *,
+    shortcuts: bool = True,
+) -> PackedWindows:
+    """Return the windows of some samples; see `strapdown.integrate`."""
+    total = -(-len(samples) // per_window)
+    chunk = max(1, CHUNK // per_window)
+    calm = np.zeros(-(-total // chunk), dtype=np.bool_)
+    if shortcuts:
+        calm = calm_chunks(samples, per_window, bias_radps)
+    calibration = np.eye(4, 3)
+    if matrix.any():
+        calibration[:3] = np.linalg.inv(np.eye(3) + matrix)
+    calibration[3] = bias_radps
+    inside = np.empty((total, per_window, 2), complex)
+    rotation = np.empty((total, 2), complex)
+    table = np.empty((total, kernels.WINDOW_COLUMNS))
+    kernels.integrate(
+        _ready(samples.step_s),
+        _ready(samples.specific_force_mps2),
+        _ready(samples.angular_rate_radps),
+        _ready(samples.lost_s),
+        _ready(samples.doubt_s),
+        calibration,
+        samples.gain,
+        samples.averaged,
+        calm,
+        chunk,
+        inside,
+        rotation,
+        table,
+    )
+    columns = table.T
+    return PackedWindows(
+        duration_s=columns[kernels.DURATION],
+        rotation=(rotation[:, 0], rotation[:, 1]),
+        impulse_mps=columns[: kernels.TURN],
+        turn_rad=columns[kernels.TURN : kernels.DURATION],
+        power_m2ps3=columns[kernels.POWER],
+        lost_s=columns[kernels.LOST],
+        doubt_s=columns[kernels.DOUBT],
+        inside=(inside[..., 0].T, inside[..., 1].T),
+        orientations=inside,
+        rotations=rotation,
+        table=table,
+    )
+
+
+def gather(
+    windows: PackedWindows, per_node: int, *, with_scale: bool = True
+) -> PackedNodes:
+    """Return the nodes of some windows; see `nodes.gather`."""
+    total = len(windows.table)
+    count = -(-total // per_node)
+    starts, at = np.empty((total, 2), complex), np.empty((count + 1, 2), complex)
+    table = np.zeros((count, kernels.NODE_COLUMNS))
+    levers = np.zeros((count, 3, 3, 4 if with_scale else 1))
+    kernels.gather(
+        windows.rotations, windows.table, per_node, starts, at, table, levers
+    )
+    columns = table.T
+    return PackedNodes(
+        per_node=per_node,
+        start=(starts[:, 0], starts[:, 1]),
+        at=(at[:, 0], at[:, 1]),
+        duration_s=columns[kernels.AT_DURATION].copy(),
+        impulse_mps=columns[: kernels.AT_DURATION],
+        bias_turn_s=levers[..., 0].transpose(1, 2, 0),
+        scale_turn_rad=levers[..., 1:].reshape(count, 3, -1).transpose(1, 2, 0),
+        power_m2ps3=columns[kernels.AT_POWER],
+        turned_rad=columns[kernels.AT_TURNED],
+        lost_s=columns[kernels.AT_LOST],
+        doubt_s=columns[kernels.AT_DOUBT],
+        starts=starts,
+        table=table,
+        levers=levers,
+    )
+
+
+def linearised(
+    nodes: PackedNodes, vertical: Floats, known: Knowledge, p: SmootherParameters
+) -> tuple[Pair, Problem]:
+    """Return level frames and the problem in them; see `linearise.linearised`."""
+    count, columns = len(nodes.table), 1 + len(known.applied)
+    frames = np.empty((count + 1, 2), complex)
+    tilt, impulse = np.zeros((count, 2, columns)), np.zeros((count, 3, columns))
+    weights, bound_weight = np.empty((2, count)), np.zeros(count + 1)
+    noises = np.array(
+        [
+            STANDARD_GRAVITY_MPS2,
+            p.rate_noise_rad_per_sqrt_s**2,
+            p.rotation_error**2,
+            LOST_RADPS**2,
+            p.force_noise_mps_per_sqrt_s**2,
+            p.force_error**2,
+            DOUBTFUL_MPS2**2,
+        ]
+    )
+    kernels.linearise(
+        _ready(vertical),
+        nodes.table,
+        nodes.levers,
+        _ready(known.bound_mps),
+        noises,
+        frames,
+        tilt,
+        impulse,
+        weights,
+        bound_weight,
+    )
+    prior, prior_weight = expected(known, p)
+    problem = Problem(
+        duration_s=nodes.duration_s,
+        tilt=tilt.transpose(1, 2, 0),
+        impulse=impulse.transpose(1, 2, 0),
+        tilt_weight=weights[0],
+        velocity_weight=weights[1],
+        bound_weight=bound_weight,
+        rest_weight=known.rest_weight,
+        prior=prior,
+        prior_weight=prior_weight,
+    )
+    return (frames[:, 0], frames[:, 1]), problem
+
+
+def minimise(problem: Problem) -> Solution:
+    """Return tilt, velocity and calibration; see `calibrated.minimise`."""
+    count, columns = len(problem.duration_s), problem.tilt.shape[1]
+    # what changes by row: tilt x, y, then velocity z, x, y
+    rows = np.empty((count, 5, columns))
+    rows[:, :2] = problem.tilt.transpose(2, 0, 1)
+    rows[:, 3:] = problem.impulse[:2].transpose(2, 0, 1)
+    rows[:, 2] = problem.impulse[2].T
+    weights = np.empty((5, count))
+    weights[:2], weights[2:] = problem.tilt_weight, problem.velocity_weight
+    nodes, left = _solved(rows, weights, problem)
+    rows *= weights.T[:, :, None]
+    normal = rows.reshape(-1, columns).T @ left.reshape(-1, columns)
+    calibration, information = best_calibration(problem, normal)
+    states = nodes.reshape(count + 1, 4, columns)  # tilt x, y, velocity x, y
+    found = (states[..., 0] + states[..., 1:] @ calibration).T
+    per_calibration = np.empty((columns - 1, count + 1), complex)
+    per_calibration.real, per_calibration.imag = states[:, 0, 1:].T, states[:, 1, 1:].T
+    return Solution(
+        tilt=found[:2],
+        velocity_mps=found[2:],
+        calibration=calibration,
+        information=information,
+        tilt_per_calibration=per_calibration,
+    )
+
+
+def _solved(rows: Floats, weights: Floats, problem: Problem) -> tuple[Floats, Floats]:
+    """Return horizontal states of the nodes, and what all leave of the rows."""
+    count, _, columns = rows.shape
+    half = 0.5 * STANDARD_GRAVITY_MPS2 * problem.duration_s
+    known = np.stack([half, weights[0], weights[2], problem.rest_weight])
+    bound_weight, left = _ready(problem.bound_weight), np.empty(rows.shape)
+    flat = rows.reshape(count, -1), left.reshape(count, -1)
+    upright = np.zeros((2 * count + 2, columns))
+    nodes, band = np.zeros((2 * count + 2, 2 * columns)), np.zeros((2 * count + 2, 4))
+    # upwards nothing falls, and a tilt that is held at zero takes no part
+    band[::2, 0] = 1.0
+    alone = known * _UPRIGHT
+    solved = solver_kernel.solve(*flat, 2 * columns, alone, bound_weight, band, upright)
+    band[:] = 0.0
+    if not solved or not solver_kernel.solve(
+        *flat, 3 * columns, known, bound_weight, band, nodes
+    ):
+        raise inseparable()
+    return nodes, left
+
+
+def spread(
+    tilt: Floats,
+    frames: Pair,
+    share: Floats,
+    strapped: tuple[PackedWindows, PackedNodes],
+    samples: Samples,
+    bias_radps: Floats,
+) -> tuple[Floats, Floats]:
+    """Return orientation (n, 4) and vertical (n, 3); see `stages.at_samples`."""
+    windows, nodes = strapped
+    count = len(samples)
+    orientation, vertical = np.empty((count, 4)), np.empty((count, 3))
+    kernels.spread(
+        _ready(tilt),
+        np.stack(frames, axis=1),
+        share,
+        nodes.starts,
+        windows.orientations,
+        windows.rotations,
+        _ready(samples.lost_s),
+        _ready(samples.step_s),
+        _ready(samples.angular_rate_radps),
+        _ready(bias_radps),
+        samples.averaged,
+        np.empty((len(nodes.starts) + len(nodes.table) + 1, 2), complex),
+        orientation,
+        vertical,
+    )
+    orientation.setflags(write=False)
+    return orientation, vertical

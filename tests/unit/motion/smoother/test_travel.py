@@ -1,0 +1,164 @@
+"""A steady velocity in the sensor's own frame: what drives, and what only sways."""
+
+import numpy as np
+import pytest
+from scipy.spatial.transform import Rotation
+
+from hapticplayer.capture import MOTION_SCENES, simulate_motion
+from hapticplayer.model import STANDARD_GRAVITY_MPS2 as G
+from hapticplayer.model import ImuLog
+from hapticplayer.motion import remove_gravity
+from hapticplayer.motion.smoother import travel
+from hapticplayer.motion.smoother.calibrated import minimise
+from hapticplayer.motion.smoother.nodes import gather, level_frames
+from hapticplayer.motion.smoother.strapdown import integrate
+from tests.unit.motion.smoother.conftest import Motion, miss, rms, samples_of
+from tests.unit.motion.smoother.test_uncertainty import steady_problem
+
+RATE_HZ = 100.0
+SPEED_MPS = 15.0
+
+
+def heading(t):
+    """Return bends of up to 0.25 rad/s that last for 20 s and more, to both sides."""
+    return 4.0 * (1.0 - np.cos(2.0 * np.pi * t / 100.0)) + 0.03 * t
+
+
+def turn_rate(t):
+    return 4.0 * 2.0 * np.pi / 100.0 * np.sin(2.0 * np.pi * t / 100.0) + 0.03
+
+
+def driven(t):
+    """Return the attitude of a car that rolls a little on its springs."""
+    roll = 0.02 * np.sin(1.3 * t)
+    return Rotation.from_euler("ZYX", np.stack([heading(t), roll, 0.5 * roll], axis=-1))
+
+
+def pushed(t):
+    """Return the acceleration in the bends; the front is y, so that it goes -x."""
+    sideways = SPEED_MPS * turn_rate(t)
+    angle = heading(t)
+    return np.stack([-sideways * np.cos(angle), -sideways * np.sin(angle), 0 * t], -1)
+
+
+CAR = Motion(driven, pushed)
+TIME_S = np.arange(1, 12001) / RATE_HZ
+
+
+def in_a_car(rng, bias_radps=(0.003, -0.002, 0.001)) -> ImuLog:
+    log = CAR.instant(TIME_S)
+    noise = rng.standard_normal((2, len(log), 3))
+    return ImuLog(
+        TIME_S,
+        log.specific_force_mps2 + 0.3 * noise[0],
+        log.angular_rate_radps + np.array(bias_radps) + 0.003 * noise[1],
+    )
+
+
+def test_what_lasts_as_long_as_a_bend_is_not_levelled_away(rng, monkeypatch):
+    log, up = in_a_car(rng), CAR.up(TIME_S)
+    assert rms(CAR.acceleration(TIME_S)) > 2.0
+    kept = rms(miss(log, up))
+    assert kept < 0.1
+    monkeypatch.setattr(travel, "expected_mps", lambda _: 0.0)
+    assert rms(miss(log, up)) > 3.0 * kept
+
+
+def test_the_velocity_found_is_that_of_the_car(rng, monkeypatch):
+    found = []
+
+    def noted(problem, nodes, frames, sigma_mps):
+        whole = with_travel(problem, nodes, frames, sigma_mps)
+        if sigma_mps:
+            found.append(minimise(whole).calibration[-3:])
+        return whole
+
+    with_travel = travel.with_travel
+    monkeypatch.setattr(travel, "with_travel", noted)
+    remove_gravity(in_a_car(rng))
+    assert found[-1] == pytest.approx([0.0, SPEED_MPS, 0.0], abs=0.5)
+
+
+@pytest.mark.parametrize(
+    ("speed_mps", "sigma_mps"), [(0.0, 0.0), (0.5, 0.0), (0.8, 10.0), (30.0, 10.0)]
+)
+def test_what_sways_has_none_and_what_goes_may_have_any(speed_mps, sigma_mps):
+    velocity = speed_mps * np.array([[0.6] * 10, [0.8] * 10])
+    assert travel.expected_mps(velocity) == pytest.approx(sigma_mps, abs=1e-9)
+
+
+def test_between_the_two_nothing_jumps():
+    speeds = np.linspace(0.501, 0.9, 400)
+    sigma = [travel.expected_mps(np.array([[v], [0.0]])) for v in speeds]
+    steps = np.diff(np.log(sigma))
+    assert steps.min() >= 0.0
+    assert steps.max() < 0.03
+    assert sigma[0] < 0.011  # as good as none
+
+
+def nodes_of_a_turn(count):
+    turn = np.tile([0.0, 0.0, 0.3 / 16.0], (16 * count, 1))
+    step = np.full(16 * count, 1.0 / 16.0)
+    force = np.tile([0.0, 0.0, G], (16 * count, 1))
+    samples = samples_of(step, force, 16.0 * turn, averaged=False)
+    windows = integrate(samples, 1, np.zeros(3), np.zeros((3, 3)))
+    return gather(windows, 8)
+
+
+def test_three_columns_do_what_a_shifted_bound_would():
+    problem = steady_problem(40, 1.0)
+    nodes = nodes_of_a_turn(20)
+    assert len(nodes.duration_s) == 40
+    frames = level_frames(np.tile([[0.0], [0.0], [1.0]], 41))
+    whole = travel.with_travel(problem, nodes, frames, 10.0)
+    assert whole.tilt.shape == (2, 11, 40)
+    assert np.array_equal(whole.tilt[:, :8], problem.tilt)
+    assert not whole.tilt[:, 8:].any()
+    assert np.array_equal(whole.impulse[:, :8], problem.impulse)
+    # a car that goes its own way forwards and turns by 0.3 rad/s is pushed by u x w
+    angle = 0.15 * np.arange(41)
+    north = np.stack([-np.sin(angle), np.cos(angle), np.zeros(41)])
+    assert whole.impulse[:, 9] == pytest.approx(-np.diff(north), abs=1e-9)
+    assert whole.prior_weight[-3:] == pytest.approx([0.01] * 3)
+
+
+def test_without_it_the_problem_stays_the_same():
+    problem = steady_problem(40, 1.0)
+    frames = level_frames(np.tile([[0.0], [0.0], [1.0]], 41))
+    assert travel.with_travel(problem, nodes_of_a_turn(20), frames, 0.0) is problem
+
+
+@pytest.mark.parametrize(
+    ("scene", "bound_mps2"),
+    [
+        ("car-roundabouts", 0.12),  # 0.39 with a bound alone
+        ("car-motorway", 0.2),  # 0.41
+        ("car-hills", 0.25),  # 0.45
+        ("mountain-bike", 0.2),  # 0.37
+    ],
+)
+def test_rides_without_a_stop_keep_their_bends(scene, bound_mps2):
+    errors = []
+    for seed in (3, 4):
+        ride = simulate_motion(scene, seed)
+        gravity = remove_gravity(ride.imu).gravity_mps2
+        errors.append(rms(gravity - G * ride.vertical))
+    assert np.mean(errors) < bound_mps2
+
+
+@pytest.mark.parametrize("sensor", ["camera", "paper-board"])
+def test_of_simulated_cars_sigma_tells_the_error(sensor):
+    """The seeds are not those that the parameters were looked at with."""
+    errors, sigmas = [], []
+    for scene in MOTION_SCENES:
+        if not scene.startswith("car"):
+            continue
+        ride = simulate_motion(scene, 3, sensor=sensor)
+        track = remove_gravity(ride.imu)
+        errors.append(
+            np.linalg.norm(track.gravity_mps2 - G * ride.vertical, axis=1),
+        )
+        sigmas.append(track.gravity_sigma_mps2)
+    error, sigma = np.concatenate(errors), np.concatenate(sigmas)
+    assert np.mean(error < 2.0 * sigma) > 0.9
+    assert np.median(sigma) < 1.5 * np.sqrt(np.mean(np.square(error)))
