@@ -1,11 +1,13 @@
-"""Lateness of the haptic loop under playback load, beside cyclictest.
+"""Lateness of the haptic loop under load, beside cyclictest, and commands too old.
 
-    python benchmarks/loop.py [--rounds 4] [--seconds 20]
+    python benchmarks/loop.py [--rounds 6] [--seconds 20] [--loads playback stress]
 
 Each round plays the same 720p30 clip with sound in a window with its live plots:
-once with our loop (FIFO), once with our loop (slice), and once without a device
-while `cyclictest -m -p80 -i1000` runs beside it. Reported are the medians over the
-rounds of the ratios to cyclictest.
+once with our loop (FIFO), once without a device while `cyclictest -m -p80 -i1000`
+runs beside it, once with our loop (slice). Under the load `stress` the window's
+interpreter is held for 2 s every 7 s and makes garbage all the time (loop_load).
+Reported are the medians over the rounds of the ratios to cyclictest, and how many
+commands were older than 20 ms: withheld by the loop, or refused by the device.
 """
 
 import argparse
@@ -15,64 +17,81 @@ import statistics
 import subprocess
 import sys
 import tempfile
+import time
 from pathlib import Path
 from typing import Any
 
 import numpy as np
-from common import moving_clip, need, player_command, save, screen, sound_server, table
+from common import moving_clip, need, save, screen, sound_server, table
+from loop_load import LOADS, loaded_player
 
 MEASURES = ("p50", "p99", "p999", "max", "missed_per_min")
+RATIOS = ("p99", "p999", "missed_per_min")
+OLD = ("withheld", "refused")
+STARTING_S = 2.0
+REFERENCE = "cyclictest -m -p80"
+Rounds = list[dict[str, dict[str, float]]]
 
 
 def our_loop(
-    clip: Path, scheduling: str, seconds: float, environment: dict[str, str]
+    clip: Path, load: str, scheduling: str, seconds: float, environment: dict[str, str]
 ) -> dict[str, float]:
-    """Play with the simulated device and return the lateness, us."""
+    """Play with the simulated device and return lateness, us, and old commands."""
     with tempfile.TemporaryDirectory() as folder:
         force, log = Path(folder) / "force.csv", Path(folder) / "log.jsonl"
+        seen = Path(folder) / "seen.json"
         rows = [
             f"{t:.3f},{np.sin(9 * t):.4f},{2 * np.sin(5 * t):.4f},0"
             for t in np.arange(0, seconds, 0.005)
         ]
         force.write_text("time_s,fx_n,fy_n,fz_n\n" + "\n".join(rows) + "\n")
-        command = player_command(
-            "play", str(clip), "--force", str(force), "--scheduling", scheduling
+        command = loaded_player(
+            load, seen, seconds + STARTING_S, "play", str(clip), "--force", str(force)
         )
-        command += ["--duration", str(seconds), "--close-at-end", "--log", str(log)]
+        command += ["--scheduling", scheduling, "--log", str(log)]
         subprocess.run(
             command, env={**os.environ, **environment}, check=True, capture_output=True
         )
         with log.open() as lines:
             summary = json.loads(list(lines)[-1])
+        counted = json.loads(seen.read_text())
     if summary["scheduling"] != scheduling:
         return {}
     minutes = summary["ticks"] / 60_000
-    return {**summary["lateness_us"], "missed_per_min": summary["missed"] / minutes}
+    missed = summary["missed"] / minutes
+    return {**summary["lateness_us"], "missed_per_min": missed, **counted}
 
 
 def cyclictest(
-    clip: Path, seconds: float, environment: dict[str, str], arguments: list[str]
+    clip: Path,
+    load: str,
+    seconds: float,
+    environment: dict[str, str],
+    arguments: list[str],
 ) -> dict[str, float]:
     """Play without a device beside cyclictest and return its lateness, us."""
-    command = player_command("play", str(clip), "--device", "none", "--close-at-end")
-    command += ["--duration", str(seconds + 4)]
-    player = subprocess.Popen(
-        command,
-        env={**os.environ, **environment},
-        stdout=subprocess.DEVNULL,
-        stderr=subprocess.DEVNULL,
-    )
-    with tempfile.NamedTemporaryFile("r") as histogram:
-        subprocess.run(["sleep", "1"], check=True)  # as long as ours takes to start
+    with tempfile.TemporaryDirectory() as folder:
+        seen, histogram = Path(folder) / "seen.json", Path(folder) / "histogram"
+        command = loaded_player(
+            load, seen, seconds + STARTING_S + 2, "play", str(clip), "--device", "none"
+        )
+        player = subprocess.Popen(
+            command,
+            env={**os.environ, **environment},
+            stdout=subprocess.DEVNULL,
+            stderr=subprocess.DEVNULL,
+        )
+        time.sleep(STARTING_S)
         test = ["cyclictest", *arguments, "-i1000", "-q", "-D", str(int(seconds))]
-        test += ["-h", "60000", f"--histfile={histogram.name}"]
+        test += ["-h", "60000", f"--histfile={histogram}"]
         subprocess.run(test, check=True, capture_output=True)
-        counts = [
-            [int(value) for value in line.split()]
-            for line in histogram
-            if line.strip() and not line.startswith("#")
-        ]
-    player.wait()
+        with histogram.open() as lines:
+            counts = [
+                [int(value) for value in line.split()]
+                for line in lines
+                if line.strip() and not line.startswith("#")
+            ]
+        player.wait()
     late_us, count = np.array(counts).T
     return _percentiles(late_us, count)
 
@@ -92,63 +111,82 @@ def _percentiles(late_us: Any, count: Any) -> dict[str, float]:
 def main() -> int:
     """Run the rounds and print the ratios."""
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--rounds", type=int, default=4)
+    parser.add_argument("--rounds", type=int, default=6)
     parser.add_argument("--seconds", type=float, default=20.0)
+    parser.add_argument("--loads", nargs="+", choices=LOADS, default=list(LOADS))
     options = parser.parse_args()
     need("Xvfb", "cyclictest", "pulseaudio", "pactl")
-    rounds: list[dict[str, dict[str, float]]] = []
+    rounds: dict[str, Rounds] = {load: [] for load in options.loads}
     with tempfile.TemporaryDirectory() as folder, screen() as x, sound_server() as s:
         clip = moving_clip(Path(folder), options.seconds + 6)
         environment = {**x, **s, "XDG_CONFIG_HOME": folder}
         for number in range(options.rounds):
-            rounds.append(
-                {
-                    "loop fifo": our_loop(clip, "fifo", options.seconds, environment),
-                    "cyclictest -m -p80": cyclictest(
-                        clip, options.seconds, environment, ["-m", "-p80"]
-                    ),
-                    "loop slice": our_loop(clip, "slice", options.seconds, environment),
-                }
-            )
+            for load in options.loads:
+                rounds[load].append(one_round(clip, load, options.seconds, environment))
             print(f"round {number + 1} of {options.rounds} done", file=sys.stderr)
-    report(rounds, options)
+    figures = {load: compared(rounds[load]) for load in options.loads}
+    for load in options.loads:
+        report(load, figures[load])
+    load_average = os.getloadavg()
+    print(f"load average of the machine at the end: {load_average}")
+    saved = save(
+        "loop", {"seconds": options.seconds, "load_average": load_average, **figures}
+    )
+    print(f"saved {saved.name}")
     return 0
 
 
-def report(rounds: list[dict[str, dict[str, float]]], options: Any) -> None:
-    """Print and save medians and ratios."""
-    names = [name for name in rounds[0] if rounds[0][name]]
+def one_round(
+    clip: Path, load: str, seconds: float, environment: dict[str, str]
+) -> dict[str, dict[str, float]]:
+    """Measure all three, one after the other."""
+    return {
+        "loop fifo": our_loop(clip, load, "fifo", seconds, environment),
+        REFERENCE: cyclictest(clip, load, seconds, environment, ["-m", "-p80"]),
+        "loop slice": our_loop(clip, load, "slice", seconds, environment),
+    }
+
+
+def compared(rounds: Rounds) -> dict[str, Any]:
+    """Return medians over the rounds, and medians of the ratios within each."""
+    names = [name for name in rounds[0] if all(r[name] for r in rounds)]
     medians = {
         name: {m: statistics.median(r[name][m] for r in rounds) for m in MEASURES}
         for name in names
     }
-    ratios: dict[str, dict[str, float]] = {}
-    for name in names:
-        ratios[name] = {}
-        for measure in ("p99", "p999", "missed_per_min"):
-            pairs = [
-                (r[name][measure], r["cyclictest -m -p80"][measure]) for r in rounds
-            ]
-            # with nothing missed on either side the ratio is 1 by definition
-            values = [(a + 1e-9) / (b + 1e-9) for a, b in pairs]
-            ratios[name][measure] = statistics.median(values)
-    rows = [
-        [name, *[medians[name][m] for m in MEASURES], *ratios[name].values()]
+    # with nothing missed on either side the ratio is 1 by definition
+    ratios = {
+        name: {
+            m: statistics.median(
+                (r[name][m] + 1e-9) / (r[REFERENCE][m] + 1e-9) for r in rounds
+            )
+            for m in RATIOS
+        }
         for name in names
-    ]
-    header = [
-        "",
-        *[f"{m} us" if m[0] in "pm" and "mis" not in m else m for m in MEASURES],
-    ]
-    header += ["p99 ratio", "p99.9 ratio", "missed ratio"]
-    print(table(header, rows))
-    figures = {
-        "seconds": options.seconds,
-        "rounds": rounds,
+    }
+    old = {
+        name: {kind: sum(r[name][kind] for r in rounds) for kind in OLD}
+        for name in names
+        if name != REFERENCE
+    }
+    return {
         "medians": medians,
         "ratios_to_cyclictest": ratios,
+        "old_commands": old,
+        "rounds": rounds,
     }
-    print(f"saved {save('loop', figures).name}")
+
+
+def report(load: str, figures: dict[str, Any]) -> None:
+    """Print medians, ratios, and the commands that grew too old."""
+    medians, ratios = figures["medians"], figures["ratios_to_cyclictest"]
+    rows = [
+        [name, *medians[name].values(), *ratios[name].values()]
+        + [figures["old_commands"].get(name, {}).get(kind, "") for kind in OLD]
+        for name in medians
+    ]
+    header = [load, "p50 us", "p99 us", "p99.9 us", "max us", "missed/min"]
+    print(table([*header, "p99 ratio", "p99.9 ratio", "missed ratio", *OLD], rows))
 
 
 if __name__ == "__main__":

@@ -2,9 +2,12 @@
 
 import contextlib
 import signal
+import socket
 import threading
 from collections.abc import Callable, Iterator
 from types import FrameType
+
+from PySide6.QtCore import QSocketNotifier
 
 NUMBERS = (signal.SIGINT, signal.SIGTERM)
 
@@ -22,8 +25,8 @@ def hold_signals() -> None:
 def closing_on_signals(close: Callable[[], None]) -> Iterator[None]:
     """Call `close` from the event loop after SIGINT or SIGTERM.
 
-    Python runs its handlers between two steps of its own code: the pump gives it
-    the chance at least every 25 ms.
+    Python runs its handlers between two steps of its own code: a byte on a socket
+    wakes the event loop, so that there is such a step at once.
 
     Args:
         close: called inside whatever step was running; it must only post work.
@@ -36,9 +39,27 @@ def closing_on_signals(close: Callable[[], None]) -> Iterator[None]:
         close()
 
     before = [signal.signal(number, handle) for number in NUMBERS]
-    signal.pthread_sigmask(signal.SIG_UNBLOCK, NUMBERS)
-    try:
-        yield
-    finally:
-        for number, handler in zip(NUMBERS, before, strict=True):
-            signal.signal(number, handler)
+    with _awake():
+        signal.pthread_sigmask(signal.SIG_UNBLOCK, NUMBERS)
+        try:
+            yield
+        finally:
+            for number, handler in zip(NUMBERS, before, strict=True):
+                signal.signal(number, handler)
+
+
+@contextlib.contextmanager
+def _awake() -> Iterator[None]:
+    """Let every signal wake Qt's event loop."""
+    ours, theirs = socket.socketpair()
+    with ours, theirs:
+        ours.setblocking(False)
+        theirs.setblocking(False)
+        notifier = QSocketNotifier(ours.fileno(), QSocketNotifier.Type.Read)
+        notifier.activated.connect(lambda: ours.recv(4096))
+        before = signal.set_wakeup_fd(theirs.fileno(), warn_on_full_buffer=False)
+        try:
+            yield
+        finally:
+            signal.set_wakeup_fd(before)
+            notifier.setEnabled(False)

@@ -40,6 +40,9 @@ class Actions:
         self.rearm = make(translate("Actions", "&Re-arm the force"), "Ctrl+R")
         self.plots = make(translate("Actions", "Live &plots"), "P")
         self.plots.setCheckable(True)
+        self.grip = make(translate("Actions", "Simulated &grip"), "G")
+        self.grip.setCheckable(True)
+        self.grip.setChecked(True)
         self.fullscreen = make(translate("Actions", "&Fullscreen"), "F", "F11")
         self.shortcuts = make(translate("Actions", "&Keyboard shortcuts"), "F1")
         self.about = make(translate("Actions", "&About"))
@@ -66,7 +69,11 @@ class Actions:
             [self.play, self.back, self.forward, self.to_start, self.to_end],
             [self.stop, self.rearm],
         )
-        _menu(bar, translate("Actions", "&View"), [self.plots, self.fullscreen])
+        _menu(
+            bar,
+            translate("Actions", "&View"),
+            [self.plots, self.grip, self.fullscreen],
+        )
         _menu(bar, translate("Actions", "&Help"), [self.shortcuts, self.about])
 
     @property

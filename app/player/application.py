@@ -17,6 +17,7 @@ from hapticplayer.clock import SystemClock
 from hapticplayer.console import (
     attach_log,
     complain,
+    record_target,
     say,
     until_s,
     wanted_scheduling,
@@ -26,6 +27,9 @@ from hapticplayer.playback.haptic_link import NO_DEVICE
 from hapticplayer.playback.player import Player
 from hapticplayer.playback.source import Source, choose_feedback, open_source
 
+# Python's own 5 ms, which the window's thread may have to wait many times in one round
+# of painting, added up to silences of 190 ms while a recording was imported.
+SWITCH_S = 0.001
 AT_REST_MS = 150  # the log shall show the force at rest after the end
 
 
@@ -46,11 +50,12 @@ def run(options: argparse.Namespace) -> int:
     settings = Settings(default_path())
     clock, surface = SystemClock(), VideoSurface()
     device = options.device if source else _last_device(settings)
+    record = record_target(options, device)
     player = Player(clock, SurfaceSink(surface), scheduling=wanted_scheduling(options))
     window = PlayerWindow(player, surface, clock, settings, plots=options.plots)
     try:
         # only now: the haptics process wants to hear from us within a second
-        player.set_device(device)
+        player.set_device(device, record)
         if source and feedback:
             player.link.wait_ready()
             attach_log(player, options.log, source, feedback)
@@ -64,6 +69,7 @@ def run(options: argparse.Namespace) -> int:
 
 def make_application() -> QApplication:
     """Return the one application of this process, with our look."""
+    sys.setswitchinterval(SWITCH_S)
     application = QApplication.instance() or QApplication(sys.argv[:1])
     assert isinstance(application, QApplication)
     application.setApplicationName("hapticplayer")
@@ -118,8 +124,11 @@ def _run_until_closed(
         window.close()
     if options.json:
         say(json.dumps(window.player.summary()))
-    if options.close_at_end and window.session.told:
-        complain(window.session.told)
+    problem = window.player.link.record_problem
+    if options.close_at_end:
+        problem = window.session.told or problem
+    if problem:
+        complain(problem)
         return 1
     return 0
 

@@ -7,7 +7,7 @@ from PySide6.QtCore import QCoreApplication
 
 from app.player.health import device_name
 from hapticplayer.cli import DEVICE_NAMES
-from hapticplayer.devices import DEVICES, make_device
+from hapticplayer.devices import DEVICES, find_device
 from hapticplayer.errors import DeviceError
 from hapticplayer.model import Feedback
 from hapticplayer.playback.haptic_link import NO_DEVICE
@@ -50,7 +50,7 @@ def _refusal(name: str) -> str:
     if name == NO_DEVICE or name in DEVICES:
         return ""
     try:
-        make_device(name)
+        find_device(name)
     except DeviceError as problem:
         return str(problem)
     return ""

@@ -35,6 +35,7 @@ class Display:
         self._transport_turn = Cadence(TRANSPORT_HZ)
         self._plots_turn = Cadence(PLOTS_HZ)
         self._still_plots_turn = Cadence(STILL_PLOTS_HZ)
+        self._grip_turn = Cadence(PLOTS_HZ)  # a hand moves on while the clip stands
         self._health_turn = Cadence(HEALTH_HZ)
 
     def refresh(self) -> None:
@@ -48,6 +49,8 @@ class Display:
             self._transport.follow(player.media_s())
         if self._plots.isVisible() and self._is_plots_turn(now_s):
             self._plots.follow(player.media_s(), player.feedback, player.link.history)
+        if self._plots.isVisible() and self._grip_turn.is_due(now_s):
+            self._plots.follow_grip(player.link, player.feedback)
         if self._health.isVisible() and self._health_turn.is_due(now_s):
             self._health.show_snapshot(player.snapshot())
 

@@ -5,12 +5,12 @@ from typing import NamedTuple
 
 from PySide6.QtCore import QCoreApplication
 
+from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.process import Health
 from hapticplayer.haptics.scheduling import Scheduling
-from hapticplayer.haptics.step import Cause, Mode
 from hapticplayer.model import SyncStats
 from hapticplayer.playback.haptic_link import NO_DEVICE
-from hapticplayer.playback.player import Phase, Snapshot
+from hapticplayer.playback.snapshot import Phase, Snapshot
 
 translate = QCoreApplication.translate
 
@@ -91,13 +91,21 @@ def mode_text(mode: Mode) -> str:
 
 def stop_reason(cause: Cause) -> str:
     """Return why the force was stopped."""
-    reasons = {
-        Cause.STOPPED: translate("Health", "STOPPED"),
-        Cause.HEARTBEAT_LOST: translate("Health", "STOPPED: the window hung"),
-        Cause.PLAYER_GONE: translate("Health", "STOPPED: the player ended"),
-        Cause.NOT_FINITE: translate("Health", "STOPPED: the track is broken"),
-    }
-    return reasons.get(cause) or reasons[Cause.STOPPED]
+    stopped = translate("Health", "STOPPED")
+    reason = {
+        Cause.HEARTBEAT_LOST: translate("Health", "the window hung"),
+        Cause.PLAYER_GONE: translate("Health", "the player ended"),
+        Cause.NOT_FINITE: translate("Health", "the track is broken"),
+        Cause.GRIP_BUTTON: translate("Health", "button on the grip"),
+        Cause.UNPLUGGED: translate("Health", "unplugged"),
+        Cause.REPLY_LOST: translate("Health", "the device does not answer"),
+        Cause.MALFORMED: translate("Health", "the device answers nonsense"),
+        Cause.TICK_LOST: translate("Health", "the computer stood still"),
+        Cause.COMMAND_STALE: translate("Health", "the computer stood still"),
+        Cause.RUNAWAY: translate("Health", "the grip was let go"),
+        Cause.OUTSIDE: translate("Health", "the grip is at its edge"),
+    }.get(cause, "")
+    return f"{stopped}: {reason}" if reason else stopped
 
 
 def scheduling(snapshot: Snapshot) -> Reading:
@@ -123,7 +131,10 @@ def lateness(snapshot: Snapshot) -> Reading:
         _judge(p99_us, LATENESS_GOOD_US, LATENESS_BAD_US),
         _judge(missed, MISSED_GOOD, MISSED_BAD),
     )
-    text = translate("Health", "{us:.0f} \u00b5s, {missed} missed")
+    if missed > MISSED_BAD:  # the loop allows 3 N at most then
+        text = translate("Health", "no, {us:.0f} \u00b5s, {missed} missed")
+    else:
+        text = translate("Health", "yes, {us:.0f} \u00b5s, {missed} missed")
     return Reading(level, text.format(us=p99_us, missed=loop.missed))
 
 

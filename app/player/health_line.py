@@ -7,7 +7,7 @@ from PySide6.QtWidgets import QFrame, QHBoxLayout, QVBoxLayout, QWidget
 from app.player.health import Level, Reading, level_word, readings
 from app.widgets import theme
 from app.widgets.labels import ElidedLabel
-from hapticplayer.playback.player import Snapshot
+from hapticplayer.playback.snapshot import Snapshot
 
 _STYLE = f"""
 HealthLine {{ background: {theme.PANEL}; border: 0; border-top: 1px solid {theme.BORDER}; }}
@@ -105,12 +105,13 @@ class HealthLine(QFrame):
                 self.tr("Scheduling"),
             ),
             _Column(
-                self.tr("Loop lateness, p99"),
+                self.tr("Real-time"),
                 self.tr(
                     "99 % of the loop's wake-ups in the last 10 s were no later "
-                    "than this; missed are periods that were skipped"
+                    "than this; missed are periods that were skipped. When more "
+                    "than 1 % are, the force is held to 3 N"
                 ),
-                self.tr("888 \u00b5s, 88 missed"),
+                self.tr("yes, 888 \u00b5s, 88 missed"),
             ),
             _Column(
                 self.tr("Force \u2212 picture"),

@@ -4,7 +4,9 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtWidgets import QFrame, QVBoxLayout
 
+from app.player.grip_feed import grip_of
 from app.widgets import theme
+from hapticplayer.playback.haptic_link import HapticLink
 from hapticplayer.playback.meters import TickHistory
 from hapticplayer.playback.source import Source
 
@@ -24,6 +26,7 @@ class PlotsPlace(QFrame):
         self.setStyleSheet(_STYLE)
         self.setMinimumHeight(LEAST_HEIGHT_PX)
         self._source: Source | None = None
+        self._has_grip = True
         self._column = QVBoxLayout(self)
         self._column.setContentsMargins(0, 1, 0, 0)
         self.panel: PlotPanel | None = None
@@ -41,9 +44,21 @@ class PlotsPlace(QFrame):
 
             self.panel = PlotPanel()
             self.panel.set_source(self._source)
+            self.panel.offer_grip(is_wanted=self._has_grip)
             self._column.addWidget(self.panel)
 
     def follow(self, media_s: float, feedback: str, history: TickHistory) -> None:
         """Draw what lies around a media time."""
         if self.panel is not None:
             self.panel.follow(media_s, feedback, history)
+
+    def follow_grip(self, link: HapticLink, feedback: str) -> None:
+        """Show the grip and what acts on it; nothing is read where it is hidden."""
+        if self.panel is not None and self.panel.grip.isVisible():
+            self.panel.show_grip(grip_of(link, feedback))
+
+    def show_grip(self, *, is_wanted: bool) -> None:
+        """Show or hide the grip beside the plots."""
+        self._has_grip = is_wanted
+        if self.panel is not None:
+            self.panel.offer_grip(is_wanted=is_wanted)

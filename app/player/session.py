@@ -8,14 +8,18 @@ from PySide6.QtCore import QObject, Signal
 
 from app.bridge.errors import ErrorGateway
 from app.bridge.jobs import Jobs, Progress
-from hapticplayer.errors import HapticPlayerError, HapticsError
+from hapticplayer.devices import DEVICES
+from hapticplayer.errors import DeviceError, HapticPlayerError, HapticsError
+from hapticplayer.haptics.contract import Mode
+from hapticplayer.haptics.limiter import is_near_middle, limits_of
 from hapticplayer.haptics.process import Health
-from hapticplayer.haptics.step import Mode
 from hapticplayer.playback.haptic_link import NO_DEVICE
-from hapticplayer.playback.player import Phase, Player
+from hapticplayer.playback.player import Player
+from hapticplayer.playback.snapshot import Phase
 from hapticplayer.playback.source import Source, open_source
 from hapticplayer.sequence import build_sequence
 from hapticplayer.sequence.demo import demo_folder
+from hapticplayer.sequence.excursion import stored_texts
 
 SKIP_S = 5.0
 _DEAD = (Health.FAILED, Health.GONE)
@@ -108,6 +112,8 @@ class Session(QObject):
         self.opening.emit(source)
         self.player.open(source, feedback)
         self.opened.emit()
+        for text in stored_texts(source.path, self.player.feedback):
+            self.gateway.report(HapticPlayerError(text))
 
     # --- controls ------------------------------------------------------------
 
@@ -129,9 +135,20 @@ class Session(QObject):
         self.player.stop_force()
 
     def rearm(self) -> None:
-        """Let the force come back after a stop."""
-        if self.is_stopped:
-            self.player.rearm()
+        """Let the force come back after a stop; the grip has to be near the middle."""
+        if not self.is_stopped:
+            return
+        latest = self.player.link.history.latest()
+        device = DEVICES.get(self.player.link.device)
+        if device is not None and not is_near_middle(
+            latest["position_m"].tolist(), limits_of(device.capabilities)
+        ):
+            self.gateway.report(
+                HapticPlayerError(
+                    self.tr("Bring the grip to the middle first, then re-arm again")
+                )
+            )
+        self.player.rearm()
 
     def skip(self, by_s: float) -> None:
         """Go some seconds forwards or backwards."""
@@ -155,7 +172,7 @@ class Session(QObject):
         self.told = ""
         try:
             self.player.set_device(name)
-        except HapticsError as problem:
+        except (DeviceError, HapticsError) as problem:
             self.gateway.report(problem)
             self.player.set_device(NO_DEVICE)
         self.changed.emit()

@@ -105,13 +105,17 @@ class VideoSurface(QWidget):
 
     def paintEvent(self, event: QPaintEvent) -> None:
         """Copy the picture to the window; black where there is none."""
-        painter = QPainter(self)
+        # `with`: a traceback keeps this frame, and Qt dies of a painter that lives on
+        with QPainter(self) as painter:
+            self._paint(painter, event.rect())
+
+    def _paint(self, painter: QPainter, exposed: QRect) -> None:
         painter.setCompositionMode(QPainter.CompositionMode.CompositionMode_Source)
         where = self._logical(self._target)
         covered = _inside(where) if self._image is not None else QRect()
-        if not covered.contains(event.rect()):
-            painter.setClipRegion(QRegion(event.rect()) - QRegion(covered))
-            painter.fillRect(event.rect(), Qt.GlobalColor.black)
+        if not covered.contains(exposed):
+            painter.setClipRegion(QRegion(exposed) - QRegion(covered))
+            painter.fillRect(exposed, Qt.GlobalColor.black)
             painter.setClipping(False)
         if self._image is not None:
             self._draw(painter, where, self._image)

@@ -144,6 +144,7 @@ class PlayerWindow(QMainWindow):
         ):
             action.triggered.connect(slot)
         commands.plots.toggled.connect(lambda on: self.show_plots(are_wanted=on))
+        commands.grip.toggled.connect(lambda on: self.plots.show_grip(is_wanted=on))
 
     # --- what a person does --------------------------------------------------
 
@@ -170,6 +171,7 @@ class PlayerWindow(QMainWindow):
     def show_plots(self, *, are_wanted: bool) -> None:
         """Show or hide the live plots."""
         self.commands.plots.setChecked(are_wanted)
+        self.commands.grip.setEnabled(are_wanted)  # it is one of them
         if are_wanted:
             self.plots.prepare()
         self.fullscreen.will_show(self.plots, is_wanted=are_wanted)

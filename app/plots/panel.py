@@ -1,8 +1,18 @@
-"""Acceleration and force side by side, around the playhead."""
+"""Acceleration and force around the playhead, and the grip in space, side by side."""
 
-from PySide6.QtCore import QCoreApplication
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QVBoxLayout, QWidget
+from PySide6.QtCore import QCoreApplication, Qt
+from PySide6.QtWidgets import (
+    QHBoxLayout,
+    QLabel,
+    QSizePolicy,
+    QSplitter,
+    QVBoxLayout,
+    QWidget,
+)
 
+from app.plots.grip_scene import Grip
+from app.plots.grip_view import GripView
+from app.plots.grip_words import headline
 from app.plots.playhead_plot import PlayheadPlot
 from app.plots.series import EMPTY, Page, Trail, cut, half_range, sampled, thin
 from app.widgets import theme
@@ -14,6 +24,8 @@ translate = QCoreApplication.translate
 LEAST_ACCELERATION_MPS2 = 2.0
 LEAST_FORCE_N = 1.0
 _PLANNED, _SENT = 0, 1
+_HANDLE_PX = 3
+_SHARES = (400, 400, 300)  # of the width: acceleration, force, grip
 
 
 class AccelerationPlot(PlayheadPlot):
@@ -96,17 +108,26 @@ class ForcePlot(PlayheadPlot):
 
 
 class PlotPanel(QWidget):
-    """Both plots with their titles and legends."""
+    """Both plots with their titles and legends, and the grip; each can be made wider."""
 
     def __init__(self) -> None:
         super().__init__()
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
         self.acceleration = AccelerationPlot()
         self.force = ForcePlot()
-        row = QHBoxLayout(self)
-        row.setContentsMargins(0, 0, 0, 0)
-        row.setSpacing(1)
-        row.addWidget(
+        self.grip = GripView()
+        self._grip_title = _headline(headline(self.grip.grip))
+        self._grip_box = _boxed(self._grip_title, self.grip)
+        self._row = QSplitter(Qt.Orientation.Horizontal)
+        self._row.setChildrenCollapsible(False)
+        self._row.setHandleWidth(_HANDLE_PX)
+        whole = QHBoxLayout(self)
+        whole.setContentsMargins(0, 0, 0, 0)
+        whole.addWidget(self._row)
+        self._fill_row()
+
+    def _fill_row(self) -> None:
+        self._row.addWidget(
             _titled(
                 translate("PlotPanel", "Acceleration, m/s\u00b2"),
                 (
@@ -116,10 +137,9 @@ class PlotPanel(QWidget):
                 ),
                 "",
                 self.acceleration,
-            ),
-            1,
+            )
         )
-        row.addWidget(
+        self._row.addWidget(
             _titled(
                 translate("PlotPanel", "Force, N"),
                 (
@@ -127,11 +147,14 @@ class PlotPanel(QWidget):
                     translate("PlotPanel", "y up"),
                     translate("PlotPanel", "z to you"),
                 ),
-                translate("PlotPanel", "thin: planned, thick: sent"),
+                translate("PlotPanel", "thin: planned"),
                 self.force,
-            ),
-            1,
+            )
         )
+        self._row.addWidget(self._grip_box)
+        self._row.setSizes(list(_SHARES))
+        for place, share in enumerate(_SHARES):
+            self._row.setStretchFactor(place, share)
 
     def set_source(self, source: Source | None) -> None:
         """Show another clip."""
@@ -143,25 +166,47 @@ class PlotPanel(QWidget):
         self.acceleration.follow(media_s)
         self.force.follow(media_s, feedback, history)
 
+    def show_grip(self, grip: Grip) -> None:
+        """Show where the grip is and what acts on it."""
+        self._grip_title.setText(headline(grip))
+        self.grip.show_grip(grip)
+
+    def offer_grip(self, *, is_wanted: bool) -> None:
+        """Show or hide the grip beside the plots."""
+        self._grip_box.setVisible(is_wanted)
+
 
 def _titled(
     title: str, axes: tuple[str, str, str], note: str, plot: PlayheadPlot
 ) -> QWidget:
     """Return a plot under a line with its title and legend."""
-    box = QWidget()
-    box.setStyleSheet(f"background: {theme.PANEL};")
     entries = "".join(
         f"&nbsp;&nbsp; <span style='color:{colour}'>\u25ac</span>&nbsp;{name}"
         for name, colour in zip(axes, theme.AXIS_COLOURS, strict=True)
     )
     tail = f"&nbsp;&nbsp; <span style='color:{theme.DIM}'>{note}</span>" if note else ""
-    legend = QLabel(f"<b>{title}</b>{entries}{tail}")
-    legend.setFont(theme.scaled(legend.font(), 0.92))
-    legend.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
-    legend.setContentsMargins(10, 6, 6, 0)
+    return _boxed(_headline(f"<b>{title}</b>{entries}{tail}"), plot)
+
+
+def _headline(text: str) -> QLabel:
+    """Return a line of rich text, or two: it never widens the window nor is cut."""
+    made = QLabel(text)
+    made.setWordWrap(True)
+    made.setFont(theme.scaled(made.font(), 0.92))
+    made.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+    return made
+
+
+def _boxed(title: QWidget, content: QWidget) -> QWidget:
+    """Return something to look at under its title."""
+    box = QWidget()
+    box.setStyleSheet(f"background: {theme.PANEL};")
+    line = QHBoxLayout()
+    line.setContentsMargins(10, 6, 6, 0)
+    line.addWidget(title)
     column = QVBoxLayout(box)
     column.setContentsMargins(0, 0, 0, 0)
     column.setSpacing(0)
-    column.addWidget(legend)
-    column.addWidget(plot, 1)
+    column.addLayout(line)
+    column.addWidget(content, 1)
     return box

@@ -70,6 +70,7 @@ def build_parser() -> argparse.ArgumentParser:
     options.add_import(commands)
     options.add_process(commands)
     options.add_simulate(commands)
+    options.add_export(commands)
     options.add_device(commands)
     options.add_doctor(commands)
     return parser

@@ -47,6 +47,13 @@ def simulate(options: argparse.Namespace, _open_window: OpenWindow | None) -> in
     return console.simulate(options)
 
 
+def export(options: argparse.Namespace, _open_window: OpenWindow | None) -> int:
+    """Convert a record of the haptic loop."""
+    from hapticplayer import console
+
+    return console.export(options)
+
+
 def device_list(options: argparse.Namespace, _open_window: OpenWindow | None) -> int:
     """List the devices."""
     from hapticplayer import console

@@ -37,6 +37,7 @@ PLAY_DEFAULTS: dict[str, Any] = {
     "start": 0.0,
     "duration": None,
     "log": None,
+    "record": None,
     "scheduling": None,
     "json": False,
 }
@@ -77,6 +78,11 @@ def add_play(commands: Any) -> None:
         "--duration", type=_seconds, metavar="S", help="stop after S seconds"
     )
     play.add_argument("--log", metavar="FILE", help="write what happened as JSON lines")
+    play.add_argument(
+        "--record",
+        metavar="FILE",
+        help="record every tick of the haptic loop; see `export`",
+    )
     play.add_argument(
         "--scheduling",
         choices=("fifo", "slice", "normal"),
@@ -142,59 +148,21 @@ def add_process(commands: Any) -> None:
     command.add_argument("--json", action="store_true", help="print the report as JSON")
 
 
-def _add_processing(command: argparse.ArgumentParser) -> None:
-    group = command.add_argument_group("motion")
-    group.add_argument(
-        "--method",
-        choices=METHOD_NAMES,
-        help=f"of gravity removal (default {METHOD_NAMES[0]})",
-    )
-    group.add_argument(
-        "--time-constant",
-        type=_positive,
-        metavar="S",
-        help="of the smoother: accelerations that last much longer count as gravity "
-        "(default: from how fast the recording moves)",
-    )
-    group.add_argument(
-        "--remove-spikes", action="store_true", help="replace isolated spikes"
-    )
-    group.add_argument(
-        "--repair-clipping",
-        action="store_true",
-        help="reconstruct short peaks beyond the sensor's range",
-    )
-    group.add_argument(
-        "--average", type=_positive, metavar="HZ", help="average the samples first"
-    )
-    group.add_argument(
-        "--lowpass",
-        type=_positive,
-        metavar="HZ",
-        help="low-pass the motion, zero phase",
-    )
-    group.add_argument(
-        "--no-cache",
-        dest="cache",
-        action="store_false",
-        help="neither use nor keep results of gravity removal",
-    )
-
-
-def add_simulate(commands: Any) -> None:
-    """Add the command `simulate`."""
+def add_export(commands: Any) -> None:
+    """Add the command `export`."""
     command = commands.add_parser(
-        "simulate", help="make a simulated ride with known truth"
+        "export", help="convert a record that `play --record` has written"
     )
-    command.set_defaults(run=run.simulate)
+    command.set_defaults(run=run.export)
+    command.add_argument("record", metavar="RECORD")
+    command.add_argument("-o", "--output", required=True, metavar="FILE")
     command.add_argument(
-        "scenario",
-        metavar="SCENARIO",
-        help=f"a sequence with a clip: {', '.join(CLIP_SCENARIOS)}; motion only "
-        f"(imu.csv and truth.npz): {', '.join(MOTION_SCENARIOS)}",
+        "--format",
+        default="csv",
+        metavar="FORMAT",
+        help="csv: a line per tick with the units in the names (default)",
     )
-    command.add_argument("-o", "--output", required=True, metavar="DIR")
-    command.add_argument("--seed", type=int, help="of the ride and the sensor noise")
+    command.add_argument("--json", action="store_true", help="print a report as JSON")
 
 
 def add_device(commands: Any) -> None:

@@ -1,4 +1,4 @@
-"""What the commands do without a window: play headless, import, process, report.
+"""What the commands do without a window: play headless, import, process, export.
 
 Each module is loaded when its first name is used: playing needs no pipeline.
 """
@@ -7,11 +7,13 @@ import importlib
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from hapticplayer.console.exporting import export
     from hapticplayer.console.playing import (
         advise,
         attach_log,
         list_devices,
         play,
+        record_target,
         until_s,
         wanted_scheduling,
     )
@@ -34,11 +36,13 @@ _HOMES = {
     "attach_log": "playing",
     "complain": "speech",
     "demo_folder": "recordings",
+    "export": "exporting",
     "import_recording": "recordings",
     "interruptible": "speech",
     "list_devices": "playing",
     "play": "playing",
     "process": "processing",
+    "record_target": "playing",
     "say": "speech",
     "say_aside": "speech",
     "shown_progress": "speech",
@@ -52,11 +56,13 @@ __all__ = [
     "attach_log",
     "complain",
     "demo_folder",
+    "export",
     "import_recording",
     "interruptible",
     "list_devices",
     "play",
     "process",
+    "record_target",
     "say",
     "say_aside",
     "shown_progress",

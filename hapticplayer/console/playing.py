@@ -13,6 +13,7 @@ from hapticplayer.errors import UsageError
 from hapticplayer.haptics.limiter import Limits
 from hapticplayer.haptics.scheduling import Scheduling
 from hapticplayer.playback import headless
+from hapticplayer.playback.haptic_link import NO_DEVICE
 from hapticplayer.playback.log import PlaybackLog
 from hapticplayer.playback.player import Player
 from hapticplayer.playback.source import Source, choose_feedback, open_source
@@ -27,9 +28,11 @@ def play(options: argparse.Namespace) -> int:
     end_s = until_s(options, source)
     advise(source, feedback)
     clock = SystemClock()
-    player = Player(clock, device=options.device, scheduling=wanted_scheduling(options))
+    record = record_target(options, options.device)
+    player = Player(clock, scheduling=wanted_scheduling(options))
     try:
         with interruptible():
+            player.set_device(options.device, record)
             player.link.wait_ready()
             attach_log(player, options.log, source, feedback)
             player.open(source, feedback)
@@ -47,6 +50,7 @@ def play(options: argparse.Namespace) -> int:
     for sentence in player.told:
         if sentence != problem:
             say_aside(sentence)
+    problem = problem or player.link.record_problem
     problem = problem or (player.log_problem if options.log else "")
     if problem:
         complain(problem)
@@ -67,6 +71,19 @@ def advise(source: Source, feedback: str) -> None:
 def wanted_scheduling(options: argparse.Namespace) -> Scheduling | None:
     """Return the scheduling class that was asked for."""
     return Scheduling(options.scheduling) if options.scheduling else None
+
+
+def record_target(options: argparse.Namespace, device: str) -> Path | None:
+    """Return the file that is to hold every tick of the loop, if one is wanted.
+
+    Raises:
+        UsageError: when there is no loop to record.
+    """
+    if options.record is None:
+        return None
+    if device == NO_DEVICE:
+        raise UsageError("--record needs a device, for its loop is what is recorded")
+    return Path(options.record)
 
 
 def until_s(options: argparse.Namespace, source: Source) -> float:

@@ -34,6 +34,7 @@ def quality_text(report: dict[str, Any]) -> str:
         ),
         _line("uncertainty", _sigma_text(found)),
         _line("motion", _motion_text(report["motion"])),
+        *(_line(*entry) for entry in _excursion_texts(report.get("excursion"))),
     ]
     return "\n".join(lines + [f"note: {note}" for note in report.get("notes", ())])
 
@@ -110,6 +111,28 @@ def _motion_text(motion: dict[str, Any]) -> str:
         f"RMS {motion['rms_mps2']:.3f} m/s^2, peak {motion['peak_mps2']:.2f} m/s^2 "
         f"at {motion['peak_at_s']:.2f} s"
     )
+
+
+def _excursion_texts(found: dict[str, Any] | None) -> list[tuple[str, str]]:
+    """Return how far hands would go; reports of older versions do not say."""
+    if found is None:
+        return []
+    hands = found["hands"]
+    reached = ", ".join(
+        f"{name} {100.0 * one['reach']:.0f} %" for name, one in hands.items()
+    )
+    far = f"{_percent(hands['relaxed']['far_share'])} of the time beyond"
+    heat = f"{_percent(found['thermal_share'])} of the continuous force"
+    return [
+        ("excursion", f"{reached} of the workspace (at the default gain)"),
+        ("relaxed hand", f"{far} {100.0 * found['far']:.0f} %"),
+        *(("trip", _trip_text(*entry)) for entry in hands.items() if entry[1]["trip"]),
+        ("motors", f"{found['rms_10s_n']:.2f} N over 10 s at most, {heat}"),
+    ]
+
+
+def _trip_text(name: str, one: dict[str, Any]) -> str:
+    return f"{name} hand: {one['trip']} at {one['trip_at_s']:.1f} s stops the force"
 
 
 def _number(value: float | None, digits: int) -> str:

@@ -4,9 +4,11 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Protocol
 
-from hapticplayer.devices.simulated.point_mass import SimulatedFalcon
+from hapticplayer.devices.simulated import FALCON, RemoteFalcon, silence
 from hapticplayer.errors import DeviceError
 from hapticplayer.model.device import DeviceCapabilities, DeviceReading, Vector
+
+NO_HANDLE = -1
 
 
 class HapticDevice(Protocol):
@@ -23,7 +25,12 @@ class HapticDevice(Protocol):
         ...
 
     def exchange(self, force_n: Vector, now_s: float) -> DeviceReading:
-        """Command a force and return what the device answers, at 1 kHz."""
+        """Command a force and return the newest answer; never waits for one.
+
+        Raises:
+            DeviceError: when the device is gone. Late and malformed answers are
+                no errors: the reading tells.
+        """
         ...
 
     def close(self) -> None:
@@ -33,22 +40,42 @@ class HapticDevice(Protocol):
 
 @dataclass(frozen=True, slots=True)
 class DeviceEntry:
-    """A device that can be chosen by name."""
+    """A device that can be chosen by name.
+
+    Attributes:
+        name: for command lines and files.
+        title: for people.
+        capabilities: what it can do.
+        make: returns the device, not yet open, for a descriptor on which it can be
+            reached (NO_HANDLE where it finds the hardware itself).
+        silence: returns what writes one zero command over the same descriptor, for
+            the guard; False from it means that there is nothing left to silence.
+        server: module that is run as a process of its own at the other end of the
+            descriptor; "" for real hardware.
+    """
 
     name: str
     title: str
-    make: Callable[[], HapticDevice]
+    capabilities: DeviceCapabilities
+    make: Callable[[int], HapticDevice]
+    silence: Callable[[int], Callable[[], bool]]
+    server: str = ""
 
 
 DEVICES: dict[str, DeviceEntry] = {
     "simulated": DeviceEntry(
-        "simulated", "simulated Falcon, held by a relaxed hand", SimulatedFalcon
+        "simulated",
+        "simulated Falcon, held by a relaxed hand",
+        FALCON,
+        RemoteFalcon,
+        silence,
+        server="hapticplayer.devices.simulated",
     ),
 }
 
 
-def make_device(name: str) -> HapticDevice:
-    """Return the device of that name, not yet open.
+def find_device(name: str) -> DeviceEntry:
+    """Return the device of that name.
 
     Raises:
         DeviceError: when this version has no driver for it.
@@ -58,4 +85,4 @@ def make_device(name: str) -> HapticDevice:
             f"device {name!r}: this version has no driver for it; "
             f"use {' or '.join(DEVICES)}"
         )
-    return DEVICES[name].make()
+    return DEVICES[name]

@@ -6,8 +6,10 @@ import socket
 import sys
 
 from hapticplayer.clock import SystemClock
-from hapticplayer.devices import make_device
+from hapticplayer.devices import find_device
 from hapticplayer.errors import DeviceError
+from hapticplayer.haptics.centring import centring_of
+from hapticplayer.haptics.limiter import limits_of
 from hapticplayer.haptics.loop import Loop
 from hapticplayer.haptics.messages import Line, Word
 from hapticplayer.haptics.scheduling import Scheduling, acquire
@@ -20,6 +22,8 @@ def main(argv: list[str] | None = None) -> int:
     parser.add_argument("--block", type=int, required=True, help="descriptor")
     parser.add_argument("--line", type=int, required=True, help="descriptor")
     parser.add_argument("--device", required=True)
+    parser.add_argument("--handle", type=int, required=True, help="descriptor")
+    parser.add_argument("--guarded", action="store_true")
     parser.add_argument("--scheduling", choices=[s.value for s in Scheduling])
     options = parser.parse_args(argv)
 
@@ -29,14 +33,23 @@ def main(argv: list[str] | None = None) -> int:
         signal.signal(number, signal.SIG_IGN)
     line = Line(socket.socket(fileno=options.line))
     try:
-        device = make_device(options.device)
+        device = find_device(options.device).make(options.handle)
         device.open()
     except DeviceError as problem:
         line.send(Word.FAILED, str(problem))
         return 1
     try:
         wanted = Scheduling(options.scheduling) if options.scheduling else None
-        loop = Loop(SystemClock(), SharedBlock(options.block), line, device)
+        limits = limits_of(device.capabilities)
+        loop = Loop(
+            SystemClock(),
+            SharedBlock(options.block),
+            line,
+            device,
+            limits,
+            centring_of(limits),
+            is_guarded=options.guarded,
+        )
         line.send(Word.READY, acquire(wanted).value)
         loop.run()
     finally:

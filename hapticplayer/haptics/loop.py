@@ -1,18 +1,41 @@
 """The loop of the haptics process: absolute deadlines, skip, never burst."""
 
 import gc
+import math
 from dataclasses import dataclass, field
 
 from hapticplayer.clock import Clock
 from hapticplayer.devices import HapticDevice
+from hapticplayer.errors import DeviceError
+from hapticplayer.haptics.centring import Centring
+from hapticplayer.haptics.contract import Cause, Mode, Request, State, Supervision
 from hapticplayer.haptics.limiter import PERIOD_S, ZERO, Limits
 from hapticplayer.haptics.messages import Line, Word, close_descriptor
 from hapticplayer.haptics.shared import SharedBlock
-from hapticplayer.haptics.step import Request, State, Supervision, step
+from hapticplayer.haptics.step import step
 from hapticplayer.haptics.track import LoadedTrack, map_track
 from hapticplayer.model import PlaybackClock
+from hapticplayer.model.device import DeviceReading, Vector
 
 ZERO_TICKS_BEFORE_CLOSING = 5
+MISSED_OVER_TICKS = 10_000
+
+
+class MissedPeriods:
+    """How many periods were skipped in the last 10 s, kept up at each tick."""
+
+    def __init__(self) -> None:
+        self._ring = bytearray(MISSED_OVER_TICKS)
+        self._at = 0
+        self._sum = 0
+
+    def add(self, missed: int) -> float:
+        """Note what was skipped before one tick; return the share of periods."""
+        kept = min(missed, 255)
+        self._sum += kept - self._ring[self._at]
+        self._ring[self._at] = kept
+        self._at = (self._at + 1) % MISSED_OVER_TICKS
+        return self._sum / MISSED_OVER_TICKS
 
 
 @dataclass
@@ -27,6 +50,8 @@ class Loop:
     line: Line
     device: HapticDevice
     limits: Limits = field(default_factory=Limits)
+    centring: Centring = field(default_factory=Centring)
+    is_guarded: bool = False
 
     def __post_init__(self) -> None:
         self.state = State()
@@ -37,6 +62,10 @@ class Loop:
         self._slot = b""
         self._request = Request.NONE
         self._is_asked_to_quit = False
+        self._reading: DeviceReading | None = None
+        self._is_device_gone = False
+        self._is_stale = False
+        self._missed = MissedPeriods()
 
     @property
     def is_over(self) -> bool:
@@ -64,27 +93,70 @@ class Loop:
         """Do one period: listen, decide, exchange, record."""
         self._listen()
         self._look_at_the_clock()
-        request = Request.CLOSE if self._is_asked_to_quit else self._request
-        supervision = Supervision(self.block.heartbeat_s(), self.line.is_open, request)
-        self._request = Request.NONE
         self.state = state = step(
-            now_s, self._playback, self._track, self.state, supervision, self.limits
+            now_s,
+            self._playback,
+            self._track,
+            self.state,
+            self._told(missed),
+            self.limits,
+            self.centring,
         )
-        reading = self.device.exchange(state.force_n, now_s)
+        self._exchange(state.force_n, now_s)
+        self._record(late_s, missed)
+        self.count += 1
+
+    def _told(self, missed: int) -> Supervision:
+        request = Request.CLOSE if self._is_asked_to_quit else self._request
+        self._request = Request.NONE
+        return Supervision(
+            self.block.heartbeat_s(),
+            self.line.is_open,
+            request,
+            self._reading,
+            self._is_device_gone,
+            self._is_stale,
+            self.block.guard_s() if self.is_guarded else math.inf,
+            self._missed.add(missed),
+        )
+
+    def _exchange(self, force_n: Vector, now_s: float) -> None:
+        """Send the command, unless it has grown old on the way here."""
+        age_s = self.clock.now_s() - now_s
+        self._is_stale = age_s > self.limits.command_age_s
+        if self._is_stale:
+            force_n = ZERO
+            self.state = self.state._replace(
+                force_n=ZERO, mode=Mode.TRIPPED, cause=Cause.COMMAND_STALE
+            )
+        if self._is_device_gone:
+            return
+        try:
+            self._reading = self.device.exchange(force_n, now_s)
+        except DeviceError as problem:
+            self._is_device_gone = True
+            self.line.send(Word.LOST, str(problem))
+
+    def _record(self, late_s: float, missed: int) -> None:
+        state = self.state
+        hand = state.hand
         self.block.write_tick(
             self.count,
-            now_s,
+            state.now_s,
             state.media_s,
             *state.planned_n,
             *state.force_n,
-            *reading.position_m,
+            *hand.position_m,
+            *hand.velocity_mps,
+            *state.centring_n,
             late_s,
+            state.now_s - hand.replied_s,
+            math.sqrt(state.heat_n2),
             missed,
             state.mode,
             state.cause,
-            reading.buttons,
+            hand.buttons,
         )
-        self.count += 1
 
     def _look_at_the_clock(self) -> None:
         slot = self.block.clock_bytes()

@@ -22,6 +22,7 @@ class Word(enum.Enum):
     QUIT = b"Q"
     READY = b"R"  # + scheduling class
     FAILED = b"E"  # + one sentence
+    LOST = b"L"  # + one sentence: the device is gone
 
 
 class Message(NamedTuple):

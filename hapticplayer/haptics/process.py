@@ -3,23 +3,24 @@
 import enum
 import os
 import socket
-import subprocess
-import sys
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
 from numpy.typing import NDArray
 
 from hapticplayer.clock import Clock
-from hapticplayer.errors import DeviceError, HapticsError
+from hapticplayer.devices import find_device
+from hapticplayer.errors import DeviceError, HapticsError, InputError
+from hapticplayer.haptics.crew import Crew
 from hapticplayer.haptics.messages import Line, Word
+from hapticplayer.haptics.recorder import Recording
 from hapticplayer.haptics.scheduling import Scheduling
 from hapticplayer.haptics.shared import BLOCK_BYTES, SharedBlock
 from hapticplayer.haptics.track import anonymous_memory, to_shared_memory
 from hapticplayer.model import ForceTrack, PlaybackClock
 
 READY_TIMEOUT_S = 10.0
-QUIT_TIMEOUT_S = 2.0
 
 
 class Health(enum.StrEnum):
@@ -38,10 +39,13 @@ class HapticsProcess:
         clock: for waiting and for the first heartbeat.
         device: name of the device, see `hapticplayer.devices`.
         scheduling: None for the best there is.
-        record: a file to hold the shared block; it outlives both processes and
-            is readable after a crash. None keeps it in anonymous memory.
+        record: a new file for every tick of the loop; None records nothing.
+        device_options: command line of the process that simulates the device.
+        device_descriptors: descriptors that these options name.
 
     Raises:
+        DeviceError: when this version has no driver for the device.
+        InputError: when the record cannot be created.
         HapticsError: when the process cannot be started.
     """
 
@@ -52,6 +56,8 @@ class HapticsProcess:
         *,
         scheduling: Scheduling | None = None,
         record: Path | None = None,
+        device_options: Sequence[str] = (),
+        device_descriptors: Sequence[int] = (),
     ) -> None:
         self.device = device
         self.health = Health.STARTING
@@ -60,24 +66,23 @@ class HapticsProcess:
         self._clock = clock
         self._tail = 0
         self._next_track_id = 1
+        entry = find_device(device)
+        descriptor = anonymous_memory("hapticplayer-loop", BLOCK_BYTES)
+        try:
+            self._recording = Recording(record, descriptor) if record else None
+        except InputError:
+            os.close(descriptor)
+            raise
         ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
-        descriptor = _make_block(record)
         self._block = SharedBlock(descriptor)
         self.beat()
-        command = [sys.executable, "-P", "-m", "hapticplayer.haptics"]
-        command += ["--block", str(descriptor), "--line", str(theirs.fileno())]
-        command += ["--device", device]
-        if scheduling is not None:
-            command += ["--scheduling", scheduling.value]
+        self._crew = Crew(entry, scheduling, device_options, device_descriptors)
         try:
-            self._process = subprocess.Popen(
-                command,
-                pass_fds=(descriptor, theirs.fileno()),
-                stdin=subprocess.DEVNULL,
-                # the loop needs no algebra, and threads of it would be locked memory
-                env={**os.environ, "OPENBLAS_NUM_THREADS": "1"},
-            )
+            self._crew.start(descriptor, theirs.fileno())
         except OSError as problem:
+            self._crew.end()
+            if self._recording:
+                self._recording.finish()
             raise HapticsError(
                 f"the haptics process could not be started: {problem}"
             ) from problem
@@ -89,7 +94,13 @@ class HapticsProcess:
     @property
     def pid(self) -> int:
         """Process id, for supervision and measurements."""
-        return self._process.pid
+        assert self._crew.loop is not None  # started, or the constructor has raised
+        return self._crew.loop.pid
+
+    @property
+    def record_problem(self) -> str:
+        """Why the record is not complete, "" while all is well."""
+        return self._recording.problem if self._recording else ""
 
     def wait_ready(self) -> None:
         """Wait for the device to be open.
@@ -114,6 +125,17 @@ class HapticsProcess:
         """Read what the process has said since, and return its health."""
         while self._read_line():
             pass
+        guard = self._crew.guard
+        if (
+            self.health is Health.READY
+            and guard is not None
+            and guard.poll() is not None
+        ):
+            self.problem = (
+                "the guard of the haptics process has ended, so there is no force; "
+                "choose the device again"
+            )
+            self.health = Health.FAILED
         return self.health
 
     def beat(self) -> None:
@@ -153,11 +175,9 @@ class HapticsProcess:
     def close(self) -> None:
         """Bring the force to zero, let go of the device and end the process."""
         self._line.send(Word.QUIT)
-        try:
-            self._process.wait(QUIT_TIMEOUT_S)
-        except subprocess.TimeoutExpired:
-            self._process.kill()
-            self._process.wait()
+        self._crew.end()
+        if self._recording:
+            self._recording.finish()
         self._line.close()
         if self.health is not Health.FAILED:
             self.health = Health.GONE
@@ -171,17 +191,13 @@ class HapticsProcess:
         if message.word is Word.READY:
             self.health = Health.READY
             self.scheduling = Scheduling(message.text)
+            if self._recording:
+                header = {"device": self.device, "scheduling": self.scheduling.value}
+                self._recording.start(self.pid, header)
         elif message.word is Word.FAILED:
             self.problem = message.text
             if self.health is Health.STARTING:
                 self.health = Health.FAILED
+        elif message.word is Word.LOST:
+            self.problem, self.health = message.text, Health.FAILED
         return True
-
-
-def _make_block(record: Path | None) -> int:
-    if record is None:
-        return anonymous_memory("hapticplayer-loop", BLOCK_BYTES)
-    flags = os.O_RDWR | os.O_CREAT | os.O_EXCL | os.O_CLOEXEC
-    descriptor = os.open(record, flags, 0o600)
-    os.ftruncate(descriptor, BLOCK_BYTES)
-    return descriptor

@@ -12,6 +12,8 @@ import platform
 import struct
 
 FIFO_PRIORITY = 80
+GUARD_PRIORITY = 81  # it has next to nothing to do, but must not wait for the loop
+DEVICE_PRIORITY = 79  # a real device is not starved by the player either
 SLICE_NS = 100_000
 _PR_SET_TIMERSLACK = 29
 _MCL_CURRENT, _MCL_FUTURE = 1, 2
@@ -30,31 +32,49 @@ class Scheduling(enum.StrEnum):
     NORMAL = "normal"
 
 
-def acquire(wanted: Scheduling | None = None) -> Scheduling:
-    """Take the best class that this process may have, and return it.
+def acquire(
+    wanted: Scheduling | None = None, priority: int = FIFO_PRIORITY
+) -> Scheduling:
+    """Take the best class that this process may have, lock its memory, return the class.
 
     Args:
         wanted: None for the best; a class to be measured apart.
+        priority: within SCHED_FIFO.
     """
     libc = ctypes.CDLL(None, use_errno=True)
     libc.prctl(_PR_SET_TIMERSLACK, 1, 0, 0, 0)
-    if wanted in (None, Scheduling.FIFO) and _take_fifo(libc):
+    taken = grant(0, wanted, priority)
+    if taken is Scheduling.FIFO:
+        # in these small processes only: it would pin a gigabyte in the player
+        libc.mlockall(_MCL_CURRENT | _MCL_FUTURE)
+    return taken
+
+
+def grant(
+    pid: int, wanted: Scheduling | None = None, priority: int = FIFO_PRIORITY
+) -> Scheduling:
+    """Give a process the best class that it may have, and return the class.
+
+    Args:
+        pid: of the process; 0 for this one.
+        wanted: None for the best; a class to be measured apart.
+        priority: within SCHED_FIFO.
+    """
+    if wanted in (None, Scheduling.FIFO) and _give_fifo(pid, priority):
         return Scheduling.FIFO
-    if wanted in (None, Scheduling.FIFO, Scheduling.SLICE) and _take_slice(libc):
+    if wanted in (None, Scheduling.FIFO, Scheduling.SLICE) and _give_slice(pid):
         return Scheduling.SLICE
     return Scheduling.NORMAL
 
 
-def _take_fifo(libc: ctypes.CDLL) -> bool:
+def _give_fifo(pid: int, priority: int) -> bool:
     with contextlib.suppress(OSError):
-        os.sched_setscheduler(0, os.SCHED_FIFO, os.sched_param(FIFO_PRIORITY))
-        # in this small process only: it would pin a gigabyte in the player
-        libc.mlockall(_MCL_CURRENT | _MCL_FUTURE)
+        os.sched_setscheduler(pid, os.SCHED_FIFO, os.sched_param(priority))
         return True
     return False
 
 
-def _take_slice(libc: ctypes.CDLL) -> bool:
+def _give_slice(pid: int) -> bool:
     number = _SCHED_SETATTR.get(platform.machine())
     release = tuple(int(part) for part in platform.release().split(".")[:2])
     if number is None or release < _SLICE_SINCE:
@@ -62,4 +82,5 @@ def _take_slice(libc: ctypes.CDLL) -> bool:
     attributes = _SCHED_ATTR.pack(
         _SCHED_ATTR.size, os.SCHED_OTHER, 0, 0, 0, SLICE_NS, 0, 0
     )
-    return int(libc.syscall(number, 0, attributes, 0)) == 0
+    libc = ctypes.CDLL(None, use_errno=True)
+    return int(libc.syscall(number, pid, attributes, 0)) == 0

@@ -24,26 +24,35 @@ TICK = np.dtype(
         ("planned_n", "<f4", (3,)),
         ("force_n", "<f4", (3,)),
         ("position_m", "<f4", (3,)),
+        ("velocity_mps", "<f4", (3,)),
+        ("centring_n", "<f4", (3,)),
         ("lateness_s", "<f4"),
+        ("reply_age_s", "<f4"),
+        ("heat_n", "<f4"),
         ("missed", "<u4"),
         ("mode", "u1"),
         ("cause", "u1"),
         ("buttons", "<u2"),
     ]
 )
-"""One exchange with the device, as it is kept in the ring and in records."""
+"""One exchange with the device, as it is kept in the ring and in records.
+
+`planned_n` is what the track says, `force_n` what went to the device, `centring_n`
+the share of it that keeps the grip inside, `heat_n` the RMS force of the last 10 s.
+"""
 
 RING_TICKS = 1 << 15  # 32 s: a reader may sleep that long without losing a tick
-_TICK = struct.Struct("<dd10fIBBH")
+_TICK = struct.Struct("<dd18fIBBH")
 _CLOCK = struct.Struct("<qqdddd")  # track id, epoch, the four numbers of the clock
 _CHECKSUM = struct.Struct("<I")
 _SLOTS_AT = (64, 128)
-_NEWEST_AT, _HEARTBEAT_AT, _HEAD_AT = 192, 256, 320  # a cache line for each writer
+# a cache line for each writer
+_NEWEST_AT, _HEARTBEAT_AT, _HEAD_AT, _GUARD_AT = 192, 256, 320, 384
 _RING_AT = 4096
 BLOCK_BYTES = _RING_AT + RING_TICKS * TICK.itemsize
 _TRIES = 3
 
-assert _TICK.size == TICK.itemsize == 64
+assert _TICK.size == TICK.itemsize == 96
 
 
 class SharedBlock:
@@ -57,6 +66,8 @@ class SharedBlock:
         self._newest = view[_NEWEST_AT : _NEWEST_AT + 8].cast("Q")
         self._heartbeat = view[_HEARTBEAT_AT : _HEARTBEAT_AT + 8].cast("d")
         self._head = view[_HEAD_AT : _HEAD_AT + 8].cast("Q")
+        self._last_tick = view[_HEAD_AT + 8 : _HEAD_AT + 16].cast("d")
+        self._guard = view[_GUARD_AT : _GUARD_AT + 8].cast("d")
         self._ticks: NDArray[Any] = np.frombuffer(
             self._map, dtype=TICK, count=RING_TICKS, offset=_RING_AT
         )
@@ -102,10 +113,23 @@ class SharedBlock:
         """Return the time of the last beat."""
         return self._heartbeat[0]
 
-    def write_tick(self, count: int, *fields: float) -> None:
-        """Store tick number `count` and publish it (loop)."""
+    def beat_guard(self, now_s: float) -> None:
+        """Say that the guard watches (guard)."""
+        self._guard[0] = now_s
+
+    def guard_s(self) -> float:
+        """Return the time of the guard's last beat."""
+        return self._guard[0]
+
+    def last_tick_s(self) -> float:
+        """Return the time of the loop's last exchange; 0 before the first."""
+        return self._last_tick[0]
+
+    def write_tick(self, count: int, now_s: float, *fields: float) -> None:
+        """Store tick number `count`, done at `now_s`, and publish it (loop)."""
         at = _RING_AT + (count % RING_TICKS) * _TICK.size
-        _TICK.pack_into(self._map, at, *fields)
+        _TICK.pack_into(self._map, at, now_s, *fields)
+        self._last_tick[0] = now_s
         self._head[0] = count + 1
 
     def read_ticks(self, tail: int) -> tuple[NDArray[Any], int, int]:

@@ -34,11 +34,16 @@ class DeviceReading(NamedTuple):
         position_m: grip position in frame D, from the centre of the workspace.
         buttons: bit mask of pressed grip buttons.
         is_homed: whether the position can be trusted.
+        replied_s: monotonic time at which the device gave this answer; it stands
+            still while nothing (well-formed) comes back.
+        malformed: answers in a row, up to now, that made no sense.
     """
 
     position_m: Vector
     buttons: int
     is_homed: bool
+    replied_s: float
+    malformed: int = 0
 
 
 @dataclass(frozen=True, slots=True)

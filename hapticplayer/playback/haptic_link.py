@@ -1,16 +1,17 @@
 """The player's side of the haptics process: tracks, clock, health, records."""
 
 from collections.abc import Mapping
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from hapticplayer.clock import Clock
+from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.process import HapticsProcess, Health
 from hapticplayer.haptics.scheduling import Scheduling
-from hapticplayer.haptics.step import Cause, Mode
-from hapticplayer.model import ForceTrack, PlaybackClock
+from hapticplayer.model import ForceTrack, PlaybackClock, SyncStats
 from hapticplayer.playback.log import PlaybackLog
 from hapticplayer.playback.meters import SyncMeter, TickHistory
 
@@ -25,10 +26,18 @@ class HapticLink:
         clock: of the machine.
         device: name of the device; "none" runs no process at all.
         scheduling: None for the best there is.
+        record: a new file for every tick of the loop; None records nothing.
+
+    Raises:
+        InputError: when the record cannot be created.
     """
 
     def __init__(
-        self, clock: Clock, device: str, scheduling: Scheduling | None = None
+        self,
+        clock: Clock,
+        device: str,
+        scheduling: Scheduling | None = None,
+        record: Path | None = None,
     ) -> None:
         self.device = device
         self.history = TickHistory()
@@ -41,7 +50,9 @@ class HapticLink:
         self._track_ids: dict[str, int] = {}
         self._process: HapticsProcess | None = None
         if device != NO_DEVICE:
-            self._process = HapticsProcess(clock, device, scheduling=scheduling)
+            self._process = HapticsProcess(
+                clock, device, scheduling=scheduling, record=record
+            )
 
     @property
     def scheduling(self) -> str:
@@ -61,6 +72,11 @@ class HapticLink:
         if self._process.health is Health.GONE:
             return "the haptics process has ended, so there is no force any more"
         return self._process.problem
+
+    @property
+    def record_problem(self) -> str:
+        """Why the record of the ticks is not complete, "" when nothing is wrong."""
+        return self._process.record_problem if self._process else ""
 
     @property
     def pid(self) -> int | None:
@@ -117,6 +133,26 @@ class HapticLink:
             self._process.close()
             self._next_read_s = 0.0  # the last ticks are still to be read
 
+    def summary(self) -> dict[str, Any]:
+        """Return what the loop measured, for the end of a log."""
+        loop = self.history.total_stats()
+        return {
+            "lateness_us": {
+                "p50": round(loop.lateness_p50_us, 1),
+                "p99": round(loop.lateness_p99_us, 1),
+                "p999": round(loop.lateness_p999_us, 1),
+                "max": round(loop.lateness_max_us, 1),
+            }
+            if loop
+            else None,
+            "ticks": loop.ticks if loop else 0,
+            "missed": loop.missed if loop else 0,
+            "haptic_minus_video_ms": _described(self.video_sync.total()),
+            "haptic_minus_audio_ms": _described(self.audio_sync.total()),
+            "scheduling": self.scheduling,
+            "device": self.device,
+        }
+
     def _read(self, process: HapticsProcess, log: PlaybackLog | None) -> None:
         records, lost = process.read_ticks()
         self.history.add(records, lost)
@@ -142,3 +178,11 @@ class HapticLink:
                 monotonic_s=float(records["monotonic_s"][row]),
             )
         self._mode = Mode(int(modes[-1]))
+
+
+def _described(stats: SyncStats | None) -> dict[str, float] | None:
+    if stats is None:
+        return None
+    figures = {"p05": stats.p05_ms, "p50": stats.p50_ms, "p95": stats.p95_ms}
+    rounded = {name: round(value, 3) for name, value in figures.items()}
+    return {"count": stats.count, **rounded}

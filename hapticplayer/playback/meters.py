@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from hapticplayer.haptics.contract import Mode
 from hapticplayer.haptics.shared import TICK
-from hapticplayer.haptics.step import Mode
 from hapticplayer.model import LoopStats, SyncStats
 
 HISTORY_TICKS = 12_000

@@ -6,22 +6,21 @@ process of their own. A front end that stops polling stops the heartbeat, and th
 force with it.
 """
 
-import enum
 from collections.abc import Callable
-from dataclasses import dataclass
+from pathlib import Path
 from typing import Any, Protocol
 
 from hapticplayer.clock import Clock
+from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.scheduling import Scheduling
-from hapticplayer.haptics.step import Cause, Mode
 from hapticplayer.media import Picture
-from hapticplayer.model import LoopStats, SyncStats
 from hapticplayer.playback.audio import AudioOut, AudioRing, SoundDeviceOut
 from hapticplayer.playback.clock import AudioReport, MediaClock
 from hapticplayer.playback.clock import Source as ClockSource
 from hapticplayer.playback.feeders import AudioFeeder, VideoFeeder
 from hapticplayer.playback.haptic_link import NO_DEVICE, HapticLink
 from hapticplayer.playback.log import PlaybackLog
+from hapticplayer.playback.snapshot import Phase, Snapshot
 from hapticplayer.playback.source import Source
 
 POLL_S = 0.025
@@ -48,40 +47,6 @@ class NullSink:
 
     def show(self, picture: Picture) -> None:
         """Accept the picture."""
-
-
-class Phase(enum.StrEnum):
-    """What the player is doing."""
-
-    EMPTY = "empty"
-    PAUSED = "paused"
-    BUFFERING = "buffering"
-    STARTING = "starting"
-    PLAYING = "playing"
-    ENDED = "ended"
-
-
-@dataclass(frozen=True, slots=True)
-class Snapshot:
-    """What a front end shows; a value, taken when asked for."""
-
-    phase: Phase
-    media_s: float
-    duration_s: float
-    feedback: str
-    clock: str
-    audio: str
-    device: str
-    device_health: str
-    scheduling: str
-    mode: Mode
-    cause: Cause
-    loop: LoopStats | None
-    force_minus_video: SyncStats | None
-    force_minus_audio: SyncStats | None
-    frames_shown: int
-    frames_dropped: int
-    problem: str
 
 
 class Player:
@@ -233,10 +198,10 @@ class Player:
             self._media.renew()
             self._ring.follow(self._media.epoch)
 
-    def set_device(self, name: str) -> None:
-        """Let go of the device and take another one."""
+    def set_device(self, name: str, record: Path | None = None) -> None:
+        """Let go of the device and take another one, recording its ticks if asked."""
         self._link.close()
-        self._link = HapticLink(self._clock, name, self._scheduling)
+        self._link = HapticLink(self._clock, name, self._scheduling, record)
         if self.source is not None:
             self._link.load(self.source.tracks)
         self._event("device", device=name)
@@ -264,6 +229,7 @@ class Player:
 
     def close(self) -> None:
         """Bring the hand to rest, end all threads and finish the log."""
+        self._link.stop_force()  # before anything that takes its time
         self.unload()
         self._link.close()
         self._link.poll(self._log)
@@ -303,27 +269,12 @@ class Player:
 
     def summary(self) -> dict[str, Any]:
         """Return what the log ends with."""
-        loop = self._link.history.total_stats()
+        underrun_s = self._ring.underrun_samples / self._ring.rate_hz
         return {
-            "lateness_us": {
-                "p50": round(loop.lateness_p50_us, 1),
-                "p99": round(loop.lateness_p99_us, 1),
-                "p999": round(loop.lateness_p999_us, 1),
-                "max": round(loop.lateness_max_us, 1),
-            }
-            if loop
-            else None,
-            "ticks": loop.ticks if loop else 0,
-            "missed": loop.missed if loop else 0,
+            **self._link.summary(),
             "frames": {"shown": self._shown, "dropped": self.frames_dropped},
-            "haptic_minus_video_ms": _described(self._link.video_sync.total()),
-            "haptic_minus_audio_ms": _described(self._link.audio_sync.total()),
-            "audio_underrun_s": round(
-                self._ring.underrun_samples / self._ring.rate_hz, 4
-            ),
+            "audio_underrun_s": round(underrun_s, 4),
             "clock": self._led_by.value,
-            "scheduling": self._link.scheduling,
-            "device": self._link.device,
         }
 
     # --- what happens by itself ---------------------------------------------
@@ -489,11 +440,3 @@ class Player:
         if self._log:
             now_s = self._clock.now_s()
             self._log.line("event", name=name, monotonic_s=now_s, **fields)
-
-
-def _described(stats: SyncStats | None) -> dict[str, float] | None:
-    if stats is None:
-        return None
-    figures = {"p05": stats.p05_ms, "p50": stats.p50_ms, "p95": stats.p95_ms}
-    rounded = {name: round(value, 3) for name, value in figures.items()}
-    return {"count": stats.count, **rounded}

@@ -3,6 +3,7 @@
 import dataclasses
 import hashlib
 import shutil
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -21,6 +22,7 @@ from hapticplayer.model import (
     MotionTrack,
 )
 from hapticplayer.sequence import files, store
+from hapticplayer.sequence.excursion import excursion_texts, predict
 from hapticplayer.sequence.motion_cache import user_cache
 from hapticplayer.sequence.notes import notes_on_motion, notes_on_sequence
 from hapticplayer.sequence.processing import Processed, Processing, process_motion
@@ -116,6 +118,7 @@ def write_sequence(
             folder / clip_name, lambda f: progress(0.7 + 0.2 * f, "computing checksums")
         )
         tracks = _render(track, choices, clip_hash)
+        excursions = _predict(tracks, clip, progress)
         _write_arrays(folder, recording.imu, track, tracks, extras or {})
         listed = _checksums(folder, {clip_name: clip_hash})
         progress(0.95, "writing")
@@ -123,6 +126,7 @@ def write_sequence(
             *recording.notes,
             *notes_on_motion(processed.imu, processed.summary),
             *notes_on_sequence(recording, track, tracks, clip),
+            *excursion_texts(excursions[Feedback.REALISTIC.value]),
         ]
         description = {
             "schema": store.SCHEMA,
@@ -131,7 +135,7 @@ def write_sequence(
             "clip": _describe_clip(clip, clip_name),
             "clock_map": dataclasses.asdict(recording.clock_map),
             "mapping": store.describe_mapping(choices.mapping),
-            "feedbacks": _describe_tracks(tracks),
+            "feedbacks": _describe_tracks(tracks, excursions),
             "files": listed,
             "provenance": {
                 "program": f"hapticplayer {__version__}",
@@ -195,6 +199,22 @@ def _render(
     }
 
 
+def _predict(
+    tracks: dict[str, ForceTrack], clip: ClipInfo, progress: files.Progress
+) -> dict[str, dict[str, Any]]:
+    """Return where each track would push a hand."""
+    share = 0.05 / len(tracks)
+
+    def tell(number: int) -> Callable[[float], None]:
+        begin = 0.9 + share * number
+        return lambda done: progress(begin + share * done, "predicting excursions")
+
+    return {
+        name: predict(force, clip.duration_s, tell(number))
+        for number, (name, force) in enumerate(tracks.items())
+    }
+
+
 def _write_arrays(
     folder: Path,
     imu: ImuLog,
@@ -254,12 +274,15 @@ def _describe_processing(processed: Processed, chosen: Processing) -> dict[str, 
     }
 
 
-def _describe_tracks(tracks: dict[str, ForceTrack]) -> dict[str, Any]:
+def _describe_tracks(
+    tracks: dict[str, ForceTrack], excursions: dict[str, dict[str, Any]]
+) -> dict[str, Any]:
     described: dict[str, Any] = {
         name: {
             "file": f"force_{name}.npz",
             "peak_n": track.peak_n(),
             "rms_n": [float(value) for value in track.rms_n()],
+            "excursion": excursions[name],
             "provenance": dict(track.provenance),
         }
         for name, track in tracks.items()

@@ -1,5 +1,6 @@
 """How good a recording's motion is, in figures; and the methods side by side on it."""
 
+import dataclasses
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
@@ -7,9 +8,12 @@ from typing import Any
 
 import numpy as np
 
+from hapticplayer import rendering
 from hapticplayer.capture.recording import Recording, find_gaps
 from hapticplayer.clock import Clock
 from hapticplayer.model import ImuLog, MotionTrack
+from hapticplayer.sequence import files
+from hapticplayer.sequence.excursion import predict
 from hapticplayer.sequence.motion_cache import plain
 from hapticplayer.sequence.processing import (
     DEFAULT_METHOD,
@@ -44,8 +48,18 @@ class MethodRow:
     us_per_sample: float
 
 
-def describe_quality(recording: Recording, processed: Processed) -> dict[str, Any]:
-    """Return the quality report of a recording: plain numbers, lists and texts."""
+def describe_quality(
+    recording: Recording,
+    processed: Processed,
+    progress: files.Progress = files.no_progress,
+) -> dict[str, Any]:
+    """Return the quality report of a recording: plain numbers, lists and texts.
+
+    Args:
+        recording: as it was read.
+        processed: its motion.
+        progress: told while the excursions are predicted.
+    """
     imu = recording.imu
     steps_s, gaps = np.diff(imu.time_s), find_gaps(imu)
     return plain(
@@ -63,8 +77,18 @@ def describe_quality(recording: Recording, processed: Processed) -> dict[str, An
             "conditioning": processed.conditioning,
             "gravity_removal": processed.summary,
             "motion": describe_motion(processed.track),
+            "excursion": _predicted(processed.track, progress),
             "from_cache": processed.is_cached,
         }
+    )
+
+
+def _predicted(track: MotionTrack, progress: files.Progress) -> dict[str, Any]:
+    """Return where the force of the default mapping would push a hand."""
+    from_start = dataclasses.replace(track, time_s=track.time_s - track.time_s[0])
+    force = rendering.render_force(from_start)
+    return predict(
+        force, force.end_s, lambda done: progress(done, "predicting excursions")
     )
 
 

@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QApplication
 from app.player import application
 from app.player.window import PlayerWindow
 from hapticplayer import cli
-from hapticplayer.playback.player import Phase
+from hapticplayer.playback.snapshot import Phase
 
 
 def run(*arguments) -> int:

@@ -4,9 +4,9 @@ import pytest
 
 from app.player.health import Level, readings
 from app.player.health_line import HealthLine
-from hapticplayer.haptics.step import Cause, Mode
+from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.model import LoopStats, SyncStats
-from hapticplayer.playback.player import Phase, Snapshot
+from hapticplayer.playback.snapshot import Phase, Snapshot
 
 GOOD = Snapshot(
     phase=Phase.PLAYING,
@@ -37,7 +37,7 @@ def test_all_is_well():
     assert shown() == [
         (Level.GOOD, "Simulated, active"),
         (Level.GOOD, "FIFO"),
-        (Level.GOOD, "53 \u00b5s, 0 missed"),
+        (Level.GOOD, "yes, 53 \u00b5s, 0 missed"),
         (Level.GOOD, "\u22120.2 ms"),
         (Level.GOOD, "+0.2 ms"),
         (Level.GOOD, "300 shown, 0 dropped"),

@@ -5,7 +5,7 @@ from PySide6.QtWidgets import QFileDialog
 
 from app.player.import_dialog import ImportDialog
 from hapticplayer.capture import write_imu_csv
-from hapticplayer.playback.player import Phase
+from hapticplayer.playback.snapshot import Phase
 
 
 @pytest.fixture

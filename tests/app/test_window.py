@@ -10,8 +10,8 @@ from PySide6.QtGui import QDropEvent
 from PySide6.QtTest import QTest
 
 from app.player.import_dialog import ImportDialog
-from hapticplayer.haptics.step import Mode
-from hapticplayer.playback.player import Phase
+from hapticplayer.haptics.contract import Mode
+from hapticplayer.playback.snapshot import Phase
 
 
 def key(window, code, modifier=Qt.KeyboardModifier.NoModifier) -> None:
@@ -278,6 +278,7 @@ def test_hidden_plots_are_not_drawn(playing, wait_for, monkeypatch):
 def test_closing_leaves_nothing_running(make_window, source, wait_for):
     window = make_window("simulated")
     window.session.show_source(source)
+    wait_for(lambda: window.player.snapshot().device_health == "ready")
     window.player.play()
     wait_for(lambda: window.player.snapshot().mode is Mode.FOLLOWING)
     process = window.player.link.pid

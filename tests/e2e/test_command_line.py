@@ -67,7 +67,7 @@ def test_help_and_version_import_nothing_heavy():
         "import sys, app.__main__ as m\n"
         "try: m.main(['--help'])\n"
         "except SystemExit: pass\n"
-        "print(sorted({'numpy', 'av', 'PySide6', 'scipy', 'vqf'} & set(sys.modules)))"
+        "print(sorted({'numpy', 'av', 'PySide6', 'scipy', 'numba', 'vqf'} & set(sys.modules)))"
     )
     done = subprocess.run(
         [sys.executable, "-c", code],
@@ -238,7 +238,12 @@ def child_of_a_playing(process, log):
     ):
         os.sched_yield()
     children = Path(f"/proc/{process.pid}/task/{process.pid}/children")
-    return int(children.read_text().split()[0])
+    return next(
+        int(child)
+        for child in children.read_text().split()
+        if "hapticplayer.haptics"
+        in Path(f"/proc/{child}/cmdline").read_text().split("\0")
+    )
 
 
 def test_a_log_on_a_full_disk_is_told(demo):

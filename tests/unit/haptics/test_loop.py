@@ -7,12 +7,12 @@ import numpy as np
 import pytest
 
 from hapticplayer.clock import ManualClock
-from hapticplayer.devices.simulated.point_mass import SimulatedFalcon
+from hapticplayer.devices.simulated import SimulatedFalcon
+from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.limiter import PERIOD_S, ZERO
 from hapticplayer.haptics.loop import ZERO_TICKS_BEFORE_CLOSING, Loop
 from hapticplayer.haptics.messages import Line, Word
 from hapticplayer.haptics.shared import BLOCK_BYTES, SharedBlock
-from hapticplayer.haptics.step import Cause, Mode
 from hapticplayer.haptics.track import anonymous_memory, to_shared_memory
 from hapticplayer.model import ForceTrack, PlaybackClock
 

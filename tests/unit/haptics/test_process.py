@@ -12,11 +12,12 @@ import numpy as np
 import pytest
 
 from hapticplayer.clock import SystemClock
+from hapticplayer.devices.simulated import read_record
 from hapticplayer.errors import DeviceError
+from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.process import HapticsProcess, Health
 from hapticplayer.haptics.scheduling import Scheduling
 from hapticplayer.haptics.shared import SharedBlock
-from hapticplayer.haptics.step import Cause, Mode
 from hapticplayer.model import ForceTrack, PlaybackClock
 
 HERE = Path(__file__).parent
@@ -34,6 +35,8 @@ def follow(process, clock, track_id, until):
         everything = np.concatenate(ticks)
         if until(everything) or process.poll() is Health.GONE:
             return everything
+        tripped = len(everything) and everything["mode"][-1] == Mode.TRIPPED
+        assert not tripped, f"tripped: {Cause(everything['cause'][-1]).name}"
         clock.sleep_until(now_s + 0.01)
 
 
@@ -61,34 +64,38 @@ def test_the_process_follows_a_track_exactly():
 
 
 def test_an_unknown_device_is_refused_in_one_sentence():
-    process = HapticsProcess(SystemClock(), device="falcon")
-    try:
-        with pytest.raises(DeviceError, match="no driver"):
-            process.wait_ready()
-    finally:
-        process.close()
+    with pytest.raises(DeviceError, match="no driver"):
+        HapticsProcess(SystemClock(), device="falcon")
 
 
 def test_a_killed_process_is_noticed():
     process = HapticsProcess(SystemClock())
     process.wait_ready()
     os.kill(process.pid, signal.SIGKILL)
-    process._process.wait()
+    process._crew.loop.wait()
     assert process.poll() is Health.GONE
     process.close()
 
 
+def shared_block_of(loop_pid):
+    """Hold the memory of a loop that is about to die."""
+    arguments = Path(f"/proc/{loop_pid}/cmdline").read_text().split("\0")
+    number = arguments[arguments.index("--block") + 1]
+    with Path(f"/proc/{loop_pid}/fd/{number}").open("r+b") as file:
+        return SharedBlock(file.fileno())
+
+
 @pytest.mark.parametrize("number", [signal.SIGKILL, signal.SIGSEGV])
-def test_the_force_goes_to_zero_when_the_player_is_killed(tmp_path, number):
-    record = tmp_path / "block"
+def test_the_force_goes_to_zero_when_the_player_is_killed(number):
     player = subprocess.Popen(
-        [sys.executable, str(HERE / "killed_player.py"), str(record)],
+        [sys.executable, str(HERE / "killed_player.py")],
         stdout=subprocess.PIPE,
         text=True,
     )
     try:
         loop_pid = int(player.stdout.readline())
         watch = os.pidfd_open(loop_pid)
+        block = shared_block_of(loop_pid)
         os.kill(player.pid, number)
         # the loop ends by itself once zero is on the wire
         ended, _, _ = select.select([watch], [], [], 30)
@@ -98,14 +105,73 @@ def test_the_force_goes_to_zero_when_the_player_is_killed(tmp_path, number):
         player.wait()
         player.stdout.close()
     assert ended
-    with record.open("r+b") as file:
-        records, _, _ = SharedBlock(file.fileno()).read_ticks(0)
+    records, _, _ = block.read_ticks(0)
     force = np.linalg.norm(records["force_n"], axis=1)
     gone = np.flatnonzero(records["cause"] == Cause.PLAYER_GONE)
-    assert force[gone[0] - 1] == pytest.approx(4.0, abs=1e-5)
+    assert force[gone[0] - 1] == pytest.approx(2.8, abs=1e-5)
     assert not force[gone].any()  # from the very tick that noticed
     assert records["mode"][-1] == Mode.TRIPPED
     assert len(gone) >= 5
+
+
+def test_the_guard_writes_zero_when_the_loop_is_killed(tmp_path):
+    clock = SystemClock()
+    with (tmp_path / "record").open("w+b") as record:
+        process = HapticsProcess(
+            clock,
+            device_options=["--hand", "firm", "--record", str(record.fileno())],
+            device_descriptors=[record.fileno()],
+        )
+        try:
+            process.wait_ready()
+            track = ForceTrack([0.0, 1e4], [[0, 0, 2.8], [0, 0, 2.8]])
+            follow(
+                process,
+                clock,
+                process.load_track(track),
+                lambda r: len(r) and r["force_n"][-1, 2] > 2.79,
+            )
+            assert read_record(record.fileno())["applied_n"][-1][2] > 2.79
+            os.kill(process.pid, signal.SIGKILL)
+            process._crew.guard.wait(30)
+        finally:
+            process.close()
+        felt = read_record(record.fileno())
+    assert not felt["applied_n"][-1].any()
+    pushed = np.flatnonzero(felt["applied_n"].any(axis=1))
+    last = felt["applied_n"][pushed[-1]]
+    assert last[2] == pytest.approx(2.8, abs=1e-3)  # from full force to none at once
+
+
+def test_a_dead_guard_is_told(capfd):
+    process = HapticsProcess(SystemClock())
+    try:
+        process.wait_ready()
+        process._crew.guard.kill()
+        process._crew.guard.wait()
+        assert process.poll() is Health.FAILED
+        assert "guard" in process.problem
+    finally:
+        process.close()
+
+
+def test_a_simulated_device_that_is_unplugged_is_told():
+    clock = SystemClock()
+    process = HapticsProcess(clock)
+    try:
+        process.wait_ready()
+        process._crew.device.kill()
+        ticks = follow(
+            process,
+            clock,
+            0,
+            lambda r: len(r) and r["cause"][-1] == Cause.UNPLUGGED,
+        )
+        assert process.poll() is Health.FAILED
+    finally:
+        process.close()
+    assert "unplugged" in process.problem
+    assert ticks["cause"][-1] == Cause.UNPLUGGED
 
 
 def test_the_process_imports_nothing_heavy():
@@ -118,5 +184,6 @@ def test_the_process_imports_nothing_heavy():
             [sys.executable, "-P", "-c", code], capture_output=True, check=True
         ).stdout
     )
-    assert not {"av", "PySide6", "scipy", "numba", "sounddevice", "vqf"} & set(found)
+    heavy = {"av", "PySide6", "scipy", "numba", "llvmlite", "sounddevice", "vqf"}
+    assert not heavy & set(found)
     assert "numpy" in found

@@ -59,7 +59,7 @@ def test_a_write_that_was_cut_short_is_never_taken_for_a_clock(block, cut):
 
 
 def tick(block, count):
-    block.write_tick(count, 0.001 * count, 0.0, *[0.0] * 9, 1e-5, 0, 1, 2, 3)
+    block.write_tick(count, 0.001 * count, 0.0, *[0.0] * 15, 1e-5, 0.0, 0.0, 0, 1, 2, 3)
 
 
 def test_ticks_come_back_in_order_and_once(block):

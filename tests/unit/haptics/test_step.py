@@ -5,17 +5,20 @@ import os
 
 import pytest
 
-from hapticplayer.haptics.limiter import PERIOD_S, ZERO, Limits
-from hapticplayer.haptics.step import (
-    Cause,
-    Mode,
-    Request,
-    State,
-    Supervision,
-    step,
+from hapticplayer.haptics.contract import Cause, Mode, Request, State, Supervision
+from hapticplayer.haptics.limiter import (
+    PERIOD_S,
+    ZERO,
+    Limits,
+    cap_when_warm,
+    faded,
+    limit,
+    warmed,
 )
+from hapticplayer.haptics.step import step
 from hapticplayer.haptics.track import map_track, to_shared_memory
 from hapticplayer.model import ForceTrack, PlaybackClock
+from hapticplayer.model.device import DeviceReading
 
 LIMITS = Limits()
 START_S = 1000.0
@@ -40,6 +43,8 @@ class World:
         self.heartbeat_s = math.inf
         self.is_player_alive = True
         self.request = Request.NONE
+        self.position_m = ZERO
+        self.missed_share = 0.0
         self.sent = []
 
     def tick(self, count=1):
@@ -51,7 +56,15 @@ class World:
                 self.clock,
                 self.track,
                 self.state,
-                Supervision(heartbeat_s, self.is_player_alive, self.request),
+                Supervision(
+                    heartbeat_s,
+                    self.is_player_alive,
+                    self.request,
+                    DeviceReading(
+                        self.position_m, 0, is_homed=True, replied_s=self.now_s
+                    ),
+                    missed_share=self.missed_share,
+                ),
                 LIMITS,
             )
             self.request = Request.NONE
@@ -244,3 +257,62 @@ def test_closing_ramps_and_is_no_trip():
     assert world.sent[-1] == ZERO
     assert (world.state.mode, world.state.cause) == (Mode.IDLE, Cause.CLOSING)
     assert max(slews(world.sent)) <= LIMITS.stop_slew_n + 1e-9
+
+
+def test_more_missed_periods_than_one_in_a_hundred_allow_3_newtons_only():
+    world = World().following()
+    world.missed_share = 0.0101
+    world.tick(50)
+    assert math.hypot(*world.sent[-1]) == pytest.approx(3.0)
+    world.missed_share = 0.0099
+    world.tick(50)
+    assert math.hypot(*world.sent[-1]) == pytest.approx(4.0)
+    assert max(slews(world.sent)) <= LIMITS.content_slew_n + 1e-9
+
+
+def test_an_hour_of_5_newtons_leaves_the_motors_at_what_they_bear():
+    limits = Limits(continuous_n=3.0)
+    heat, hottest, force = 0.0, 0.0, ZERO
+    for _ in range(360_000):  # ticks of 10 ms: the model is one of seconds
+        cap = cap_when_warm(heat, limits)
+        force = limit((5.0, 0.0, 0.0), force, limits.content_slew_n, cap)
+        heat = warmed(heat, force, 0.01, limits)
+        hottest = max(hottest, heat)
+    assert math.sqrt(hottest) <= 3.0
+    assert force[0] == pytest.approx(3.0, abs=1e-3)
+
+
+def test_the_mean_force_of_the_last_seconds_follows_its_own_time_constant():
+    limits, heat = Limits(), 0.0
+    for _ in range(10_000):
+        heat = warmed(heat, (0.0, 2.0, 0.0), PERIOD_S, limits)
+    assert heat == pytest.approx(4.0 * (1.0 - math.exp(-1.0)), rel=1e-3)
+
+
+def test_short_strong_forces_are_not_weakened_by_the_motor_model():
+    assert cap_when_warm(0.0, Limits(continuous_n=3.0)) == 4.5
+
+
+def test_outward_force_fades_and_the_rest_stays():
+    limits = Limits()
+    half_way = 0.75 * limits.workspace_m
+    assert faded((2.0, 1.0, 0.0), (half_way, 0.0, 0.0), limits) == pytest.approx(
+        (1.0, 1.0, 0.0)
+    )
+    assert faded((-2.0, 1.0, 0.0), (half_way, 0.0, 0.0), limits) == (-2.0, 1.0, 0.0)
+    assert faded((2.0, 1.0, 0.0), (0.037, 0.0, 0.0), limits) == pytest.approx(
+        (0.0, 1.0, 0.0)
+    )
+    assert faded((2.0, 1.0, 0.0), (0.02, 0.0, 0.0), limits) == (2.0, 1.0, 0.0)
+
+
+def test_a_window_that_takes_its_time_while_nothing_plays_is_no_fault():
+    world = World()
+    world.clock = PlaybackClock(1, START_S, 0.0, 0.0, math.inf)
+    world.heartbeat_s = START_S
+    world.tick(3000)
+    assert world.state.mode is Mode.IDLE
+    world.heartbeat_s = math.inf
+    world.clock = PlaybackClock(2, world.now_s, 0.0, 1.0, math.inf)
+    world.tick(400)
+    assert world.state.mode is Mode.FOLLOWING

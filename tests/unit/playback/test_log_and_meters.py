@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from hapticplayer.errors import InputError
+from hapticplayer.haptics.contract import Mode
 from hapticplayer.haptics.shared import TICK
-from hapticplayer.haptics.step import Mode
 from hapticplayer.playback.log import PlaybackLog
 from hapticplayer.playback.meters import HISTORY_TICKS, SyncMeter, TickHistory
 

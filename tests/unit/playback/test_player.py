@@ -5,7 +5,7 @@ import threading
 import numpy as np
 import pytest
 
-from hapticplayer.playback.player import Phase
+from hapticplayer.playback.snapshot import Phase
 
 FRAME_S = 1 / 25
 LATENCY_S = 0.12

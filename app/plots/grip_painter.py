@@ -1,0 +1,180 @@
+"""Paints the scene of the grip: workspace, floor and axes, and calls for the rest.
+
+What only the camera moves is painted once and kept as two pictures, one behind the
+grip and one before it; each step of the grip costs what moves.
+"""
+
+from PySide6.QtCore import QCoreApplication, QPointF, QRectF, QSizeF, Qt
+from PySide6.QtGui import (
+    QColor,
+    QFont,
+    QPainter,
+    QPen,
+    QPixmap,
+    QRadialGradient,
+)
+
+from app.plots import grip_scene as scene
+from app.plots.grip_camera import Camera, Pixel, Projection
+from app.plots.grip_moving import paint_moving, polygon
+from app.plots.grip_scene import Grip
+from app.plots.grip_words import paint_words
+from app.widgets import theme
+from hapticplayer.model.device import Vector
+
+translate = QCoreApplication.translate
+
+LEAST_FOR_WORDS_PX = 130.0  # of the shorter side; a smaller picture names no axes
+_FLOOR, _GRID = QColor("#20262d"), QColor("#343c46")
+_ARC_BEHIND, _ARC_BEFORE = QColor("#3d4650"), QColor("#6d7985")
+_GAP_PX = 4.0
+
+
+class GripPainter:
+    """Paints a grip as a camera sees it; keeps what did not change."""
+
+    def __init__(self) -> None:
+        self._key: tuple[object, ...] = ()
+        self._behind, self._before = QPixmap(), QPixmap()
+
+    def paint(
+        self, painter: QPainter, size: QSizeF, camera: Camera, grip: Grip
+    ) -> None:
+        """Fill a picture of this size.
+
+        Args:
+            painter: begun; its device gives the resolution, its font the words.
+            size: of the picture, in the painter's pixels.
+            camera: where from.
+            grip: what.
+        """
+        view = Projection(camera, grip.radius_m, size.width(), size.height())
+        has_grip = grip.position_m is not None
+        self._prepare(painter, view, has_axes=has_grip)
+        painter.drawPixmap(QPointF(), self._behind)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        if grip.position_m is not None:
+            paint_moving(painter, view, grip, grip.position_m)
+        painter.drawPixmap(QPointF(), self._before)
+        paint_words(painter, view, grip)
+
+    def _prepare(self, on: QPainter, view: Projection, *, has_axes: bool) -> None:
+        """Paint what stays; without a grip a text takes the place of the axes."""
+        ratio, font = on.device().devicePixelRatioF(), on.font()
+        key = (view, ratio, font.key(), has_axes)
+        if key == self._key:
+            return
+        self._key = key
+        self._behind = _layer(view, ratio, QColor(theme.PANEL))
+        painter = _begun(self._behind, font)
+        _paint_floor(painter, view)
+        _paint_sphere(painter, view)
+        _paint_arcs(painter, view, are_in_front=False)
+        if has_axes:
+            _paint_axes(painter, view)
+        painter.end()
+        self._before = _layer(view, ratio, QColor(Qt.GlobalColor.transparent))
+        painter = _begun(self._before, font)
+        _paint_arcs(painter, view, are_in_front=True)
+        painter.end()
+
+
+def _layer(view: Projection, ratio: float, colour: QColor) -> QPixmap:
+    size = QSizeF(view.width_px, view.height_px) * ratio
+    made = QPixmap(size.toSize())
+    made.setDevicePixelRatio(ratio)
+    made.fill(colour)
+    return made
+
+
+def _begun(layer: QPixmap, font: QFont) -> QPainter:
+    painter = QPainter(layer)
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    painter.setFont(font)
+    return painter
+
+
+def _paint_floor(painter: QPainter, view: Projection) -> None:
+    """Draw what makes heights visible, together with the grip's shadow."""
+    height_m = -view.radius_m
+    painter.setPen(QPen(_GRID, 1.0))
+    painter.setBrush(_FLOOR)
+    painter.drawPolygon(
+        polygon(view, scene.floor_disc(view.radius_m, (0.0, height_m, 0.0)))
+    )
+    for first, last in scene.floor_grid(view.radius_m, height_m):
+        painter.drawLine(QPointF(*view.px(first)), QPointF(*view.px(last)))
+
+
+def _paint_sphere(painter: QPainter, view: Projection) -> None:
+    """Draw the workspace as a soft ball of glass: clear inside, denser at the rim."""
+    middle, radius_px = QPointF(*view.middle_px), view.sphere_px
+    shade = QRadialGradient(middle, radius_px)
+    shade.setColorAt(0.0, QColor(120, 150, 185, 8))
+    shade.setColorAt(0.75, QColor(120, 150, 185, 22))
+    shade.setColorAt(1.0, QColor(120, 150, 185, 62))
+    painter.setPen(QPen(_ARC_BEHIND, 1.0))
+    painter.setBrush(shade)
+    painter.drawEllipse(middle, radius_px, radius_px)
+
+
+def _paint_arcs(painter: QPainter, view: Projection, *, are_in_front: bool) -> None:
+    """Draw the half of the great circles that is before or behind the rest."""
+    colour = _ARC_BEFORE if are_in_front else _ARC_BEHIND
+    painter.setPen(QPen(colour, 1.0))
+    for circle in scene.great_circles(view.radius_m):
+        run: list[Vector] = []
+        for point in circle:
+            if view.is_in_front(point) == are_in_front:
+                run.append(point)
+            elif run:
+                painter.drawPolyline(polygon(view, run))
+                run = []
+        painter.drawPolyline(polygon(view, run))
+
+
+def axis_words() -> tuple[str, str, str]:
+    """Return what the directions of frame D are called."""
+    return (
+        translate("GripView", "right"),
+        translate("GripView", "up"),
+        translate("GripView", "towards you"),
+    )
+
+
+def _paint_axes(painter: QPainter, view: Projection) -> None:
+    """Draw the axes from the centre, in the colours of the plots, with words."""
+    has_words = min(view.width_px, view.height_px) >= LEAST_FOR_WORDS_PX
+    units: tuple[Vector, ...] = ((1.0, 0, 0), (0, 1.0, 0), (0, 0, 1.0))
+    for word, colour, axis in zip(axis_words(), theme.AXIS_COLOURS, units, strict=True):
+        end_px = view.px(scene.scaled(axis, view.radius_m))
+        shade = QColor(colour)
+        painter.setPen(QPen(shade, 1.2))
+        painter.drawLine(QPointF(*view.middle_px), QPointF(*end_px))
+        painter.setBrush(shade)
+        painter.drawEllipse(QPointF(*end_px), 2.0, 2.0)
+        if has_words:
+            _paint_axis_word(painter, view, word, end_px)
+
+
+def _paint_axis_word(
+    painter: QPainter, view: Projection, word: str, end_px: Pixel
+) -> None:
+    """Write beside the end of an axis, away from the middle, inside the picture."""
+    metrics = painter.fontMetrics()
+    most_px = int(view.width_px / 2)
+    word = metrics.elidedText(word, Qt.TextElideMode.ElideRight, most_px)
+    width_px, height_px = metrics.horizontalAdvance(word) + 1, metrics.height()
+    x_px, y_px = end_px
+    is_left = x_px < view.middle_px[0] - 2.0
+    left_px = x_px - _GAP_PX - width_px if is_left else x_px + _GAP_PX
+    is_above = y_px < view.middle_px[1] - 0.5 * view.sphere_px
+    top_px = y_px - height_px if is_above else y_px - 0.5 * height_px
+    inside_px = min(max(0.0, left_px), view.width_px - width_px - 1.0)
+    if inside_px != left_px and not is_above:
+        top_px = y_px + _GAP_PX  # pushed back over the axis: go below it
+    left_px = inside_px
+    top_px = min(max(0.0, top_px), view.height_px - height_px)
+    painter.setPen(QColor(theme.DIM))
+    box = QRectF(left_px, top_px, width_px, height_px)
+    painter.drawText(box, Qt.AlignmentFlag.AlignCenter, word)

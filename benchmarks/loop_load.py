@@ -1,0 +1,105 @@
+"""The player under a load, with a count of the commands that grew too old.
+
+Run as `python loop_load.py LOAD SEEN SECONDS play ...` by `loop`: plays as `python -m
+app` does, but is closed after some seconds: held up like this, a clip ends much later.
+"""
+
+import functools
+import json
+import os
+import random
+import signal
+import sys
+import threading
+import time
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+LOADS = ("playback", "stress")
+HOLD_S, EVERY_S = 2.0, 7.0
+_TRIAL = 200_000
+_REARM_S = 0.5
+
+
+def loaded_player(load: str, seen: Path, seconds: float, *arguments: str) -> list[str]:
+    """Return the command of the player in this checkout under a load."""
+    return [sys.executable, __file__, load, str(seen), str(seconds), *arguments]
+
+
+def hold_interpreter() -> None:
+    """Sort long lists for ever: one call of C that lets no other thread run."""
+    dice = random.Random(1)  # noqa: S311 - chance, not secrecy
+    values = [dice.random() for _ in range(_TRIAL)]
+    begun_s = time.monotonic()
+    sorted(values)
+    cost_s = time.monotonic() - begun_s
+    values *= max(1, round(HOLD_S / cost_s))
+    dice.shuffle(values)
+    while True:
+        begun_s = time.monotonic()
+        sorted(values)
+        time.sleep(max(0.0, EVERY_S - (time.monotonic() - begun_s)))
+
+
+def churn() -> None:
+    """Make dicts and cycles for ever, for the collector of garbage to find."""
+    kept: dict[int, Any] = {}
+    for number in range(sys.maxsize):
+        entry: dict[str, Any] = {"number": number, "text": str(number)}
+        entry["self"] = entry
+        kept[number % 50_000] = entry
+        if number % 2000 == 0:
+            time.sleep(0.005)
+
+
+def main() -> int:
+    """Play, and write down what was withheld or refused."""
+    load, seen, seconds, *arguments = sys.argv[1:]
+    sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+    from app.__main__ import main as play
+    from hapticplayer.devices.simulated import read_record
+    from hapticplayer.haptics.contract import Cause, Mode
+    from hapticplayer.haptics.process import HapticsProcess
+    from hapticplayer.playback import haptic_link
+
+    withheld = 0
+
+    class Counted(HapticsProcess):
+        """Re-arms after each hold, so that there is a force to be late with."""
+
+        _rearmed_s = 0.0
+
+        def read_ticks(self) -> tuple[Any, int]:
+            nonlocal withheld
+            ticks, lost = super().read_ticks()
+            is_old = (ticks["cause"] == Cause.COMMAND_STALE).astype(int)
+            withheld += int(np.count_nonzero(np.diff(is_old, prepend=0) > 0))
+            is_tripped = len(ticks) and ticks["mode"][-1] == Mode.TRIPPED
+            if is_tripped and time.monotonic() > self._rearmed_s + _REARM_S:
+                self._rearmed_s = time.monotonic()
+                self.rearm()
+            return ticks, lost
+
+    descriptor = os.memfd_create("device")
+    haptic_link.HapticsProcess = functools.partial(  # type: ignore[assignment,misc]
+        Counted,
+        device_options=["--record", str(descriptor)],
+        device_descriptors=[descriptor],
+    )
+    if load == "stress":
+        for work in (hold_interpreter, churn):
+            threading.Thread(target=work, daemon=True).start()
+    end = threading.Timer(float(seconds), os.kill, args=(os.getpid(), signal.SIGTERM))
+    end.daemon = True
+    end.start()
+    status = play(arguments)
+    has_device = os.fstat(descriptor).st_size > 0
+    refused = int(read_record(descriptor)["refused"][-1]) if has_device else 0
+    Path(seen).write_text(json.dumps({"withheld": withheld, "refused": refused}))
+    return status
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,122 @@
+"""Packets between a player and the process of the simulated Falcon.
+
+Little-endian and of fixed size: four bytes that name the kind, a serial number,
+the sender's CLOCK_MONOTONIC, a payload, and the CRC-32 of everything before it.
+A packet that was corrupted on its way is therefore told from a good one.
+"""
+
+import enum
+import math
+import struct
+import zlib
+from typing import NamedTuple
+
+from hapticplayer.model.device import Vector
+
+_COMMAND = struct.Struct("<4sIdddd")
+_REPLY = struct.Struct("<4sIddddHBx")
+_CONTROL = struct.Struct("<4sIdB7x")
+_CHECKSUM = struct.Struct("<I")
+_COMMAND_MAGIC, _REPLY_MAGIC, _CONTROL_MAGIC = b"HPf1", b"HPr1", b"HPc1"
+_SERIAL_MASK = 0xFFFFFFFF
+MAX_BYTES = 256
+
+
+class Command(NamedTuple):
+    """A force in N, frame D, and when it was commanded."""
+
+    serial: int
+    stamp_s: float
+    force_n: Vector
+
+
+class Reply(NamedTuple):
+    """What the device knows at `stamp_s`; position in m, frame D."""
+
+    serial: int
+    stamp_s: float
+    position_m: Vector
+    buttons: int
+    is_homed: bool
+
+
+class Act(enum.IntEnum):
+    """Something that a test makes happen to the device; `value` says how much."""
+
+    HELLO = 0  # nothing happens; asks whether anybody is there
+    LET_GO = 1
+    GRASP = 2
+    BUTTONS = 3  # bit mask of those that are pressed
+    UNPLUG = 4
+    STALL = 5  # seconds
+    CORRUPT = 6  # number of replies
+    LOSE_HOMING = 7
+
+
+class Control(NamedTuple):
+    """One act."""
+
+    act: Act
+    value: float = 0.0
+
+
+Packet = Command | Reply | Control
+
+
+def pack_command(command: Command) -> bytes:
+    """Return the bytes of a command."""
+    serial = command.serial & _SERIAL_MASK
+    return _sealed(
+        _COMMAND.pack(_COMMAND_MAGIC, serial, command.stamp_s, *command.force_n)
+    )
+
+
+def pack_reply(reply: Reply) -> bytes:
+    """Return the bytes of a reply."""
+    return _sealed(
+        _REPLY.pack(
+            _REPLY_MAGIC,
+            reply.serial & _SERIAL_MASK,
+            reply.stamp_s,
+            *reply.position_m,
+            reply.buttons,
+            reply.is_homed,
+        )
+    )
+
+
+def pack_control(control: Control) -> bytes:
+    """Return the bytes of an act."""
+    return _sealed(_CONTROL.pack(_CONTROL_MAGIC, 0, control.value, control.act))
+
+
+def unpack(data: bytes) -> Packet | None:
+    """Return what the bytes say, or None if they make no sense.
+
+    None covers another size, kind or checksum, and numbers that are not finite.
+    """
+    body = data[: -_CHECKSUM.size]
+    if len(body) < _CONTROL.size or data[len(body) :] != _checksum(body):
+        return None
+    kind, size = body[:4], len(body)
+    if kind == _COMMAND_MAGIC and size == _COMMAND.size:
+        _, serial, stamp_s, x, y, z = _COMMAND.unpack(body)
+        found: Packet = Command(serial, stamp_s, (x, y, z))
+        return found if math.isfinite(stamp_s + x + y + z) else None
+    if kind == _REPLY_MAGIC and size == _REPLY.size:
+        _, serial, stamp_s, x, y, z, buttons, homed = _REPLY.unpack(body)
+        found = Reply(serial, stamp_s, (x, y, z), buttons, bool(homed))
+        return found if math.isfinite(stamp_s + x + y + z) else None
+    if kind == _CONTROL_MAGIC and size == _CONTROL.size:
+        _, _, value, act = _CONTROL.unpack(body)
+        known = act in Act.__members__.values() and math.isfinite(value)
+        return Control(Act(act), value) if known else None
+    return None
+
+
+def _sealed(body: bytes) -> bytes:
+    return body + _checksum(body)
+
+
+def _checksum(body: bytes) -> bytes:
+    return _CHECKSUM.pack(zlib.crc32(body))

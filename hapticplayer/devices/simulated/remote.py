@@ -1,0 +1,208 @@
+"""The simulated Falcon as seen through a socket: device, silencer, test controls."""
+
+import os
+import select
+import socket
+from collections.abc import Callable
+
+from hapticplayer.clock import Clock, SystemClock
+from hapticplayer.devices.simulated.packets import (
+    MAX_BYTES,
+    Act,
+    Command,
+    Control,
+    Reply,
+    pack_command,
+    pack_control,
+    unpack,
+)
+from hapticplayer.devices.simulated.parameters import FALCON
+from hapticplayer.errors import DeviceError
+from hapticplayer.model.device import DeviceReading, Vector
+
+_ZERO: Vector = (0.0, 0.0, 0.0)
+# More than a socket buffer holds; bounds the time of one exchange all the same.
+_MOST_REPLIES = 1024
+_PATIENCE_S = 10.0  # a cold start of the interpreter on a busy machine
+
+
+class RemoteFalcon:
+    """A `HapticDevice` at the other end of a SOCK_SEQPACKET pair; never blocks.
+
+    Every exchange writes a command and takes the newest reply that has arrived,
+    normally the one to the command before. A device that has stopped listening
+    is not an error here: `replied_s` stands still, and its age tells.
+
+    Args:
+        descriptor: one end of the pair; it belongs to this object from now on.
+    """
+
+    name = "simulated"
+    capabilities = FALCON
+
+    def __init__(self, descriptor: int) -> None:
+        self._end = _end_of(descriptor)
+        self._serial = 0
+        self._newest: DeviceReading | None = None
+        self._malformed = 0
+
+    def open(self) -> None:
+        """Wait for the device's first answer; the only call here that waits.
+
+        Raises:
+            DeviceError: when nobody is at the other end, or nobody answers.
+        """
+        hello = pack_control(Control(Act.HELLO))
+        if not _write(lambda: self._end.send(hello)):
+            raise _unplugged()
+        waiting = select.poll()
+        waiting.register(self._end, select.POLLIN)
+        waiting.poll(1e3 * _PATIENCE_S)
+        if not self._collect():
+            raise _unplugged()
+        if self._newest is None:
+            raise DeviceError(
+                f"the simulated Falcon did not answer within {_PATIENCE_S:.0f} s; "
+                "try again, and run 'hapticplayer doctor' if it stays so"
+            )
+
+    def exchange(self, force_n: Vector, now_s: float) -> DeviceReading:
+        """Command a force and return the newest answer.
+
+        Before the first answer the reading is the centre, not homed, as old as
+        the first exchange.
+
+        Raises:
+            DeviceError: when the other end is gone.
+        """
+        self._serial += 1
+        command = pack_command(Command(self._serial, now_s, force_n))
+        is_there = _write(lambda: self._end.send(command))
+        if self._newest is None:
+            self._newest = DeviceReading(_ZERO, 0, is_homed=False, replied_s=now_s)
+        if not self._collect() or not is_there:
+            raise _unplugged()
+        return self._newest._replace(malformed=self._malformed)
+
+    def close(self) -> None:
+        """Hang up; the device ends when all others have done so too."""
+        self._end.close()
+
+    def _collect(self) -> bool:
+        for _ in range(_MOST_REPLIES):
+            try:
+                data = self._end.recv(MAX_BYTES)
+            except BlockingIOError:
+                return True
+            except OSError:
+                return False
+            if not data:
+                return False
+            self._take(data)
+        return True
+
+    def _take(self, data: bytes) -> None:
+        packet = unpack(data)
+        if isinstance(packet, Reply):
+            self._malformed = 0
+            self._newest = DeviceReading(
+                packet.position_m, packet.buttons, packet.is_homed, packet.stamp_s
+            )
+        else:
+            self._malformed += 1
+
+
+def silence(descriptor: int) -> Callable[[], bool]:
+    """Return a function that writes one zero force, for a guard process.
+
+    The function never blocks. It returns False when the device is gone, and True
+    otherwise, even if the device has stopped listening and the zero found no
+    place in its queue: the guard calls again.
+
+    Args:
+        descriptor: the end that the dead process used, inherited by the guard; it
+            stays the caller's.
+    """
+    os.set_blocking(descriptor, False)
+    clock: Clock = SystemClock()
+
+    def write_zero() -> bool:
+        data = pack_command(Command(0, clock.now_s(), _ZERO))
+        return _write(lambda: os.write(descriptor, data))
+
+    return write_zero
+
+
+class Controls:
+    """What a test can do to the device from outside; every call is one packet.
+
+    Args:
+        descriptor: an end of the pair, or of the pair behind `--control`; it
+            belongs to this object from now on.
+
+    Raises:
+        DeviceError: from each method, when the device is gone.
+    """
+
+    def __init__(self, descriptor: int) -> None:
+        self._end = _end_of(descriptor)
+
+    def let_go(self) -> None:
+        """Take the hand away."""
+        self._send(Act.LET_GO)
+
+    def grasp(self) -> None:
+        """Put the hand back, where the grip is."""
+        self._send(Act.GRASP)
+
+    def press(self, buttons: int) -> None:
+        """Press the buttons of this bit mask, and release the others."""
+        self._send(Act.BUTTONS, buttons)
+
+    def unplug(self) -> None:
+        """End the device without a word."""
+        self._send(Act.UNPLUG)
+
+    def stall(self, duration_s: float) -> None:
+        """Let the device neither listen nor answer for so long."""
+        self._send(Act.STALL, duration_s)
+
+    def corrupt(self, count: int) -> None:
+        """Falsify the next replies."""
+        self._send(Act.CORRUPT, count)
+
+    def lose_homing(self) -> None:
+        """Let the device say from now on that its position means nothing."""
+        self._send(Act.LOSE_HOMING)
+
+    def close(self) -> None:
+        """Hang up."""
+        self._end.close()
+
+    def _send(self, act: Act, value: float = 0.0) -> None:
+        data = pack_control(Control(act, value))
+        if not _write(lambda: self._end.send(data)):
+            raise _unplugged()
+
+
+def _end_of(descriptor: int) -> socket.socket:
+    end = socket.socket(fileno=descriptor)
+    end.setblocking(False)
+    return end
+
+
+def _write(send: Callable[[], int]) -> bool:
+    try:
+        send()
+    except BlockingIOError:
+        return True  # the device is there and does not listen
+    except OSError:
+        return False
+    return True
+
+
+def _unplugged() -> DeviceError:
+    return DeviceError(
+        "the simulated Falcon was unplugged: its process has ended; "
+        "choose the device again to start a new one"
+    )

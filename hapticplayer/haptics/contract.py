@@ -1,0 +1,382 @@
+"""The safety contract as one table: what may go wrong, and what the loop does then.
+
+Two reactions only. RAMP brings the force to zero within 20 ms and lets it fade in
+again when the reason is gone. TRIP makes it zero at the next tick and keeps it there
+until a person re-arms. docs/safety.md maps each rule to its test.
+"""
+
+import enum
+import math
+from collections.abc import Callable
+from typing import NamedTuple
+
+from hapticplayer.haptics.hand import Hand
+from hapticplayer.haptics.limiter import ZERO, Limits, is_finite, pushes_out
+from hapticplayer.haptics.track import LoadedTrack
+from hapticplayer.model import PlaybackClock
+from hapticplayer.model.device import DeviceReading, Vector
+
+HEARTBEAT_RAMP_S = 0.150
+HEARTBEAT_TRIP_S = 1.0
+GUARD_RAMP_S = 0.250
+REPLY_RAMP_S = 0.020
+REPLY_TRIP_S = 0.100
+MALFORMED_TRIP = 20
+GAP_RAMP_S = 0.020
+GAP_TRIP_S = 0.050
+FAST_SAMPLES_TRIP = 2
+# Less than the grip's own friction: no push.
+OUTWARD_N = 0.1
+
+
+class Mode(enum.IntEnum):
+    """What the loop does with the force."""
+
+    IDLE = 0
+    ENTERING = 1
+    FOLLOWING = 2
+    RAMPING = 3
+    TRIPPED = 4
+
+
+class Reaction(enum.IntEnum):
+    """What the state of the world asks for."""
+
+    GO = 0
+    RAMP = 1
+    TRIP = 2
+
+
+class Cause(enum.IntEnum):
+    """Why the loop does not follow the track; the numbers are kept in records."""
+
+    NONE = 0
+    PAUSED = 1
+    SEEK = 2
+    CLOCK_STALE = 3
+    HEARTBEAT_LATE = 4
+    NO_TRACK = 5
+    HEARTBEAT_LOST = 6
+    PLAYER_GONE = 7
+    STOPPED = 8
+    NOT_FINITE = 9
+    CLOSING = 10
+    TRACK_ENDED = 11
+    GRIP_BUTTON = 12
+    UNPLUGGED = 13
+    REPLY_LATE = 14
+    REPLY_LOST = 15
+    MALFORMED = 16
+    TICK_LATE = 17
+    TICK_LOST = 18
+    NOT_HOMED = 19
+    RUNAWAY = 20
+    OUTSIDE = 21
+    COMMAND_STALE = 22
+    GUARD_LOST = 23
+
+
+class Request(enum.IntEnum):
+    """What a person asked for since the last tick."""
+
+    NONE = 0
+    STOP = 1
+    REARM = 2
+    CLOSE = 3
+
+
+class Supervision(NamedTuple):
+    """What the loop was told or noticed since its last tick.
+
+    Attributes:
+        heartbeat_s: monotonic time of the player's last beat.
+        is_player_alive: whether its line is open.
+        request: of a person.
+        reading: answer to the last exchange, None when there was none.
+        is_device_gone: whether the device refused the last exchange for good.
+        is_stale: whether the last command was too old to be sent.
+        guard_s: monotonic time of the guard's last beat; inf where none is needed.
+        missed_share: periods skipped in the last 10 s.
+    """
+
+    heartbeat_s: float
+    is_player_alive: bool = True
+    request: Request = Request.NONE
+    reading: DeviceReading | None = None
+    is_device_gone: bool = False
+    is_stale: bool = False
+    guard_s: float = math.inf
+    missed_share: float = 0.0
+
+
+class State(NamedTuple):
+    """All that one tick hands to the next; `force_n` is the command.
+
+    Attributes:
+        mode, cause: what the loop does, and why.
+        force_n: command of this tick.
+        ticks_in_mode: since the mode was entered.
+        epoch: of the playback clock that is followed.
+        planned_n: what the track says.
+        centring_n: what keeps the grip inside.
+        media_s: position in the media.
+        now_s: time of this tick; -inf before the first.
+        hand: the grip as last seen.
+        heat_n2: mean square force of the last seconds.
+        acted_s: last time at which a force was allowed.
+    """
+
+    mode: Mode = Mode.IDLE
+    cause: Cause = Cause.NONE
+    force_n: Vector = ZERO
+    ticks_in_mode: int = 0
+    epoch: int = -1
+    planned_n: Vector = ZERO
+    centring_n: Vector = ZERO
+    media_s: float = 0.0
+    now_s: float = -math.inf
+    hand: Hand = Hand()
+    heat_n2: float = 0.0
+    acted_s: float = -math.inf
+
+
+class Situation(NamedTuple):
+    """What the rules look at."""
+
+    now_s: float
+    clock: PlaybackClock | None
+    track: LoadedTrack | None
+    state: State
+    hand: Hand
+    told: Supervision
+    limits: Limits
+
+    @property
+    def is_acting(self) -> bool:
+        """Whether a force may be on the hand."""
+        return self.state.mode not in (Mode.IDLE, Mode.TRIPPED)
+
+    @property
+    def gap_s(self) -> float:
+        """Time since the last tick; 0 at the first."""
+        last_s = self.state.now_s
+        return self.now_s - last_s if last_s > -math.inf else 0.0
+
+    @property
+    def reply_age_s(self) -> float:
+        """Age of the newest good answer; 0 before the first (then nothing is homed)."""
+        replied_s = self.hand.replied_s
+        return self.now_s - replied_s if replied_s > -math.inf else 0.0
+
+
+class Rule(NamedTuple):
+    """One row: when `holds`, `reaction`. The first row that holds is taken."""
+
+    cause: Cause
+    reaction: Reaction
+    holds: Callable[[Situation], bool]
+    event: str
+
+
+def _hung_under_force(s: Situation) -> bool:
+    """Whether the player fell silent while it played, and for so long.
+
+    A window that takes its time to open while nothing plays is no fault.
+    """
+    heartbeat_s = s.told.heartbeat_s
+    return s.now_s - heartbeat_s > HEARTBEAT_TRIP_S and s.state.acted_s > heartbeat_s
+
+
+def _is_outside(s: Situation) -> bool:
+    """Whether the track pushes a grip out that is at its edge.
+
+    What is sent has faded to nothing there; a hand that holds the grip, and the spring
+    that leans against it, would not have let it come so far.
+    """
+    if not s.is_acting:
+        return False
+    position_m = s.hand.position_m
+    far = s.limits.outside * s.limits.workspace_m
+    return (
+        math.hypot(*position_m) > far
+        and pushes_out(s.state.planned_n, position_m) > OUTWARD_N
+    )
+
+
+def _has_ended(s: Situation) -> bool:
+    assert s.clock is not None  # the row NO_TRACK comes before
+    assert s.track is not None
+    return s.clock.media_s(s.now_s) >= s.track.end_s
+
+
+def _stands_still(s: Situation) -> bool:
+    return s.clock is not None and (
+        s.clock.rate == 0.0 or s.now_s < s.clock.monotonic0_s
+    )
+
+
+def _has_leapt(s: Situation) -> bool:
+    is_moving = s.state.mode in (Mode.ENTERING, Mode.FOLLOWING)
+    return is_moving and s.clock is not None and s.clock.epoch != s.state.epoch
+
+
+RULES: tuple[Rule, ...] = (
+    Rule(
+        Cause.STOPPED,
+        Reaction.TRIP,
+        lambda s: s.told.request is Request.STOP,
+        "a person stops: Esc, the stop button, closing the window",
+    ),
+    Rule(
+        Cause.GRIP_BUTTON,
+        Reaction.TRIP,
+        lambda s: s.hand.pressed != 0,
+        "a person presses a button on the grip",
+    ),
+    Rule(
+        Cause.PLAYER_GONE,
+        Reaction.TRIP,
+        lambda s: not s.told.is_player_alive,
+        "the player has died: its line is closed",
+    ),
+    Rule(
+        Cause.HEARTBEAT_LOST,
+        Reaction.TRIP,
+        _hung_under_force,
+        "the player's main thread has been silent for 1 s, and a force was on",
+    ),
+    Rule(
+        Cause.UNPLUGGED,
+        Reaction.TRIP,
+        lambda s: s.told.is_device_gone,
+        "the device is gone",
+    ),
+    Rule(
+        Cause.COMMAND_STALE,
+        Reaction.TRIP,
+        lambda s: s.told.is_stale,
+        "a command was older than 20 ms before it was sent; it was not sent",
+    ),
+    Rule(
+        Cause.TICK_LOST,
+        Reaction.TRIP,
+        lambda s: s.is_acting and s.gap_s > GAP_TRIP_S,
+        "the loop stood still for more than 50 ms (suspend, debugger, overload)",
+    ),
+    Rule(
+        Cause.REPLY_LOST,
+        Reaction.TRIP,
+        lambda s: s.reply_age_s > REPLY_TRIP_S,
+        "the device has not answered for 100 ms",
+    ),
+    Rule(
+        Cause.MALFORMED,
+        Reaction.TRIP,
+        lambda s: s.is_acting and s.hand.malformed >= MALFORMED_TRIP,
+        "20 answers in a row made no sense",
+    ),
+    Rule(
+        Cause.NOT_FINITE,
+        Reaction.TRIP,
+        lambda s: not is_finite(s.hand.position_m),
+        "a number in position, clock or force is not finite",
+    ),
+    Rule(
+        Cause.RUNAWAY,
+        Reaction.TRIP,
+        lambda s: s.is_acting and s.hand.fast_samples >= FAST_SAMPLES_TRIP,
+        "the grip was faster than 1 m/s twice: the hand has let go",
+    ),
+    Rule(
+        Cause.OUTSIDE,
+        Reaction.TRIP,
+        _is_outside,
+        "the grip is in the outer tenth of the workspace and pushed outward",
+    ),
+    Rule(
+        Cause.CLOSING,
+        Reaction.RAMP,
+        lambda s: s.told.request is Request.CLOSE,
+        "the player ends or lets go of the device",
+    ),
+    Rule(
+        Cause.HEARTBEAT_LATE,
+        Reaction.RAMP,
+        lambda s: s.now_s - s.told.heartbeat_s > HEARTBEAT_RAMP_S,
+        "the player's main thread has been silent for 150 ms",
+    ),
+    Rule(
+        Cause.GUARD_LOST,
+        Reaction.RAMP,
+        lambda s: s.now_s - s.told.guard_s > GUARD_RAMP_S,
+        "the guard has been silent for 250 ms",
+    ),
+    Rule(
+        Cause.TICK_LATE,
+        Reaction.RAMP,
+        lambda s: s.is_acting and s.gap_s > GAP_RAMP_S,
+        "the loop stood still for more than 20 ms",
+    ),
+    Rule(
+        Cause.REPLY_LATE,
+        Reaction.RAMP,
+        lambda s: s.reply_age_s > REPLY_RAMP_S,
+        "the device has not answered for 20 ms",
+    ),
+    Rule(
+        Cause.NOT_HOMED,
+        Reaction.RAMP,
+        lambda s: not s.hand.is_homed,
+        "the device does not know where its grip is",
+    ),
+    Rule(
+        Cause.NO_TRACK,
+        Reaction.RAMP,
+        lambda s: s.clock is None or s.track is None,
+        "there is no clock or no force track",
+    ),
+    Rule(
+        Cause.PAUSED,
+        Reaction.RAMP,
+        _stands_still,
+        "the clip is paused, or has not begun",
+    ),
+    Rule(
+        Cause.CLOCK_STALE,
+        Reaction.RAMP,
+        lambda s: s.clock is not None and s.now_s > s.clock.valid_until_s,
+        "the player has not said for 150 ms where the clip is",
+    ),
+    Rule(
+        Cause.TRACK_ENDED,
+        Reaction.RAMP,
+        _has_ended,
+        "the force track has ended",
+    ),
+    Rule(
+        Cause.SEEK,
+        Reaction.RAMP,
+        _has_leapt,
+        "the clip was sought, looped, or given another force track",
+    ),
+)
+
+
+# Where a mode goes with each reaction. Leaving RAMPING and ENTERING needs a
+# condition of its own on top, leaving TRIPPED needs a person: see `step`.
+TRANSITIONS: dict[Mode, tuple[Mode, Mode, Mode]] = {
+    # mode:        GO              RAMP          TRIP
+    Mode.IDLE: (Mode.ENTERING, Mode.IDLE, Mode.TRIPPED),
+    Mode.ENTERING: (Mode.ENTERING, Mode.RAMPING, Mode.TRIPPED),
+    Mode.FOLLOWING: (Mode.FOLLOWING, Mode.RAMPING, Mode.TRIPPED),
+    Mode.RAMPING: (Mode.RAMPING, Mode.RAMPING, Mode.TRIPPED),
+    Mode.TRIPPED: (Mode.TRIPPED, Mode.TRIPPED, Mode.TRIPPED),
+}
+
+
+def assess(situation: Situation) -> tuple[Reaction, Cause]:
+    """Return what the first rule that holds asks for."""
+    for cause, reaction, holds, _ in RULES:
+        if holds(situation):
+            return reaction, cause
+    return Reaction.GO, Cause.NONE

@@ -1,0 +1,100 @@
+"""The processes beside the player: the loop, its guard, and a simulated device.
+
+Each survives the death of the others for as long as it takes to leave zero on the
+wire: the loop ends when the player's line closes, the guard when the loop has gone,
+the simulated device when nobody is left who could command it.
+"""
+
+import contextlib
+import os
+import socket
+import subprocess
+import sys
+from collections.abc import Sequence
+
+from hapticplayer.devices import NO_HANDLE, DeviceEntry
+from hapticplayer.haptics.scheduling import DEVICE_PRIORITY, Scheduling, grant
+
+QUIT_TIMEOUT_S = 2.0
+
+
+class Crew:
+    """Starts and ends them.
+
+    Args:
+        entry: the device.
+        scheduling: of the loop; None for the best there is.
+        device_options: for a simulated device: command line of its process.
+        device_descriptors: descriptors that these options name.
+    """
+
+    def __init__(
+        self,
+        entry: DeviceEntry,
+        scheduling: Scheduling | None = None,
+        device_options: Sequence[str] = (),
+        device_descriptors: Sequence[int] = (),
+    ) -> None:
+        self.loop: subprocess.Popen[bytes] | None = None
+        self.guard: subprocess.Popen[bytes] | None = None
+        self.device: subprocess.Popen[bytes] | None = None
+        self._entry, self._scheduling = entry, scheduling
+        self._device_options = list(device_options)
+        self._device_descriptors = list(device_descriptors)
+        self._all: list[subprocess.Popen[bytes]] = []
+
+    def start(self, block: int, line: int) -> None:
+        """Start all; the descriptors stay the caller's.
+
+        Raises:
+            OSError: when a process cannot be started; call `end`.
+        """
+        with contextlib.ExitStack() as stack:
+            handle = self._start_device(stack)
+            reach = ["--device", self._entry.name, "--handle", str(handle)]
+            shared = ["--block", str(block)]
+            passed = [block] if handle == NO_HANDLE else [block, handle]
+            options = [*shared, *reach, "--line", str(line), "--guarded"]
+            if self._scheduling is not None:
+                options += ["--scheduling", self._scheduling.value]
+            self.loop = self._run("hapticplayer.haptics", options, [*passed, line])
+            watch = os.pidfd_open(self.loop.pid)
+            stack.callback(os.close, watch)
+            options = [*shared, *reach, "--loop-pidfd", str(watch)]
+            self.guard = self._run(
+                "hapticplayer.haptics.guard", options, [*passed, watch]
+            )
+
+    def end(self) -> None:
+        """Wait for all to end by themselves, and help where they don't."""
+        for process in self._all[1:] + self._all[:1]:  # the device is the last to go
+            try:
+                process.wait(QUIT_TIMEOUT_S)
+            except subprocess.TimeoutExpired:
+                process.kill()
+                process.wait()
+
+    def _start_device(self, stack: contextlib.ExitStack) -> int:
+        if not self._entry.server:
+            return NO_HANDLE
+        ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
+        stack.enter_context(ours)
+        stack.enter_context(theirs)
+        options = ["--line", str(theirs.fileno()), *self._device_options]
+        passed = [theirs.fileno(), *self._device_descriptors]
+        self.device = self._run(self._entry.server, options, passed)
+        grant(self.device.pid, self._scheduling, DEVICE_PRIORITY)
+        return ours.fileno()
+
+    def _run(
+        self, module: str, options: Sequence[str], passed: Sequence[int]
+    ) -> subprocess.Popen[bytes]:
+        process = subprocess.Popen(
+            [sys.executable, "-P", "-m", module, *options],
+            pass_fds=passed,
+            stdin=subprocess.DEVNULL,
+            # the loop needs no algebra, and threads of it would be locked memory
+            env={**os.environ, "OPENBLAS_NUM_THREADS": "1"},
+        )
+        self._all.append(process)
+        return process

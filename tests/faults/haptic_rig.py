@@ -1,0 +1,163 @@
+"""The real loop on a virtual clock, with a device and a player that can fail at will."""
+
+import math
+import os
+import socket
+
+from hapticplayer.clock import ManualClock
+from hapticplayer.devices.simulated import FALCON
+from hapticplayer.errors import DeviceError
+from hapticplayer.haptics.contract import Mode
+from hapticplayer.haptics.limiter import PERIOD_S, ZERO, limits_of
+from hapticplayer.haptics.loop import Loop
+from hapticplayer.haptics.messages import Line, Word
+from hapticplayer.haptics.shared import BLOCK_BYTES, SharedBlock
+from hapticplayer.haptics.track import anonymous_memory, to_shared_memory
+from hapticplayer.model import ForceTrack, PlaybackClock
+from hapticplayer.model.device import DeviceReading
+
+TRACK_S = 100.0
+
+
+class Grip:
+    """A device whose grip stands where a test puts it; it keeps what it was sent."""
+
+    name, capabilities = "grip", FALCON
+
+    def __init__(self):
+        self.position_m = ZERO
+        self.velocity_mps = ZERO
+        self.buttons = 0
+        self.is_homed = True
+        self.is_plugged = True
+        self.answers = True
+        self.malformed = 0  # further answers that will make no sense
+        self.bad_in_a_row = 0
+        self.sent = []
+        self.last = DeviceReading(ZERO, 0, is_homed=False, replied_s=-math.inf)
+
+    def open(self):
+        pass
+
+    def close(self):
+        pass
+
+    def exchange(self, force_n, now_s):
+        if not self.is_plugged:
+            raise DeviceError("the device is gone")
+        self.sent.append(force_n)
+        self.position_m = tuple(
+            p + PERIOD_S * v
+            for p, v in zip(self.position_m, self.velocity_mps, strict=True)
+        )
+        if not self.answers:
+            return self.last
+        if self.malformed:
+            self.malformed -= 1
+            self.bad_in_a_row += 1
+            return self.last._replace(malformed=self.bad_in_a_row)
+        self.bad_in_a_row = 0
+        self.last = DeviceReading(
+            self.position_m, self.buttons, self.is_homed, replied_s=now_s
+        )
+        return self.last
+
+
+class SlowClock(ManualClock):
+    """Time that may pass between deciding and sending."""
+
+    delay_s = 0.0
+
+    def now_s(self):
+        now_s = super().now_s()
+        if self.delay_s:
+            now_s += self.delay_s
+            self.advance(self.delay_s)
+            self.delay_s = 0.0
+        return now_s
+
+
+class Rig:
+    """Player, loop and device in one thread; `tick` is one period."""
+
+    def __init__(self, force=None, device=None):
+        ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
+        self.player, self.line = Line(ours), Line(theirs)
+        descriptor = anonymous_memory("test", BLOCK_BYTES)
+        self.block = SharedBlock(descriptor)
+        os.close(descriptor)
+        self.clock = SlowClock()
+        self.device = device or Grip()
+        self.loop = Loop(
+            self.clock,
+            self.block,
+            self.line,
+            self.device,
+            limits_of(FALCON),
+            is_guarded=True,
+        )
+        self.beats, self.refreshes, self.guards = True, True, True
+        self.epoch, self.rate, self.track_id = 1, 1.0, 1
+        self.delay_sending_s = 0.0
+        self.media0_s, self.media_from_s = 0.0, self.clock.now_s()
+        self.give_track(force or swaying())
+
+    def give_track(self, track, track_id=1):
+        descriptor = to_shared_memory(track)
+        self.player.send(Word.TRACK, str(track_id), descriptor)
+        os.close(descriptor)
+
+    def tick(self, count=1, gap_s=PERIOD_S):
+        """Do so many periods, the first after a gap; return the forces sent."""
+        before = len(self.device.sent)
+        for number in range(count):
+            self.clock.advance(gap_s if number == 0 else PERIOD_S)
+            now_s = self.clock.now_s()
+            if self.beats:
+                self.block.beat(now_s)
+            if self.guards:
+                self.block.beat_guard(now_s)
+            if self.refreshes:
+                self.block.write_clock(self.playback(now_s), self.track_id)
+            missed = round(gap_s / PERIOD_S) - 1 if number == 0 else 0
+            self.clock.delay_s, self.delay_sending_s = self.delay_sending_s, 0.0
+            self.loop.tick(now_s, 0.0, missed)
+        return self.device.sent[before:]
+
+    def playback(self, now_s):
+        return PlaybackClock(
+            self.epoch, self.media_from_s, self.media0_s, self.rate, now_s + 0.150
+        )
+
+    def seek(self, media_s):
+        self.epoch += 1
+        self.media0_s, self.media_from_s = media_s, self.clock.now_s()
+
+    @property
+    def mode(self):
+        return self.loop.state.mode
+
+    @property
+    def cause(self):
+        return self.loop.state.cause
+
+    def following(self, phase=0):
+        """Play until the force is fully there, and so many ticks more."""
+        self.tick(260 + phase)
+        assert self.mode is Mode.FOLLOWING
+        assert math.hypot(*self.device.sent[-1]) > 1.5
+        return self
+
+    def close(self):
+        self.player.close()
+        self.line.close()
+
+
+def swaying():
+    """A force of 2 to 4 N that turns and grows and shrinks without end."""
+    times = [0.005 * k for k in range(round(TRACK_S / 0.005) + 1)]
+    rows = []
+    for t in times:
+        size = 3.0 + math.sin(9.0 * t)
+        rows.append((size * math.cos(2.0 * t), size * math.sin(2.0 * t), 0.0))
+    return ForceTrack(times, rows)

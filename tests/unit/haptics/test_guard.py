@@ -1,0 +1,88 @@
+"""The guard on a virtual clock: when it writes zero, and when it leaves the loop alone."""
+
+import os
+
+import pytest
+
+from hapticplayer.clock import ManualClock
+from hapticplayer.haptics.guard import LAST_ZEROS, LOOK_PERIOD_S, Guard
+from hapticplayer.haptics.shared import BLOCK_BYTES, TICK, SharedBlock
+from hapticplayer.haptics.track import anonymous_memory
+
+FIELDS = len(TICK.descr) - 1 + 4 * 2 + 2  # five vectors of three, without the time
+
+
+class Bench:
+    """A guard, a loop that may stop, and what reached the device."""
+
+    def __init__(self):
+        descriptor = anonymous_memory("test", BLOCK_BYTES)
+        self.block = SharedBlock(descriptor)
+        os.close(descriptor)
+        self.clock = ManualClock()
+        self.zeros = []
+        self.is_there = True
+        self.guard = Guard(self.clock, self.block, self.silence)
+        self.count = 0
+
+    def silence(self):
+        self.zeros.append(self.clock.now_s())
+        return self.is_there
+
+    def loop_ticks(self):
+        self.block.write_tick(self.count, self.clock.now_s(), *[0] * FIELDS)
+        self.count += 1
+
+    def look_for(self, duration_s, *, ticking):
+        for _ in range(round(duration_s / LOOK_PERIOD_S)):
+            self.clock.advance(LOOK_PERIOD_S)
+            if ticking:
+                self.loop_ticks()
+            self.guard.look()
+
+
+@pytest.fixture
+def bench():
+    return Bench()
+
+
+def test_a_loop_that_ticks_is_left_alone_and_the_guard_beats(bench):
+    bench.look_for(1.0, ticking=True)
+    assert bench.zeros == []
+    assert bench.block.guard_s() == bench.clock.now_s()
+
+
+def test_before_the_first_tick_there_is_nothing_to_silence(bench):
+    bench.look_for(1.0, ticking=False)
+    assert bench.zeros == []
+
+
+@pytest.mark.parametrize("phase", range(20))
+def test_a_loop_that_stands_still_is_silenced_within_a_look_after_20_ms(bench, phase):
+    bench.look_for(0.1, ticking=True)
+    bench.clock.advance(phase * LOOK_PERIOD_S / 20)
+    bench.loop_ticks()
+    stopped_s = bench.clock.now_s()
+    bench.look_for(0.06, ticking=False)
+    waited_s = bench.zeros[0] - stopped_s
+    assert 0.020 < waited_s <= 0.020 + LOOK_PERIOD_S + 1e-9
+    assert len(bench.zeros) >= 9  # and at each look after that
+
+
+def test_a_loop_that_goes_on_is_left_alone_again(bench):
+    bench.look_for(0.1, ticking=True)
+    bench.look_for(0.1, ticking=False)
+    bench.zeros.clear()
+    bench.look_for(0.1, ticking=True)
+    assert bench.zeros == []
+
+
+def test_a_dead_loop_leaves_zeros_on_the_wire(bench):
+    bench.guard.bury()
+    assert len(bench.zeros) == LAST_ZEROS
+
+
+def test_without_a_device_there_is_nothing_to_bury(bench):
+    bench.is_there = False
+    bench.guard.bury()
+    assert len(bench.zeros) == 1

@@ -1,0 +1,384 @@
+"""The recorder: it keeps every tick, whoever dies, and says when it cannot."""
+
+import json
+import os
+import resource
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from hapticplayer.clock import ManualClock, SystemClock
+from hapticplayer.errors import InputError
+from hapticplayer.haptics.record_reader import read_record
+from hapticplayer.haptics.recorder import (
+    SYNC_PERIOD_S,
+    Recorder,
+    Recording,
+    Status,
+    finish_recorder,
+    open_record,
+    recorder_problem,
+    start_recorder,
+)
+from hapticplayer.haptics.records import RecordWriter
+from hapticplayer.haptics.shared import BLOCK_BYTES, RING_TICKS, SharedBlock
+from hapticplayer.haptics.track import anonymous_memory
+
+HERE = Path(__file__).parent
+PATIENCE_S = 30.0
+
+
+class Ring:
+    """What a loop would write: ticks that tell their number."""
+
+    def __init__(self):
+        self.descriptor = anonymous_memory("test", BLOCK_BYTES)
+        self.block = SharedBlock(self.descriptor)
+        self.count = 0
+
+    def tick(self, count=1, mode=2):
+        for _ in range(count):
+            x = float(self.count)
+            floats = [x / 2.0, *[x + 0.5] * 15, 1e-5, 0.001, 1.5]
+            self.block.write_tick(self.count, x, *floats, 0, mode, 0, 0)
+            self.count += 1
+
+
+@pytest.fixture
+def ring():
+    made = Ring()
+    yield made
+    os.close(made.descriptor)
+
+
+@pytest.fixture
+def loop():
+    """A process that stands for the loop: it lives until its stdin closes."""
+    process = subprocess.Popen(
+        [sys.executable, "-S", "-c", "import sys; sys.stdin.read()"],
+        stdin=subprocess.PIPE,
+    )
+    yield process
+    process.stdin.close()
+    process.wait()
+
+
+@pytest.fixture
+def start(ring, loop, tmp_path):
+    """Start recording into a file; whatever still runs is killed at the end."""
+    started = []
+
+    def start_one(name="record"):
+        path = tmp_path / name
+        recorder = start_recorder(
+            ring.descriptor, loop.pid, path, {"device": "test", "scheduling": "fifo"}
+        )
+        started.append(recorder)
+        return recorder, path
+
+    yield start_one
+    for recorder in started:
+        recorder.kill()
+        recorder.wait()
+
+
+def wait_until(condition):
+    clock = SystemClock()
+    deadline_s = clock.now_s() + PATIENCE_S
+    while not condition():
+        assert clock.now_s() < deadline_s, "nothing happened"
+        clock.sleep_until(clock.now_s() + 0.01)
+
+
+def wait_for_ticks(path, count):
+    wait_until(lambda: len(read_record(path).ticks) >= count)
+
+
+def open_descriptors():
+    return len(list(Path("/proc/self/fd").iterdir()))
+
+
+def numbers(record):
+    return record.ticks["monotonic_s"].tolist()
+
+
+# --- on a virtual clock -----------------------------------------------------
+
+
+class CountingWriter(RecordWriter):
+    syncs = 0
+
+    def sync(self):
+        self.syncs += 1
+        super().sync()
+
+
+@pytest.fixture
+def recording(ring, tmp_path):
+    descriptor = open_record(tmp_path / "record")
+    writer = CountingWriter(descriptor)
+    writer.begin({})
+    clock = ManualClock()
+    yield Recorder(clock, ring.block, writer), clock, writer, tmp_path / "record"
+    os.close(descriptor)
+
+
+def test_every_tick_is_there_with_all_its_fields(recording, ring, rng):
+    recorder, _, _, path = recording
+    for count in rng.integers(0, 120, 30):
+        ring.tick(int(count))
+        recorder.collect()
+    recorder.finish()
+    record = read_record(path)
+    assert numbers(record) == list(range(ring.count))
+    expected, _, _ = ring.block.read_ticks(0)
+    assert record.ticks.tobytes() == expected.tobytes()
+    assert record.is_complete
+    assert record.lost == 0
+
+
+def test_ticks_that_the_ring_has_overrun_are_counted(recording, ring):
+    recorder, _, _, path = recording
+    ring.tick(100)
+    recorder.collect()
+    ring.tick(RING_TICKS + 777)
+    recorder.collect()
+    ring.tick(10)
+    recorder.finish()
+    record = read_record(path)
+    assert record.lost == ring.count - len(record.ticks)
+    assert 777 <= record.lost <= 778  # the slot being written is never trusted
+    assert record.is_complete
+    assert np.flatnonzero(np.diff(record.ticks["monotonic_s"]) != 1).tolist() == [99]
+
+
+def test_it_is_made_durable_once_a_second(recording, ring):
+    recorder, clock, writer, _ = recording
+    for _ in range(10 * 16 + 1):
+        ring.tick(60)
+        recorder.collect()
+        clock.advance(SYNC_PERIOD_S / 16)  # adds up without rounding
+    assert writer.syncs == 10
+
+
+def test_a_torn_write_is_taken_back(tmp_path, ring, monkeypatch):
+    path = tmp_path / "record"
+    descriptor = open_record(path)
+    writer = RecordWriter(descriptor)
+    writer.begin({})
+    size = path.stat().st_size
+    write = os.write
+
+    def write_half(where, data):
+        if path.stat().st_size > size:
+            raise OSError(28, "No space left on device")
+        return write(where, data[: len(data) // 2])
+
+    monkeypatch.setattr(os, "write", write_half)
+    ring.tick(10)
+    with pytest.raises(OSError, match="No space"):
+        writer.append(0, 0, ring.block.read_ticks(0)[0])
+    os.close(descriptor)
+    assert path.stat().st_size == size
+    assert read_record(path).remark.startswith("the recording has no end")
+
+
+# --- as a process -----------------------------------------------------------
+
+
+def test_it_ends_with_the_loop_and_holds_the_last_tick(start, ring, loop):
+    recorder, path = start()
+    ring.tick(500)
+    wait_for_ticks(path, 500)
+    ring.tick(400)
+    ring.tick(5, mode=4)
+    loop.kill()
+    assert finish_recorder(recorder) == ""
+    record = read_record(path)
+    assert numbers(record) == list(range(905))
+    assert record.ticks["mode"][-5:].tolist() == [4] * 5
+    assert record.is_complete
+    assert record.header["scheduling"] == "fifo"
+    assert record.header["causes"]["7"] == "player_gone"
+
+
+def test_ticks_from_before_it_was_there_are_kept(start, ring, loop):
+    ring.tick(3000)
+    recorder, path = start()
+    loop.kill()
+    assert finish_recorder(recorder) == ""
+    assert numbers(read_record(path)) == list(range(3000))
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
+def test_signals_to_the_player_do_not_end_it(start, ring, loop, number):
+    recorder, path = start()
+    ring.tick(10)
+    wait_for_ticks(path, 10)
+    assert os.getpgid(recorder.pid) != os.getpgid(0)
+    recorder.send_signal(number)
+    ring.tick(10)
+    wait_for_ticks(path, 20)
+    loop.kill()
+    assert finish_recorder(recorder) == ""
+
+
+def test_killed_itself_it_leaves_what_it_had_written(start, ring):
+    recorder, path = start()
+    ring.tick(300)
+    wait_for_ticks(path, 300)
+    recorder.kill()
+    recorder.wait()
+    record = read_record(path)
+    assert numbers(record) == list(range(300))
+    assert not record.is_complete
+    assert "status -9" in recorder_problem(recorder)
+
+
+def test_the_record_of_a_killed_player_goes_to_the_end(tmp_path):
+    path = tmp_path / "record"
+    player = subprocess.run(
+        [sys.executable, str(HERE / "recorded_player.py"), str(path)],
+        capture_output=True,
+        timeout=PATIENCE_S,
+        check=False,
+    )
+    assert player.returncode == -signal.SIGKILL
+    wait_until(lambda: read_record(path).is_complete)
+    record = read_record(path)
+    assert numbers(record) == list(range(1000))
+    assert record.ticks["mode"][-1] == 4
+
+
+def test_a_full_disk_ends_it_with_a_reason_and_a_whole_record(start, ring, capfd):
+    recorder, path = start()
+    ring.tick(100)
+    wait_for_ticks(path, 100)
+    limit = path.stat().st_size + 5000  # bytes; a frame of 200 ticks does not fit
+    resource.prlimit(recorder.pid, resource.RLIMIT_FSIZE, (limit, limit))
+    ring.tick(200)
+    assert recorder.wait(PATIENCE_S) == Status.FULL
+    assert "the disk is full" in recorder_problem(recorder)
+    record = read_record(path)
+    assert len(record.ticks) >= 100
+    assert numbers(record) == list(range(len(record.ticks)))
+    assert "damaged" not in record.remark
+    assert len(capfd.readouterr().err.splitlines()) == 1
+
+
+def test_a_removed_file_ends_it_with_a_reason(start, ring, capfd):
+    recorder, path = start()
+    ring.tick(10)
+    wait_for_ticks(path, 10)
+    path.unlink()
+    assert recorder.wait(PATIENCE_S) == Status.REMOVED
+    assert "removed" in recorder_problem(recorder)
+    assert "removed" in capfd.readouterr().err
+
+
+def test_a_block_of_another_version_is_refused(tmp_path, loop, capfd):
+    descriptor = anonymous_memory("test", 4096)
+    recorder = start_recorder(descriptor, loop.pid, tmp_path / "record", {})
+    os.close(descriptor)
+    assert recorder.wait(PATIENCE_S) == Status.FAILED
+    assert "versions differ" in capfd.readouterr().err
+
+
+def test_without_a_loop_to_watch_it_takes_a_path_and_ends_with_silence(ring, tmp_path):
+    ring.tick(20)
+    path = tmp_path / "record"
+    code = (
+        "import sys, hapticplayer.haptics.recorder as r; r.SILENCE_S = 0.2;"
+        "sys.exit(r.main(sys.argv[1:]))"
+    )
+    options = ["--block", str(ring.descriptor), "--file", str(path)]
+    done = subprocess.run(
+        [sys.executable, "-P", "-c", code, *options],
+        pass_fds=[ring.descriptor],
+        timeout=PATIENCE_S,
+        check=False,
+    )
+    assert done.returncode == Status.DONE
+    record = read_record(path)
+    assert numbers(record) == list(range(20))
+    assert record.is_complete
+
+
+def test_a_file_that_exists_is_refused_before_anything_starts(
+    start, tmp_path, monkeypatch
+):
+    (tmp_path / "record").write_text("dear")
+    monkeypatch.setattr(subprocess, "Popen", None)
+    with pytest.raises(InputError, match="already exists"):
+        start("record")
+    with pytest.raises(InputError, match="cannot be written"):
+        start("none/record")
+    assert (tmp_path / "record").read_text() == "dear"
+
+
+def test_it_imports_nothing_heavy():
+    code = (
+        "import sys, json, hapticplayer.haptics.recorder; "
+        "print(json.dumps(sorted({m.split('.')[0] for m in sys.modules})))"
+    )
+    found = json.loads(
+        subprocess.run(
+            [sys.executable, "-P", "-c", code], capture_output=True, check=True
+        ).stdout
+    )
+    assert not {"av", "PySide6", "scipy", "matplotlib", "sounddevice"} & set(found)
+
+
+# --- the player's handle ----------------------------------------------------
+
+
+def test_a_recording_holds_what_came_before_its_start(ring, loop, tmp_path):
+    path = tmp_path / "record"
+    handle = Recording(path, ring.descriptor)
+    ring.tick(50)
+    handle.start(loop.pid, {"device": "test"})
+    loop.kill()
+    handle.finish()
+    handle.finish()  # a second time does no harm
+    assert handle.problem == ""
+    assert numbers(read_record(path)) == list(range(50))
+
+
+def test_a_recording_of_a_loop_that_never_was_leaves_no_file(ring, tmp_path):
+    path = tmp_path / "record"
+    handle = Recording(path, ring.descriptor)
+    assert path.exists()
+    handle.finish()
+    assert not path.exists()
+    handle.start(os.getpid(), {})
+    assert not path.exists()
+    assert handle.problem == ""
+
+
+def test_a_recording_that_cannot_begin_says_so_and_raises_nothing(
+    ring, loop, tmp_path, monkeypatch
+):
+    handle = Recording(tmp_path / "record", ring.descriptor)
+
+    def fail(_self, _header):
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(RecordWriter, "begin", fail)
+    handle.start(loop.pid, {})
+    assert "No space left" in handle.problem
+    handle.finish()
+    assert "No space left" in handle.problem
+
+
+def test_a_recording_never_replaces_a_file_and_leaks_nothing(ring, tmp_path):
+    (tmp_path / "record").write_text("dear")
+    before = open_descriptors()
+    with pytest.raises(InputError, match="already exists"):
+        Recording(tmp_path / "record", ring.descriptor)
+    handle = Recording(tmp_path / "other", ring.descriptor)
+    handle.finish()
+    assert open_descriptors() == before

@@ -1,0 +1,216 @@
+"""Where a track would push a hand: the quick prediction against the full physics."""
+
+import copy
+import json
+import math
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from hapticplayer.console.quality_text import quality_text
+from hapticplayer.devices.simulated import RELAXED
+from hapticplayer.haptics.centring import Centring, centring_force
+from hapticplayer.haptics.hand import Hand
+from hapticplayer.haptics.limiter import Limits
+from hapticplayer.model import ForceTrack, Reconstruction
+from hapticplayer.sequence import open_sequence
+from hapticplayer.sequence.excursion import (
+    HANDS,
+    excursion_texts,
+    predict,
+    stored_texts,
+)
+from hapticplayer.sequence.excursion_model import Grip, pull_n
+from hapticplayer.sequence.processing import Processing, process_motion
+from hapticplayer.sequence.quality import describe_quality
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "faults"))
+
+from hand_cases import Trial
+from hand_tracks import excerpt, steady_push, track
+
+
+def quiet(duration_s=60.0):
+    return ForceTrack([0.0, duration_s], np.zeros((2, 3)))
+
+
+@pytest.mark.parametrize(
+    ("name", "begin_s", "end_s"),
+    [("bike", 2.5, 5.5), ("horse", 0.0, 3.0), ("turning", 0.0, 4.0),
+     ("braking", 13.5, 17.5)],
+)  # fmt: skip
+@pytest.mark.parametrize("hand", ["relaxed", "firm"])
+def test_it_agrees_with_the_full_physics_and_the_real_step(name, begin_s, end_s, hand):
+    part = excerpt(track(name), begin_s, end_s)
+    duration_s = end_s - begin_s - 0.02
+    trial = Trial(part, HANDS[hand]).run(duration_s)
+    found = predict(part, duration_s)["hands"][hand]
+    assert found["reach"] == pytest.approx(trial.reach, abs=0.02)
+    radii = np.array(trial.radii_m) / 0.04
+    assert found["far_share"] == pytest.approx(np.mean(radii > 0.6), abs=0.02)
+    assert found["trip"] is None
+    assert trial.trips == []
+
+
+@pytest.mark.parametrize("axis", [0, 1, 2])
+def test_a_steady_push_goes_where_spring_fade_and_pull_balance(axis):
+    found = predict(steady_push(3.0, axis, 8.0), 8.0)["hands"]
+    balance = [abs(Limits().workspace_m * one["reach"]) for one in found.values()]
+    for radius_m, hand in zip(balance, HANDS.values(), strict=True):
+        fade = min(1.0, max(0.0, (radius_m - 0.024) / 0.012))
+        pull = -centring_force(Hand((radius_m, 0.0, 0.0)), Centring())[0]
+        held = hand.stiffness_n_per_m * radius_m + pull
+        # beyond by a little: it swings past before it rests there
+        assert held == pytest.approx(3.0 * (1.0 - fade), rel=0.15)
+
+
+def test_the_pull_is_that_of_the_loop():
+    radii = np.linspace(0.0, 0.05, 501)
+    expected = [-centring_force(Hand((r, 0.0, 0.0)), Centring())[0] for r in radii]
+    np.testing.assert_allclose(pull_n(radii, Centring()), expected, atol=1e-12)
+
+
+def test_seconds_computed_side_by_side_are_those_of_one_long_run():
+    whole = track("braking")
+    found = predict(whole, 18.0)["hands"]["relaxed"]
+    grip = Grip([RELAXED], Limits(), Centring())
+    grip.rest(1)
+    time_s = np.arange(0.0, 18.0, 0.002)
+    force = whole.at(time_s) * np.minimum(1.0, time_s / 0.2)[:, None]
+    radii = [float(grip.advance(f[:, None])[0, 0]) for f in force]
+    assert found["reach"] == pytest.approx(max(radii), abs=1e-3)
+    assert found["reach_at_s"] == pytest.approx(np.argmax(radii) * 0.002, abs=0.01)
+    assert found["far_share"] == pytest.approx(np.mean(np.array(radii) > 0.6), abs=2e-3)
+
+
+def test_a_blow_that_no_hand_can_hold_is_a_trip():
+    blow = ForceTrack([0.0, 1.0, 1.001, 1.2, 1.201, 2.0], np.zeros((6, 3)))
+    force = np.zeros((6, 3))
+    force[2:4, 0] = 4.5
+    blow = ForceTrack(blow.time_s, force)
+    weak = type(RELAXED)(0.02, 10.0, 0.2)
+    grip = Grip([weak], Limits(speed_mps=0.3), Centring())
+    grip.rest(1)
+    fast = []
+    for at_s in np.arange(0.0, 2.0, 0.002):
+        grip.advance(blow.at(np.array([at_s])).T)
+        fast.append(bool(grip.is_fast[0, 0]))
+    assert 0.002 * fast.index(True) == pytest.approx(1.03, abs=0.03)
+    assert predict(blow, 2.0)["hands"]["firm"]["trip"] is None
+
+
+def test_the_motors_load_is_the_hottest_ten_seconds():
+    pause = ForceTrack(
+        [0.0, 20.0, 20.001, 60.0], [[0, 3, 0], [0, 3, 0], [0] * 3, [0] * 3]
+    )
+    found = predict(pause, 60.0)
+    expected = 3.0 * math.sqrt(1.0 - math.exp(-2.0))
+    assert found["rms_10s_n"] == pytest.approx(expected, rel=0.01)
+    assert found["thermal_share"] == pytest.approx(expected / 3.0, rel=0.01)
+
+
+# --- cost, progress, ends ----------------------------------------------------
+
+
+class StoppedError(Exception):
+    pass
+
+
+def test_nothing_is_computed_where_there_is_no_force():
+    told = []
+    found = predict(quiet(3600.0), 3600.0, told.append)
+    assert told == []
+    assert found["hands"]["relaxed"]["reach"] == 0.0
+    assert found["rms_10s_n"] == 0.0
+
+
+def test_the_progress_rises_and_can_stop_the_work():
+    told = []
+    predict(track("bike"), 20.0, told.append)
+    assert told == sorted(told)
+    assert 0.0 <= told[0] < told[-1] <= 1.0
+
+    def stop(share):
+        raise StoppedError
+
+    with pytest.raises(StoppedError):
+        predict(track("bike"), 20.0, stop)
+
+
+def test_a_minute_takes_so_many_steps_and_no_more(monkeypatch):
+    """The cost is that of the steps: a minute's seconds go side by side."""
+    steps, advance = [], Grip.advance
+    monkeypatch.setattr(
+        Grip, "advance", lambda grip, f: steps.append(f.shape) or advance(grip, f)
+    )
+    sway = 2.0 * np.sin(np.arange(0.0, 60.0, 0.01))
+    minute = ForceTrack(np.arange(len(sway)) / 100.0, np.stack([sway] * 3, axis=1))
+    predict(minute, 60.0)
+    assert len(steps) <= 1200
+    assert steps[0][1] <= 62
+
+
+def test_only_what_is_played_counts():
+    late = steady_push(4.5, 0, 10.0)
+    assert predict(late, 0.3)["hands"]["relaxed"]["reach"] == 0.0
+    held = ForceTrack([0.0, 1.0], [[0, 0, 0], [0, 4, 0]], Reconstruction.HOLD)
+    assert predict(held, 5.0)["hands"]["relaxed"]["reach"] > 0.5
+
+
+# --- what is said ------------------------------------------------------------
+
+
+def test_a_gentle_track_needs_no_words_and_a_strong_one_a_sentence():
+    assert excursion_texts(predict(quiet(), 60.0)) == []
+    text, _heat = excursion_texts(predict(steady_push(4.5, 0, 4.0), 4.0))
+    assert text.startswith("this track would reach 6")
+    assert "% of the workspace with a relaxed hand" in text
+
+
+def test_a_trip_is_told_instead():
+    found = predict(quiet(), 60.0)
+    found["hands"]["normal"].update(trip="runaway", trip_at_s=12.34)
+    assert excursion_texts(found) == [
+        "this track would move a normal hand so that the force stops (runaway) at 12.3 s"
+    ]
+
+
+def test_a_sequence_keeps_its_prediction(sequence_folder, tmp_path):
+    sequence = open_sequence(sequence_folder)
+    kept = sequence.description["feedbacks"]
+    force = sequence.tracks["realistic"]
+    again = predict(force, sequence.description["clip"]["duration_s"])
+    assert kept["realistic"]["excursion"] == again
+    assert set(kept["random"]["excursion"]["hands"]) == {"relaxed", "normal", "firm"}
+    assert stored_texts(sequence_folder, "realistic") == []
+    strong = copy.deepcopy(sequence.description)
+    strong["feedbacks"]["realistic"]["excursion"]["hands"]["relaxed"]["reach"] = 0.96
+    (tmp_path / "strong").mkdir()
+    (tmp_path / "strong" / "sequence.json").write_text(json.dumps(strong))
+    (text,) = stored_texts(tmp_path / "strong", "realistic")
+    assert "would reach 96 % of the workspace with a relaxed hand" in text
+
+
+@pytest.mark.parametrize(
+    "entry", [{}, {"excursion": None}, {"excursion": {"hands": {"relaxed": 3}}}]
+)
+def test_a_sequence_without_a_prediction_is_opened_without_words(tmp_path, entry):
+    content = {"feedbacks": {"realistic": entry}}
+    (tmp_path / "sequence.json").write_text(json.dumps(content))
+    assert stored_texts(tmp_path, "realistic") == []
+    assert stored_texts(tmp_path / "missing", "realistic") == []
+
+
+def test_the_quality_report_says_it_in_figures_and_words(swing, recording):
+    processed = process_motion(swing[0], Processing())
+    report = describe_quality(recording, processed)
+    reach = report["excursion"]["hands"]["relaxed"]["reach"]
+    assert 0.1 < reach < 0.6
+    json.dumps(report, allow_nan=False)
+    text = quality_text(report)
+    assert f"relaxed {100.0 * reach:.0f} %" in text
+    assert "N over 10 s at most" in text
+    del report["excursion"]
+    assert "excursion" not in quality_text(report)
