@@ -1,0 +1,260 @@
+"""The Falcon as a haptic device: from power-up to forces, and safely back to zero."""
+
+import atexit
+import enum
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from hapticplayer.clock import Clock, SystemClock
+from hapticplayer.devices.falcon.firmware import (
+    PATIENCE,
+    FirmwareImage,
+    Patience,
+    Progress,
+    find_image,
+    open_running,
+)
+from hapticplayer.devices.falcon.ftdi import Ftdi
+from hapticplayer.devices.falcon.kinematics import Kinematics, motor_words
+from hapticplayer.devices.falcon.link import WRITE_S, Link, ThreadedLink
+from hapticplayer.devices.falcon.protocol import Lights, Reply, encode_command
+from hapticplayer.devices.falcon.tracker import Tracker
+from hapticplayer.devices.falcon.transport import OpenTransport, open_falcon
+from hapticplayer.errors import DeviceError
+from hapticplayer.model.device import DeviceCapabilities, DeviceReading, Vector
+
+CAPABILITIES = DeviceCapabilities(
+    axes=3,
+    peak_force_n=9.0,  # press: "over 2 lb"; in every direction 4.9
+    continuous_force_n=4.5,
+    workspace_radius_m=0.04,  # CHAI3D
+    rate_hz=1000.0,
+    latency_s=0.001,
+)
+STALE_S = 0.05
+"""Without a reply for so long, the position is too old to compute torques from."""
+ZEROS_AT_THE_END = 5
+_PERIOD_S = 0.001
+_ZERO: Vector = (0.0, 0.0, 0.0)
+_REST_FRAME = encode_command((0, 0, 0))
+_RED_FRAME = encode_command((0, 0, 0), Lights.RED | Lights.HOMING)
+_PLACE_LOST = (
+    "the Falcon's position has jumped and stayed away; home it again, then choose the "
+    "device again"
+)
+_NOT_FINITE = (
+    "a force that is no number was asked for, a defect of this program; please report "
+    "it, and choose the device again"
+)
+
+
+class State(enum.Enum):
+    """How far a Falcon has come; forces only in READY."""
+
+    DISCONNECTED = "not connected"
+    UNLOADED = "without firmware"
+    LOADED = "firmware runs"
+    HOMING = "pull the grip out as far as it goes, then push it in until it locks"
+    READY = "ready"
+    FAULT = "stopped by a fault"
+
+
+@dataclass(frozen=True, slots=True)
+class Options:
+    """What owners may have to choose, because no source settles it.
+
+    Attributes:
+        event_character: let the chip answer at once after a frame's last byte, not
+            when its latency timer is over. From the chip's data sheet; no known
+            driver does it.
+        homing_bit_stays: keep asking for homing when it is done. libnifalcon says
+            so; traces of the vendor's driver show it clear.
+        patience: of the firmware's loader.
+    """
+
+    event_character: bool = False
+    homing_bit_stays: bool = True
+    patience: Patience = PATIENCE
+
+
+DEFAULTS = Options()
+
+
+@dataclass
+class _Session:
+    """What lasts from `open` to `close`."""
+
+    ftdi: Ftdi
+    tracker: Tracker
+    link: Link | None = None
+    reply: Reply | None = None
+    malformed: int = 0
+    fault: str = ""
+
+
+class FalconDriver:
+    """A `HapticDevice`: `exchange` posts frame k and takes the reply to k - 1.
+
+    Positions and forces are in frame D, positions from the workspace's centre.
+
+    Args:
+        open_transport: finds and opens the device; by default the only one plugged in.
+        clock: for time limits and stamps.
+        image: returns the firmware, when it has to be loaded.
+        kinematics: of this Falcon.
+        make_link: how frames travel.
+        options: see there.
+    """
+
+    name = "falcon"
+    capabilities = CAPABILITIES
+
+    def __init__(
+        self,
+        open_transport: OpenTransport = open_falcon,
+        *,
+        clock: Clock | None = None,
+        image: Callable[[], FirmwareImage] = find_image,
+        kinematics: Kinematics | None = None,
+        make_link: Callable[[Ftdi, Clock], Link] = ThreadedLink,
+        options: Options = DEFAULTS,
+    ) -> None:
+        self._open_transport = open_transport
+        self._clock = clock or SystemClock()
+        self._image = image
+        self._kinematics = kinematics or Kinematics()
+        self._make_link = make_link
+        self._options = options
+        self._session: _Session | None = None
+        self._state = State.DISCONNECTED
+        homing = int(Lights.HOMING) if options.homing_bit_stays else 0
+        # plain numbers: operations on flags take as long as encoding the frame
+        self._force_lights = int(Lights.BLUE) | homing
+        self._ready_frame = encode_command((0, 0, 0), int(Lights.GREEN) | homing)
+
+    @property
+    def state(self) -> State:
+        """How far the device has come."""
+        return self._state
+
+    @property
+    def reply(self) -> Reply | None:
+        """The newest reply as it came, for guidance during homing."""
+        return self._session.reply if self._session is not None else None
+
+    def open(self, progress: Progress | None = None) -> None:
+        """Connect, and load the firmware where it does not run yet.
+
+        Raises:
+            DeviceError: with what to do.
+        """
+        self.close()
+        self._state = State.UNLOADED
+        try:
+            ftdi = open_running(
+                self._open_transport,
+                self._image,
+                self._clock,
+                self._options.patience,
+                progress,
+            )
+            self._session = _Session(ftdi, Tracker(self._kinematics))
+            ftdi.set_event_character(b">" if self._options.event_character else b"")
+        except BaseException:
+            self.close()
+            raise
+        self._state = State.LOADED
+        atexit.register(self.close)
+
+    def exchange(self, force_n: Vector, now_s: float) -> DeviceReading:
+        """Command a force and return the newest answer; never waits for one.
+
+        The force is zero on the wire unless the device is homed and answers. Before
+        the first answer the reading is the centre, not homed, as old as the first
+        exchange.
+
+        Raises:
+            DeviceError: when the device is not open or gone, or a fault has stopped
+                it; then it is told zero.
+        """
+        session = self._session
+        if session is None:
+            raise DeviceError("the Falcon is not open; choose the device again")
+        link = session.link
+        if link is None:  # not earlier, so that it runs with the loop's scheduling
+            link = session.link = self._make_link(session.ftdi, self._clock)
+            session.tracker.replied_s = now_s
+        try:
+            self._listen(session, link)
+            link.post(self._frame(session, force_n, now_s))
+        except DeviceError:
+            self._state = State.DISCONNECTED
+            raise
+        if session.fault:
+            self._state = State.FAULT
+            raise DeviceError(session.fault)
+        return self._reading(session)
+
+    def close(self) -> None:
+        """Leave zero frames behind and let go of the device; may be called again."""
+        atexit.unregister(self.close)
+        session, self._session = self._session, None
+        self._state = State.DISCONNECTED
+        if session is None:
+            return
+        if session.link is not None:
+            session.link.stop()
+        try:
+            self._leave_zeros(session.ftdi)
+        except DeviceError:
+            return  # it is gone, and its force with it
+        finally:
+            session.ftdi.close()
+
+    def _leave_zeros(self, ftdi: Ftdi) -> None:
+        for _ in range(ZEROS_AT_THE_END):
+            ftdi.write(_REST_FRAME, WRITE_S)
+            self._clock.sleep_until(self._clock.now_s() + _PERIOD_S)
+        ftdi.set_event_character(b"")
+
+    def _listen(self, session: _Session, link: Link) -> None:
+        reply, at_s, session.malformed = link.newest()
+        if reply is None or reply is session.reply:
+            return
+        session.reply = reply
+        tracker = session.tracker
+        tracker.take(reply, at_s)
+        if tracker.has_lost_its_place:
+            session.fault = _PLACE_LOST
+        self._state = State.READY if tracker.is_homed else State.HOMING
+
+    def _frame(self, session: _Session, force_n: Vector, now_s: float) -> bytes:
+        pose = session.tracker.pose
+        if pose is None or session.fault or self._state is not State.READY:
+            return _RED_FRAME
+        if force_n == _ZERO or now_s - session.tracker.replied_s > STALE_S:
+            return self._ready_frame
+        try:
+            i, j, k = motor_words(pose.jacobian, force_n)
+        except ValueError:
+            session.fault = _NOT_FINITE
+            return _RED_FRAME
+        return encode_command((round(i), round(j), round(k)), self._force_lights)
+
+    def _reading(self, session: _Session) -> DeviceReading:
+        tracker, position_m = session.tracker, _ZERO
+        if tracker.pose is not None:
+            x, y, z = tracker.pose.position_m
+            position_m = (x, y, z - self._kinematics.geometry.centre_z_m)
+        return DeviceReading(
+            position_m,
+            tracker.buttons,
+            tracker.is_homed,
+            tracker.replied_s,
+            session.malformed + tracker.rejected,
+        )
+
+
+def make(_handle: int) -> FalconDriver:
+    """Return the driver of the Falcon that is plugged in; it needs no handle."""
+    return FalconDriver()

@@ -1,0 +1,134 @@
+"""Where the user's own copy of the firmware is kept. It is never fetched from anywhere."""
+
+import os
+import sys
+import tempfile
+from pathlib import Path
+
+from hapticplayer.devices.falcon.firmware.image import (
+    KNOWN_IMAGES,
+    MAX_IMAGE_BYTES,
+    FirmwareImage,
+    parse_image,
+)
+from hapticplayer.errors import DeviceError, UsageError
+
+OVERRIDE = "HAPTICPLAYER_FALCON_FIRMWARE"
+"""Environment variable with the path of an image to be used instead of the kept one."""
+
+LICENCE_NOTE = """\
+The firmware of the Falcon belongs to Novint Technologies. It is not part of this
+program. libnifalcon passes it on under Novint's SDK licence (its file
+license/LICENSE_NOVINT.txt): for personal, noncommercial use, free of charge, and every
+recipient is bound by it. Read that licence; by installing the file you say that you
+may use it. The file stays on this computer."""
+
+_FILE_NAME = "falcon-firmware.bin"
+
+
+def kept_path() -> Path:
+    """Return where the firmware is kept, or would be.
+
+    `$HAPTICPLAYER_FALCON_FIRMWARE`, else `hapticplayer/falcon-firmware.bin` in the
+    user's folder for data (`$XDG_DATA_HOME`, by default ~/.local/share).
+    """
+    override = os.environ.get(OVERRIDE)
+    if override:
+        return Path(override).expanduser()
+    return _data_home() / "hapticplayer" / _FILE_NAME
+
+
+def find_image() -> FirmwareImage:
+    """Return the user's firmware.
+
+    Raises:
+        DeviceError: when there is none, or the file is damaged.
+    """
+    path = kept_path()
+    if not path.exists():
+        raise DeviceError(
+            f"the Falcon's firmware is missing ({path}); it may not be passed on with "
+            "this program: take nvent_firmware.bin from a libnifalcon source archive "
+            "and install it with `hapticplayer device upload-firmware FILE`"
+        )
+    return read_image(path)
+
+
+def read_image(path: Path) -> FirmwareImage:
+    """Return the firmware in a file.
+
+    Raises:
+        DeviceError: when it cannot be read or is none.
+    """
+    try:
+        with path.open("rb") as file:
+            data = file.read(MAX_IMAGE_BYTES + 1)
+    except OSError as problem:
+        raise DeviceError(
+            f"{path}: cannot be read ({problem.strerror}); choose another file"
+        ) from problem
+    try:
+        return parse_image(data)
+    except DeviceError as problem:
+        raise DeviceError(f"{path}: {problem}") from problem
+
+
+def install_image(source: Path, *, accept_unknown: bool = False) -> FirmwareImage:
+    """Check a firmware file and keep a copy of it; show `LICENCE_NOTE` before.
+
+    Args:
+        source: the file.
+        accept_unknown: whether it may be one that nobody has recorded here.
+
+    Raises:
+        DeviceError: when it is no firmware or cannot be kept.
+        UsageError: when it is an unknown one and that was not accepted.
+    """
+    image = read_image(source)
+    if not image.known_name and not accept_unknown:
+        raise UsageError(
+            f"{source}: sound, but none of the known images "
+            f"({', '.join(sorted(KNOWN_IMAGES.values()))}; SHA-256 "
+            f"{image.sha256[:16]}...); it would run the motors: say that you want it"
+        )
+    target = kept_path()
+    try:
+        _write_whole(target, image.data)
+    except OSError as problem:
+        raise DeviceError(
+            f"{target}: the firmware cannot be kept there ({problem.strerror}); "
+            f"set {OVERRIDE} to another path"
+        ) from problem
+    return image
+
+
+def _write_whole(target: Path, data: bytes) -> None:
+    """Write a file so that there is the old or the new one, never half of it."""
+    target.parent.mkdir(parents=True, exist_ok=True)
+    descriptor, name = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name}-")
+    part = Path(name)
+    try:
+        with os.fdopen(descriptor, "wb") as file:
+            file.write(data)
+            file.flush()
+            os.fsync(file.fileno())
+        part.replace(target)
+    except OSError:
+        part.unlink(missing_ok=True)
+        raise
+
+
+def _data_home() -> Path:
+    if sys.platform == "win32":
+        home = os.environ.get("LOCALAPPDATA")
+    else:
+        home = os.environ.get("XDG_DATA_HOME")
+    # the standard tells to ignore what is not absolute
+    if home and Path(home).is_absolute():
+        return Path(home)
+    try:
+        return Path.home() / ".local" / "share"
+    except RuntimeError as problem:
+        raise DeviceError(
+            f"nobody's home folder is known; set {OVERRIDE} to the firmware's path"
+        ) from problem

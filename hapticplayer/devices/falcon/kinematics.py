@@ -1,0 +1,246 @@
+"""Kinematics of the Falcon: where the grip is, and what the motors must do.
+
+Positions are in the device's frame: origin on its axis, x right, y up, z towards the
+user. A leg at azimuth phi, in its own plane (u outwards, v across; letters as in
+`geometry`):
+
+    u = x cos phi + y sin phi - r + c,   v = -x sin phi + y cos phi - s + f.
+
+The knee lies on a circle of radius a, the grip on a circle around the knee whose
+radius shrinks as the shin's parallelogram leans across, L = d + e + h with
+h = sqrt(b^2 - v^2):
+
+    (u - a cos theta)^2 + (z - a sin theta)^2 = L^2.
+
+With A = u - a cos theta, B = z - a sin theta and half the gradient of this closure,
+
+    W = A (cos phi, sin phi, 0) + L v / h (-sin phi, cos phi, 0) + B (0, 0, 1),
+
+the Jacobian dp/dtheta is W^-1 diag(D), D = a (B cos theta - A sin theta), and a force
+F at the grip is held by the joint torques J^T F. All in scalars: one call of
+numpy.linalg takes longer than a whole tick may.
+"""
+
+import math
+from typing import NamedTuple
+
+from hapticplayer.devices.falcon.geometry import FALCON_GEOMETRY, Geometry
+from hapticplayer.devices.falcon.matrix3 import (
+    Rows,
+    condition,
+    condition_bound,
+    cross,
+    dot,
+    minus,
+    transposed_times,
+)
+from hapticplayer.devices.falcon.newton import make_solver
+from hapticplayer.model.device import Vector
+
+Counts = tuple[int, int, int]
+
+WORDS_PER_NM = 10_000.0
+"""Motor word per torque as libnifalcon has it; nobody has published a measurement."""
+WORD_LIMIT = 4096
+"""Where the hardware saturates; the 16 bits of a frame would wrap round beyond."""
+FADE_BEGINS = 6.0
+"""Up to this condition number of the Jacobian the full force is given."""
+FADE_ENDS = 9.0
+"""From this one on none: directions are no longer what the model says."""
+
+
+class OutOfReachError(ValueError):
+    """No pose of the legs belongs to this position or to these angles."""
+
+
+class Pose(NamedTuple):
+    """The grip and how it follows the joints.
+
+    Attributes:
+        position_m: in the device's frame.
+        jacobian: rows x, y, z of dp/dtheta, m/rad.
+    """
+
+    position_m: Vector
+    jacobian: Rows
+
+
+class Kinematics:
+    """The legs of one geometry; see the module for frame and equations."""
+
+    def __init__(self, geometry: Geometry = FALCON_GEOMETRY) -> None:
+        self.geometry = geometry
+        self.centre_m: Vector = (0.0, 0.0, geometry.centre_z_m)
+        self._directions = [(math.cos(p), math.sin(p)) for p in geometry.azimuths_rad]
+        self._radial_m = geometry.base_radius_m - geometry.grip_radius_m
+        self._across_m = geometry.base_offset_m - geometry.grip_offset_m
+        self._solve = make_solver(geometry)
+
+    def angles(self, counts: Counts) -> Vector:
+        """Return the thighs' angles for encoder counts, rad."""
+        zero, per = self.geometry.theta0_rad, self.geometry.count_rad
+        i, j, k = counts
+        return (zero + per * i, zero + per * j, zero + per * k)
+
+    def counts(self, theta_rad: Vector) -> Counts:
+        """Return the encoder counts nearest to these angles."""
+        zero, per = self.geometry.theta0_rad, self.geometry.count_rad
+        i, j, k = (round((theta - zero) / per) for theta in theta_rad)
+        return (i, j, k)
+
+    def inverse(self, position_m: Vector) -> Vector:
+        """Return the thighs' angles for a position, rad; closed form.
+
+        Raises:
+            OutOfReachError: when a leg does not reach that far.
+        """
+        x, y, z = position_m
+        a, b = self.geometry.thigh_m, self.geometry.shin_m
+        angles = []
+        for cos_phi, sin_phi in self._directions:
+            u = x * cos_phi + y * sin_phi - self._radial_m
+            v = y * cos_phi - x * sin_phi - self._across_m
+            if not abs(v) <= b:
+                raise _too_far(position_m)
+            reach = self.geometry.shin_ends_m + math.sqrt(b * b - v * v)
+            from_axis = math.hypot(u, z)
+            sides = from_axis * from_axis + a * a - reach * reach
+            if not abs(sides) <= 2.0 * a * from_axis or from_axis == 0.0:
+                raise _too_far(position_m)
+            angles.append(math.atan2(z, u) - math.acos(sides / (2.0 * a * from_axis)))
+        return (angles[0], angles[1], angles[2])
+
+    def pose(self, theta_rad: Vector, near_m: Vector | None = None) -> Pose:
+        """Return position and Jacobian for the thighs' angles, by Newton's method.
+
+        Args:
+            theta_rad: of the three thighs.
+            near_m: where the grip was a moment ago; saves steps, and keeps to the
+                same assembly of the legs.
+
+        Raises:
+            OutOfReachError: when the legs cannot be assembled at these angles.
+        """
+        if near_m is not None:
+            found = self._solve(theta_rad, near_m)
+            if found is not None:
+                return Pose(*found)
+        for start in (self._where_spheres_meet(theta_rad), self.centre_m):
+            found = self._solve(theta_rad, start)
+            if found is not None:
+                return Pose(*found)
+        raise OutOfReachError("the legs cannot be assembled at these joint angles")
+
+    def forward(self, theta_rad: Vector, near_m: Vector | None = None) -> Vector:
+        """Return the grip's position for the thighs' angles; see `pose`."""
+        return self.pose(theta_rad, near_m).position_m
+
+    def jacobian(self, position_m: Vector) -> Rows:
+        """Return dp/dtheta at a position, m/rad.
+
+        Raises:
+            OutOfReachError: when a leg does not reach that far, or only just.
+        """
+        found = self._solve(self.inverse(position_m), position_m)
+        if found is None:
+            raise _too_far(position_m)
+        return found[1]
+
+    def _where_spheres_meet(self, theta_rad: Vector) -> Vector:
+        """Return where the grip would be if the shins' ends had no length.
+
+        The shins then are spheres about the knees, which meet twice: in front of
+        the plane of the centres, where the grip is, and behind it.
+        """
+        first, second, third = (
+            self._sphere_centre(leg, theta) for leg, theta in enumerate(theta_rad)
+        )
+        a, b = minus(second, first), minus(third, first)
+        normal = cross(a, b)
+        area2 = dot(normal, normal)
+        if area2 == 0.0:
+            return self.centre_m
+        p, q = cross(b, normal), cross(normal, a)
+        aa, bb = 0.5 * dot(a, a) / area2, 0.5 * dot(b, b) / area2
+        to_middle = (
+            aa * p[0] + bb * q[0],
+            aa * p[1] + bb * q[1],
+            aa * p[2] + bb * q[2],
+        )
+        radius = self.geometry.shin_ends_m + self.geometry.shin_m
+        height2 = max(0.0, radius * radius - dot(to_middle, to_middle))
+        up = math.copysign(math.sqrt(height2 / area2), normal[2])
+        return (
+            first[0] + to_middle[0] + up * normal[0],
+            first[1] + to_middle[1] + up * normal[1],
+            first[2] + to_middle[2] + up * normal[2],
+        )
+
+    def _sphere_centre(self, leg: int, theta_rad: float) -> Vector:
+        cos_phi, sin_phi = self._directions[leg]
+        thigh_m = self.geometry.thigh_m
+        outwards_m = self._radial_m + thigh_m * math.cos(theta_rad)
+        return (
+            outwards_m * cos_phi - self._across_m * sin_phi,
+            outwards_m * sin_phi + self._across_m * cos_phi,
+            thigh_m * math.sin(theta_rad),
+        )
+
+
+def joint_torques(jacobian: Rows, force_n: Vector) -> Vector:
+    """Return J^T F, what the joints must give for a force at the grip, N m."""
+    return transposed_times(jacobian, force_n)
+
+
+def fade(jacobian: Rows) -> float:
+    """Return the share of the force that may be given at this pose, 0 to 1.
+
+    1 up to a condition number of 6, then falling evenly to 0 at 9.
+    """
+    if condition_bound(jacobian) <= FADE_BEGINS:
+        return 1.0
+    share = (FADE_ENDS - condition(jacobian)) / (FADE_ENDS - FADE_BEGINS)
+    return min(1.0, max(0.0, share))
+
+
+def motor_words(jacobian: Rows, force_n: Vector) -> Vector:
+    """Return what the motors are told for a force, not rounded, within +-4096.
+
+    Faded near singular poses; what is too much for one motor is taken from all
+    three in proportion, so that the force keeps its direction.
+
+    Raises:
+        ValueError: when the force is not finite.
+    """
+    x, y, z = force_n
+    scale = -WORDS_PER_NM * fade(jacobian)
+    return saturated(transposed_times(jacobian, (scale * x, scale * y, scale * z)))
+
+
+def saturated(words: Vector) -> Vector:
+    """Return the words, all three in proportion, within +-4096.
+
+    Raises:
+        ValueError: when one is not finite.
+    """
+    i, j, k = words
+    largest = max(abs(i), abs(j), abs(k))
+    if not (math.isfinite(i) and math.isfinite(j) and math.isfinite(k)):
+        raise ValueError(f"motor words {words} are not finite")
+    if largest <= WORD_LIMIT:
+        return words
+    scale = WORD_LIMIT / largest
+    return (scale * i, scale * j, scale * k)
+
+
+def _too_far(position_m: Vector) -> OutOfReachError:
+    x, y, z = (1000.0 * part for part in position_m)
+    return OutOfReachError(f"no leg reaches ({x:.1f}, {y:.1f}, {z:.1f}) mm")
+
+
+_FALCON = Kinematics()
+angles = _FALCON.angles
+inverse = _FALCON.inverse
+forward = _FALCON.forward
+pose = _FALCON.pose
+jacobian = _FALCON.jacobian

@@ -1,0 +1,152 @@
+"""Frames to and from a running Falcon without anybody waiting for them.
+
+The chip answers a read only after up to a millisecond, and a device that stalls may
+hold a write for longer: so one thread writes, one reads, and the loop only leaves a
+frame and takes the newest answer. Both threads spend their time in the USB library,
+outside the interpreter's lock.
+"""
+
+import queue
+import threading
+from typing import NamedTuple, Protocol
+
+from hapticplayer.clock import Clock
+from hapticplayer.devices.falcon.ftdi import Ftdi
+from hapticplayer.devices.falcon.protocol import Reply, ReplyParser
+from hapticplayer.errors import DeviceError
+
+WRITE_S = 0.02
+"""A frame that cannot be sent for so long is taken back: its command is too old."""
+READ_S = 0.02
+_STOP_S = 0.5
+_MOST_PACKETS = 64
+
+
+class Answer(NamedTuple):
+    """The newest well-formed reply.
+
+    Attributes:
+        reply: None before the first.
+        at_s: when it was read.
+        malformed: answers since then that made no sense.
+    """
+
+    reply: Reply | None
+    at_s: float
+    malformed: int
+
+
+NO_ANSWER = Answer(None, 0.0, 0)
+
+
+class Link(Protocol):
+    """A running Falcon, frame by frame."""
+
+    def post(self, frame: bytes) -> None:
+        """Send a frame; raises DeviceError when the device is gone."""
+        ...
+
+    def newest(self) -> Answer:
+        """Return the newest answer; raises DeviceError when the device is gone."""
+        ...
+
+    def stop(self) -> None:
+        """End the exchange; the device stays open."""
+        ...
+
+
+class DirectLink:
+    """Does both in the caller's thread, which may have to wait; for tools and tests."""
+
+    def __init__(self, ftdi: Ftdi, clock: Clock) -> None:
+        self._ftdi, self._clock = ftdi, clock
+        self._parser = ReplyParser()
+        self._answer = NO_ANSWER
+
+    def post(self, frame: bytes) -> None:
+        """Send a frame."""
+        self._ftdi.write(frame, WRITE_S)
+
+    def newest(self) -> Answer:
+        """Read until nothing is left; return the newest answer."""
+        for _ in range(_MOST_PACKETS):
+            data = self._ftdi.read(0.001)
+            if not data:
+                break
+            self._answer = updated(self._answer, self._parser, data, self._clock)
+        return self._answer
+
+    def stop(self) -> None:
+        """Nothing goes on by itself."""
+
+
+class ThreadedLink:
+    """Never waits, neither in `post` nor in `newest`.
+
+    Of frames that were posted while a write was stalled only the last one is sent.
+    The threads inherit the scheduling of the one that makes the link.
+    """
+
+    def __init__(self, ftdi: Ftdi, clock: Clock) -> None:
+        self._ftdi, self._clock = ftdi, clock
+        self._frames: queue.SimpleQueue[bytes | None] = queue.SimpleQueue()
+        self._answer = NO_ANSWER
+        self._problem: DeviceError | None = None
+        self._is_stopping = False
+        self._threads = [
+            threading.Thread(target=work, name=f"falcon-{name}", daemon=True)
+            for name, work in (("writer", self._write), ("reader", self._read))
+        ]
+        for thread in self._threads:
+            thread.start()
+
+    def post(self, frame: bytes) -> None:
+        """Leave a frame for the writer."""
+        if self._problem is not None:
+            raise self._problem
+        self._frames.put(frame)
+
+    def newest(self) -> Answer:
+        """Return the newest answer that the reader has."""
+        if self._problem is not None:
+            raise self._problem
+        return self._answer
+
+    def stop(self) -> None:
+        """Let both threads end after what they are doing."""
+        self._is_stopping = True
+        self._frames.put(None)
+        for thread in self._threads:
+            thread.join(_STOP_S)
+
+    def _write(self) -> None:
+        while not self._is_stopping:
+            frame = self._frames.get()
+            while not self._frames.empty():
+                frame = self._frames.get()
+            if frame is None:
+                return
+            try:
+                self._ftdi.write(frame, WRITE_S)
+            except DeviceError as problem:
+                self._problem = problem
+                return
+
+    def _read(self) -> None:
+        parser = ReplyParser()
+        while not self._is_stopping:
+            try:
+                data = self._ftdi.read(READ_S)
+            except DeviceError as problem:
+                self._problem = problem
+                return
+            if data:
+                self._answer = updated(self._answer, parser, data, self._clock)
+
+
+def updated(answer: Answer, parser: ReplyParser, data: bytes, clock: Clock) -> Answer:
+    """Return the newest answer after these bytes."""
+    replies = parser.feed(data)
+    if replies:
+        return Answer(replies[-1], clock.now_s(), parser.malformed)
+    return answer._replace(malformed=parser.malformed)

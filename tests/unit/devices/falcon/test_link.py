@@ -1,0 +1,161 @@
+"""The two threads of a link: nothing waits, nothing old is sent, no error is lost."""
+
+import queue
+import threading
+
+import pytest
+
+from hapticplayer.clock import ManualClock, SystemClock
+from hapticplayer.devices.falcon.driver import FalconDriver, State
+from hapticplayer.devices.falcon.link import NO_ANSWER, ThreadedLink
+from hapticplayer.devices.falcon.protocol import Reply, encode_reply
+from hapticplayer.devices.falcon.simulated_usb import Stage
+from hapticplayer.devices.falcon.transport import FalconGoneError
+from hapticplayer.errors import DeviceError
+
+LONG_S = 20.0  # for what happens at once unless it is broken
+REPLY = Reply((1, -2, 3), 4, 7)
+
+
+class Gate:
+    """A chip whose calls wait until the test lets them go on."""
+
+    def __init__(self):
+        self.to_read, self.written = queue.Queue(), queue.Queue()
+        self.may_write = threading.Semaphore(0)
+        self.is_writing = threading.Semaphore(0)
+
+    def read(self, timeout_s):
+        item = self.to_read.get()
+        if isinstance(item, Exception):
+            raise item
+        return item
+
+    def write(self, data, timeout_s):
+        self.is_writing.release()
+        assert self.may_write.acquire(timeout=LONG_S)
+        self.written.put(data)
+        return len(data)
+
+
+@pytest.fixture
+def gate():
+    return Gate()
+
+
+@pytest.fixture
+def link(gate):
+    link = ThreadedLink(gate, ManualClock(50.0))
+    yield link
+    gate.to_read.put(b"")
+    gate.may_write.release(10)
+    link.stop()
+    gate.to_read.put(b"")
+    for thread in link._threads:
+        thread.join(LONG_S)
+        assert not thread.is_alive()
+
+
+def wait_for(condition):
+    """Return when the condition holds, at most after a long time."""
+    waiting = threading.Event()
+    for _ in range(int(LONG_S * 1000)):
+        if condition():
+            return
+        waiting.wait(0.001)
+    raise AssertionError("it never happened")
+
+
+def test_of_the_frames_that_wait_for_a_stalled_write_only_the_last_is_sent(link, gate):
+    link.post(b"first")
+    assert gate.is_writing.acquire(timeout=LONG_S)
+    for number in range(20):
+        link.post(b"%d" % number)
+    gate.may_write.release(2)
+    assert gate.written.get(timeout=LONG_S) == b"first"
+    assert gate.written.get(timeout=LONG_S) == b"19"
+    assert gate.written.empty()
+
+
+def test_the_newest_answer_is_there_without_waiting(link, gate):
+    assert link.newest() == NO_ANSWER
+    gate.to_read.put(encode_reply(Reply((9, 9, 9), 0, 7)) + encode_reply(REPLY))
+    wait_for(lambda: link.newest().reply == REPLY)
+    assert link.newest().at_s == 50.0
+    gate.to_read.put(b"<AAA!AAAAAAAAAAA")
+    wait_for(lambda: link.newest().malformed == 1)
+    assert link.newest().reply == REPLY
+
+
+@pytest.mark.parametrize("call", ["post", "newest"])
+def test_what_the_reader_met_is_raised_by_the_next_call(link, gate, call):
+    gate.to_read.put(FalconGoneError("unplugged"))
+    wait_for(lambda: link._problem is not None)
+    with pytest.raises(FalconGoneError):
+        link.post(b"x") if call == "post" else link.newest()
+
+
+def test_what_the_writer_met_is_raised_by_the_next_call(gate):
+    def write(data, timeout_s):
+        raise FalconGoneError("unplugged")
+
+    gate.write = write
+    link = ThreadedLink(gate, ManualClock())
+    link.post(b"x")
+    wait_for(lambda: link._problem is not None)
+    with pytest.raises(FalconGoneError):
+        link.newest()
+    gate.to_read.put(FalconGoneError("unplugged"))
+    link.stop()
+
+
+def test_the_whole_chain_runs_on_threads_and_the_machines_clock(running):
+    """pyusb, chip, board: answers come, unplugging is told, closing ends it all."""
+    clock = SystemClock()
+    running.chip._clock = clock
+    running.chip._line_free_s = running.chip._sent_s = clock.now_s()
+    device = FalconDriver(running.open, clock=clock, image=lambda: running.image)
+    before = threading.active_count()
+    device.open()
+    for _ in range(10_000):
+        now_s = clock.now_s()
+        reading = device.exchange((1.0, 0.0, 0.0), now_s)
+        clock.sleep_until(now_s + 0.001)
+        if running.mechanics.commands[-1][1] != (0, 0, 0):
+            break
+    assert device.state is State.READY
+    assert reading.is_homed
+    running.chip.unplug()
+
+    def is_told():
+        try:
+            device.exchange((1.0, 0.0, 0.0), clock.now_s())
+        except DeviceError:
+            return True
+        return False
+
+    wait_for(is_told)
+    device.close()
+    assert threading.active_count() == before
+    assert running.board.stage is Stage.RUNNING
+
+
+def test_closing_ends_both_threads_and_zero_has_the_last_word(running):
+    clock = SystemClock()
+    running.chip._clock = clock
+    running.chip._line_free_s = running.chip._sent_s = clock.now_s()
+    device = FalconDriver(running.open, clock=clock, image=lambda: running.image)
+    before = threading.active_count()
+    device.open()
+
+    def pushes():
+        device.exchange((1.0, 0.0, 0.0), clock.now_s())
+        return running.mechanics.commands[-1][1] != (0, 0, 0)
+
+    wait_for(pushes)
+    for _ in range(50):
+        device.exchange((1.0, 0.0, 0.0), clock.now_s())
+    assert threading.active_count() == before + 2
+    device.close()
+    assert threading.active_count() == before
+    assert running.mechanics.commands[-1][1] == (0, 0, 0)
