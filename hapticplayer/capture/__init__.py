@@ -14,6 +14,7 @@ if TYPE_CHECKING:
         write_imu_csv,
     )
     from hapticplayer.capture.gopro import GoProTelemetry, read_gopro, read_raw_gopro
+    from hapticplayer.capture.logs import LogChoices, parse_choices, write_template
     from hapticplayer.capture.motion_scenes import (
         MOTION_SCENES,
         SimulatedMotion,
@@ -33,11 +34,13 @@ _HOMES = {
     "SCENES": "scenes",
     "SENSORS": "sensor_model",
     "GoProTelemetry": "gopro",
+    "LogChoices": "logs",
     "Recording": "recording",
     "SensorErrors": "sensor_model",
     "SensorModel": "sensor_model",
     "SimulatedMotion": "motion_scenes",
     "SimulatedRecording": "simulator",
+    "parse_choices": "logs",
     "read_force_csv": "csv_log",
     "read_gopro": "gopro",
     "read_imu_csv": "csv_log",
@@ -47,6 +50,7 @@ _HOMES = {
     "simulate_motion": "motion_scenes",
     "write_imu_csv": "csv_log",
     "write_simulated_clip": "simulator",
+    "write_template": "logs",
 }
 
 __all__ = [
@@ -54,11 +58,13 @@ __all__ = [
     "SCENES",
     "SENSORS",
     "GoProTelemetry",
+    "LogChoices",
     "Recording",
     "SensorErrors",
     "SensorModel",
     "SimulatedMotion",
     "SimulatedRecording",
+    "parse_choices",
     "read_force_csv",
     "read_gopro",
     "read_imu_csv",
@@ -68,6 +74,7 @@ __all__ = [
     "simulate_motion",
     "write_imu_csv",
     "write_simulated_clip",
+    "write_template",
 ]
 
 

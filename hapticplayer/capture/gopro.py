@@ -11,11 +11,13 @@ from pathlib import Path
 
 import numpy as np
 
+from hapticplayer.capture.cleaning import clean
 from hapticplayer.capture.gopro_axes import (
     FRAME_A_FROM_CAMERA,
     frame_a_from_stored,
     is_order_known,
 )
+from hapticplayer.capture.gopro_magnetometer import magnetic_field
 from hapticplayer.capture.gopro_packets import (
     OTHER_CAMERA,
     Packet,
@@ -35,9 +37,9 @@ from hapticplayer.capture.limits import (
     MAX_ANGULAR_RATE_RADPS,
     MAX_RAW_GPMF_BYTES,
 )
-from hapticplayer.capture.resample import mean_rate
-from hapticplayer.errors import TelemetryError
-from hapticplayer.model import ImuLog, Sampling
+from hapticplayer.capture.resample import mean_rate_with_holes
+from hapticplayer.errors import InputError, TelemetryError
+from hapticplayer.model import ImuLog
 from hapticplayer.model.arrays import Floats
 
 _FRAME_KEYS = ("SHUT", "CORI", "IORI", "ISOE", "WBAL")
@@ -120,12 +122,14 @@ def _read(
     rate_times = sample_times(gyro, frame0_us, has_packet_times=has_packet_times)
     force = _in_frame_a(accelerometer, camera, MAX_ACCELERATION_MPS2, "m/s2")
     rate = _in_frame_a(gyro, camera, MAX_ANGULAR_RATE_RADPS, "rad/s")
-    rows, mean = mean_rate(force_times.time_s, rate_times.time_s, rate)
+    rows, mean = mean_rate_with_holes(force_times.time_s, rate_times.time_s, rate)
     if len(rows) < 2:
         raise TelemetryError("its accelerometer and gyro do not overlap in time")
-    imu = ImuLog(
-        force_times.time_s[rows], force[rows], mean, None, Sampling.INSTANT, source
+    time_s = force_times.time_s[rows]
+    field, field_notes = magnetic_field(
+        payloads, time_s, frame0_us, has_packet_times=has_packet_times
     )
+    imu, repairs = _cleaned(time_s, force[rows], mean, field, source)
     gravity_time_s, gravity = _gravity(
         payloads, frame0_us, has_packet_times=has_packet_times
     )
@@ -136,8 +140,23 @@ def _read(
         gyro_rate_hz=rate_times.rate_hz,
         gravity_time_s=gravity_time_s,
         gravity_direction=gravity,
-        notes=_notes(accelerometer, camera, force_times, damaged),
+        notes=(
+            *_notes(accelerometer, camera, force_times, damaged),
+            *field_notes,
+            *repairs,
+        ),
     )
+
+
+def _cleaned(
+    time_s: Floats, force: Floats, rate: Floats, field: Floats | None, source: str
+) -> tuple[ImuLog, tuple[str, ...]]:
+    try:
+        return clean(time_s, force, rate, field, source=source)
+    except InputError as error:
+        raise TelemetryError(
+            error.what, where=error.where, remedy=error.remedy
+        ) from error
 
 
 def _require(stream: SensorStream | None, name: str, camera: str) -> SensorStream:
@@ -159,8 +178,10 @@ def _refuse_time_lapse(stream: SensorStream) -> None:
 
 def _in_frame_a(stream: SensorStream, camera: str, limit: float, unit: str) -> Floats:
     rotation = frame_a_from_stored(stream.first, camera)
-    values = stream.values @ rotation.T
-    largest = float(np.abs(values).max()) if np.isfinite(values).all() else np.inf
+    values = np.where(np.isfinite(stream.values), stream.values, np.nan) @ rotation.T
+    finite = np.isfinite(values)
+    # single samples that are missing are filled in and marked later
+    largest = float(np.abs(values[finite]).max()) if finite.any() else np.inf
     if largest > limit:
         raise TelemetryError(
             f"its telemetry claims {largest:.3g} {unit}, beyond what sensors measure"

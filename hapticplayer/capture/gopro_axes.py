@@ -53,7 +53,12 @@ def is_order_known(stream: Entry, camera: str) -> bool:
     """Whether the file or the camera's name settles the order of the axes."""
     name = camera.lower()
     known = (*(hint for hint, _ in _WITHOUT_ORIN), "hero5", "camera")
-    return stream.find("ORIN") is not None or any(hint in name for hint in known)
+    return has_own_axes(stream) or any(hint in name for hint in known)
+
+
+def has_own_axes(stream: Entry) -> bool:
+    """Whether the stream itself says which axes its components are."""
+    return stream.find("ORIN") is not None
 
 
 def _default_order(camera: str) -> str:

@@ -24,6 +24,9 @@ ONE_LINE_S = 60.0
 _RATE_TOLERANCE = 0.25
 """Stamps whose rate differs more from the packets' are not believed."""
 
+_GAP_PACE = 1.2
+"""Counts jitter by 5 %: a payload that lasts longer has lost samples."""
+
 _OFFSET_TOLERANCE_S = 2.0
 """Stamps that lie farther from the packets' times are not believed."""
 
@@ -84,7 +87,15 @@ def _from_stamps(stream: SensorStream, marks_s: Floats) -> SampleTimes:
     slope, offset = np.polyfit(first, marks_s, 1)
     residual_s = float(np.std(marks_s - (slope * first + offset)))
     index = stream.index.astype(np.float64)
-    if marks_s[-1] - marks_s[0] <= ONE_LINE_S:
+    pace = np.diff(marks_s) / np.diff(first)
+    is_gap = pace > _GAP_PACE * np.median(pace)
+    if is_gap.any():
+        # samples that the camera did not count are missing there
+        steady = float(np.median(pace))
+        time_s = np.repeat(marks_s, stream.counts) + steady * (
+            index - np.repeat(first, stream.counts)
+        )
+    elif marks_s[-1] - marks_s[0] <= ONE_LINE_S:
         time_s = slope * index + offset
     else:
         time_s = np.interp(index, first, marks_s)

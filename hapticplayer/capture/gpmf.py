@@ -65,7 +65,10 @@ class Entry:
 
     def find(self, key: str) -> "Entry | None":
         """Return the last child of this key (metadata may repeat), or None."""
-        return next((e for e in reversed(self.children) if e.key == key), None)
+        for entry in reversed(self.children):
+            if entry.key == key:
+                return entry
+        return None
 
     def find_all(self, key: str) -> Iterator["Entry"]:
         """Yield the children of this key."""
@@ -130,8 +133,9 @@ def numbers_of(entry: Entry, complex_type: str = "") -> Floats:
     """
     size = entry.struct_bytes
     rows = len(entry.payload) // size if size else 0
-    is_complex = entry.kind == COMPLEX
-    letters = _letters(complex_type) if is_complex else _repeated(entry.kind, size)
+    if entry.kind in _DTYPES:
+        return _uniform(entry, rows)
+    letters = _letters(complex_type) if entry.kind == COMPLEX else ""
     dtype, scales = _structure(letters)
     if not rows or not scales or dtype.itemsize > size:
         return np.zeros((rows, 0))
@@ -145,10 +149,18 @@ def numbers_of(entry: Entry, complex_type: str = "") -> Floats:
     return np.stack(columns, axis=1) if columns else np.zeros((rows, 0))
 
 
-def _repeated(kind: str, size_bytes: int) -> str:
-    if kind not in _DTYPES:
-        return ""
-    return kind * (size_bytes // np.dtype(_DTYPES[kind]).itemsize)
+def _uniform(entry: Entry, rows: int) -> Floats:
+    """Return values of one type; bytes behind the last whole one are not used."""
+    dtype = np.dtype(_DTYPES[entry.kind])
+    width, spare = divmod(entry.struct_bytes, dtype.itemsize)
+    if not rows or not width:
+        return np.zeros((rows, 0))
+    if spare:
+        dtype = np.dtype([("values", dtype, (width,)), ("spare", f"V{spare}")])
+        table = np.frombuffer(entry.payload, dtype, rows)["values"]
+    else:
+        table = np.frombuffer(entry.payload, dtype, rows * width).reshape(rows, width)
+    return table.astype(np.float64) * _FIXED_POINT.get(entry.kind, 1.0)
 
 
 def _letters(complex_type: str) -> str:

@@ -36,3 +36,9 @@ MIN_RATE_HZ = 5.0
 
 MAX_FORCE_N = 1000.0
 """No haptic device of this kind pushes harder; the Falcon ends at 9 N."""
+
+MAX_MEMBERS = 2000
+"""Files of one recording in a folder or a zip; apps write about twenty."""
+
+MAX_FOLDER_DEPTH = 4
+"""Levels of folders that are looked into: mav0/imu0/data.csv is three deep."""

@@ -4,7 +4,7 @@ import os
 from collections.abc import Mapping as Dict
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,11 +12,14 @@ from numpy.typing import NDArray
 from hapticplayer.capture.csv_log import read_motion_log
 from hapticplayer.capture.gopro import GoProTelemetry, read_gopro, read_raw_gopro
 from hapticplayer.capture.gopro_packets import RAW_MAGIC
-from hapticplayer.errors import TelemetryError
+from hapticplayer.capture.table import TIME
+from hapticplayer.errors import InputError, TelemetryError
 from hapticplayer.media.files import resolve_regular
 from hapticplayer.model import ClockMap, ImuLog
 
-_SNIFFED_BYTES = 4096
+if TYPE_CHECKING:
+    from hapticplayer.capture.logs import LogChoices, Source
+
 _GAP_STEPS = 3.0
 """A step of more than this many samples is a gap."""
 
@@ -31,6 +34,8 @@ class Recording:
         camera: what recorded it.
         notes: what a person should know about the quality.
         provenance: how it was read.
+        is_gravity_free: the recorder had removed gravity: `imu` holds p[k] itself,
+            and no angular rate.
     """
 
     imu: ImuLog
@@ -38,36 +43,69 @@ class Recording:
     camera: str
     notes: tuple[str, ...] = ()
     provenance: Dict[str, Any] = field(default_factory=dict)
+    is_gravity_free: bool = False
 
 
-def read_recording(path: str | os.PathLike[str]) -> Recording:
-    """Return the motion in a file, recognised by its content.
+def read_recording(
+    path: str | os.PathLike[str], choices: "LogChoices | None" = None
+) -> Recording:
+    """Return the motion in a file or folder, recognised by its content.
 
     Args:
-        path: a GoPro video, a raw GPMF dump, or a CSV log (`csv_log`).
+        path: a GoPro video, a raw GPMF dump, a log of a logger or a phone (`logs`;
+            a folder or a zip where it writes several files), or a CSV (`csv_log`).
+        choices: what was decided about a log that does not explain itself.
 
     Raises:
-        InputError: when the file cannot be read or holds no motion; says what to do.
+        InputError: when it cannot be read or holds no motion; says what to do.
+        UsageError: when a decision is needed; says how to give it.
     """
+    from hapticplayer.capture.logs.source import HEAD_BYTES, ZIP_MAGIC, is_text
+
+    if Path(path).is_dir():
+        return _from_logs(path, choices)
     file = resolve_regular(path, TelemetryError)
     with file.open("rb") as stream:
-        head = stream.read(_SNIFFED_BYTES)
+        head = stream.read(HEAD_BYTES)
     if head.startswith(RAW_MAGIC):
         return _from_gopro(read_raw_gopro(file), "raw GPMF")
-    if _is_text(head):
-        return _from_log(file)
-    return _from_video(file)
+    if head.startswith(ZIP_MAGIC):
+        return _from_logs(file, choices)
+    if not is_text(head):
+        return _from_video(file)
+    is_own = head.decode("utf-8-sig", "replace").lstrip().startswith(TIME)
+    return _from_csv(file) if is_own else _from_logs(file, choices)
 
 
-def _is_text(head: bytes) -> bool:
-    try:
-        text = head.decode("utf-8")
-    except UnicodeDecodeError as error:
-        # a character may be cut at the end of the sample
-        if error.start < len(head) - 3:
-            return False
-        text = head[: error.start].decode("utf-8")
-    return "\0" not in text
+def _from_logs(path: str | os.PathLike[str], choices: "LogChoices | None") -> Recording:
+    from hapticplayer.capture import logs
+
+    source = logs.open_source(path)
+    choices = choices or logs.LogChoices()
+    form = logs.find_format(source, choices) if source.names else None
+    if form is None:
+        return _from_unknown(source)
+    log = logs.read_log(source, form, choices)
+    return Recording(
+        imu=log.imu,
+        clock_map=log.clock_map,
+        camera=log.name,
+        notes=log.notes,
+        provenance=log.provenance,
+        is_gravity_free=log.is_gravity_free,
+    )
+
+
+def _from_unknown(source: "Source") -> Recording:
+    """Read what is no known log as a CSV, which says what is wrong with it."""
+    if not source.is_one_file:
+        raise InputError(
+            "holds no log that is known",
+            where=str(source.path),
+            remedy="give the folder or the zip that the logger has written, or a "
+            "sequence",
+        )
+    return _from_csv(source.path)
 
 
 def _from_video(file: Path) -> Recording:
@@ -98,7 +136,7 @@ def _from_gopro(telemetry: GoProTelemetry, reader: str) -> Recording:
     )
 
 
-def _from_log(file: Path) -> Recording:
+def _from_csv(file: Path) -> Recording:
     log = read_motion_log(file)
     return Recording(
         imu=log.imu,
@@ -107,6 +145,21 @@ def _from_log(file: Path) -> Recording:
         notes=_gaps(log.imu) + log.notes,
         provenance={"reader": "CSV log"},
     )
+
+
+def refuse_gravity_free(recording: Recording) -> None:
+    """Refuse motion whose gravity was removed by the recorder.
+
+    Raises:
+        InputError: naming what to record instead.
+    """
+    if recording.is_gravity_free:
+        raise InputError(
+            "holds acceleration from which the recorder has removed gravity, so it "
+            "cannot be checked or levelled",
+            where=recording.imu.source,
+            remedy="export the acceleration with gravity, and the gyroscope",
+        )
 
 
 def find_gaps(imu: ImuLog) -> NDArray[np.intp]:

@@ -5,6 +5,11 @@ from numpy.typing import NDArray
 
 from hapticplayer.model.arrays import Floats
 
+_GAP_STEPS = 3.0
+"""A step of more than this many samples is a gap."""
+
+_MOSTLY = 0.5
+
 
 def mean_rate(
     query_s: Floats, time_s: Floats, rate: Floats
@@ -26,27 +31,53 @@ def mean_rate(
         rates (K, axes).
     """
     slack_s = 0.5 * (time_s[-1] - time_s[0]) / (len(time_s) - 1)
-    ends_s, angle = _integral(time_s, rate, slack_s)
-    edges_s = np.concatenate([[2.0 * query_s[0] - query_s[1]], query_s])
-    is_inside = (edges_s >= ends_s[0]) & (edges_s <= ends_s[-1])
-    rows = np.flatnonzero(is_inside[:-1] & is_inside[1:])
-    columns = [np.interp(edges_s, ends_s, column) for column in angle.T]
-    at_edges = np.stack(columns, axis=1)
-    steps_s = np.diff(edges_s)[rows, None]
-    return rows, (at_edges[rows + 1] - at_edges[rows]) / steps_s
-
-
-def _integral(time_s: Floats, rate: Floats, slack_s: float) -> tuple[Floats, Floats]:
-    """Return the integral at the ends of all intervals.
-
-    The outer rates are held `slack_s` longer, because the clocks of two sensors
-    begin and end within a fraction of a sample of each other.
-    """
+    # the outer rates are held longer, because the clocks of two sensors begin and end
+    # within a fraction of a sample of each other
     begin_s = 2.0 * time_s[0] - time_s[1]
     ends_s = np.concatenate(
         [[begin_s - slack_s, begin_s], time_s, [time_s[-1] + slack_s]]
     )
+    edges_s = np.concatenate([[2.0 * query_s[0] - query_s[1]], query_s])
+    is_inside = (edges_s >= ends_s[0]) & (edges_s <= ends_s[-1])
+    rows = np.flatnonzero(is_inside[:-1] & is_inside[1:])
+    steps_s = np.diff(edges_s)[rows]
+    mean = np.empty((len(rows), rate.shape[1]))
+    for axis in range(rate.shape[1]):  # one by one: ten hours are large
+        at_edges = np.interp(edges_s, ends_s, _integral(ends_s, rate[:, axis]))
+        mean[:, axis] = (at_edges[rows + 1] - at_edges[rows]) / steps_s
+    return rows, mean
+
+
+def mean_rate_with_holes(
+    query_s: Floats, time_s: Floats, rate: Floats
+) -> tuple[NDArray[np.intp], Floats]:
+    """Return the mean rate like `mean_rate`, NaN where it was mostly not measured.
+
+    Args:
+        query_s: (M,) strictly increasing, M >= 2.
+        time_s: (N,) strictly increasing, N >= 2; a long step is a gap.
+        rate: (N, axes); may hold NaN.
+    """
+    finite = np.isfinite(rate).all(axis=1)
+    steps_s = np.diff(time_s, prepend=time_s[0])
+    is_gap = steps_s > _GAP_STEPS * np.median(np.diff(time_s))
+    missing = ~finite | is_gap
+    if not missing.any():
+        return mean_rate(query_s, time_s, rate)
+    if not finite.all():
+        good_s = time_s[finite] if finite.any() else time_s
+        good = rate[finite] if finite.any() else np.zeros_like(rate)
+        rate = np.stack([np.interp(time_s, good_s, axis) for axis in good.T], axis=1)
+    rows, mean = mean_rate(query_s, time_s, rate)
+    _, share = mean_rate(query_s, time_s, missing[:, None].astype(np.float64))
+    mean[share[:, 0] > _MOSTLY] = np.nan
+    return rows, mean
+
+
+def _integral(ends_s: Floats, rate: Floats) -> Floats:
+    """Return the integral of one axis at the ends of all intervals."""
+    angle = np.zeros(len(ends_s))
     held = np.concatenate([rate[:1], rate, rate[-1:]])
-    angle = np.zeros((len(ends_s), rate.shape[1]))
-    np.cumsum(held * np.diff(ends_s)[:, None], axis=0, out=angle[1:])
-    return ends_s, angle
+    held *= np.diff(ends_s)
+    np.cumsum(held, out=angle[1:])
+    return angle

@@ -102,9 +102,11 @@ def add_import(commands: Any) -> None:
     command.add_argument(
         "--imu",
         metavar="LOG",
-        help="motion in a file of its own: CSV with the columns "
+        help="motion in a file of its own: the log of a logger or a phone (a folder or "
+        "zip where it writes several files), or CSV with the columns "
         "time_s,ax,ay,az,gx,gy,gz[,mx,my,mz] in SI, x right, y front, z up",
     )
+    _add_reading(command)
     command.add_argument(
         "--offset",
         type=_number,
@@ -134,6 +136,7 @@ def add_process(commands: Any) -> None:
         metavar="RECORDING",
         help="a camera's video, a log as for `import --imu`, or a sequence's folder",
     )
+    _add_reading(command)
     command.add_argument(
         "--compare",
         action="store_true",
@@ -146,6 +149,77 @@ def add_process(commands: Any) -> None:
     )
     _add_processing(command)
     command.add_argument("--json", action="store_true", help="print the report as JSON")
+
+
+def _add_reading(command: argparse.ArgumentParser) -> None:
+    command.add_argument(
+        "--read-as",
+        action="append",
+        default=[],
+        metavar="KEY=VALUE",
+        help="decide what a log does not say, such as axes=x,-z,y or force-unit=g or "
+        "template=FILE; the question names the key",
+    )
+    command.add_argument(
+        "--save-template",
+        metavar="FILE",
+        help="keep these decisions for other logs of the same logger",
+    )
+
+
+def _add_processing(command: argparse.ArgumentParser) -> None:
+    group = command.add_argument_group("motion")
+    group.add_argument(
+        "--method",
+        choices=METHOD_NAMES,
+        help=f"of gravity removal (default {METHOD_NAMES[0]})",
+    )
+    group.add_argument(
+        "--time-constant",
+        type=_positive,
+        metavar="S",
+        help="of the smoother: accelerations that last much longer count as gravity "
+        "(default: from how fast the recording moves)",
+    )
+    group.add_argument(
+        "--remove-spikes", action="store_true", help="replace isolated spikes"
+    )
+    group.add_argument(
+        "--repair-clipping",
+        action="store_true",
+        help="reconstruct short peaks beyond the sensor's range",
+    )
+    group.add_argument(
+        "--average", type=_positive, metavar="HZ", help="average the samples first"
+    )
+    group.add_argument(
+        "--lowpass",
+        type=_positive,
+        metavar="HZ",
+        help="low-pass the motion, zero phase",
+    )
+    group.add_argument(
+        "--no-cache",
+        dest="cache",
+        action="store_false",
+        help="neither use nor keep results of gravity removal",
+    )
+
+
+def add_simulate(commands: Any) -> None:
+    """Add the command `simulate`."""
+    command = commands.add_parser(
+        "simulate", help="make a simulated ride with known truth"
+    )
+    command.set_defaults(run=run.simulate)
+    command.add_argument(
+        "scenario",
+        metavar="SCENARIO",
+        help=f"a sequence with a clip: {', '.join(CLIP_SCENARIOS)}; motion only "
+        f"(imu.csv and truth.npz): {', '.join(MOTION_SCENARIOS)}",
+    )
+    command.add_argument("-o", "--output", required=True, metavar="DIR")
+    command.add_argument("--seed", type=int, help="of the ride and the sensor noise")
 
 
 def add_export(commands: Any) -> None:

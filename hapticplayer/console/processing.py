@@ -7,10 +7,11 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from hapticplayer.capture import Recording, read_recording
+from hapticplayer.capture import LogChoices, Recording, read_recording
+from hapticplayer.capture.recording import refuse_gravity_free
 from hapticplayer.clock import SystemClock
 from hapticplayer.console.quality_text import comparison_text, quality_text
-from hapticplayer.console.recordings import chosen_processing
+from hapticplayer.console.recordings import chosen_log, chosen_processing
 from hapticplayer.console.speech import interruptible, say, shown_progress
 from hapticplayer.errors import UsageError
 from hapticplayer.model import ClockMap
@@ -19,7 +20,7 @@ from hapticplayer.sequence.motion_cache import user_cache
 from hapticplayer.sequence.notes import notes_on_motion
 from hapticplayer.sequence.processing import Processed, Processing, process_motion
 from hapticplayer.sequence.quality import compare_methods, describe_quality
-from hapticplayer.sequence.store import read_recorded
+from hapticplayer.sequence.store import DESCRIPTION, read_recorded
 
 PLOT_FORMATS = (".png", ".svg")
 
@@ -38,7 +39,7 @@ def process(options: argparse.Namespace, draw: Draw) -> int:
     processing = chosen_processing(options)
     with interruptible(), shown_progress() as progress:
         progress(0.0, f"reading {Path(options.recording).name}")
-        recording = _read(Path(options.recording))
+        recording = _read(Path(options.recording), chosen_log(options))
         progress(0.3, f"removing gravity: {processing.method}")
         cache = user_cache(wanted=options.cache)
         processed = process_motion(recording.imu, processing, cache)
@@ -67,10 +68,12 @@ def _plot_target(options: argparse.Namespace) -> Path | None:
     return target
 
 
-def _read(path: Path) -> Recording:
+def _read(path: Path, choices: LogChoices) -> Recording:
     """Return the motion of a recording, or of the folder of a sequence."""
-    if not path.is_dir():
-        return read_recording(path)
+    if not (path / DESCRIPTION).is_file():
+        recording = read_recording(path, choices)
+        refuse_gravity_free(recording)
+        return recording
     imu, made_of = read_recorded(path)
     return Recording(imu, ClockMap(), str(made_of.get("camera", "")))
 

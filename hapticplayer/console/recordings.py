@@ -6,6 +6,7 @@ from collections.abc import Mapping as Dict
 from pathlib import Path
 from typing import Any
 
+from hapticplayer.capture import LogChoices, parse_choices, write_template
 from hapticplayer.console.speech import interruptible, say, shown_progress
 from hapticplayer.errors import UsageError
 from hapticplayer.model import Mapping
@@ -39,6 +40,7 @@ def import_recording(options: argparse.Namespace) -> int:
                 processing=chosen_processing(options),
                 seed=options.seed,
                 use_cache=options.cache,
+                log=chosen_log(options),
             ),
             progress=progress,
         )
@@ -48,6 +50,14 @@ def import_recording(options: argparse.Namespace) -> int:
         return 0
     _say_imported(folder, description)
     return 0
+
+
+def chosen_log(options: argparse.Namespace) -> LogChoices:
+    """Return what the options decide about a log, kept as a template if wanted."""
+    choices = parse_choices(options.read_as)
+    if options.save_template is not None:
+        write_template(Path(options.save_template), choices)
+    return choices
 
 
 def chosen_processing(options: argparse.Namespace) -> Processing:

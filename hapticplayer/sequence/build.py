@@ -9,7 +9,8 @@ from pathlib import Path
 from typing import Any
 
 from hapticplayer import __version__, rendering
-from hapticplayer.capture import Recording, read_recording
+from hapticplayer.capture import LogChoices, Recording, read_recording
+from hapticplayer.capture.recording import refuse_gravity_free
 from hapticplayer.clock import utc_now_iso
 from hapticplayer.errors import InputError
 from hapticplayer.media import ClipInfo, probe
@@ -40,6 +41,7 @@ class Choices:
         processing: what is done to the motion before it becomes a force.
         seed: of the random feedback; None derives it from the clip's content.
         use_cache: whether a known result of gravity removal may be taken and kept.
+        log: what was decided about a log that does not explain itself.
     """
 
     title: str | None = None
@@ -47,6 +49,7 @@ class Choices:
     processing: Processing = dataclasses.field(default_factory=Processing)
     seed: int | None = None
     use_cache: bool = True
+    log: LogChoices | None = None
 
 
 def build_sequence(
@@ -75,7 +78,10 @@ def build_sequence(
     files.refuse_existing(target)
     progress(0.0, f"reading {video.name}")
     clip = probe(video)
-    recording = read_recording(video if imu_log is None else Path(imu_log))
+    log_choices = choices.log if choices else None
+    source = video if imu_log is None else Path(imu_log)
+    recording = read_recording(source, log_choices)
+    refuse_gravity_free(recording)
     if offset_s is not None:
         shift = ClockMap(offset_s, residual_s=0.0, confidence=1.0)
         recording = dataclasses.replace(recording, clock_map=shift)

@@ -137,14 +137,14 @@ def synthetic(
     totals: list[int] | None = None,
     **more: bytes,
 ) -> list[RawPacket]:
-    """Packets of a camera at rest whose gyro counts seconds on its front axis."""
+    """Packets of a camera that turns about its upright axis, faster each second."""
     packets, first = [], 0
     for number, count in enumerate(counts):
         index = np.arange(first, first + count)
         stamp = None if stamps is None else int(stamps[number])
         total = first + count if totals is None else totals[number]
         force = np.tile(UP_ZXY, (count, 1))
-        rate = np.stack([0 * index, 0 * index, -(index % 4000) / rate_hz], axis=1)
+        rate = np.stack([(index % 4000) / rate_hz, 0 * index, 0 * index], axis=1)
         streams = [
             sensor("ACCL", force, total=total, stamp_us=stamp),
             sensor("GYRO", rate, total=total, stamp_us=stamp),
@@ -166,7 +166,7 @@ def test_stamps_place_the_samples_relative_to_the_first_picture() -> None:
     imu = read_gopro(packets).imu
     np.testing.assert_allclose(imu.time_s, -0.012 + np.arange(1000) / 200.0, atol=1e-9)
     np.testing.assert_allclose(
-        imu.angular_rate_radps[:, 1], np.arange(1000) / 200.0, atol=1e-5
+        imu.angular_rate_radps[:, 2], np.arange(1000) / 200.0, atol=1e-5
     )
     np.testing.assert_allclose(imu.specific_force_mps2[:, 2], 9.80665, atol=1e-5)
 

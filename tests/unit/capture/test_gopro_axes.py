@@ -189,6 +189,6 @@ def test_unknown_camera_without_axes_is_noted() -> None:
     from hapticplayer.capture.gopro_packets import RawPacket
     from tests.unit.capture.conftest import device
 
-    streams = [sensor(key, np.ones((200, 3)), orin="") for key in ("ACCL", "GYRO")]
+    streams = [sensor(key, np.full((200, 3), 5.7), orin="") for key in ("ACCL", "GYRO")]
     packets = [RawPacket(float(k), 1.0, device("Mystery", *streams)) for k in range(3)]
     assert any("axes of a HERO5" in note for note in read_gopro(packets).notes)

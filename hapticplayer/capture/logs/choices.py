@@ -1,0 +1,155 @@
+"""What a person may decide about a log that does not explain itself.
+
+The same keys serve the command line (`--read-as KEY=VALUE`) and a template: a JSON
+file that is written once for a logger and used for all its logs.
+"""
+
+import dataclasses
+import json
+import math
+import secrets
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from hapticplayer.errors import InputError, UsageError
+from hapticplayer.media.files import resolve_regular
+
+OPTION = "--read-as"
+MAX_TEMPLATE_BYTES = 65_536
+
+
+@dataclass(frozen=True, slots=True)
+class LogChoices:
+    """Decisions about a log; "" leaves one to the format.
+
+    Attributes:
+        format: key of a format, instead of recognising it.
+        columns: of a table: a name for each cell of a row, "-" for what is not
+            wanted: time, ax ay az, gx gy gz, mx my mz.
+        time_unit: s, ms, us or ns.
+        force_unit: m/s2, g, mg or the factor to m/s2.
+        rate_unit: rad/s, deg/s or the factor to rad/s.
+        field_unit: uT, gauss ... or the factor to uT.
+        axes: right, front and up in the log's axes, such as "x,-z,y".
+        force_sign: "-" where the accelerometer shows -1 g upwards at rest.
+        rate_hz: samples a second, for a log without times.
+    """
+
+    format: str = ""
+    columns: str = ""
+    time_unit: str = ""
+    force_unit: str = ""
+    rate_unit: str = ""
+    field_unit: str = ""
+    axes: str = ""
+    force_sign: str = ""
+    rate_hz: str = ""
+
+    @property
+    def sample_rate_hz(self) -> float | None:
+        """The rate as a number.
+
+        Raises:
+            UsageError: when it is none.
+        """
+        if not self.rate_hz:
+            return None
+        try:
+            value = float(self.rate_hz)
+        except ValueError:
+            value = math.nan
+        if not (math.isfinite(value) and value > 0.0):
+            raise UsageError(
+                f"rate-hz={self.rate_hz} is no rate; give 100, for example"
+            )
+        return value
+
+
+KEYS = tuple(field.name.replace("_", "-") for field in dataclasses.fields(LogChoices))
+
+
+def parse_choices(words: Sequence[str]) -> LogChoices:
+    """Return what `KEY=VALUE` words say; `template=FILE` brings the keys of a file.
+
+    Raises:
+        UsageError: for a key that does not exist.
+        InputError: for a template that cannot be read.
+    """
+    values: dict[str, str] = {}
+    for word in words:
+        key, equals, value = word.partition("=")
+        key = key.strip().lower()
+        if key == "template" and value:
+            values = {**read_template(Path(value)), **values}
+        elif not equals or key not in KEYS:
+            raise UsageError(
+                f"{OPTION} {word!r} is not understood; give KEY=VALUE with one of "
+                f"{', '.join((*KEYS, 'template'))}"
+            )
+        else:
+            values[key.replace("-", "_")] = value.strip()
+    if values.get("force_sign", "") not in {"", "+", "-"}:
+        raise UsageError("force-sign is + or -")
+    return LogChoices(**values)
+
+
+def read_template(path: Path) -> dict[str, str]:
+    """Return the choices of a template by attribute.
+
+    Raises:
+        InputError: when it is no template.
+    """
+    file = resolve_regular(path, InputError)
+    try:
+        if file.stat().st_size > MAX_TEMPLATE_BYTES:
+            raise ValueError("it is too large")  # noqa: TRY301
+        held: Any = json.loads(file.read_text(encoding="utf-8"))
+        is_fitting = isinstance(held, dict) and all(
+            key in KEYS and isinstance(value, str) for key, value in held.items()
+        )
+        if not is_fitting:
+            raise ValueError(f"it may hold texts for {', '.join(KEYS)}")  # noqa: TRY301
+    except (ValueError, OSError, RecursionError) as error:
+        raise InputError(
+            f"is no template of a log ({error})",
+            where=str(file),
+            remedy="write one with --save-template",
+        ) from error
+    return {key.replace("-", "_"): value for key, value in held.items()}
+
+
+def write_template(path: Path, choices: LogChoices) -> None:
+    """Write the choices that were made as a template.
+
+    Raises:
+        InputError: when the file cannot be written.
+    """
+    held = {
+        key.replace("_", "-"): value
+        for key, value in dataclasses.asdict(choices).items()
+        if value
+    }
+    part = path.with_name(f".{path.name}.{secrets.token_hex(4)}.part")
+    try:
+        part.write_text(json.dumps(held, indent=2) + "\n", encoding="utf-8")
+        part.replace(path)
+    except OSError as error:
+        part.unlink(missing_ok=True)
+        raise InputError(
+            f"cannot be written ({error.strerror})",
+            where=str(path),
+            remedy="choose another folder",
+        ) from error
+
+
+def question(what: str, answers: Sequence[str], where: str) -> UsageError:
+    """Return the error that asks for a decision (exit status 2).
+
+    Args:
+        what: is doubtful.
+        answers: each as it is typed, with a word on what it means.
+        where: the file.
+    """
+    return UsageError(f"{where}: {what}; decide with {OPTION} " + ", or ".join(answers))

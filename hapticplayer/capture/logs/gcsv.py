@@ -1,0 +1,103 @@
+"""Gyroflow's .gcsv: a header of `key,value` lines, then t, gyro, accelerometer, field.
+
+A number times tscale is seconds, times gscale rad/s, times ascale g, times mscale
+gauss. Writers differ in ascale, so the norm at rest is what counts. The orientation
+string refers to Gyroflow's own axes and says nothing about the front, so the stored
+axes are taken and held against gravity.
+
+Source: docs.gyroflow.xyz, GCSV format; telemetry-parser, gcsv.rs (units).
+"""
+
+import math
+
+import numpy as np
+
+from hapticplayer.capture.logs.choices import LogChoices
+from hapticplayer.capture.logs.numbers import Shape
+from hapticplayer.capture.logs.raw import Confidence, Format, RawLog, Stream
+from hapticplayer.capture.logs.source import Source
+from hapticplayer.capture.logs.tables import read_table
+from hapticplayer.errors import InputError
+
+_MARKS = ("GYROFLOW IMU LOG", "CAMERA IMU LOG")
+_DEFAULT_TIME_SCALE = 0.001
+_TABLE = ("t", "gx", "gy", "gz", "ax", "ay", "az", "mx", "my", "mz")
+
+
+def recognises(source: Source) -> Confidence:
+    """Its first line."""
+    if len(source.names) == 1 and source.first_line(source.names[0]) in _MARKS:
+        return Confidence.CERTAIN
+    return Confidence.NO
+
+
+def read(source: Source, _choices: LogChoices) -> RawLog:
+    """Return the log.
+
+    Raises:
+        InputError: when it has no accelerometer or its header is damaged.
+    """
+    name = source.names[0]
+    where = source.where(name)
+    header, columns, lines = _header(source, name)
+    if len(columns) < 7:
+        raise InputError(
+            f"holds {','.join(columns)} only, no acceleration",
+            where=where,
+            remedy="record the accelerometer too",
+        )
+    width = len(columns)
+    wanted = tuple(range(10 if width >= 10 else 7))
+    numbers = read_table(source, name, Shape(width, wanted, skip_lines=lines))
+    values = numbers.values
+    with np.errstate(all="ignore"):
+        time_s = values[:, 0] * _scale(header, "tscale", where, _DEFAULT_TIME_SCALE)
+        rate = values[:, 1:4] * _scale(header, "gscale", where)
+        force = values[:, 4:7] * _scale(header, "ascale", where)
+        field = values[:, 7:10] * _scale(header, "mscale", where)
+    orientation = header.get("orientation", "")
+    return RawLog(
+        name=f"gcsv of {header.get('id', 'an unknown logger')[:40]}",
+        force=Stream(time_s, force),
+        rate=Stream(time_s, rate),
+        field=Stream(time_s, field) if width >= 10 else None,
+        force_unit="g",
+        field_unit="gauss",
+        axes_words=f"as stored, orientation {orientation[:20]}" if orientation else "",
+        notes=numbers.notes,
+    )
+
+
+def _header(source: Source, name: str) -> tuple[dict[str, str], tuple[str, ...], int]:
+    """Return the keys, the columns and how many lines come before the rows."""
+    header: dict[str, str] = {}
+    for number, line in enumerate(source.head(name).splitlines(), start=1):
+        cells = tuple(cell.strip() for cell in line.split(","))
+        if cells[0] in {"t", "time"} and len(cells) > 2:
+            if cells[1:] == _TABLE[1 : len(cells)]:
+                return header, cells, number
+            break
+        if len(cells) >= 2:
+            header[cells[0]] = cells[1]
+    raise InputError(
+        "has a damaged header: no line t,gx,gy,gz,ax,ay,az",
+        where=source.where(name),
+        remedy="export the log again",
+    )
+
+
+def _scale(header: dict[str, str], key: str, where: str, default: float = 1.0) -> float:
+    try:
+        value = float(header.get(key, default))
+    except ValueError:
+        value = math.nan
+    if not math.isfinite(value) or value <= 0.0:
+        raise InputError(
+            f"its {key} is {header[key][:20]!r}, not a number above zero",
+            where=where,
+            remedy="export the log again",
+        )
+    return value
+
+
+FORMAT = Format("gcsv", "Gyroflow gcsv", recognises, read)

@@ -1,0 +1,222 @@
+"""Any other table of numbers: a person says what its columns are, once.
+
+Separator, decimal sign and header lines are found; columns and units are not guessed.
+The answers can be kept as a template (`choices`) for all logs of the same logger.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from hapticplayer.capture.limits import MIN_RATE_HZ
+from hapticplayer.capture.logs import units
+from hapticplayer.capture.logs.choices import LogChoices, question
+from hapticplayer.capture.logs.numbers import Shape
+from hapticplayer.capture.logs.raw import Confidence, Format, RawLog, Stream
+from hapticplayer.capture.logs.source import Source
+from hapticplayer.capture.logs.tables import read_table
+from hapticplayer.errors import UsageError
+from hapticplayer.model.arrays import Floats
+
+_LEAST_COLUMNS = 4
+_SAMPLE_LINES = 60
+_SENSORS = (("ax", "ay", "az"), ("gx", "gy", "gz"), ("mx", "my", "mz"))
+_TIME, _SKIP = "time", "-"
+_UNPAIRED = 0.1
+
+
+class _Layout(NamedTuple):
+    """How a table is written."""
+
+    separator: str
+    decimal: str
+    width: int
+    header: tuple[str, ...]
+    skip_lines: int
+
+
+def recognises(source: Source) -> Confidence:
+    """A table of at least four columns of numbers below any header."""
+    if len(source.names) != 1 or _layout(source, source.names[0]) is None:
+        return Confidence.NO
+    return Confidence.POSSIBLE
+
+
+def read(source: Source, choices: LogChoices) -> RawLog:
+    """Return the log.
+
+    Raises:
+        UsageError: asking for columns or units that were not given.
+    """
+    name = source.names[0]
+    where = source.where(name)
+    layout = _layout(source, name)
+    if layout is None:
+        raise UsageError(f"{where}: is no table of numbers; choose another log")
+    columns = _columns(choices, layout, where)
+    _ask_units(choices, columns, where)
+    at = {column: number for number, column in enumerate(columns) if column != _SKIP}
+    time_unit = choices.time_unit or "s"
+    integer = at[_TIME] if time_unit == "ns" and _TIME in at else None
+    wanted = tuple(at.values())
+    numbers = read_table(
+        source,
+        name,
+        Shape(
+            layout.width,
+            wanted,
+            layout.separator,
+            layout.decimal,
+            integer,
+            layout.skip_lines,
+        ),
+    )
+    place = {column: number for number, column in enumerate(at)}
+    values = numbers.values
+    time_s = _times(values, place, choices, time_unit)
+    force, rate, field = _streams(values, time_s, place)
+    return RawLog(
+        name="CSV with chosen columns",
+        force=force,
+        rate=rate,
+        field=field,
+        force_unit=choices.force_unit,
+        rate_unit=choices.rate_unit,
+        field_unit=choices.field_unit or "uT",
+        notes=numbers.notes,
+    )
+
+
+def _columns(choices: LogChoices, layout: _Layout, where: str) -> tuple[str, ...]:
+    """Return the name of each column, checked.
+
+    Raises:
+        UsageError: when they are not given or do not fit.
+    """
+    columns = tuple(c.strip().lower() for c in choices.columns.split(",") if c.strip())
+    shown = layout.separator.join(layout.header)[:120] or "without names"
+    if not columns:
+        raise question(
+            f"is a table of {layout.width} columns ({shown}) that says not what they "
+            "are",
+            ("columns=time,ax,ay,az,gx,gy,gz (- for what is not wanted)",),
+            where,
+        )
+    known = {_TIME, _SKIP, *(axis for sensor in _SENSORS for axis in sensor)}
+    named = [column for column in columns if column != _SKIP]
+    missing = [axis for axis in _SENSORS[0] + _SENSORS[1] if axis not in columns]
+    if _TIME not in columns and not choices.rate_hz:
+        missing.insert(0, f"{_TIME} (or rate-hz=100)")
+    has_field = {axis for axis in _SENSORS[2] if axis in columns}
+    fault = ""
+    if len(columns) != layout.width:
+        fault = f"names {len(columns)} columns, the table has {layout.width} ({shown})"
+    elif unknown := [column for column in columns if column not in known]:
+        fault = f"has the unknown name {unknown[0]!r}"
+    elif len(set(named)) != len(named):
+        fault = "names a column twice"
+    elif missing:
+        fault = f"lacks {', '.join(missing)}"
+    elif len(has_field) not in (0, 3):
+        fault = "names a part of mx, my, mz"
+    if fault:
+        raise UsageError(f"{where}: columns={choices.columns} {fault}")
+    return columns
+
+
+def _ask_units(choices: LogChoices, columns: tuple[str, ...], where: str) -> None:
+    """Ask for all units that are needed and were not given."""
+    wanted = []
+    if _TIME in columns and not choices.time_unit:
+        wanted.append(f"time-unit={'|'.join(units.TIME)}")
+    if not choices.force_unit:
+        wanted.append(f"force-unit={'|'.join(units.FORCE)}")
+    if not choices.rate_unit:
+        wanted.append(f"rate-unit={'|'.join(units.RATE)}")
+    if "mx" in columns and not choices.field_unit:
+        wanted.append(f"field-unit={'|'.join(units.FIELD)}")
+    if wanted:
+        raise question("its units are not known", (" and ".join(wanted),), where)
+
+
+def _times(
+    values: Floats, place: dict[str, int], choices: LogChoices, unit: str
+) -> Floats:
+    rate_hz = choices.sample_rate_hz
+    if _TIME not in place:
+        return np.arange(len(values)) / (rate_hz or MIN_RATE_HZ)
+    with np.errstate(all="ignore"):
+        time_s = values[:, place[_TIME]] * units.factor(unit, units.TIME, "time-unit")
+    return np.asarray(time_s)
+
+
+def _streams(
+    values: Floats, time_s: Floats, place: dict[str, int]
+) -> tuple[Stream, Stream, Stream | None]:
+    """Return the sensors; rows that hold only one of them are streams of their own."""
+    parts = [
+        values[:, [place[axis] for axis in sensor]] if sensor[0] in place else None
+        for sensor in _SENSORS
+    ]
+    force, rate, field = parts
+    assert force is not None and rate is not None  # noqa: PT018 - checked by _columns
+    has_force, has_rate = (np.isfinite(part).all(axis=1) for part in (force, rate))
+    alone = (
+        np.count_nonzero(has_force & ~has_rate),
+        np.count_nonzero(has_rate & ~has_force),
+    )
+    if min(alone) <= _UNPAIRED * len(values):
+        return (
+            Stream(time_s, force),
+            Stream(time_s, rate),
+            None if field is None else Stream(time_s, field),
+        )
+    own = [_own_rows(time_s, part) for part in (force, rate)]
+    return own[0], own[1], None if field is None else _own_rows(time_s, field)
+
+
+def _own_rows(time_s: Floats, part: Floats) -> Stream:
+    held = ~np.isnan(part).all(axis=1)
+    return Stream(time_s[held], part[held])
+
+
+def _layout(source: Source, name: str) -> _Layout | None:
+    """Return how a table is written, or None if it is none."""
+    lines = source.head(name).replace("\r\n", "\n").replace("\r", "").split("\n")
+    lines = lines[: max(1, len(lines) - 1)]
+    for separator, decimal in (
+        (",", "."),
+        (";", "."),
+        (";", ","),
+        ("\t", "."),
+        ("\t", ","),
+    ):
+        for number, line in enumerate(lines[:_SAMPLE_LINES]):
+            width = _width(line, separator, decimal)
+            if width < _LEAST_COLUMNS:
+                continue
+            rows = [_width(text, separator, decimal) for text in lines[number:] if text]
+            if rows.count(width) < max(2, 0.8 * len(rows)):
+                break
+            header = lines[number - 1].split(separator) if number else []
+            names = tuple(cell.strip().strip('"') for cell in header)
+            return _Layout(separator, decimal, width, names, number)
+    return None
+
+
+def _width(line: str, separator: str, decimal: str) -> int:
+    """Return how many numbers a line is, 0 if it holds anything else."""
+    if not line.strip():
+        return 0
+    text = line.replace(",", ".") if decimal == "," else line
+    cells = [cell.strip() for cell in text.split(separator)]
+    held = 0
+    for cell in cells:
+        try:
+            held += bool(cell) and "_" not in cell and np.isfinite(float(cell))
+        except ValueError:
+            return 0
+    return len(cells) if held >= min(_LEAST_COLUMNS, len(cells)) else 0
+
+
+FORMAT = Format("csv", "CSV with chosen columns", recognises, read)

@@ -1,0 +1,134 @@
+"""EuRoC (and VI datasets) and the MARS logger: gyro, then accelerometer, ns, SI.
+
+EuRoC: `#timestamp [ns],w_RS_S_x [rad s^-1],...,a_RS_S_x [m s^-2],...`, mav0/imu0/
+data.csv, pictures in cam0/data.csv. MARS: `Timestamp[nanosec], gx[rad/s], ...`,
+some with a field and further columns; frame_timestamps.txt has a time for each
+picture on the same clock, so that no pats are needed.
+
+Source: projects.asl.ethz.ch (EuRoC MAV, ASL format); OSUPCVLab/mobile-ar-sensor-logger.
+"""
+
+import re
+
+from hapticplayer.capture.logs.choices import LogChoices, question
+from hapticplayer.capture.logs.numbers import Shape, column_names
+from hapticplayer.capture.logs.raw import Confidence, Format, RawLog
+from hapticplayer.capture.logs.source import Source
+from hapticplayer.capture.logs.tables import NANO, read_table, split
+
+_EUROC = re.compile(r"^#\s*timestamp \[ns\]$")
+_MARS = re.compile(r"^Timestamp\[nanosec\]$")
+_AXES = (
+    re.compile(r"^(w_RS_S_([xyz]) \[rad s\^-1\]|g([xyz])\[rad/s\])$"),
+    re.compile(r"^(a_RS_S_([xyz]) \[m s\^-2\]|a([xyz])\[m/s\^2\])$"),
+)
+_FIELD = re.compile(r"^m[xyz]\[uT\]$")
+_STAMP = re.compile(r"^\s*(\d{6,20})\s*(?:,.*)?$")
+
+
+def recognises_euroc(source: Source) -> Confidence:
+    """Its header."""
+    return Confidence.CERTAIN if _tables(source, _EUROC) else Confidence.NO
+
+
+def recognises_mars(source: Source) -> Confidence:
+    """Its header."""
+    return Confidence.CERTAIN if _tables(source, _MARS) else Confidence.NO
+
+
+def read_euroc(source: Source, _choices: LogChoices) -> RawLog:
+    """Return the log."""
+    name = _only(_tables(source, _EUROC), source)
+    pictures = [
+        n
+        for n in source.names
+        if column_names(source.first_line(n), ",")[-1:] == ("filename",)
+    ]
+    return _read(source, name, pictures[:1], "EuRoC", "the IMU's axes")
+
+
+def read_mars(source: Source, _choices: LogChoices) -> RawLog:
+    """Return the log."""
+    name = _only(_tables(source, _MARS), source)
+    pictures = [n for n in source.names if source.base(n) == "frame_timestamps.txt"]
+    words = "the phone's axes: x right, y top, z out of the screen"
+    return _read(source, name, pictures[:1], "MARS logger", words, back_axis="z")
+
+
+def _tables(source: Source, mark: re.Pattern[str]) -> list[str]:
+    """Return the members with this mark whose columns are gyro and accelerometer."""
+    found = []
+    for name in source.names:
+        columns = column_names(source.first_line(name), ",")
+        fits = len(columns) >= 7 and mark.match(columns[0])
+        if fits and all(_AXES[(at - 1) // 3].match(columns[at]) for at in range(1, 7)):
+            found.append(name)
+    return found
+
+
+def _only(found: list[str], source: Source) -> str:
+    if len(found) > 1:
+        raise question(
+            f"holds {len(found)} logs ({', '.join(found)[:120]})",
+            ("nothing, but give the file or folder of one of them",),
+            str(source.path),
+        )
+    return found[0]
+
+
+def _read(
+    source: Source,
+    name: str,
+    pictures: list[str],
+    title: str,
+    words: str,
+    *,
+    back_axis: str = "",
+) -> RawLog:
+    columns = column_names(source.first_line(name), ",")
+    has_field = len(columns) >= 10 and all(_FIELD.match(c) for c in columns[7:10])
+    wanted = tuple(range(10 if has_field else 7))
+    shape = Shape(len(columns), wanted, integer=0, skip_lines=1)
+    numbers = read_table(source, name, shape)
+    time_s = numbers.values[:, 0] * NANO
+    rate, force, field = split(numbers.values, time_s, (1, 4, 7 if has_field else None))
+    assert force is not None
+    frame0_ns = _first_stamp(source, pictures)
+    frame0_s = None if frame0_ns is None else (frame0_ns - numbers.origin) * NANO
+    return RawLog(
+        name=title,
+        force=force,
+        rate=rate,
+        field=field,
+        axes_words=words,
+        back_axis=back_axis,
+        frame0_s=plausible_frame0_s(frame0_s, float(time_s[-1])),
+        notes=numbers.notes,
+    )
+
+
+def _first_stamp(source: Source, pictures: list[str]) -> int | None:
+    for name in pictures:
+        stamp = first_stamp_ns(source, name)
+        if stamp is not None:
+            return stamp
+    return None
+
+
+def first_stamp_ns(source: Source, name: str) -> int | None:
+    """Return the first time in a list of pictures, below a header if it has one."""
+    for line in source.head(name).splitlines()[:3]:
+        if match := _STAMP.match(line):
+            return int(match[1])
+    return None
+
+
+def plausible_frame0_s(frame0_s: float | None, length_s: float) -> float | None:
+    """Return the time of the first picture, or None if it lies outside the log."""
+    if frame0_s is None or not -60.0 <= frame0_s <= length_s:
+        return None
+    return frame0_s
+
+
+EUROC = Format("euroc", "EuRoC", recognises_euroc, read_euroc)
+MARS = Format("mars", "MARS logger", recognises_mars, read_mars)

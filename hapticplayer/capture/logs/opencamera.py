@@ -1,0 +1,123 @@
+"""OpenCamera Sensors: a headerless CSV for each sensor, x, y, z and ns.
+
+`<video>_accel.csv`, `_gyro.csv`, `_magnetic.csv`; `_timestamps.csv` has the time of
+each picture on the same clock. Names differ between versions, so that which sensor
+a file holds is told by its numbers, and the name has to agree.
+
+Source: MobileRoboticsSkoltech/OpenCamera-Sensors, README; telemetry-parser.
+"""
+
+import numpy as np
+
+from hapticplayer.capture.logs.choices import LogChoices, question
+from hapticplayer.capture.logs.nanoseconds import first_stamp_ns, plausible_frame0_s
+from hapticplayer.capture.logs.numbers import Shape
+from hapticplayer.capture.logs.raw import Confidence, Format, RawLog
+from hapticplayer.capture.logs.source import Source
+from hapticplayer.capture.logs.tables import NANO, Sensor, first_numbers, read_sensor
+from hapticplayer.errors import InputError
+
+_SHAPE = Shape(4, (3, 0, 1, 2), integer=3)
+_ROLES = ("accel", "gyro", "magnetic")
+_LEAST_NS = 1e8
+_FORCE_NORM = (7.0, 13.0)
+_RATE_NORM = 6.0
+
+
+def recognises(source: Source) -> Confidence:
+    """Four numbers a row, the last one rising nanoseconds."""
+    found = [name for name in source.names if _is_sensor(source, name)]
+    if not found:
+        return Confidence.NO
+    named = [name for name in found if _named(source, name)]
+    return Confidence.LIKELY if named else Confidence.POSSIBLE
+
+
+def read(source: Source, _choices: LogChoices) -> RawLog:
+    """Return the log.
+
+    Raises:
+        InputError: when sensors are missing.
+        UsageError: when several recordings lie in the folder.
+    """
+    where = str(source.path)
+    roles: dict[str, str] = {}
+    for name in source.names:
+        if not _is_sensor(source, name):
+            continue
+        role = _named(source, name)
+        if role in roles:
+            raise question(
+                f"holds several recordings ({roles[role]}, {name})",
+                ("nothing, but give the folder of one of them",),
+                where,
+            )
+        if role:
+            roles[role] = name
+    missing = [role for role in ("accel", "gyro") if role not in roles]
+    if missing:
+        raise InputError(
+            f"holds no {' and no '.join(missing)} file",
+            where=where,
+            remedy="give the folder with the files of all sensors",
+        )
+    sensors = {role: read_sensor(source, name, _SHAPE) for role, name in roles.items()}
+    _check_roles(sensors, where)
+    force, rate = sensors["accel"], sensors["gyro"]
+    field = sensors.get("magnetic")
+    origin = force.origin_ns
+    return RawLog(
+        name="OpenCamera Sensors",
+        force=force.stream,
+        rate=rate.since(origin),
+        field=None if field is None else field.since(origin),
+        axes_words="the phone's axes: x right, y top, z out of the screen",
+        back_axis="z",
+        frame0_s=_frame0_s(source, force),
+        notes=tuple(note for sensor in sensors.values() for note in sensor.notes),
+    )
+
+
+def _is_sensor(source: Source, name: str) -> bool:
+    rows = first_numbers(source, name)
+    if len(rows) < 3 or {len(row) for row in rows} != {4}:
+        return False
+    times = np.array([row[3] for row in rows])
+    steps = np.diff(times)
+    return bool(times[0] > _LEAST_NS and (steps >= 0).all() and np.median(steps) > 1e5)
+
+
+def _named(source: Source, name: str) -> str:
+    base = source.base(name)
+    return next((role for role in _ROLES if role in base), "")
+
+
+def _check_roles(sensors: dict[str, Sensor], where: str) -> None:
+    """Hold what the names say against gravity."""
+    norms = {
+        role: float(np.nanmedian(np.linalg.norm(sensor.stream.values, axis=1)))
+        for role, sensor in sensors.items()
+    }
+    low, high = _FORCE_NORM
+    is_swapped = low < norms["gyro"] < high and norms["accel"] < _RATE_NORM
+    if is_swapped:
+        raise InputError(
+            f"its gyro file has the norm {norms['gyro']:.3g} of gravity, its accel file "
+            "has not, so the names are exchanged",
+            where=where,
+            remedy="give the files the names they were recorded with",
+        )
+
+
+def _frame0_s(source: Source, force: Sensor) -> float | None:
+    for name in source.names:
+        base = source.base(name)
+        if base.endswith("timestamps.csv") and "imu" not in base:
+            stamp = first_stamp_ns(source, name)
+            if stamp is not None:
+                frame0_s = (stamp - force.origin_ns) * NANO
+                return plausible_frame0_s(frame0_s, float(force.stream.time_s[-1]))
+    return None
+
+
+FORMAT = Format("opencamera", "OpenCamera Sensors", recognises, read)

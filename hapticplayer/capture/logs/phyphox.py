@@ -1,0 +1,151 @@
+"""phyphox: a CSV for each sensor (or one for all), in a zip or alone.
+
+Headers name quantity and unit: "Time (s)","Acceleration x (m/s^2)" (with gravity),
+"Linear Acceleration x (m/s^2)" (without), "Gyroscope x (rad/s)". Separator comma,
+semicolon or tab, decimal point or comma. meta/time.csv maps the start to the clock.
+
+Source: phyphox.org, data export; checked on exports of Android and iOS.
+"""
+
+import re
+from typing import NamedTuple
+
+from hapticplayer.capture.logs.choices import LogChoices
+from hapticplayer.capture.logs.numbers import Shape, column_names, find_separator
+from hapticplayer.capture.logs.raw import Confidence, Format, RawLog, Stream
+from hapticplayer.capture.logs.source import Source
+from hapticplayer.capture.logs.tables import read_table
+from hapticplayer.errors import InputError
+
+_TIME = "Time (s)"
+_AXIS = re.compile(
+    r"^(Linear Acceleration|Linear Accelerometer|Acceleration|Accelerometer|"
+    r"Gyroscope|Gyroscope rate|Magnetic field|Magnetometer) ([xyz]) \((.+)\)$"
+)
+_KINDS = {
+    "Linear Acceleration": "linear",
+    "Linear Accelerometer": "linear",
+    "Acceleration": "force",
+    "Accelerometer": "force",
+    "Gyroscope": "rate",
+    "Gyroscope rate": "rate",
+    "Magnetic field": "field",
+    "Magnetometer": "field",
+}
+_UNITS = {
+    "m/s^2": "m/s2",
+    "m/s²": "m/s2",
+    "g": "g",
+    "rad/s": "rad/s",
+    "°/s": "deg/s",
+    "deg/s": "deg/s",
+    "µT": "uT",
+    "μT": "uT",
+    "uT": "uT",
+}
+
+
+class _Found(NamedTuple):
+    """Where a sensor stands."""
+
+    name: str
+    separator: str
+    width: int
+    columns: tuple[int, int, int, int]
+    unit: str
+
+
+def recognises(source: Source) -> Confidence:
+    """A table whose first cell is "Time (s)" and that names a sensor's axes."""
+    return Confidence.CERTAIN if _sensors(source) else Confidence.NO
+
+
+def read(source: Source, _choices: LogChoices) -> RawLog:
+    """Return the log.
+
+    Raises:
+        InputError: when sensors are missing or a unit is unknown.
+    """
+    found = _sensors(source)
+    is_free = "force" not in found and "linear" in found
+    force = found.get("force") or found.get("linear")
+    if force is None:
+        raise InputError(
+            f"holds no acceleration (only {', '.join(sorted(found))})",
+            where=str(source.path),
+            remedy="give the whole zip, recorded with accelerometer and gyroscope",
+        )
+    rate, field = found.get("rate"), found.get("field")
+    tables: dict[str, _Table] = {}
+    force_stream = _stream(source, force, tables)
+    rate_stream = _stream(source, rate, tables) if rate else None
+    field_stream = _stream(source, field, tables) if field else None
+    notes = [note for table in tables.values() for note in table.notes]
+    if source.text_of("time.csv").count('"START"') > 1:
+        notes.append("the experiment was paused; its clock ran on without the pause")
+    return RawLog(
+        name="phyphox",
+        force=force_stream,
+        rate=rate_stream,
+        field=field_stream,
+        force_unit=force.unit,
+        rate_unit=rate.unit if rate else "rad/s",
+        field_unit=field.unit if field else "uT",
+        axes_words="the phone's axes: x right, y top, z out of the screen",
+        back_axis="z",
+        is_gravity_free=is_free,
+        notes=tuple(notes),
+    )
+
+
+class _Table(NamedTuple):
+    """A member that was read: its streams share their times."""
+
+    streams: dict[tuple[int, ...], Stream]
+    notes: tuple[str, ...]
+
+
+def _stream(source: Source, found: _Found, tables: dict[str, _Table]) -> Stream:
+    if found.name not in tables:
+        tables[found.name] = _read(source, found)
+    return tables[found.name].streams[found.columns]
+
+
+def _read(source: Source, one: _Found) -> _Table:
+    """Read all sensors of a member at once, so that they share their times."""
+    here = [found for found in _sensors(source).values() if found.name == one.name]
+    wanted = (here[0].columns[0], *(c for found in here for c in found.columns[1:]))
+    decimal = "."
+    if one.separator != "," and "," in source.head(one.name).partition("\n")[2]:
+        decimal = ","
+    shape = Shape(one.width, wanted, one.separator, decimal, skip_lines=1)
+    numbers = read_table(source, one.name, shape)
+    time_s = numbers.values[:, 0].copy()
+    streams: dict[tuple[int, ...], Stream] = {}
+    for number, found in enumerate(here):
+        at = 1 + 3 * number
+        streams[found.columns] = Stream(time_s, numbers.values[:, at : at + 3])
+    return _Table(streams, numbers.notes)
+
+
+def _sensors(source: Source) -> dict[str, _Found]:
+    """Return the sensors of a source by kind; the first member of each counts."""
+    found: dict[str, _Found] = {}
+    for name in source.names:
+        line = source.first_line(name)
+        separator = find_separator(line)
+        columns = column_names(line, separator)
+        if not columns or columns[0] != _TIME:
+            continue
+        axes: dict[tuple[str, str], dict[str, int]] = {}
+        for number, column in enumerate(columns):
+            if match := _AXIS.match(column):
+                axes.setdefault((_KINDS[match[1]], match[3]), {})[match[2]] = number
+        for (kind, unit), at in axes.items():
+            if set(at) == set("xyz") and unit in _UNITS and kind not in found:
+                where = (0, at["x"], at["y"], at["z"])
+                found[kind] = _Found(name, separator, len(columns), where, _UNITS[unit])
+    return found
+
+
+FORMAT = Format("phyphox", "phyphox", recognises, read)

@@ -1,0 +1,100 @@
+"""SparkFun 9DoF Razor IMU M0 (MPU-9250) with its example firmware.
+
+Rows without a header, comma and blank between the cells, CRLF: optional ms, then
+acceleration, gyro, field, each switched on or off, in g, deg/s and uT, or in counts
+when "calculated values" are off. Nothing in the file says which columns there are;
+nine or ten are time and three sensors, or three sensors, in the default order.
+
+Source: sparkfun/9DOF_Razor_IMU, _9DoF_Razor_M0_Firmware.ino, logIMUData.
+"""
+
+import numpy as np
+
+from hapticplayer.capture.logs.choices import LogChoices, question
+from hapticplayer.capture.logs.numbers import Shape
+from hapticplayer.capture.logs.raw import Confidence, Format, RawLog
+from hapticplayer.capture.logs.source import Source
+from hapticplayer.capture.logs.tables import first_numbers, read_table, split
+from hapticplayer.model import STANDARD_GRAVITY_MPS2
+
+_WITH_TIME = {7: False, 10: True, 14: True}
+"""Widths that begin with ms, accelerometer, gyro; whether a field follows."""
+
+_ONE_G = (0.5, 2.0)
+_COUNTS_PER_G = (16384.0, 8192.0, 4096.0, 2048.0)
+_COUNTS_PER_DPS = 16.4
+"""Of the default range of 2000 deg/s."""
+
+
+def recognises(source: Source) -> Confidence:
+    """Comma and blank between numbers only, CRLF, whole milliseconds that rise."""
+    if len(source.names) != 1:
+        return Confidence.NO
+    name = source.names[0]
+    rows = first_numbers(source, name)
+    if not rows or ", " not in source.first_line(name):
+        return Confidence.NO
+    is_whole = all(row and row[0] % 1 == 0 for row in rows)
+    rising = [row[0] for row in rows] == sorted(row[0] for row in rows)
+    is_crlf = "\r\n" in source.head(name)
+    if len(rows[0]) in _WITH_TIME and is_whole and rising and is_crlf:
+        return Confidence.LIKELY
+    return Confidence.POSSIBLE if is_crlf else Confidence.NO
+
+
+def read(source: Source, choices: LogChoices) -> RawLog:
+    """Return the log.
+
+    Raises:
+        UsageError: when the columns cannot be told from the file.
+    """
+    name = source.names[0]
+    rows = first_numbers(source, name)
+    width = len(rows[0]) if rows else 0
+    if width not in _WITH_TIME:
+        raise question(
+            f"has {width} columns, and a Razor M0 does not say which they are",
+            ("format=csv and columns=time,ax,ay,az,gx,gy,gz (- for others)",),
+            source.where(name),
+        )
+    used = 10 if _WITH_TIME[width] else 7
+    numbers = read_table(source, name, Shape(width, tuple(range(used))))
+    values = numbers.values
+    force, rate, field = split(
+        values, values[:, 0] * 1e-3, (1, 4, 7 if used > 7 else None)
+    )
+    assert force is not None
+    norm = float(np.nanmedian(np.linalg.norm(values[:, 1:4], axis=1)))
+    force_unit, rate_unit, field_unit = _units(norm, source.where(name), choices)
+    return RawLog(
+        name="Razor M0",
+        force=force,
+        rate=rate,
+        field=field if field_unit else None,
+        force_unit=force_unit,
+        rate_unit=rate_unit,
+        field_unit=field_unit or "uT",
+        axes_words="the chip's axes",
+        notes=numbers.notes,
+    )
+
+
+def _units(norm: float, where: str, choices: LogChoices) -> tuple[str, str, str]:
+    if _ONE_G[0] < norm < _ONE_G[1]:
+        return "g", "deg/s", "uT"
+    if choices.force_unit and choices.rate_unit:
+        return choices.force_unit, choices.rate_unit, ""
+    nearest = min(
+        _COUNTS_PER_G, key=lambda counts: abs(np.log(max(norm, 1e-9) / counts))
+    )
+    force_unit = f"force-unit={STANDARD_GRAVITY_MPS2 / nearest:.8g}"
+    rate_unit = f"rate-unit={np.radians(1.0 / _COUNTS_PER_DPS):.8g}"
+    ranges = f"1 g = {nearest:.0f} and 2000 deg/s"
+    raise question(
+        f"holds counts of an unknown range (norm {norm:.4g})",
+        (f"{force_unit} and {rate_unit} for {ranges}",),
+        where,
+    )
+
+
+FORMAT = Format("razor-m0", "Razor M0", recognises, read)

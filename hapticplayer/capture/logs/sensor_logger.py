@@ -1,0 +1,179 @@
+"""Sensor Logger (Android and iOS): one CSV for each sensor, in a folder or a zip.
+
+Header `time,seconds_elapsed,z,y,x`: ns since 1970, seconds since the start, and the
+axes in that order, so they are read by name. Android's Accelerometer.csv has no
+gravity, TotalAcceleration.csv has; iOS logs acceleration and gravity apart, with all
+signs turned round, unless "Standardise Units & Frames" is on.
+
+Source: tszheichoi/awesome-sensor-logger (UNITS, COORDINATES, CROSSPLATFORM).
+"""
+
+import csv
+import io
+
+import numpy as np
+
+from hapticplayer.capture.logs.choices import LogChoices, question
+from hapticplayer.capture.logs.common_times import interpolated
+from hapticplayer.capture.logs.numbers import Shape, column_names
+from hapticplayer.capture.logs.raw import Confidence, Format, RawLog, Stream
+from hapticplayer.capture.logs.source import Source
+from hapticplayer.capture.logs.tables import Sensor, read_sensor
+from hapticplayer.errors import InputError
+
+_COLUMNS = ("time", "x", "y", "z")
+_IOS, _ANDROID = "ios", "android"
+_TRUE = ("true", "1", "yes")
+
+_TOTAL = "totalacceleration.csv"
+_LINEAR = "accelerometer.csv"
+_GRAVITY = "gravity.csv"
+_RAW = "accelerometeruncalibrated.csv"
+_GYRO = ("gyroscope.csv", "gyroscopeuncalibrated.csv")
+_FIELD = ("magnetometer.csv", "magnetometeruncalibrated.csv")
+
+
+def recognises(source: Source) -> Confidence:
+    """The header of any of its sensors."""
+    return Confidence.CERTAIN if _sensors(source) else Confidence.NO
+
+
+def read(source: Source, choices: LogChoices) -> RawLog:
+    """Return the log.
+
+    Raises:
+        InputError: when sensors are missing.
+        UsageError: when the sign of the acceleration cannot be told.
+    """
+    found = _sensors(source)
+    where = str(source.path)
+    system, is_standard = _metadata(source, choices)
+    if system == "" and _TOTAL in found:
+        system = _ANDROID
+    gyro_name = next((name for name in _GYRO if name in found), None)
+    if gyro_name is None:
+        held = ", ".join(sorted(found.values()))
+        raise InputError(
+            f"holds no gyroscope (only {held[:200]})",
+            where=where,
+            remedy="give the whole folder or zip, recorded with the gyroscope",
+        )
+    force, unit, notes = _force(source, found, system, is_standard=is_standard)
+    gyro = _read(source, found[gyro_name])
+    field_name = next((name for name in _FIELD if name in found), None)
+    field = _read(source, found[field_name]) if field_name else None
+    origin_ns = force.origin_ns
+    if field is not None:
+        notes += field.notes
+    return RawLog(
+        name=f"Sensor Logger ({'iOS' if system == _IOS else 'Android'})",
+        force=force.stream,
+        rate=gyro.since(origin_ns),
+        field=None if field is None else field.since(origin_ns),
+        force_unit=unit,
+        axes_words="the phone's axes: x right, y top, z out of the screen",
+        back_axis="z",
+        notes=notes + gyro.notes,
+    )
+
+
+def _sensors(source: Source) -> dict[str, str]:
+    """Return the members with the header of a sensor, by their name in lower case."""
+    found: dict[str, str] = {}
+    for name in source.names:
+        columns = column_names(source.first_line(name), ",")
+        if columns[:2] == ("time", "seconds_elapsed") and set(_COLUMNS) <= set(columns):
+            found.setdefault(source.base(name), name)
+    return found
+
+
+def _metadata(source: Source, choices: LogChoices) -> tuple[str, bool]:
+    """Return the phone's system ("" where unknown) and whether frames are standard."""
+    for system in (_IOS, _ANDROID):
+        if choices.format.endswith(system):
+            return system, False
+    name = next((n for n in source.names if source.base(n) == "metadata.csv"), None)
+    if name is None:
+        return "", False
+    try:
+        rows = list(csv.reader(io.StringIO(source.text(name, 65_536))))[:2]
+    except csv.Error:
+        return "", False
+    if len(rows) < 2:
+        return "", False
+    held = {key.strip().lower(): value for key, value in zip(*rows, strict=False)}
+    system = held.get("platform", "").strip().lower()
+    is_standard = held.get("standardisation", "").strip().lower() in _TRUE
+    return (system if system in {_IOS, _ANDROID} else ""), is_standard
+
+
+def _force(
+    source: Source, found: dict[str, str], system: str, *, is_standard: bool
+) -> tuple[Sensor, str, tuple[str, ...]]:
+    """Return the specific force with gravity, its unit, and notes."""
+    where = str(source.path)
+    if _TOTAL in found and system != _IOS:
+        total = _read(source, found[_TOTAL])
+        return total, "m/s2", total.notes
+    if not system:
+        raise question(
+            "does not say whether it comes from iOS or Android, whose accelerations "
+            "have opposite signs",
+            ("format=sensor-logger-ios", "format=sensor-logger-android"),
+            where,
+        )
+    is_flipped = system == _IOS and not is_standard
+    if _LINEAR in found and _GRAVITY in found:
+        summed, notes = _with_gravity(source, found)
+        unit = "m/s2"
+    elif _RAW in found:
+        summed = _read(source, found[_RAW])
+        notes, unit = summed.notes, "g" if is_flipped else "m/s2"
+    else:
+        raise InputError(
+            "holds no acceleration with gravity",
+            where=where,
+            remedy="record the gravity sensor (iOS) or total acceleration (Android)",
+        )
+    if is_flipped:
+        stream = Stream(summed.stream.time_s, -summed.stream.values)
+        summed = Sensor(stream, summed.origin_ns, summed.notes)
+    return summed, unit, notes
+
+
+def _with_gravity(
+    source: Source, found: dict[str, str]
+) -> tuple[Sensor, tuple[str, ...]]:
+    """Return acceleration plus gravity at the times of the acceleration."""
+    linear = _read(source, found[_LINEAR])
+    gravity = _read(source, found[_GRAVITY])
+    at_times = interpolated(
+        linear.stream.time_s, gravity.since(linear.origin_ns), str(source.path)
+    )
+    if at_times is None:
+        raise InputError(
+            "its gravity cannot be used",
+            where=source.where(found[_GRAVITY]),
+            remedy="record again with the gravity sensor",
+        )
+    with np.errstate(all="ignore"):
+        stream = Stream(linear.stream.time_s, linear.stream.values + at_times)
+    notes = ("specific force is acceleration plus the phone's own gravity",)
+    return (
+        Sensor(stream, linear.origin_ns, linear.notes),
+        notes + linear.notes + gravity.notes,
+    )
+
+
+def _read(source: Source, name: str) -> Sensor:
+    columns = column_names(source.first_line(name), ",")
+    shape = Shape(
+        width=len(columns),
+        columns=tuple(columns.index(column) for column in _COLUMNS),
+        integer=columns.index("time"),
+        skip_lines=1,
+    )
+    return read_sensor(source, name, shape)
+
+
+FORMAT = Format("sensor-logger", "Sensor Logger", recognises, read)

@@ -1,0 +1,309 @@
+"""What a recording is made of: one file, a folder of files, or a zip of them.
+
+Nothing is ever unpacked onto the disk. Every limit holds before memory is spent: on
+the number of members, on their size, and on what a zip turns out to hold.
+"""
+
+import contextlib
+import functools
+import io
+import os
+import struct
+import zipfile
+import zlib
+from collections.abc import Iterator
+from pathlib import Path, PurePosixPath
+from typing import BinaryIO, Protocol, cast
+
+from hapticplayer.capture.limits import (
+    MAX_CSV_BYTES,
+    MAX_FOLDER_DEPTH,
+    MAX_MEMBERS,
+)
+from hapticplayer.errors import InputError
+from hapticplayer.media.files import reason, resolve_regular
+
+HEAD_BYTES = 4096
+ZIP_MAGIC = b"PK\x03\x04"
+
+_NO_TEXT = frozenset(
+    (
+        ".jpg",
+        ".jpeg",
+        ".png",
+        ".gif",
+        ".mp4",
+        ".mov",
+        ".m4a",
+        ".wav",
+        ".mp3",
+        ".npz",
+        ".zip",
+    )
+)
+_ZIP_ERRORS = (
+    zipfile.BadZipFile,
+    zlib.error,
+    struct.error,
+    NotImplementedError,
+    RuntimeError,
+    EOFError,
+    OSError,
+    ValueError,
+)
+
+
+class _Members(Protocol):
+    """Where the members of a source are kept."""
+
+    def names(self) -> tuple[str, ...]:
+        """Return their names relative to the source, with forward slashes."""
+        ...
+
+    def size_bytes(self, name: str, /) -> int:
+        """Return the size that is claimed for one."""
+        ...
+
+    def opened(self, name: str, /) -> contextlib.AbstractContextManager[BinaryIO]:
+        """Open one for reading."""
+        ...
+
+
+class Source:
+    """The files of one recording.
+
+    Attributes:
+        path: of the file or folder that was given.
+        names: of its members, relative to a folder or in a zip; of a single file,
+            its own name.
+        is_one_file: neither a folder nor a zip.
+    """
+
+    def __init__(self, path: Path, members: _Members) -> None:
+        self.path = path
+        self.names = members.names()
+        self.is_one_file = isinstance(members, _File)
+        self._members = members
+        self.head = functools.cache(self._head)
+
+    def where(self, name: str) -> str:
+        """Return how a message calls a member."""
+        return str(self.path) if len(self.names) == 1 else f"{self.path}: {name}"
+
+    def base(self, name: str) -> str:
+        """Return the last part of a member's name, in lower case."""
+        return PurePosixPath(name).name.lower()
+
+    def _head(self, name: str) -> str:
+        """Return the first 4096 bytes as text; "" of what is none."""
+        with self.opened(name) as stream:
+            content = stream.read(HEAD_BYTES)
+        return content.decode("utf-8-sig", "replace") if is_text(content) else ""
+
+    def first_line(self, name: str) -> str:
+        """Return the first line without its end."""
+        return self.head(name).partition("\n")[0].strip()
+
+    @contextlib.contextmanager
+    def opened(self, name: str) -> Iterator[BinaryIO]:
+        """Open a member; what it gives ends at the limit with an error.
+
+        Raises:
+            InputError: when it is too large or cannot be read.
+        """
+        if self._members.size_bytes(name) > MAX_CSV_BYTES:
+            raise _too_large(self.where(name))
+        try:
+            with self._members.opened(name) as stream:
+                yield cast(BinaryIO, _Bounded(stream, self.where(name)))
+        except InputError:
+            raise
+        except _ZIP_ERRORS as error:
+            raise InputError(
+                f"cannot be read ({reason(error)})",
+                where=self.where(name),
+                remedy="copy it again from the recorder",
+            ) from error
+
+    def text(self, name: str, limit_bytes: int = 1 << 20) -> str:
+        """Return the whole of a small member."""
+        with self.opened(name) as stream:
+            return stream.read(limit_bytes).decode("utf-8-sig", "replace")
+
+    def text_of(self, base: str) -> str:
+        """Return the text of the first member with this last part, or ""."""
+        name = next((name for name in self.names if self.base(name) == base), None)
+        return "" if name is None else self.text(name)
+
+
+class _Bounded(io.RawIOBase):
+    """Reads from a stream until a limit, whatever size was claimed."""
+
+    def __init__(self, stream: BinaryIO, where: str) -> None:
+        super().__init__()
+        self._stream, self._where, self._left = stream, where, MAX_CSV_BYTES
+
+    def read(self, size: int = -1) -> bytes:
+        wanted = self._left + 1 if size < 0 else min(size, self._left + 1)
+        content = self._stream.read(wanted)
+        self._left -= len(content)
+        if self._left < 0:
+            raise _too_large(self._where)
+        return content
+
+
+class _File:
+    def __init__(self, path: Path) -> None:
+        self._path = path
+
+    def names(self) -> tuple[str, ...]:
+        return (self._path.name,)
+
+    def size_bytes(self, _name: str) -> int:
+        return self._path.stat().st_size
+
+    def opened(self, _name: str) -> contextlib.AbstractContextManager[BinaryIO]:
+        return self._path.open("rb")
+
+
+class _Folder:
+    """Text files below a folder; links and anything special are passed over."""
+
+    def __init__(self, path: Path) -> None:
+        self._path = path
+        self._files = {
+            file.relative_to(path).as_posix(): file
+            for file in sorted(_walk(path, MAX_FOLDER_DEPTH))
+        }
+
+    def names(self) -> tuple[str, ...]:
+        return tuple(self._files)
+
+    def size_bytes(self, name: str) -> int:
+        return self._files[name].stat().st_size
+
+    def opened(self, name: str) -> contextlib.AbstractContextManager[BinaryIO]:
+        return self._files[name].open("rb")
+
+
+class _Zip:
+    def __init__(self, path: Path) -> None:
+        self._path = path
+        with zipfile.ZipFile(path) as archive:
+            infos = archive.infolist()
+        if len(infos) > MAX_MEMBERS:
+            raise _too_many(path)
+        for info in infos:
+            _refuse_escape(info.filename, path)
+        self._infos = {
+            info.filename: info
+            for info in sorted(infos, key=lambda info: info.filename)
+            if not info.is_dir() and info.file_size and is_wanted(info.filename)
+        }
+
+    def names(self) -> tuple[str, ...]:
+        return tuple(self._infos)
+
+    def size_bytes(self, name: str) -> int:
+        return self._infos[name].file_size
+
+    @contextlib.contextmanager
+    def opened(self, name: str) -> Iterator[BinaryIO]:
+        with (
+            zipfile.ZipFile(self._path) as archive,
+            archive.open(self._infos[name]) as stream,
+        ):
+            yield cast(BinaryIO, stream)
+
+
+def open_source(path: str | os.PathLike[str]) -> Source:
+    """Return the source at a path.
+
+    Raises:
+        InputError: when nothing can be read there, or it exceeds the limits.
+    """
+    folder = Path(path)
+    if folder.is_dir():
+        members: _Members = _Folder(folder.resolve())
+        return Source(folder.resolve(), members)
+    file = resolve_regular(path, InputError)
+    with file.open("rb") as stream:
+        is_zip = stream.read(4) == ZIP_MAGIC
+    if not is_zip:
+        return Source(file, _File(file))
+    try:
+        return Source(file, _Zip(file))
+    except InputError:
+        raise
+    except _ZIP_ERRORS as error:
+        raise InputError(
+            f"is a damaged zip ({reason(error)})",
+            where=str(file),
+            remedy="export the recording again",
+        ) from error
+
+
+def is_text(content: bytes) -> bool:
+    """Whether the beginning of a file is text in UTF-8."""
+    try:
+        text = content.decode("utf-8")
+    except UnicodeDecodeError as error:
+        # a character may be cut at the end of the sample
+        if error.start < len(content) - 3:
+            return False
+        text = content[: error.start].decode("utf-8")
+    return "\0" not in text
+
+
+def is_wanted(name: str) -> bool:
+    """Whether a member may be a log: neither hidden nor a picture or a sound."""
+    path = PurePosixPath(name)
+    is_hidden = any(part.startswith((".", "__MACOSX")) for part in path.parts)
+    return not is_hidden and path.suffix.lower() not in _NO_TEXT
+
+
+def _walk(folder: Path, depth: int) -> list[Path]:
+    found: list[Path] = []
+    try:
+        entries = sorted(os.scandir(folder), key=lambda entry: entry.name)
+    except OSError as error:
+        raise InputError(
+            f"cannot be listed ({reason(error)})",
+            where=str(folder),
+            remedy="check the rights of the folder",
+        ) from error
+    for entry in entries:
+        if entry.is_dir(follow_symlinks=False) and depth > 1:
+            if is_wanted(entry.name):
+                found += _walk(Path(entry.path), depth - 1)
+        elif entry.is_file(follow_symlinks=False) and is_wanted(entry.name):
+            found += [Path(entry.path)] if entry.stat().st_size else []
+        if len(found) > MAX_MEMBERS:
+            raise _too_many(folder)
+    return found
+
+
+def _refuse_escape(name: str, path: Path) -> None:
+    parts = PurePosixPath(name.replace("\\", "/")).parts
+    if ".." in parts or name.startswith(("/", "\\")) or ":" in name[:3]:
+        raise InputError(
+            f"holds {name[:80]!r}, a name that points out of the zip",
+            where=str(path),
+            remedy="export the recording again",
+        )
+
+
+def _too_many(path: Path) -> InputError:
+    return InputError(
+        f"holds more than {MAX_MEMBERS} files",
+        where=str(path),
+        remedy="give the folder of one recording",
+    )
+
+
+def _too_large(where: str) -> InputError:
+    return InputError(
+        f"is larger than the limit of {MAX_CSV_BYTES >> 20} MB",
+        where=where,
+        remedy="cut the log into parts",
+    )

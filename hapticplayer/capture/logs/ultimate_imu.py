@@ -1,0 +1,102 @@
+"""SparkFun Ultimate IMU with its stock firmware (ADXL345, ITG-3200, HMC5843).
+
+Rows without a header: ms, gyro deg/s, acceleration g, field gauss, two decimals
+each; the lines end with LF CR, in this order. With Euler output on there are four
+cells and no acceleration.
+
+Source: ryowens84/Ultimate-IMU, main.cpp (2011).
+"""
+
+import numpy as np
+
+from hapticplayer.capture.logs.choices import LogChoices
+from hapticplayer.capture.logs.numbers import Shape
+from hapticplayer.capture.logs.raw import Confidence, Format, RawLog
+from hapticplayer.capture.logs.source import Source
+from hapticplayer.capture.logs.tables import first_numbers, read_table, split
+from hapticplayer.errors import InputError
+
+_WIDTH = 10
+_EULER_WIDTH = 4
+_ONE_G = (0.6, 1.5)
+_DROP_RATE_DPS = 14.375
+"""A skipped gyro read is divided by the scale a second time by the firmware."""
+
+
+def recognises(source: Source) -> Confidence:
+    """Whole milliseconds that rise, then cells with two decimals, LF CR."""
+    if len(source.names) != 1:
+        return Confidence.NO
+    name = source.names[0]
+    rows = first_numbers(source, name)
+    widths = {len(row) for row in rows}
+    if not rows or widths not in ({_WIDTH}, {_EULER_WIDTH}):
+        return Confidence.NO
+    is_lf_cr = "\n\r" in source.head(name) and "\r\n" not in source.head(name)
+    has_blanks = ", " in source.first_line(name)
+    times = [row[0] for row in rows]
+    if has_blanks or times != sorted(times) or any(time % 1 for time in times):
+        return Confidence.NO
+    if widths == {_EULER_WIDTH}:
+        return Confidence.CERTAIN if is_lf_cr else Confidence.NO
+    norm = np.nanmedian(np.linalg.norm(np.array(rows)[:, 4:7], axis=1))
+    if not _ONE_G[0] < norm < _ONE_G[1]:
+        return Confidence.POSSIBLE if is_lf_cr else Confidence.NO
+    return Confidence.CERTAIN if is_lf_cr else Confidence.LIKELY
+
+
+def read(source: Source, _choices: LogChoices) -> RawLog:
+    """Return the log.
+
+    Raises:
+        InputError: when it holds angles only, or no rows.
+    """
+    name = source.names[0]
+    if len(source.first_line(name).split(",")) == _EULER_WIDTH:
+        raise InputError(
+            "holds Euler angles and no acceleration",
+            where=source.where(name),
+            remedy="switch the Euler output of the board off and record again",
+        )
+    numbers = read_table(source, name, Shape(_WIDTH, tuple(range(_WIDTH))))
+    values = numbers.values
+    spikes = _unscale_skipped(values)
+    time_s = values[:, 0] * 1e-3
+    force, rate, field = split(values, time_s, (4, 1, 7))
+    assert force is not None
+    notes = numbers.notes
+    if spikes:
+        notes += (f"{spikes} gyroscope values were scaled twice and are left out",)
+    return RawLog(
+        name="Ultimate IMU, stock firmware",
+        force=force,
+        rate=rate,
+        field=field,
+        force_unit="g",
+        rate_unit="deg/s",
+        field_unit="gauss",
+        axes_words="the board's axes",
+        notes=notes,
+    )
+
+
+def _unscale_skipped(values: np.ndarray) -> int:
+    """Mark rates that the firmware divided twice by its scale; return how many.
+
+    A value that is a fourteenth of both neighbours on all axes, while these are
+    fast, is none of the sensor's.
+    """
+    rate = values[:, 1:4]
+    if len(rate) < 3:
+        return 0
+    inner, fast = rate[1:-1], 20.0 * np.ones(len(rate) - 2)
+    before, after = rate[:-2], rate[2:]
+    expected = 0.5 * (before + after)
+    is_fast = np.linalg.norm(expected, axis=1) > fast
+    is_scaled = np.abs(inner - before / _DROP_RATE_DPS).max(axis=1) < 0.02
+    spikes = np.flatnonzero(is_fast & is_scaled) + 1
+    values[spikes, 1:4] = np.nan
+    return len(spikes)
+
+
+FORMAT = Format("ultimate-imu", "Ultimate IMU, stock firmware", recognises, read)

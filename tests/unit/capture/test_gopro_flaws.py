@@ -1,0 +1,139 @@
+"""Missing samples, compasses, and cameras without accelerations."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from hapticplayer.capture import read_gopro, read_recording
+from hapticplayer.capture.gopro_packets import RawPacket
+from hapticplayer.errors import TelemetryError
+from tests.faults.import_formats import gopro_payloads
+from tests.faults.import_signal import (
+    Sampled,
+    sample,
+    true_field,
+    true_force,
+    true_rate,
+)
+from tests.unit.capture.conftest import device, recorded, sensor
+
+
+def packets(clean: Sampled) -> list[RawPacket]:
+    return [RawPacket(t, 1.0, payload) for t, payload in gopro_payloads(clean)]
+
+
+def test_motion_in_closed_form_comes_back() -> None:
+    telemetry = read_gopro(packets(sample(apart=True)))
+    t = telemetry.imu.time_s
+    assert telemetry.accelerometer_rate_hz == pytest.approx(100.0, abs=0.01)
+    assert telemetry.gyro_rate_hz == pytest.approx(107.0, abs=0.01)
+    assert np.abs(telemetry.imu.specific_force_mps2 - true_force(t)).max() < 0.06
+    rate_error = telemetry.imu.angular_rate_radps - true_rate(t)
+    assert np.abs(rate_error).max() < 0.02
+    assert telemetry.notes == ()
+
+
+def test_missing_accelerations_are_filled_and_marked() -> None:
+    clean = sample(apart=True)
+    clean.force[500:505] = np.nan
+    telemetry = read_gopro(packets(clean))
+    imu = telemetry.imu
+    assert imu.valid is not None
+    bad_s = imu.time_s[~imu.valid]
+    assert len(bad_s) == 5
+    np.testing.assert_allclose(bad_s, clean.force_s[500:505], atol=2e-3)
+    assert any("were filled in" in note for note in telemetry.notes)
+
+
+def test_missing_rates_are_marked_where_they_were_missing() -> None:
+    """A tenth of a second of NaN in the faster gyro does not spread."""
+    clean = sample(apart=True)
+    lost = slice(700, 711)
+    clean.rate[lost] = np.nan
+    imu = read_gopro(packets(clean)).imu
+    assert imu.valid is not None
+    bad_s = imu.time_s[~imu.valid]
+    assert bad_s.min() > clean.rate_s[700] - 0.03
+    assert bad_s.max() < clean.rate_s[710] + 0.03
+    assert 8 <= len(bad_s) <= 13
+    good = imu.valid
+    error = imu.angular_rate_radps - true_rate(imu.time_s)
+    assert np.abs(error[good]).max() < 0.02
+
+
+def with_compass(components: int, orin: str) -> list[RawPacket]:
+    """The closed form's field in MAGN, 25 a second, stored as Z, X, Y."""
+    out = []
+    for t, payload in gopro_payloads(sample(apart=True)):
+        times = t + np.arange(25) / 25.0
+        x, y, z = true_field(times).T
+        stored = np.stack([z, -x, -y], axis=1)
+        if components == 4:
+            stored = np.concatenate([np.full((25, 1), 7.0), stored], axis=1)
+        total = 25 * (round(t) + 1)
+        stamp_us = round(1e6 * (t + 1.0))
+        magn = sensor("MAGN", stored, orin=orin, total=total, stamp_us=stamp_us)
+        # into the camera's own DEVC, whose length stands in its head
+        body = payload[8:] + magn
+        head = payload[:4] + b"\0\x01" + len(body).to_bytes(2, "big")
+        out.append(RawPacket(t, 1.0, head + body))
+    return out
+
+
+@pytest.mark.parametrize("components", [3, 4])
+def test_compass_is_turned_into_frame_a(components: int) -> None:
+    imu = read_gopro(with_compass(components, "ZXY")).imu
+    assert imu.magnetic_field_ut is not None
+    error = np.abs(imu.magnetic_field_ut - true_field(imu.time_s))
+    inside = imu.time_s < 11.9
+    assert error[inside].max() < 0.1
+
+
+def test_compass_without_axes_is_left_out_and_said() -> None:
+    telemetry = read_gopro(with_compass(3, ""))
+    assert telemetry.imu.magnetic_field_ut is None
+    assert any("compass is left out" in note for note in telemetry.notes)
+
+
+def test_compass_of_the_fusion_is_left_out() -> None:
+    recording = read_recording(recorded("gopro/fusion.bin"))
+    assert recording.imu.magnetic_field_ut is None
+    assert any("which axes" in note for note in recording.notes)
+
+
+def test_real_recordings_need_no_repair() -> None:
+    for name in ("karma.mp4", "hero06.bin", "hero8_grass.gpmf", "hero9_rotation.gpmd"):
+        recording = read_recording(recorded(f"gopro/{name}"))
+        assert recording.imu.valid is None, name
+        assert not any("filled" in note for note in recording.notes), name
+
+
+def test_dji_is_refused_with_the_reason(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """No DJI clip is at hand: its data track is known by the name in its handler."""
+    import hapticplayer.media as media
+
+    path = tmp_path / "dji.mp4"
+    path.write_bytes(b"\0\0\0\x18ftypmp42" + bytes(300))
+    monkeypatch.setattr(media, "read_telemetry_packets", lambda _path: [])
+    monkeypatch.setattr(media, "data_track_names", lambda _path: ("DJI meta",))
+    with pytest.raises(TelemetryError, match="stores orientations only") as caught:
+        read_recording(path)
+    assert "--imu LOG" in str(caught.value)
+
+
+def test_orientations_without_accelerations_are_refused() -> None:
+    """What a DJI-like GPMF would be: quaternions only."""
+    payload = device("Osmo", sensor("CORI", np.tile([1.0, 0, 0, 0], (30, 1))))
+    with pytest.raises(TelemetryError, match="no accelerometer samples"):
+        read_gopro([RawPacket(0.0, 1.0, payload), RawPacket(1.0, 1.0, payload)])
+
+
+def test_a_rate_in_degrees_is_not_believed() -> None:
+    """A damaged SCAL: the rate turns gravity 57 times too fast."""
+    clean = sample(apart=True, seconds=40.0)
+    clean.rate[:] = np.degrees(clean.rate)
+    with pytest.raises(TelemetryError, match="57 times too fast"):
+        read_gopro(packets(clean), "clip.mp4")

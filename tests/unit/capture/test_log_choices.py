@@ -1,0 +1,161 @@
+"""Tables that do not explain themselves: questions, answers, templates."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from hapticplayer.capture import (
+    LogChoices,
+    parse_choices,
+    read_recording,
+    write_template,
+)
+from hapticplayer.errors import InputError, UsageError
+from tests.faults.import_formats import FORMATS, GENERIC, generic, put
+from tests.faults.import_signal import sample, true_force
+
+
+@pytest.fixture
+def table(tmp_path: Path) -> Path:
+    return put(generic(sample()), tmp_path / "in")
+
+
+def test_an_unknown_table_asks_what_its_columns_are(table: Path) -> None:
+    with pytest.raises(UsageError, match="table of 8 columns") as caught:
+        read_recording(table)
+    assert "counter;t_us;Ax;Ay;Az;Gx;Gy;Gz" in str(caught.value)
+    assert "--read-as columns=time,ax,ay,az,gx,gy,gz" in str(caught.value)
+
+
+def test_units_are_asked_for_all_at_once(table: Path) -> None:
+    with pytest.raises(UsageError) as caught:
+        read_recording(table, parse_choices(GENERIC[:1]))
+    for key in ("time-unit=s|ms|us|ns", "force-unit=m/s2|g", "rate-unit=rad/s|deg/s"):
+        assert key in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    ("columns", "sentence"),
+    [
+        ("time,ax,ay,az,gx,gy,gz", "names 7 columns, the table has 8"),
+        ("-,time,ax,ay,az,gx,gy,roll", "unknown name 'roll'"),
+        ("-,time,ax,ay,az,gx,gy,gy", "names a column twice"),
+        ("-,time,ax,ay,az,gx,gy,-", "lacks gz"),
+        ("-,-,ax,ay,az,gx,gy,gz", "lacks time"),
+        ("time,ax,ay,az,gx,gy,gz,mx", "names a part of mx, my, mz"),
+    ],
+)
+def test_columns_that_do_not_fit_are_explained(
+    table: Path, columns: str, sentence: str
+) -> None:
+    with pytest.raises(UsageError, match=sentence):
+        read_recording(table, parse_choices([f"columns={columns}"]))
+
+
+def test_a_template_reads_every_log_of_its_logger(table: Path, tmp_path: Path) -> None:
+    template = tmp_path / "mine.json"
+    write_template(template, parse_choices(GENERIC))
+    choices = parse_choices([f"template={template}"])
+    assert choices == parse_choices(GENERIC)
+    imu = read_recording(table, choices).imu
+    assert np.abs(imu.specific_force_mps2 - true_force(imu.time_s)).max() < 0.06
+    assert list(tmp_path.glob("*.part")) == []
+
+
+def test_a_word_beside_a_template_wins(tmp_path: Path) -> None:
+    template = tmp_path / "mine.json"
+    write_template(template, LogChoices(force_unit="g", axes="x,y,z"))
+    choices = parse_choices(["force-unit=m/s2", f"template={template}"])
+    assert choices == LogChoices(force_unit="m/s2", axes="x,y,z")
+
+
+@pytest.mark.parametrize(
+    "content",
+    ["", "[]", "{", '{"force-unit": 3}', '{"colour": "red"}', "[" * 60_000,
+     json.dumps({"axes": "x" * 70_000}), "null"],
+)  # fmt: skip
+def test_what_is_no_template_is_refused(tmp_path: Path, content: str) -> None:
+    template = tmp_path / "mine.json"
+    template.write_text(content)
+    with pytest.raises(InputError, match=r"no template|is empty"):
+        parse_choices([f"template={template}"])
+
+
+def test_template_in_a_missing_folder_is_refused(tmp_path: Path) -> None:
+    with pytest.raises(InputError, match="cannot be written"):
+        write_template(tmp_path / "no" / "mine.json", LogChoices(axes="x,y,z"))
+
+
+@pytest.mark.parametrize("word", ["force-unit", "colour=red", "=", "force_sign=2"])
+def test_words_that_are_no_choice_are_refused(word: str) -> None:
+    with pytest.raises(UsageError):
+        parse_choices([word])
+
+
+@pytest.mark.parametrize(
+    "word",
+    ["force-unit=stone", "rate-unit=-1", "rate-unit=nan", "field-unit=0",
+     "rate-hz=fast", "rate-hz=-5", "force-sign=x"],
+)  # fmt: skip
+def test_values_that_make_no_sense_are_refused(tmp_path: Path, word: str) -> None:
+    key = "Razor-AHRS" if word.startswith("rate-hz") else "Ultimate IMU"
+    path = put(FORMATS[key].write(sample()), tmp_path / "in")
+    with pytest.raises(UsageError):
+        read_recording(path, parse_choices([word]))
+
+
+def test_a_factor_is_a_unit(table: Path) -> None:
+    words = [*GENERIC[:2], "force-unit=9.80665", "rate-unit=0.0174532925"]
+    imu = read_recording(table, parse_choices(words)).imu
+    assert np.abs(imu.specific_force_mps2 - true_force(imu.time_s)).max() < 0.06
+
+
+def test_sign_of_the_accelerometer_can_be_turned(tmp_path: Path) -> None:
+    """As MARS of iOS writes it: -1 g upwards; no rotation of axes could mend it."""
+    clean = sample()
+    clean.force[:] *= -1.0
+    path = put(FORMATS["MARS"].write(clean), tmp_path / "in")
+    with pytest.raises(UsageError, match="force-sign=-"):
+        read_recording(path)
+    imu = read_recording(path, parse_choices(["force-sign=-"])).imu
+    assert np.abs(imu.specific_force_mps2 - true_force(imu.time_s)).max() < 0.06
+
+
+def test_a_rate_stands_in_for_times(tmp_path: Path) -> None:
+    clean = sample()
+    rows = np.concatenate([clean.force, clean.rate], axis=1)
+    path = tmp_path / "rows.csv"
+    np.savetxt(path, rows, fmt="%.7f", delimiter="\t")
+    words = ["columns=ax,ay,az,gx,gy,gz", "rate-hz=100", "force-unit=m/s2",
+             "rate-unit=rad/s"]  # fmt: skip
+    imu = read_recording(path, parse_choices(words)).imu
+    assert imu.rate_hz == pytest.approx(100.0)
+    assert np.abs(imu.specific_force_mps2 - true_force(imu.time_s)).max() < 0.06
+
+
+def test_rows_of_one_sensor_each_are_streams_of_their_own(tmp_path: Path) -> None:
+    """Interleaved rows with empty cells: by their own times, not row by row."""
+    clean = sample(apart=True)
+    rows = [
+        *((t, *f, None, None, None) for t, f in zip(clean.force_s, clean.force, strict=True)),
+        *((t, None, None, None, *r) for t, r in zip(clean.rate_s, clean.rate, strict=True)),
+    ]  # fmt: skip
+    rows.sort(key=lambda row: row[0])
+    lines = [",".join("" if v is None else f"{v:.7f}" for v in row) for row in rows]
+    path = tmp_path / "merged.csv"
+    path.write_text("t,ax,ay,az,gx,gy,gz\n" + "\n".join(lines) + "\n")
+    words = ["columns=time,ax,ay,az,gx,gy,gz", "time-unit=s", "force-unit=m/s2",
+             "rate-unit=rad/s"]  # fmt: skip
+    imu = read_recording(path, parse_choices(words)).imu
+    assert imu.rate_hz == pytest.approx(100.0, rel=1e-3)
+    assert imu.valid is None
+    assert np.abs(imu.specific_force_mps2 - true_force(imu.time_s)).max() < 0.06
+
+
+def test_format_can_be_chosen_but_not_against_the_content(table: Path) -> None:
+    with pytest.raises(UsageError, match="is no log of Gyroflow"):
+        read_recording(table, parse_choices(["format=gcsv"]))
+    with pytest.raises(UsageError, match="there is no format 'xls'"):
+        read_recording(table, parse_choices(["format=xls"]))
