@@ -1,9 +1,14 @@
 """The last step of every importer: raw samples in SI become an honest ImuLog."""
 
+from typing import Any
+
 import numpy as np
+from numpy.typing import NDArray
 
 from hapticplayer.model import ImuLog, Sampling
 from hapticplayer.model.arrays import Floats
+
+Reals = NDArray[np.floating[Any]]
 
 PLAUSIBLE_MPS2 = (4.0, 40.0)
 STUCK = "all samples are the same: was the sensor stuck?"
@@ -11,9 +16,9 @@ STUCK = "all samples are the same: was the sensor stuck?"
 
 def clean(
     time_s: Floats,
-    force: Floats,
-    rate: Floats,
-    field: Floats | None = None,
+    force: Reals,
+    rate: Reals,
+    field: Reals | None = None,
     *,
     source: str = "",
 ) -> tuple[ImuLog, tuple[str, ...]]:
@@ -33,7 +38,8 @@ def clean(
         InputError: for what cannot be repaired, see `motion.repair_samples`.
     """
     if _is_constant(time_s, force, rate):
-        imu = ImuLog(time_s, force, rate, None, Sampling.INSTANT, source)
+        values = (np.asarray(v, dtype=np.float64) for v in (force, rate))
+        imu = ImuLog(time_s, *values, None, Sampling.INSTANT, source)
         return imu, (STUCK,)
     from hapticplayer.motion import repair_samples  # brings scipy along
 
@@ -43,7 +49,7 @@ def clean(
     return done.imu, tuple(repair.text for repair in done.repairs)
 
 
-def _is_constant(time_s: Floats, force: Floats, rate: Floats) -> bool:
+def _is_constant(time_s: Floats, force: Reals, rate: Reals) -> bool:
     """Whether times are in order and every sample is like the first, about 1 g."""
     low, high = PLAUSIBLE_MPS2
     return bool(

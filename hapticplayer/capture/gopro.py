@@ -8,10 +8,11 @@ first picture.
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 
-from hapticplayer.capture.cleaning import clean
+from hapticplayer.capture.cleaning import Reals, clean
 from hapticplayer.capture.gopro_axes import (
     FRAME_A_FROM_CAMERA,
     frame_a_from_stored,
@@ -31,7 +32,7 @@ from hapticplayer.capture.gopro_streams import (
     first_stamp_us,
 )
 from hapticplayer.capture.gopro_timing import SampleTimes, sample_times
-from hapticplayer.capture.gpmf import text_of
+from hapticplayer.capture.gpmf import Entry, text_of
 from hapticplayer.capture.limits import (
     MAX_ACCELERATION_MPS2,
     MAX_ANGULAR_RATE_RADPS,
@@ -112,36 +113,35 @@ def _read(
 ) -> GoProTelemetry:
     payloads, damaged = parse_packets(packets)
     camera = text_of(payloads[0].device.find("DVNM")) or "GoPro"
-    accelerometer = _require(collect(payloads, "ACCL"), "accelerometer", camera)
-    gyro = _require(collect(payloads, "GYRO"), "gyro", camera)
-    _refuse_time_lapse(accelerometer)
-    frame0_us = first_stamp_us(payloads, _FRAME_KEYS)
-    force_times = sample_times(
-        accelerometer, frame0_us, has_packet_times=has_packet_times
+    clock = _Clock(first_stamp_us(payloads, _FRAME_KEYS), has_packet_times)
+    force = _sensor(payloads, _FORCE, camera, clock)
+    rate = _sensor(payloads, _RATE, camera, clock)
+    force_times, force_first = force.times, force.first
+    rows, mean = mean_rate_with_holes(
+        force_times.time_s, rate.times.time_s, rate.values
     )
-    rate_times = sample_times(gyro, frame0_us, has_packet_times=has_packet_times)
-    force = _in_frame_a(accelerometer, camera, MAX_ACCELERATION_MPS2, "m/s2")
-    rate = _in_frame_a(gyro, camera, MAX_ANGULAR_RATE_RADPS, "rad/s")
-    rows, mean = mean_rate_with_holes(force_times.time_s, rate_times.time_s, rate)
     if len(rows) < 2:
         raise TelemetryError("its accelerometer and gyro do not overlap in time")
-    time_s = force_times.time_s[rows]
+    time_s, gyro_rate_hz = force_times.time_s[rows], rate.times.rate_hz
     field, field_notes = magnetic_field(
-        payloads, time_s, frame0_us, has_packet_times=has_packet_times
+        payloads, time_s, clock.frame0_us, has_packet_times=has_packet_times
     )
-    imu, repairs = _cleaned(time_s, force[rows], mean, field, source)
     gravity_time_s, gravity = _gravity(
-        payloads, frame0_us, has_packet_times=has_packet_times
+        payloads, clock.frame0_us, has_packet_times=has_packet_times
     )
+    # no sensor has the 24 bits of float32, and ten hours fill half a gigabyte
+    small = force.values[rows].astype(np.float32), mean.astype(np.float32)
+    del force, rate, mean, payloads
+    imu, repairs = _cleaned(time_s, *small, field, source)
     return GoProTelemetry(
         imu=imu,
         camera=camera,
         accelerometer_rate_hz=force_times.rate_hz,
-        gyro_rate_hz=rate_times.rate_hz,
+        gyro_rate_hz=gyro_rate_hz,
         gravity_time_s=gravity_time_s,
         gravity_direction=gravity,
         notes=(
-            *_notes(accelerometer, camera, force_times, damaged),
+            *_notes(force_first, camera, force_times, damaged),
             *field_notes,
             *repairs,
         ),
@@ -149,7 +149,7 @@ def _read(
 
 
 def _cleaned(
-    time_s: Floats, force: Floats, rate: Floats, field: Floats | None, source: str
+    time_s: Floats, force: Reals, rate: Reals, field: Floats | None, source: str
 ) -> tuple[ImuLog, tuple[str, ...]]:
     try:
         return clean(time_s, force, rate, field, source=source)
@@ -159,12 +159,49 @@ def _cleaned(
         ) from error
 
 
-def _require(stream: SensorStream | None, name: str, camera: str) -> SensorStream:
+class _Clock(NamedTuple):
+    """What the times of all sensors are measured by."""
+
+    frame0_us: float | None
+    has_packet_times: bool
+
+
+class _Kind(NamedTuple):
+    """A sensor, and what no such sensor measures."""
+
+    key: str
+    name: str
+    limit: float
+    unit: str
+
+
+_FORCE = _Kind("ACCL", "accelerometer", MAX_ACCELERATION_MPS2, "m/s2")
+_RATE = _Kind("GYRO", "gyro", MAX_ANGULAR_RATE_RADPS, "rad/s")
+
+
+class _Sensor(NamedTuple):
+    """A sensor's samples in frame A, their times and its first STRM entry."""
+
+    times: SampleTimes
+    values: Floats
+    first: Entry
+
+
+def _sensor(
+    payloads: Sequence[Payload], kind: _Kind, camera: str, clock: _Clock
+) -> _Sensor:
+    stream = collect(payloads, kind.key)
     if stream is None or stream.values.shape[1] != 3:
         raise TelemetryError(
-            f"its telemetry ({camera}) holds no {name} samples", remedy=OTHER_CAMERA
+            f"its telemetry ({camera}) holds no {kind.name} samples",
+            remedy=OTHER_CAMERA,
         )
-    return stream
+    if kind is _FORCE:
+        _refuse_time_lapse(stream)
+    times = sample_times(
+        stream, clock.frame0_us, has_packet_times=clock.has_packet_times
+    )
+    return _Sensor(times, _in_frame_a(stream, camera, kind), stream.first)
 
 
 def _refuse_time_lapse(stream: SensorStream) -> None:
@@ -176,15 +213,18 @@ def _refuse_time_lapse(stream: SensorStream) -> None:
         )
 
 
-def _in_frame_a(stream: SensorStream, camera: str, limit: float, unit: str) -> Floats:
+def _in_frame_a(stream: SensorStream, camera: str, kind: _Kind) -> Floats:
     rotation = frame_a_from_stored(stream.first, camera)
-    values = np.where(np.isfinite(stream.values), stream.values, np.nan) @ rotation.T
-    finite = np.isfinite(values)
-    # single samples that are missing are filled in and marked later
-    largest = float(np.abs(values[finite]).max()) if finite.any() else np.inf
-    if largest > limit:
+    values, is_finite = stream.values, np.isfinite(stream.values)
+    if not is_finite.all():
+        # single samples that are missing are filled in and marked later
+        values = np.where(is_finite, values, np.nan)
+    values = values @ rotation.T
+    largest = float(np.nanmax(np.abs(values))) if is_finite.any() else np.inf
+    if largest > kind.limit or np.isnan(largest):
         raise TelemetryError(
-            f"its telemetry claims {largest:.3g} {unit}, beyond what sensors measure"
+            f"its telemetry claims {largest:.3g} {kind.unit}, beyond what sensors "
+            "measure"
         )
     return values
 
@@ -209,7 +249,7 @@ def _gravity(
 
 
 def _notes(
-    stream: SensorStream, camera: str, times: SampleTimes, damaged: int
+    stream: Entry, camera: str, times: SampleTimes, damaged: int
 ) -> tuple[str, ...]:
     notes = []
     if not times.is_stamped:
@@ -217,7 +257,7 @@ def _notes(
             "This camera does not stamp its samples: they may lie 10 to 30 ms off "
             "the picture."
         )
-    if not is_order_known(stream.first, camera):
+    if not is_order_known(stream, camera):
         notes.append(
             f"The file does not say how the sensor sits in {camera!r}: the axes of a "
             "HERO5 are assumed."

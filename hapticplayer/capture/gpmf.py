@@ -51,7 +51,7 @@ class Entry:
         key: four characters.
         kind: type letter; NESTED when the value is a list of entries.
         struct_bytes: size of one structure.
-        payload: the value as bytes, without padding.
+        payload: the value as bytes, without padding; empty where it is nested.
         children: entries of a nested value.
         is_cut: the nested value ended in the middle of an entry.
     """
@@ -112,7 +112,7 @@ def _entry(
     if letter != NESTED:
         return Entry(name, letter, struct_bytes, payload)
     children, is_cut = _parse_list(payload, depth + 1)
-    return Entry(name, letter, struct_bytes, payload, children, is_cut)
+    return Entry(name, letter, struct_bytes, b"", children, is_cut)
 
 
 def text_of(entry: Entry | None) -> str:

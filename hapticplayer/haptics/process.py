@@ -66,6 +66,7 @@ class HapticsProcess:
         self._clock = clock
         self._tail = 0
         self._next_track_id = 1
+        self._is_loop_ready = False
         entry = find_device(device)
         descriptor = anonymous_memory("hapticplayer-loop", BLOCK_BYTES)
         try:
@@ -112,6 +113,7 @@ class HapticsProcess:
         deadline_s = self._clock.now_s() + READY_TIMEOUT_S
         while self.health is Health.STARTING and self._clock.now_s() < deadline_s:
             self._read_line(timeout_ms=50)
+            self._note_guard()
             self.beat()
         if self.health is Health.FAILED:
             raise DeviceError(self.problem)
@@ -125,8 +127,16 @@ class HapticsProcess:
         """Read what the process has said since, and return its health."""
         while self._read_line():
             pass
+        self._note_guard()
+        return self.health
+
+    def _note_guard(self) -> None:
+        """Without a guard that watches, nothing is ready."""
         guard = self._crew.guard
-        if (
+        if self.health is Health.STARTING and self._is_loop_ready:
+            if self._block.guard_s() > 0.0:
+                self.health = Health.READY
+        elif (
             self.health is Health.READY
             and guard is not None
             and guard.poll() is not None
@@ -136,7 +146,6 @@ class HapticsProcess:
                 "choose the device again"
             )
             self.health = Health.FAILED
-        return self.health
 
     def beat(self) -> None:
         """Tell the loop that the main thread is alive; call it at least at 10 Hz."""
@@ -189,7 +198,7 @@ class HapticsProcess:
                 self.health = Health.GONE
             return False
         if message.word is Word.READY:
-            self.health = Health.READY
+            self._is_loop_ready = True
             self.scheduling = Scheduling(message.text)
             if self._recording:
                 header = {"device": self.device, "scheduling": self.scheduling.value}

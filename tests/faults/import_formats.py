@@ -284,15 +284,17 @@ def gopro_payloads(s: Sampled) -> list[tuple[float, bytes]]:
         return np.stack([z, -x, -y], axis=1)
 
     payloads, totals = [], [0, 0]
+    # a clock that was set back never runs on in a payload
+    order = [np.maximum.accumulate(t) for t in (s.force_s, s.rate_s)]
     last_s = float(np.nanmax(s.force_s)) if len(s.force_s) else 0.0
     for second in range(int(last_s) + 1):
         streams = []
         for at, (key, t, values) in enumerate(
             (("ACCL", s.force_s, s.force), ("GYRO", s.rate_s, s.rate))
         ):
-            here = (t >= second) & (t < second + 1)
-            if here.any():
-                totals[at] += int(here.sum())
+            here = np.arange(*np.searchsorted(order[at], [second, second + 1]))
+            if len(here):
+                totals[at] += len(here)
                 stamp = round(1e6 * (float(t[here][0]) + 1.0))
                 streams.append(
                     sensor(key, stored(values[here]), total=totals[at], stamp_us=stamp)
