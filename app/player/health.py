@@ -101,7 +101,6 @@ def stop_reason(cause: Cause) -> str:
         Cause.REPLY_LOST: translate("Health", "the device does not answer"),
         Cause.MALFORMED: translate("Health", "the device answers nonsense"),
         Cause.TICK_LOST: translate("Health", "the computer stood still"),
-        Cause.COMMAND_STALE: translate("Health", "the computer stood still"),
         Cause.RUNAWAY: translate("Health", "the grip was let go"),
         Cause.OUTSIDE: translate("Health", "the grip is at its edge"),
     }.get(cause, "")

@@ -252,12 +252,6 @@ RULES: tuple[Rule, ...] = (
         "the device is gone",
     ),
     Rule(
-        Cause.COMMAND_STALE,
-        Reaction.TRIP,
-        lambda s: s.told.is_stale,
-        "a command was older than 20 ms before it was sent; it was not sent",
-    ),
-    Rule(
         Cause.TICK_LOST,
         Reaction.TRIP,
         lambda s: s.is_acting and s.gap_s > GAP_TRIP_S,
@@ -316,6 +310,12 @@ RULES: tuple[Rule, ...] = (
         Reaction.RAMP,
         lambda s: s.is_acting and s.gap_s > GAP_RAMP_S,
         "the loop stood still for more than 20 ms",
+    ),
+    Rule(
+        Cause.COMMAND_STALE,
+        Reaction.RAMP,
+        lambda s: s.told.is_stale,
+        "a command was older than 20 ms before it was sent; zero was sent instead",
     ),
     Rule(
         Cause.REPLY_LATE,

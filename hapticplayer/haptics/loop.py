@@ -125,10 +125,13 @@ class Loop:
         age_s = self.clock.now_s() - now_s
         self._is_stale = age_s > self.limits.command_age_s
         if self._is_stale:
+            # 20 ms have passed: a ramp that began with them would be over
             force_n = ZERO
-            self.state = self.state._replace(
-                force_n=ZERO, mode=Mode.TRIPPED, cause=Cause.COMMAND_STALE
-            )
+            is_acting = self.state.mode not in (Mode.IDLE, Mode.TRIPPED)
+            if is_acting:
+                self.state = self.state._replace(
+                    force_n=ZERO, mode=Mode.RAMPING, cause=Cause.COMMAND_STALE
+                )
         if self._is_device_gone:
             return
         try:

@@ -25,6 +25,7 @@ class Case:
         inject: makes the fault.
         mend: takes it away again; None where nothing can.
         gap_s: length of the first period after it.
+        passes_s: time that passes within the period that reacts.
     """
 
     cause: Cause
@@ -33,6 +34,7 @@ class Case:
     inject: Callable
     mend: Callable | None = None
     gap_s: float = 0.001
+    passes_s: float = 0.0
 
 
 def put(name, value):
@@ -125,10 +127,11 @@ CASES: dict[str, Case] = {
     "suspended": Case(Cause.TICK_LOST, TRIP, 1, nothing, seek, gap_s=3600.0),
     "command-stale": Case(
         Cause.COMMAND_STALE,
-        TRIP,
+        RAMP,
         1,
         lambda rig: setattr(rig, "delay_sending_s", 0.0205),
         nothing,
+        passes_s=0.0205,
     ),
     "not-homed": Case(
         Cause.NOT_HOMED,
