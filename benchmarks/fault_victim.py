@@ -57,6 +57,9 @@ class Victim:
         self._input.activated.connect(self._obey)
 
     def _tell_when_ready(self) -> None:
+        if self.window.session.is_stopped:  # until it is known here, and done there
+            self.window.session.rearm()
+            self.player.play()
         latest = self.player.link.history.latest()
         if latest is None or abs(complex(*latest["force_n"][:2])) < READY_FORCE_N:
             return
@@ -74,18 +77,15 @@ class Victim:
             self._say(word=word, at_s=now_s)
 
     def _do(self, word: str) -> None:
-        session = self.window.session
         if word == "esc":
             QTest.keyClick(self.window.windowHandle(), Qt.Key.Key_Escape)
         elif word == "stop":
-            QTest.mouseClick(self.window.transport.stop, Qt.MouseButton.LeftButton)
+            self.window.transport.stop.click()
         elif word == "close":
             QTimer.singleShot(0, self.window.close)
         elif word == "interrupt":
             os.kill(os.getpid(), signal.SIGINT)
         elif word == "rearm":
-            session.rearm()
-            self.player.play()
             self._timer.start()
 
     def _say(self, **content: object) -> None:

@@ -37,7 +37,7 @@ from hapticplayer.haptics.shared import SharedBlock
 from hapticplayer.media import write_clip
 
 FORCE_N, TURN_RADPS, CLIP_S = 4.0, 2.0, 600
-QUIET_S = 0.05
+ROW_S = 0.01
 READY_TIMEOUT_S = 60.0
 BACK_IN_SYNC_S = 0.002
 
@@ -167,7 +167,8 @@ FAULTS: dict[str, Fault] = {
     "player SIGSEGV": Fault(0.025, _signal(signal.SIGSEGV), kills=True),
     "GUI frozen (SIGSTOP)": Fault(0.200, _freeze, settle_s=0.1),
     "loop SIGKILL": Fault(0.010, _kill_loop, kills=True),
-    "loop frozen (SIGSTOP)": Fault(0.025, _freeze_loop, settle_s=0.1),
+    # a fresh player each time: what it missed would hold the force to 3 N for 10 s
+    "loop frozen (SIGSTOP)": Fault(0.025, _freeze_loop, kills=True),
     "Esc": Fault(0.025, lambda p: p.tell("esc")),
     "stop button": Fault(0.025, lambda p: p.tell("stop")),
     "grip button": Fault(0.025, _press),
@@ -212,9 +213,8 @@ def out_of_sync_s(player: Player) -> float:
         return float("inf")
     clock, _ = sample
     ticks = ticks[-100:]
-    expected = TURN_RADPS * (
-        clock.media0_s + clock.rate * (ticks["monotonic_s"] - clock.monotonic0_s)
-    )
+    media_s = clock.media0_s + clock.rate * (ticks["monotonic_s"] - clock.monotonic0_s)
+    expected = TURN_RADPS * ROW_S * np.floor(media_s / ROW_S)  # rows are held
     x, y = (ticks["force_n"] - ticks["centring_n"])[:, :2].T
     wrong = np.angle(np.exp(1j * (np.arctan2(y, x) - expected)))
     return float(np.abs(wrong).max() / TURN_RADPS)
@@ -227,7 +227,7 @@ def material() -> Iterator[tuple[Path, Path]]:
         clip, force = Path(folder) / "clip.mp4", Path(folder) / "force.csv"
         pictures = (np.full((90, 160, 3), k % 200, np.uint8) for k in range(5 * CLIP_S))
         write_clip(clip, pictures, frame_rate_hz=5)
-        t = np.arange(0, CLIP_S, 0.01)
+        t = np.arange(0, CLIP_S, ROW_S)
         x, y = FORCE_N * np.cos(TURN_RADPS * t), FORCE_N * np.sin(TURN_RADPS * t)
         rows = [f"{a:.2f},{b:.5f},{c:.5f},0" for a, b, c in zip(t, x, y, strict=True)]
         force.write_text("time_s,fx_n,fy_n,fz_n\n" + "\n".join(rows) + "\n")

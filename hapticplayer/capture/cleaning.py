@@ -38,8 +38,14 @@ def clean(
         InputError: for what cannot be repaired, see `motion.repair_samples`.
     """
     if _is_constant(time_s, force, rate):
-        values = (np.asarray(v, dtype=np.float64) for v in (force, rate))
-        imu = ImuLog(time_s, *values, None, Sampling.INSTANT, source)
+        imu = ImuLog(
+            time_s,
+            np.asarray(force, dtype=np.float64),
+            np.asarray(rate, dtype=np.float64),
+            None,
+            Sampling.INSTANT,
+            source,
+        )
         return imu, (STUCK,)
     from hapticplayer.motion import repair_samples  # brings scipy along
 

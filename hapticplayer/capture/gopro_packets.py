@@ -94,7 +94,7 @@ def _devices(root: Entry, key: str) -> Iterator[Entry]:
 def _identity(device: Entry) -> bytes:
     """Return what tells the camera from the drone that carries it."""
     entry = device.find("DVID")
-    return b"" if entry is None else entry.payload
+    return b"" if entry is None else bytes(entry.payload)
 
 
 def _is_cut(entry: Entry) -> bool:

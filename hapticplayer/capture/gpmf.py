@@ -51,7 +51,7 @@ class Entry:
         key: four characters.
         kind: type letter; NESTED when the value is a list of entries.
         struct_bytes: size of one structure.
-        payload: the value as bytes, without padding; empty where it is nested.
+        payload: the value without padding, a part of the whole; empty where nested.
         children: entries of a nested value.
         is_cut: the nested value ended in the middle of an entry.
     """
@@ -59,7 +59,7 @@ class Entry:
     key: str
     kind: str
     struct_bytes: int
-    payload: bytes
+    payload: bytes | memoryview
     children: tuple["Entry", ...] = ()
     is_cut: bool = False
 
@@ -81,11 +81,11 @@ def parse(payload: bytes) -> Entry:
     Raises:
         TelemetryError: when entries are nested deeper than any camera's.
     """
-    children, is_cut = _parse_list(payload, depth=0)
+    children, is_cut = _parse_list(memoryview(payload), depth=0)
     return Entry("", NESTED, 1, b"", children, is_cut)
 
 
-def _parse_list(payload: bytes, depth: int) -> tuple[tuple[Entry, ...], bool]:
+def _parse_list(payload: memoryview, depth: int) -> tuple[tuple[Entry, ...], bool]:
     if depth > MAX_NESTING:
         raise TelemetryError(
             f"telemetry is nested deeper than {MAX_NESTING} levels, so it is damaged"
@@ -106,7 +106,7 @@ def _parse_list(payload: bytes, depth: int) -> tuple[tuple[Entry, ...], bool]:
 
 
 def _entry(
-    key: bytes, kind: bytes, struct_bytes: int, payload: bytes, depth: int
+    key: bytes, kind: bytes, struct_bytes: int, payload: memoryview, depth: int
 ) -> Entry:
     name, letter = key.decode("ascii"), kind.decode("latin-1")
     if letter != NESTED:
@@ -119,7 +119,7 @@ def text_of(entry: Entry | None) -> str:
     """Return a text value without its padding; "" for None."""
     if entry is None:
         return ""
-    return entry.payload.decode("latin-1").strip("\0 \t\r\n")
+    return bytes(entry.payload).decode("latin-1").strip("\0 \t\r\n")
 
 
 def numbers_of(entry: Entry, complex_type: str = "") -> Floats:

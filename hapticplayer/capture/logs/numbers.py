@@ -36,6 +36,7 @@ class Shape:
         integer: which cell holds integers too long for float64 (time in ns); its
             first value is subtracted exactly.
         skip_lines: of the header.
+        marks: what stands in a line beside numbers, and what takes its place.
     """
 
     width: int
@@ -44,6 +45,7 @@ class Shape:
     decimal: str = "."
     integer: int | None = None
     skip_lines: int = 0
+    marks: tuple[tuple[bytes, bytes], ...] = ()
 
 
 @dataclass(slots=True, eq=False)
@@ -138,6 +140,8 @@ def _chunks(stream: BinaryIO, state: _State, where: str) -> Iterator[bytes]:
 def _parse(chunk: bytes, state: _State, where: str) -> Floats:
     shape = state.shape
     chunk = chunk.replace(b"\r", b"").removeprefix(b"\xef\xbb\xbf")
+    for mark, number in shape.marks:
+        chunk = chunk.replace(mark, number)
     if shape.decimal == ",":
         chunk = chunk.replace(b",", b".")
     lines = chunk.count(b"\n") + (not chunk.endswith(b"\n"))

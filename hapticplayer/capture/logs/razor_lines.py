@@ -12,15 +12,14 @@ Source: Razor-AHRS 1.4.2 by Peter Bartz (Output.ino, Razor_AHRS.ino); capture no
 """
 
 import re
-from typing import BinaryIO
 
 import numpy as np
 
-from hapticplayer.capture.limits import MAX_CSV_ROWS, MAX_LINE_BYTES
 from hapticplayer.capture.logs.choices import LogChoices, question
-from hapticplayer.capture.logs.numbers import MAX_DAMAGED
+from hapticplayer.capture.logs.numbers import Shape
 from hapticplayer.capture.logs.raw import Confidence, Format, RawLog, Stream
 from hapticplayer.capture.logs.source import Source
+from hapticplayer.capture.logs.tables import read_table
 from hapticplayer.errors import InputError
 from hapticplayer.model import STANDARD_GRAVITY_MPS2
 from hapticplayer.model.arrays import Floats
@@ -32,7 +31,12 @@ COUNTS_PER_DPS = 14.375
 _SENSOR_LINE = re.compile(r"#([AMG])-([RC])=(.*)")
 _ANGLES = re.compile(r"^(#YPR=|!ANG:)")
 _DOLLAR = re.compile(r"^\$(-?\d+(?:,-?\d+){8})#?$")
-_SENT = "AMG"
+_SAMPLE_ROWS = 1000
+_SENSOR_MARKS = tuple(
+    (f"#{letter}-{kind}=".encode(), f"{number},".encode())
+    for number, letter in enumerate("AMG")
+    for kind in "RC"
+)
 
 
 def recognises(source: Source) -> Confidence:
@@ -59,71 +63,41 @@ def read(source: Source, choices: LogChoices) -> RawLog:
         UsageError: when the rate has to be told.
     """
     name = source.names[0]
-    where = source.where(name)
-    lines = source.head(name).splitlines()
-    with source.opened(name) as stream:
-        if any(_SENSOR_LINE.match(line.strip()) for line in lines):
-            rows, notes = _sensor_frames(stream, where)
-            return _ahrs(rows, choices, notes)
-        if any(_DOLLAR.match(line.strip()) for line in lines):
-            return _dollar(stream, choices, where)
+    lines = [line.strip() for line in source.head(name).splitlines()]
+    if any(_SENSOR_LINE.match(line) for line in lines):
+        numbers = read_table(source, name, Shape(4, (0, 1, 2, 3), marks=_SENSOR_MARKS))
+        return _ahrs(_frames(numbers.values), choices, numbers.notes)
+    if any(_DOLLAR.match(line) for line in lines):
+        return _dollar(source, name, choices)
     raise InputError(
         "holds angles without angular rates, from which motion cannot be had",
-        where=where,
+        where=source.where(name),
         remedy="switch the board to its sensor output (#osct with Razor-AHRS)",
     )
 
 
-def _lines(stream: BinaryIO) -> "list[str]":
-    """Return short lines; the rest of one that never ends is passed over."""
-    found = []
-    rest = b""
-    while content := stream.read(1 << 20):
-        *whole, rest = (rest + content).split(b"\n")
-        found += [line[:MAX_LINE_BYTES].decode("ascii", "replace") for line in whole]
-        rest = rest[:MAX_LINE_BYTES]
-        if len(found) > 4 * MAX_CSV_ROWS // 10:
-            break
-    return [*found, rest.decode("ascii", "replace")]
+def _frames(rows: Floats) -> Floats:
+    """Return rows of acceleration, field and rate; NaN where a line is missing.
 
-
-def _sensor_frames(stream: BinaryIO, where: str) -> tuple[Floats, tuple[str, ...]]:
-    """Return rows of A, M, G; a frame that lacks a line has NaN there."""
-    frames: list[list[float]] = []
-    seen = _SENT  # nothing is open
-    damaged = total = 0
-    for line in _lines(stream):
-        if not line.strip():
-            continue
-        total += 1
-        match = _SENSOR_LINE.match(line.strip())
-        values = _three(match[3]) if match else None
-        if match is None or values is None:
-            damaged += 1
-            continue
-        at = _SENT.index(match[1])
-        if match[1] in seen or not frames:
-            frames.append([np.nan] * 9)
-            seen = ""
-        seen += match[1]
-        frames[-1][3 * at : 3 * at + 3] = values
-    if len(frames) < 2 or damaged > MAX_DAMAGED * total:
-        raise InputError(
-            f"has {len(frames)} frames and {damaged} damaged lines",
-            where=where,
-            remedy="record again or choose another log",
-        )
-    notes = (f"{damaged} lines are damaged and left out",) if damaged else ()
-    return np.array(frames), notes
-
-
-def _three(text: str) -> list[float] | None:
-    cells = text.split(",")
-    try:
-        values = [float(cell) for cell in cells if "_" not in cell]
-    except ValueError:
-        return None
-    return values if len(values) == len(cells) == 3 else None
+    Args:
+        rows: (N, 4) sensor (0, 1, 2) and three values, as they came. A frame begins
+            where the order of the sensors does.
+    """
+    is_known = np.isin(rows[:, 0], (0.0, 1.0, 2.0))
+    if not is_known.all():
+        rows = rows[is_known]
+    sensors = rows[:, 0].astype(np.int8)
+    present, first_rows = np.unique(sensors[:_SAMPLE_ROWS], return_index=True)
+    order = np.zeros(3, dtype=np.int8)
+    order[present] = np.argsort(np.argsort(first_rows))
+    frame = np.cumsum(np.diff(order[sensors], prepend=-1) <= 0, dtype=np.int32)
+    frames = np.full((int(frame[-1]) + 1 if len(frame) else 0, 9), np.nan)
+    for sensor in range(3):  # one by one: ten hours are large
+        of_sensor = np.flatnonzero(sensors == sensor)
+        at = frame[of_sensor]
+        for axis in range(3):
+            frames[at, 3 * sensor + axis] = rows[of_sensor, 1 + axis]
+    return frames
 
 
 def _ahrs(rows: Floats, choices: LogChoices, notes: tuple[str, ...]) -> RawLog:
@@ -143,23 +117,16 @@ def _ahrs(rows: Floats, choices: LogChoices, notes: tuple[str, ...]) -> RawLog:
     )
 
 
-def _dollar(stream: BinaryIO, choices: LogChoices, where: str) -> RawLog:
+def _dollar(source: Source, name: str, choices: LogChoices) -> RawLog:
     if choices.sample_rate_hz is None:
         raise question(
-            "has no times, and its firmware has no fixed rate", ("rate-hz=50",), where
+            "has no times, and its firmware has no fixed rate",
+            ("rate-hz=50",),
+            source.where(name),
         )
-    found = [(line, _DOLLAR.match(line.strip())) for line in _lines(stream)]
-    rows = [
-        [float(cell) for cell in match[1].split(",")] for _, match in found if match
-    ]
-    damaged = sum(not match and bool(line.strip()) for line, match in found)
-    if len(rows) < 2 or damaged > MAX_DAMAGED * len(rows):
-        raise InputError(
-            f"has {len(rows)} rows and {damaged} damaged lines",
-            where=where,
-            remedy="record again or choose another log",
-        )
-    values = np.array(rows)
+    shape = Shape(9, tuple(range(6)), marks=((b"$", b""), (b"#", b"")))
+    numbers = read_table(source, name, shape)
+    values = numbers.values
     time_s = np.arange(len(values)) / choices.sample_rate_hz
     return RawLog(
         name="Razor, raw output",
@@ -168,7 +135,7 @@ def _dollar(stream: BinaryIO, choices: LogChoices, where: str) -> RawLog:
         force_unit=f"{STANDARD_GRAVITY_MPS2 / COUNTS_PER_G:.10g}",
         rate_unit=f"{np.radians(1.0 / COUNTS_PER_DPS):.10g}",
         axes_words="the board's axes",
-        notes=(f"{damaged} lines are damaged and left out",) if damaged else (),
+        notes=numbers.notes,
     )
 
 
