@@ -260,7 +260,8 @@ RULES: tuple[Rule, ...] = (
     Rule(
         Cause.REPLY_LOST,
         Reaction.TRIP,
-        lambda s: s.reply_age_s > REPLY_TRIP_S,
+        # under force: a device that is slow to begin with is no fault
+        lambda s: s.reply_age_s > REPLY_TRIP_S and s.state.acted_s > s.hand.replied_s,
         "the device has not answered for 100 ms",
     ),
     Rule(
