@@ -37,8 +37,10 @@ PYTHON_PACKAGES = {
     "numba": "numba",
     "numpy": "numpy",
     "pyqtgraph": "pyqtgraph",
+    "scikit_posthocs": "scikit-posthocs",
     "scipy": "scipy",
     "sounddevice": "sounddevice",
+    "statsmodels": "statsmodels",
     "usb": "pyusb",
     "vqf": "vqf",
 }
