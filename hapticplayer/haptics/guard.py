@@ -6,6 +6,7 @@ still. It knows nothing of players, tracks and clips. Run as
 """
 
 import argparse
+import os
 import select
 import signal
 import sys
@@ -19,7 +20,47 @@ from hapticplayer.haptics.scheduling import GUARD_PRIORITY, acquire
 from hapticplayer.haptics.shared import SharedBlock
 
 LOOK_PERIOD_S = 0.004
+SUSPECT_AGE_S = 0.0015
+"""A loop whose last tick is older than this may be dying: ask the kernel."""
 LAST_ZEROS = 5
+
+
+class LoopProcess:
+    """The loop as the kernel sees it.
+
+    A killed process is told of (its descriptor becomes readable) only when its memory
+    has been taken down, up to 10 ms for locked memory; its flags say so from the first
+    microsecond of its exit (PF_EXITING, proc(5) field 9).
+
+    Args:
+        pidfd: the descriptor of the process.
+    """
+
+    _EXITING = 0x4
+    _FLAGS_FIELD = 6  # counted behind the name, which may hold blanks
+
+    def __init__(self, pidfd: int) -> None:
+        with open(f"/proc/self/fdinfo/{pidfd}", encoding="ascii") as lines:  # noqa: PTH123
+            pid = next(int(line[4:]) for line in lines if line.startswith("Pid:"))
+        # None: it is dead already; open before any other process can have its number
+        self._stat = os.open(f"/proc/{pid}/stat", os.O_RDONLY) if pid > 0 else None
+        self._poll = select.poll()
+        self._poll.register(pidfd, select.POLLIN)
+
+    def has_ended(self, timeout_s: float) -> bool:
+        """Wait for its end."""
+        return bool(self._poll.poll(timeout_s * 1000))
+
+    def is_dying(self) -> bool:
+        """Return whether it runs no instruction of its own any more."""
+        if self._stat is None:
+            return True
+        try:
+            stat = os.pread(self._stat, 1024, 0)
+        except ProcessLookupError:
+            return True
+        fields = stat[stat.rindex(b")") + 2 :].split(maxsplit=self._FLAGS_FIELD + 1)
+        return bool(int(fields[self._FLAGS_FIELD]) & self._EXITING)
 
 
 class Guard:
@@ -36,17 +77,22 @@ class Guard:
     ) -> None:
         self._clock, self._block, self._silence = clock, block, silence
 
-    def look(self) -> None:
+    def look(self) -> float:
         """Beat, and write zero if the loop holds its last force for too long.
 
         The loop itself goes on from zero after such a gap: see the rules TICK_LATE
         and TICK_LOST of the contract.
+
+        Returns:
+            the age of the loop's last tick in seconds; 0 before the first.
         """
         now_s = self._clock.now_s()
         self._block.beat_guard(now_s)
         last_s = self._block.last_tick_s()
-        if last_s and now_s - last_s > GAP_RAMP_S:
+        age_s = now_s - last_s if last_s else 0.0
+        if age_s > GAP_RAMP_S:
             self._silence()
+        return age_s
 
     def bury(self) -> None:
         """The loop is dead: leave nothing but zero on the wire."""
@@ -55,12 +101,11 @@ class Guard:
                 return
             self._clock.sleep_until(self._clock.now_s() + PERIOD_S)
 
-    def run(self, loop_pidfd: int) -> None:
-        """Look until the loop's process has gone."""
-        poll = select.poll()
-        poll.register(loop_pidfd, select.POLLIN)
-        while not poll.poll(LOOK_PERIOD_S * 1000):
-            self.look()
+    def run(self, loop: LoopProcess) -> None:
+        """Look until the loop's process has gone, or is going."""
+        while not loop.has_ended(LOOK_PERIOD_S):
+            if self.look() > SUSPECT_AGE_S and loop.is_dying():
+                break
         self.bury()
 
 
@@ -76,7 +121,8 @@ def main(argv: list[str] | None = None) -> int:
         signal.signal(number, signal.SIG_IGN)
     silence = find_device(options.device).silence(options.handle)
     acquire(priority=GUARD_PRIORITY)
-    Guard(SystemClock(), SharedBlock(options.block), silence).run(options.loop_pidfd)
+    loop = LoopProcess(options.loop_pidfd)
+    Guard(SystemClock(), SharedBlock(options.block), silence).run(loop)
     return 0
 
 

@@ -1,11 +1,14 @@
 """The guard on a virtual clock: when it writes zero, and when it leaves the loop alone."""
 
 import os
+import signal
+import subprocess
+import sys
 
 import pytest
 
 from hapticplayer.clock import ManualClock
-from hapticplayer.haptics.guard import LAST_ZEROS, LOOK_PERIOD_S, Guard
+from hapticplayer.haptics.guard import LAST_ZEROS, LOOK_PERIOD_S, Guard, LoopProcess
 from hapticplayer.haptics.shared import BLOCK_BYTES, TICK, SharedBlock
 from hapticplayer.haptics.track import anonymous_memory
 
@@ -86,3 +89,45 @@ def test_without_a_device_there_is_nothing_to_bury(bench):
     bench.is_there = False
     bench.guard.bury()
     assert len(bench.zeros) == 1
+
+
+class Dying:
+    """A loop's process that dies at a time, and of which the kernel tells late."""
+
+    def __init__(self, bench, dies_s, told_s):
+        self.bench, self.dies_s, self.told_s = bench, dies_s, told_s
+
+    def has_ended(self, timeout_s):
+        clock = self.bench.clock
+        until_s = clock.now_s() + timeout_s
+        while clock.now_s() + 0.001 <= until_s:
+            clock.advance(0.001)
+            if not self.is_dying():
+                self.bench.loop_ticks()
+        return clock.now_s() >= self.told_s
+
+    def is_dying(self):
+        return self.bench.clock.now_s() >= self.dies_s
+
+
+@pytest.mark.parametrize("phase", range(20))
+def test_a_loop_that_dies_slowly_is_buried_before_the_kernel_tells(bench, phase):
+    dies_s = bench.clock.now_s() + 0.1 + phase * LOOK_PERIOD_S / 20
+    bench.guard.run(Dying(bench, dies_s, dies_s + 0.1))
+    assert 0.0 <= bench.zeros[0] - dies_s <= LOOK_PERIOD_S + 0.002
+    assert len(bench.zeros) == LAST_ZEROS
+
+
+def test_the_kernel_tells_of_a_living_a_dead_and_a_reaped_process():
+    child = subprocess.Popen([sys.executable, "-c", "input()"], stdin=subprocess.PIPE)
+    descriptor = os.pidfd_open(child.pid)
+    loop = LoopProcess(descriptor)
+    assert not loop.has_ended(0.0)
+    assert not loop.is_dying()
+    child.send_signal(signal.SIGKILL)
+    assert loop.has_ended(10.0)
+    assert loop.is_dying()  # a zombie
+    child.communicate()
+    assert loop.is_dying()
+    assert LoopProcess(descriptor).is_dying()
+    os.close(descriptor)
