@@ -6,6 +6,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
 
+from app.bridge.child import in_child
 from app.bridge.errors import ErrorGateway
 from app.bridge.jobs import Jobs, Progress
 from hapticplayer.devices import DEVICES
@@ -71,7 +72,7 @@ class Session(QObject):
         """Open the built-in demo; it is made on first use."""
 
         def work(progress: Progress) -> Source:
-            return open_source(demo_folder(progress))
+            return open_source(in_child(demo_folder, progress=progress))
 
         self._run(self.tr("Preparing the demo"), work)
 
@@ -79,7 +80,8 @@ class Session(QObject):
         """Make a sequence of a recording, and open it."""
 
         def work(progress: Progress) -> Source:
-            folder = build_sequence(
+            folder = in_child(
+                build_sequence,
                 request.video,
                 request.target,
                 imu_log=request.imu_log,

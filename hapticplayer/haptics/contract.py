@@ -141,7 +141,15 @@ class State(NamedTuple):
 
 
 class Situation(NamedTuple):
-    """What the rules look at."""
+    """What the rules look at; `survey` makes it.
+
+    Attributes:
+        now_s, clock, track, state, hand, told, limits: as `step` has them.
+        is_acting: whether a force may be on the hand.
+        gap_s: time since the last tick; 0 at the first.
+        reply_age_s: of the newest good answer; 0 before the first (then nothing is
+            homed).
+    """
 
     now_s: float
     clock: PlaybackClock | None
@@ -150,23 +158,34 @@ class Situation(NamedTuple):
     hand: Hand
     told: Supervision
     limits: Limits
+    is_acting: bool
+    gap_s: float
+    reply_age_s: float
 
-    @property
-    def is_acting(self) -> bool:
-        """Whether a force may be on the hand."""
-        return self.state.mode not in (Mode.IDLE, Mode.TRIPPED)
 
-    @property
-    def gap_s(self) -> float:
-        """Time since the last tick; 0 at the first."""
-        last_s = self.state.now_s
-        return self.now_s - last_s if last_s > -math.inf else 0.0
-
-    @property
-    def reply_age_s(self) -> float:
-        """Age of the newest good answer; 0 before the first (then nothing is homed)."""
-        replied_s = self.hand.replied_s
-        return self.now_s - replied_s if replied_s > -math.inf else 0.0
+def survey(  # noqa: PLR0913 - what `step` takes
+    now_s: float,
+    clock: PlaybackClock | None,
+    track: LoadedTrack | None,
+    state: State,
+    hand: Hand,
+    told: Supervision,
+    limits: Limits,
+) -> Situation:
+    """Return the situation, with what several rules want to know worked out once."""
+    mode, last_s, replied_s = state.mode, state.now_s, hand.replied_s
+    return Situation(
+        now_s,
+        clock,
+        track,
+        state,
+        hand,
+        told,
+        limits,
+        mode is not Mode.IDLE and mode is not Mode.TRIPPED,
+        now_s - last_s if last_s > -math.inf else 0.0,
+        now_s - replied_s if replied_s > -math.inf else 0.0,
+    )
 
 
 class Rule(NamedTuple):

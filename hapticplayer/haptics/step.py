@@ -17,6 +17,7 @@ from hapticplayer.haptics.contract import (
     State,
     Supervision,
     assess,
+    survey,
 )
 from hapticplayer.haptics.hand import observe
 from hapticplayer.haptics.limiter import (
@@ -62,7 +63,7 @@ def step(  # noqa: PLR0913 - a pure function has no other way in
         centring: what keeps the grip inside.
     """
     hand = observe(state.hand, told.reading, limits)
-    situation = Situation(now_s, clock, track, state, hand, told, limits)
+    situation = survey(now_s, clock, track, state, hand, told, limits)
     reaction, cause = assess(situation)
     planned, media_s = ZERO, state.media_s
     if clock is not None:

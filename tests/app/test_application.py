@@ -2,6 +2,7 @@
 
 import json
 import os
+import shutil
 import signal
 
 import pytest
@@ -10,8 +11,9 @@ from PySide6.QtWidgets import QApplication
 
 from app.player import application
 from app.player.window import PlayerWindow
-from hapticplayer import cli
+from hapticplayer import __version__, cli
 from hapticplayer.playback.snapshot import Phase
+from hapticplayer.sequence import files
 
 
 def run(*arguments) -> int:
@@ -112,20 +114,21 @@ def test_fullscreen_and_no_plots_from_the_command_line(when_playing, sequence):
     assert seen == [(True, False), (True, False)]
 
 
-def test_without_a_source_the_demo_is_made_and_played(
-    when_playing, monkeypatch, sequence
+def test_without_a_source_the_demo_is_played(
+    when_playing, monkeypatch, sequence, tmp_path
 ):
-    steps = []
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+    made = files.cache_home() / f"demo-{__version__}"
+    shutil.copytree(sequence, made)
+    opened = []
 
-    def demo_folder(progress):
-        progress(0.5, "drawing")
-        steps.append("made")
-        return sequence
+    def look(window):
+        opened.append(window.player.source.path)
+        window.close()
 
-    monkeypatch.setattr("app.player.session.demo_folder", demo_folder)
-    when_playing(lambda window: window.close())
+    when_playing(look)
     assert run() == 0
-    assert steps == ["made"]
+    assert opened == [made]
 
 
 def test_a_damaged_clip_that_closes_at_the_end_is_a_failure(

@@ -1,0 +1,72 @@
+"""Work in a process of its own: its result, its refusals, its end from outside."""
+
+import os
+import signal
+import sys
+
+import pytest
+
+from app.bridge.child import NICENESS, in_child
+from hapticplayer.errors import Cancelled, HapticPlayerError, InputError
+from hapticplayer.sequence import files
+
+
+def told(words, *, progress, times=1):
+    progress(0.5, "half")
+    return words * times, os.getpid(), os.nice(0)
+
+
+def refusing(*, progress):
+    raise InputError("is odd", where="here", remedy="make it even")
+
+
+def dying(*, progress):
+    os.kill(os.getpid(), signal.SIGKILL)
+
+
+def writing(target, *, progress):
+    with files.written_aside(target) as aside:
+        (aside / "part").write_text("half")
+        while True:
+            progress(0.5, "writing")
+
+
+def test_the_result_comes_from_another_process_of_lower_priority():
+    steps = []
+    words, pid, niceness = in_child(
+        told, "a", progress=lambda *step: steps.append(step), times=3
+    )
+    assert words == "aaa"
+    assert pid != os.getpid()
+    assert niceness == os.nice(0) + NICENESS
+    assert (0.5, "half") in steps
+
+
+def test_a_refusal_is_raised_here_with_its_words():
+    with pytest.raises(InputError, match="here: is odd; make it even"):
+        in_child(refusing, progress=lambda *_: None)
+
+
+def test_a_child_that_is_killed_is_an_error_with_words():
+    with pytest.raises(HapticPlayerError, match=r"ended from outside.*-9"):
+        in_child(dying, progress=lambda *_: None)
+
+
+def test_a_cancelled_child_tidies_up_before_it_ends(tmp_path):
+    def stop(fraction, step):
+        if step == "writing":
+            raise Cancelled
+
+    with pytest.raises(Cancelled):
+        in_child(writing, tmp_path / "sequence", progress=stop)
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_heavy_libraries_stay_out_of_the_window_when_it_imports():
+    heavy = "import sys, app.player.session; print('scipy' in sys.modules)"
+    import subprocess
+
+    said = subprocess.run(
+        [sys.executable, "-c", heavy], capture_output=True, text=True, check=True
+    )
+    assert said.stdout.strip() == "False"
