@@ -21,17 +21,19 @@ if TYPE_CHECKING:
         simulate_motion,
     )
     from hapticplayer.capture.recording import Recording, read_recording
-    from hapticplayer.capture.scenes import SCENES
+    from hapticplayer.capture.rides import RIDES, SCENES
     from hapticplayer.capture.sensor_model import SENSORS, SensorErrors, SensorModel
     from hapticplayer.capture.simulator import (
         SimulatedRecording,
         simulate,
+        write_gopro_clip,
         write_simulated_clip,
     )
 
 _HOMES = {
     "MOTION_SCENES": "motion_scenes",
-    "SCENES": "scenes",
+    "RIDES": "rides",
+    "SCENES": "rides",
     "SENSORS": "sensor_model",
     "GoProTelemetry": "gopro",
     "LogChoices": "logs",
@@ -48,6 +50,7 @@ _HOMES = {
     "read_recording": "recording",
     "simulate": "simulator",
     "simulate_motion": "motion_scenes",
+    "write_gopro_clip": "simulator",
     "write_imu_csv": "csv_log",
     "write_simulated_clip": "simulator",
     "write_template": "logs",
@@ -55,6 +58,7 @@ _HOMES = {
 
 __all__ = [
     "MOTION_SCENES",
+    "RIDES",
     "SCENES",
     "SENSORS",
     "GoProTelemetry",
@@ -72,6 +76,7 @@ __all__ = [
     "read_recording",
     "simulate",
     "simulate_motion",
+    "write_gopro_clip",
     "write_imu_csv",
     "write_simulated_clip",
     "write_template",

@@ -2,7 +2,7 @@
 
 import os
 from collections.abc import Mapping as Dict
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -15,7 +15,7 @@ from hapticplayer.capture.gopro_packets import RAW_MAGIC
 from hapticplayer.capture.table import TIME
 from hapticplayer.errors import InputError, TelemetryError
 from hapticplayer.media.files import resolve_regular
-from hapticplayer.model import ClockMap, ImuLog
+from hapticplayer.model import ClockMap, ImuLog, Sampling
 
 if TYPE_CHECKING:
     from hapticplayer.capture.logs import LogChoices, Source
@@ -60,6 +60,14 @@ def read_recording(
         InputError: when it cannot be read or holds no motion; says what to do.
         UsageError: when a decision is needed; says how to give it.
     """
+    recording = _read(path, choices)
+    if choices is None or not choices.sampling:
+        return recording
+    sampled = replace(recording.imu, sampling=Sampling(choices.sampling))
+    return replace(recording, imu=sampled)
+
+
+def _read(path: str | os.PathLike[str], choices: "LogChoices | None") -> Recording:
     from hapticplayer.capture.logs.source import HEAD_BYTES, ZIP_MAGIC, is_text
 
     if Path(path).is_dir():

@@ -1,11 +1,7 @@
-"""The scenes of the recording simulator: rides with known truth.
+"""What a scene of the recording simulator is, and the built-in demo's."""
 
-A scene is made by a function of a random generator and registered in SCENES, so
-that further scenes are added here.
-"""
-
-from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 from scipy.signal import lfilter
@@ -13,6 +9,12 @@ from scipy.signal import lfilter
 from hapticplayer.capture.trajectory import Trajectory
 from hapticplayer.model import STANDARD_GRAVITY_MPS2
 from hapticplayer.model.arrays import Floats
+
+if TYPE_CHECKING:
+    from hapticplayer.capture.pats import Pat
+
+Vehicle = Literal["bicycle", "horse", "car", "foot", "tripod"]
+"""What the camera is on: decides what is seen in front of it, and what is heard."""
 
 _DESIGN_HZ = 2000
 _SPLINE_HZ = 200
@@ -47,6 +49,15 @@ class Scene:
             less while riding.
         route_time_s: (N,) when the camera is there.
         speed_mps: (N,) along the route.
+        vehicle: what the camera is on.
+        steering_rad: (N,) angle of the wheels, to the left; None for straight on.
+        nod_rad: (N,) of a horse's head; None for none.
+        footfalls: time and strength (0 to 1) of hooves or feet.
+        pats: the knocks for synchronisation.
+        lead_s: how long a logger ran before the first picture; the trajectory
+            reaches so far back, and 0.5 s beyond.
+        tail_s: how long it ran after the last one.
+        stairs_m: distances along the route at which a stair's risers stand.
     """
 
     name: str
@@ -58,6 +69,14 @@ class Scene:
     route_m: Floats
     route_time_s: Floats
     speed_mps: Floats
+    vehicle: Vehicle = "bicycle"
+    steering_rad: Floats | None = None
+    nod_rad: Floats | None = None
+    footfalls: tuple[tuple[float, float], ...] = ()
+    pats: "tuple[Pat, ...]" = field(default=())
+    lead_s: float = 0.0
+    tail_s: float = 0.0
+    stairs_m: tuple[float, ...] = ()
 
 
 def smooth_step(time_s: Floats, start_s: float, length_s: float) -> Floats:
@@ -69,7 +88,7 @@ def smooth_step(time_s: Floats, start_s: float, length_s: float) -> Floats:
     return u**4 * (35.0 + u * (-84.0 + u * (70.0 - 20.0 * u)))
 
 
-def _demo(rng: np.random.Generator) -> Scene:
+def demo(rng: np.random.Generator) -> Scene:
     """A bicycle on a country road: away from rest, a bend, a kerb, a hard stop."""
     duration_s = 10.0
     time_s = np.arange(-_MARGIN_S, duration_s + _MARGIN_S, 1.0 / _DESIGN_HZ)
@@ -93,10 +112,6 @@ def _demo(rng: np.random.Generator) -> Scene:
         route_time_s=time_s,
         speed_mps=speed,
     )
-
-
-SCENES: dict[str, Callable[[np.random.Generator], Scene]] = {"demo": _demo}
-"""Scenes by name; `simulate` gives each a seeded generator."""
 
 
 _CAMERA_HEIGHT_M = 1.35

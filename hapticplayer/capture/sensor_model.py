@@ -18,7 +18,8 @@ _DEGREE = np.pi / 180.0
 class SensorErrors:
     """What is wrong with one three-axis sensor, in its SI unit.
 
-    The value x of an axis becomes clip(round(x (1 + scale) + bias + drift + noise)).
+    The value x of an axis becomes clip(round(x (1 + scale) + bias + drift + noise)),
+    x being C times the exact values with `cross`.
 
     Attributes:
         noise: SD of the white noise of each sample.
@@ -29,6 +30,9 @@ class SensorErrors:
         scale: SD of the relative scale error of each axis.
         limit: full scale; larger values are clipped to it.
         step: quantisation; 0 for none.
+        cross: SD of the share of each other axis in an axis: not at right angles, or
+            mounted askew.
+        per_kelvin: SD by axis of the change of bias with the temperature.
     """
 
     noise: float = 0.0
@@ -39,11 +43,27 @@ class SensorErrors:
     scale: float = 0.0
     limit: float = np.inf
     step: float = 0.0
+    cross: float = 0.0
+    per_kelvin: tuple[float, float, float] = (0.0, 0.0, 0.0)
 
     def applied(
-        self, exact: Floats, rate_hz: float, rng: np.random.Generator
+        self,
+        exact: Floats,
+        rate_hz: float,
+        rng: np.random.Generator,
+        warmer_k: Floats | None = None,
     ) -> Floats:
-        """Return what the sensor gives for exact values (N, 3) at a rate."""
+        """Return what the sensor gives for exact values (N, 3) at a rate.
+
+        `warmer_k` (N,) is how much warmer it is than when its bias was measured.
+        """
+        if self.cross > 0.0:
+            askew = self.cross * rng.standard_normal((3, 3))
+            np.fill_diagonal(askew, 1.0)
+            exact = exact @ askew.T
+        if warmer_k is not None:
+            slopes = np.array(self.per_kelvin) * rng.standard_normal(3)
+            exact = exact + np.outer(warmer_k, slopes)
         axes = exact.shape[1]
         scale = 1.0 + self.scale * rng.standard_normal(axes)
         bias = np.array(self.offset) + self.bias * rng.standard_normal(axes)

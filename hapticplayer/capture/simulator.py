@@ -1,23 +1,28 @@
 """Makes recordings of rides whose true motion is known.
 
 The truth is exact (`trajectory`); the log is what a sensor in the camera would have
-written: the truth with noise and bias, its gyro integrating between samples.
+written: the truth with noise and bias, its gyro integrating between samples. A ride
+(`rides`) has a second log, of a board with a clock of its own (`board`).
 """
 
 import os
 from collections.abc import Callable, Iterator
+from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from hapticplayer.capture.board import PAPER, BoardLog, record
 from hapticplayer.capture.recording import Recording
 from hapticplayer.capture.ride.picture import PictureMaker
 from hapticplayer.capture.ride.scenery import Country
 from hapticplayer.capture.ride.sound import RATE_HZ, ride_sound
+from hapticplayer.capture.ride.surroundings import SHAKES_PX
 from hapticplayer.capture.ride.view import Pose
-from hapticplayer.capture.scenes import SCENES, Scene
+from hapticplayer.capture.rides import RIDES, SCENES
+from hapticplayer.capture.scenes import Scene
 from hapticplayer.capture.trajectory import Motion
 from hapticplayer.errors import UsageError
 from hapticplayer.model import ClockMap, ImuLog, Sampling
@@ -27,11 +32,17 @@ from hapticplayer.model.quaternions import rotate
 IMU_RATE_HZ = 200
 FRAME_RATE_HZ = 30
 WIDTH_PX, HEIGHT_PX = 960, 540
+RIDE_WIDTH_PX, RIDE_HEIGHT_PX = 1280, 720
+TRUTH_RATE_HZ = 1000
 
 _FORCE_NOISE_MPS2 = 0.035  # per sample at 200 Hz; a camera's sensor, better than 0.065
 _FORCE_BIAS_MPS2 = 0.04  # SD per axis, what a factory calibration leaves
 _RATE_NOISE_RADPS = 0.003
 _RATE_BIAS_RADPS = 0.004
+
+_PAINTERS = 2
+_GROUP_FRAMES, _GROUP_M = 20, 10.0
+"""Pictures that are drawn together; the ground is painted before them."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -43,10 +54,11 @@ class SimulatedRecording:
     Attributes:
         scene: what was ridden.
         seed: of everything random in it.
-        truth: exact motion at the log's times.
+        truth: exact motion at the log's times; of a ride, every millisecond.
         imu: the log, with noise and bias: specific force as it is at each time,
             angular rate as the mean over the interval that ends there.
         audio: (n, 2) float32.
+        board: what a board with its own clock logged; None in the demo.
         audio_rate_hz: of the sound.
         frame_rate_hz: of the pictures.
         width: of the pictures, px.
@@ -58,6 +70,7 @@ class SimulatedRecording:
     truth: Motion
     imu: ImuLog
     audio: NDArray[np.float32]
+    board: BoardLog | None = None
     audio_rate_hz: int = RATE_HZ
     frame_rate_hz: int = FRAME_RATE_HZ
     width: int = WIDTH_PX
@@ -69,15 +82,25 @@ class SimulatedRecording:
         return round(self.scene.duration_s * self.frame_rate_hz)
 
     def frames(self) -> Iterator[NDArray[np.uint8]]:
-        """Yield the pictures (height, width, 3) RGB, drawn one by one."""
+        """Yield the pictures (height, width, 4): RGB and an unused channel.
+
+        Two threads draw: numpy lets go of the interpreter for most of the time.
+        """
         maker, poses = self._studio()
-        for pose in poses:
-            yield maker.draw(pose)
+        with ThreadPoolExecutor(_PAINTERS, "painter") as painters:
+            begun: list[Future[NDArray[np.uint8]]] = []
+            for group in _groups(poses):
+                travel_m = _apart_m(group[0], group[-1])
+                maker.prepare([group[0], group[-1]], 0.5 * travel_m + 0.5)
+                later = [painters.submit(maker.draw, pose) for pose in group]
+                yield from (picture.result() for picture in begun)
+                begun = later
+            yield from (picture.result() for picture in begun)
 
     def frame(self, number: int) -> NDArray[np.uint8]:
-        """Return one picture; for screenshots."""
+        """Return one picture (height, width, 3) RGB; for screenshots."""
         maker, poses = self._studio()
-        return maker.draw(poses[number])
+        return np.ascontiguousarray(maker.draw(poses[number])[:, :, :3])
 
     def _studio(self) -> tuple[PictureMaker, list[Pose]]:
         rng = np.random.default_rng([self.seed, 2])
@@ -93,12 +116,26 @@ class SimulatedRecording:
             for axis in np.eye(3)
         ]
         rotations = np.stack(axes, axis=2)
-        # the arms give way by a few millimetres: 1.2 px for each m/s2 upwards
-        shakes_px = 1.2 * motion.acceleration_mps2[:, 2]
+        shakes_px = self._shakes_px(time_s, motion.acceleration_mps2[:, 2])
+        steering_rad = np.zeros(len(time_s))
+        if self.scene.steering_rad is not None:
+            turned = self.scene.steering_rad
+            steering_rad = np.interp(time_s, self.scene.route_time_s, turned)
         return [
             Pose(*pose)
-            for pose in zip(motion.position_m, rotations, shakes_px, strict=True)
+            for pose in zip(
+                motion.position_m, rotations, shakes_px, steering_rad, strict=True
+            )
         ]
+
+    def _shakes_px(self, time_s: Floats, upward_mps2: Floats) -> Floats:
+        """Return how far what is in front of the camera moves down in the picture."""
+        per_mps2 = self.height / 540 * SHAKES_PX[self.scene.vehicle]
+        shakes = per_mps2 * upward_mps2
+        if self.scene.nod_rad is not None:
+            nods = np.interp(time_s, self.scene.route_time_s, self.scene.nod_rad)
+            shakes += self.height * nods
+        return np.asarray(shakes)
 
     def recording(self) -> Recording:
         """Return the log as an importer sees it; the clocks are one."""
@@ -117,6 +154,8 @@ class SimulatedRecording:
         """Return the truth as arrays by name, for a `.npz`."""
         names = (
             "time_s",
+            "position_m",
+            "velocity_mps",
             "acceleration_mps2",
             "specific_force_mps2",
             "angular_rate_radps",
@@ -140,20 +179,51 @@ def simulate(scene: str, seed: int) -> SimulatedRecording:
             f"there is no scene {scene!r}; choose one of {', '.join(sorted(SCENES))}"
         )
     ridden = SCENES[scene](np.random.default_rng([seed, 0]))
-    time_s = np.arange(round(ridden.duration_s * IMU_RATE_HZ) + 1) / IMU_RATE_HZ
-    truth = ridden.trajectory.at(time_s)
     rng = np.random.default_rng([seed, 1])
+    imu = _measure(ridden, rng)
+    audio = ride_sound(ridden, rng)
+    if scene not in RIDES:
+        truth = ridden.trajectory.at(imu.time_s)
+        return SimulatedRecording(ridden, seed, truth, imu, audio)
+    span_s = (-ridden.lead_s, ridden.duration_s + ridden.tail_s)
     return SimulatedRecording(
         scene=ridden,
         seed=seed,
-        truth=truth,
-        imu=_measure(ridden, truth, rng),
-        audio=ride_sound(ridden, rng),
+        truth=ridden.trajectory.at(_times(ridden.duration_s, TRUTH_RATE_HZ)),
+        imu=imu,
+        audio=audio,
+        board=record(
+            ridden.trajectory, span_s, PAPER, np.random.default_rng([seed, 3])
+        ),
+        width=RIDE_WIDTH_PX,
+        height=RIDE_HEIGHT_PX,
     )
 
 
-def _measure(scene: Scene, truth: Motion, rng: np.random.Generator) -> ImuLog:
+def _groups(poses: list[Pose]) -> Iterator[list[Pose]]:
+    """Yield successive poses that are near enough to share the painted ground."""
+    group: list[Pose] = []
+    for pose in poses:
+        is_far = bool(group) and _apart_m(group[0], pose) > _GROUP_M
+        if is_far or len(group) == _GROUP_FRAMES:
+            yield group
+            group = []
+        group.append(pose)
+    if group:
+        yield group
+
+
+def _apart_m(one: Pose, other: Pose) -> float:
+    return float(np.hypot(*(one.position_m[:2] - other.position_m[:2])))
+
+
+def _times(duration_s: float, rate_hz: float) -> Floats:
+    return np.asarray(np.arange(round(duration_s * rate_hz) + 1) / rate_hz)
+
+
+def _measure(scene: Scene, rng: np.random.Generator) -> ImuLog:
     """Return what a sensor in the camera logs."""
+    truth = scene.trajectory.at(_times(scene.duration_s, IMU_RATE_HZ))
     mean_rate = scene.trajectory.mean_rate_radps(truth.time_s, 1.0 / IMU_RATE_HZ)
     return ImuLog(
         time_s=truth.time_s,
@@ -199,5 +269,28 @@ def write_simulated_clip(
         frame_rate_hz=recorded.frame_rate_hz,
         audio=recorded.audio,
         audio_rate_hz=recorded.audio_rate_hz,
+        is_quick=recorded.board is not None,
         progress=(lambda s: progress(min(1.0, s / duration_s))) if progress else None,
     )
+
+
+def write_gopro_clip(
+    recorded: SimulatedRecording,
+    clip: str | os.PathLike[str],
+    path: str | os.PathLike[str],
+) -> None:
+    """Write a copy of a clip with the camera's log as a GoPro's telemetry track.
+
+    Args:
+        recorded: from `simulate`.
+        clip: what `write_simulated_clip` has written of it.
+        path: of the new MP4.
+
+    Raises:
+        MediaError: when it cannot be written.
+    """
+    from hapticplayer.capture.gpmf_writer import write_payloads
+    from hapticplayer.media import TelemetryPacket, add_telemetry
+
+    packets = [TelemetryPacket(t, 1.0, p) for t, p in write_payloads(recorded.imu)]
+    add_telemetry(clip, path, packets)

@@ -56,6 +56,8 @@ class Trajectory:
             position_m: (N, 3) earth.
             angles_rad: (N, 3) yaw, pitch, roll.
         """
+        self.time_s = time_s
+        self._samples = (position_m, angles_rad)
         self._position = make_interp_spline(time_s, position_m, k=_DEGREE)
         self._angles = make_interp_spline(time_s, angles_rad, k=_DEGREE)
         self._velocity = self._position.derivative(1)
@@ -77,6 +79,15 @@ class Trajectory:
             specific_force_mps2=rotate(to_sensor, acc_earth + gravity),
             angular_rate_radps=_body_rate(angles, self._angle_rates(time_s)),
             quaternion_wxyz=quaternion,
+        )
+
+    def changed(
+        self, *, later_s: float = 0.0, displacement_m: Floats | float = 0.0
+    ) -> "Trajectory":
+        """Return this motion at a later time, with a displacement (N, 3) added."""
+        position_m, angles_rad = self._samples
+        return Trajectory(
+            self.time_s + later_s, position_m + displacement_m, angles_rad
         )
 
     def mean_rate_radps(self, time_s: Floats, step_s: float) -> Floats:

@@ -18,6 +18,7 @@ from hapticplayer.cli.options import (
     DEVICE_NAMES,
     METHOD_NAMES,
     MOTION_SCENARIOS,
+    RIDE_SCENARIOS,
 )
 from hapticplayer.errors import HapticPlayerError, UsageError
 
@@ -26,6 +27,7 @@ __all__ = [
     "DEVICE_NAMES",
     "METHOD_NAMES",
     "MOTION_SCENARIOS",
+    "RIDE_SCENARIOS",
     "OpenWindow",
     "build_parser",
     "main",

@@ -7,6 +7,15 @@ from hapticplayer.cli import commands as run
 
 DEVICE_NAMES = ("simulated", "falcon", "none")
 CLIP_SCENARIOS = ("demo",)
+RIDE_SCENARIOS = (
+    "bike",
+    "horse",
+    "car-turning",
+    "car-braking",
+    "still",
+    "free-fall",
+    "stairs",
+)
 MOTION_SCENARIOS = (
     "car-calm",
     "car-brisk",
@@ -215,10 +224,16 @@ def add_simulate(commands: Any) -> None:
     command.add_argument(
         "scenario",
         metavar="SCENARIO",
-        help=f"a sequence with a clip: {', '.join(CLIP_SCENARIOS)}; motion only "
-        f"(imu.csv and truth.npz): {', '.join(MOTION_SCENARIOS)}",
+        help=f"a recording (clip.mp4, imu.csv, truth.npz): {', '.join(RIDE_SCENARIOS)}; "
+        f"a sequence: {', '.join(CLIP_SCENARIOS)}; motion only (imu.csv and truth.npz): "
+        f"{', '.join(MOTION_SCENARIOS)}",
     )
     command.add_argument("-o", "--output", required=True, metavar="DIR")
+    command.add_argument(
+        "--gopro",
+        action="store_true",
+        help="of a recording, also gopro.mp4: the clip with a telemetry track",
+    )
     command.add_argument("--seed", type=int, help="of the ride and the sensor noise")
 
 

@@ -15,6 +15,12 @@ from hapticplayer.sequence.build import Choices
 from hapticplayer.sequence.demo import DEMO_SEED, write_simulated_sequence
 from hapticplayer.sequence.demo import demo_folder as make_demo_folder
 from hapticplayer.sequence.processing import Processing
+from hapticplayer.sequence.simulated import (
+    CLIP,
+    LOG,
+    READ_AS,
+    write_simulated_recording,
+)
 
 
 def demo_folder() -> Path:
@@ -90,11 +96,15 @@ def _say_imported(folder: Path, description: Dict[str, Any]) -> None:
 
 
 def simulate(options: argparse.Namespace) -> int:
-    """Write a simulated ride: a sequence, or motion and truth only."""
+    """Write a simulated ride: a recording, a sequence, or motion and truth only."""
     # the simulator brings half of scipy along, which playing does not need
-    from hapticplayer.capture import MOTION_SCENES, SCENES
+    from hapticplayer.capture import MOTION_SCENES, RIDES, SCENES
 
     seed = DEMO_SEED if options.seed is None else options.seed
+    if options.scenario in RIDES:
+        return _simulate_ride(options, seed)
+    if options.gopro:
+        raise UsageError(f"--gopro is for a recording: {', '.join(RIDES)}")
     if options.scenario in MOTION_SCENES:
         return _simulate_motion(options.scenario, seed, Path(options.output))
     if options.scenario not in SCENES:
@@ -107,6 +117,23 @@ def simulate(options: argparse.Namespace) -> int:
             options.scenario, Path(options.output), seed=seed, progress=progress
         )
     say(f"{folder}: play it with: hapticplayer play {folder}")
+    return 0
+
+
+def _simulate_ride(options: argparse.Namespace, seed: int) -> int:
+    """Write what a camera and a board would have, beside the truth."""
+    with interruptible(), shown_progress() as progress:
+        folder = write_simulated_recording(
+            options.scenario,
+            Path(options.output),
+            seed=seed,
+            with_gopro=options.gopro,
+            progress=progress,
+        )
+    say(
+        f"{folder}: import it with: hapticplayer import {folder / CLIP} --imu "
+        f"{folder / LOG} --read-as {READ_AS} -o SEQUENCE"
+    )
     return 0
 
 

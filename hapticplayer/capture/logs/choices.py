@@ -15,6 +15,7 @@ from typing import Any
 
 from hapticplayer.errors import InputError, UsageError
 from hapticplayer.media.files import resolve_regular
+from hapticplayer.model import Sampling
 
 OPTION = "--read-as"
 MAX_TEMPLATE_BYTES = 65_536
@@ -35,6 +36,8 @@ class LogChoices:
         axes: right, front and up in the log's axes, such as "x,-z,y".
         force_sign: "-" where the accelerometer shows -1 g upwards at rest.
         rate_hz: samples a second, for a log without times.
+        sampling: "averaged" where each sample is a mean over the window around its
+            time, "instant" where it is not.
     """
 
     format: str = ""
@@ -46,6 +49,7 @@ class LogChoices:
     axes: str = ""
     force_sign: str = ""
     rate_hz: str = ""
+    sampling: str = ""
 
     @property
     def sample_rate_hz(self) -> float | None:
@@ -92,6 +96,8 @@ def parse_choices(words: Sequence[str]) -> LogChoices:
             values[key.replace("-", "_")] = value.strip()
     if values.get("force_sign", "") not in {"", "+", "-"}:
         raise UsageError("force-sign is + or -")
+    if values.get("sampling", "") not in {"", *(kind.value for kind in Sampling)}:
+        raise UsageError("sampling is averaged or instant")
     return LogChoices(**values)
 
 

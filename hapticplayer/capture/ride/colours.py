@@ -28,7 +28,9 @@ def colour(red: float, green: float, blue: float) -> np.uint32:
     return np.uint32(int(packed(np.array([red, green, blue], np.float32))))
 
 
-def mixed(colours: Pixels, towards: np.uint32, share: Pixels | np.uint32) -> Pixels:
+def mixed(
+    colours: Pixels, towards: Pixels | np.uint32, share: Pixels | np.uint32
+) -> Pixels:
     """Blend packed colours; `share` runs from 0 to 256.
 
     Red and blue go through one multiplication, because a byte lies between them.

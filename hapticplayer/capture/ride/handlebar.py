@@ -4,6 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hapticplayer.capture.ride.colours import Floats32
+from hapticplayer.capture.ride.overlay import Painted
 
 _SHARE = 0.30  # of the picture's height
 _STEEL = (58.0, 60.0, 66.0)
@@ -13,28 +14,10 @@ _BLACK = (70.0, 72.0, 78.0)
 _BRASS = (186.0, 148.0, 74.0)
 
 
-class Handlebar:
-    """A picture laid over the lower part of each frame."""
-
-    def __init__(self, width: int, height: int) -> None:
-        self._rows = round(_SHARE * height)
-        self._spare = self._rows // 4
-        rgb, cover = _paint(width, self._rows, self._spare)
-        self._rgb = np.rint(rgb * cover[..., None]).astype(np.uint16)
-        self._remain = np.rint(256.0 * (1.0 - cover)).astype(np.uint16)[..., None]
-
-    def lay_over(self, rgb: NDArray[np.uint8], shake_px: float) -> None:
-        """Blend it into a picture, moved down by `shake_px`."""
-        shift = int(np.clip(round(shake_px), -self._spare, self._spare))
-        part = rgb[len(rgb) - self._rows + shift :]
-        blended = part * self._remain[: len(part)]
-        blended >>= 8
-        blended += self._rgb[: len(part)]
-        part[...] = blended
-
-
-def _paint(width: int, rows: int, spare: int) -> tuple[Floats32, Floats32]:
-    """Return colours (rows, width, 3) and cover (rows, width), spare rows below."""
+def handlebar(width: int, height: int) -> Painted:
+    """Return the handlebar with its brakes and its bell."""
+    rows = round(_SHARE * height)
+    spare = rows // 4
     y, x = np.mgrid[0 : rows + spare, 0:width].astype(np.float32)
     u, v = (x - 0.5 * width) / (0.5 * width), y / rows
     rgb = np.zeros((*v.shape, 3), np.float32)
@@ -56,12 +39,12 @@ def _paint(width: int, rows: int, spare: int) -> tuple[Floats32, Floats32]:
     stem = u / (0.035 + 0.045 * np.clip(v - 0.3, 0.0, 1.0))
     tubes.append((stem, v > middle - 0.02, _STEEL))
     for position, where, tint in tubes:
-        _tube(rgb, cover, position, where, np.array(tint, np.float32), rows)
+        tube(rgb, cover, position, where, np.array(tint, np.float32), rows)
     _bell(rgb, cover, (x - 0.40 * width) / rows, v - 0.28)
-    return rgb, cover
+    return Painted(rgb, cover, spare)
 
 
-def _tube(
+def tube(
     rgb: Floats32,
     cover: Floats32,
     across: Floats32,

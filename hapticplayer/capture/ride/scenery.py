@@ -1,72 +1,60 @@
-"""The country that the simulator's camera rides through, as textures and sprites.
+"""The country that the simulator's camera goes through, as textures and sprites.
 
-The ground is painted once, from above, at three resolutions; a picture then only
-looks its colours up.
+The ground is painted from above, at three resolutions; a picture then only looks its
+colours up.
 """
-
-from dataclasses import dataclass
 
 import numpy as np
 from scipy.ndimage import gaussian_filter
 
 from hapticplayer.capture.ride.colours import Floats32, Pixels, packed
-from hapticplayer.capture.ride.roadside import POST, ROAD_HALF_M, Route, plant
+from hapticplayer.capture.ride.ground import GroundTexture
+from hapticplayer.capture.ride.roadside import POST, Route, plant
+from hapticplayer.capture.ride.stairs import stair_faces
+from hapticplayer.capture.ride.surroundings import SURROUNDINGS
+from hapticplayer.capture.ride.view import Pose
 from hapticplayer.capture.scenes import Scene
 
 Rgb = Floats32
 
-
-@dataclass(frozen=True, slots=True, eq=False)
-class GroundTexture:
-    """A piece of ground seen from above.
-
-    Attributes:
-        pixels: (rows to the north, columns to the east).
-        west_m: earth x of the first column.
-        south_m: earth y of the first row.
-        per_m: pixels per metre.
-        reach_m: up to which distance it is fine enough.
-    """
-
-    pixels: Pixels
-    west_m: float
-    south_m: float
-    per_m: float
-    reach_m: float
+_FARTHEST_M = 220.0
+"""Beyond it there is nothing but haze."""
 
 
 class Country:
     """Ground and things along a scene's route."""
 
     def __init__(self, scene: Scene, rng: np.random.Generator) -> None:
-        self._route = Route(scene)
-        self.standing = plant(self._route, rng)
+        self.vehicle = scene.vehicle
+        self._look = SURROUNDINGS[scene.vehicle]
+        self._route = Route(scene, self._look)
+        start_m = scene.route_m[0]
+        risers_m = tuple(float(start_m[1]) + along_m for along_m in scene.stairs_m)
+        self.faces = stair_faces(risers_m, float(start_m[0])) if risers_m else ()
+        self.standing = plant(self._route, self._look, rng)
         self._noise = gaussian_filter(
             rng.standard_normal((256, 256)).astype(np.float32), 1.5, mode="wrap"
         )
         self._noise /= self._noise.std()
         self._grain = rng.standard_normal((512, 512)).astype(np.float32)
         self.ground = tuple(
-            self._paint(margin_m, pixel_m, reach_m)
-            for margin_m, pixel_m, reach_m in (
-                (9.0, 0.018, 8.5),
-                (45.0, 0.08, 34.0),
-                (260.0, 0.40, np.inf),
+            GroundTexture(self._painted, pixel_m, reach_m)
+            for pixel_m, reach_m in (
+                (self._look.near_pixel_m, self._look.near_reach_m),
+                (0.08, 34.0),
+                (0.40, _FARTHEST_M),
             )
         )
 
-    def _paint(self, margin_m: float, pixel_m: float, reach_m: float) -> GroundTexture:
-        low = self._route.ridden_m.min(axis=0) - margin_m
-        high = self._route.ridden_m.max(axis=0) + margin_m
-        east = np.arange(low[0], high[0], pixel_m, dtype=np.float32)
-        north = np.arange(low[1], high[1], pixel_m, dtype=np.float32)
-        pixels = np.empty((len(north), len(east)), np.uint32)
-        for first in range(0, len(north), 256):  # in bands: less memory, more cache
-            rows = slice(first, first + 256)
-            pixels[rows] = packed(self._colours(east, north[rows], pixel_m))
-        return GroundTexture(
-            pixels, float(low[0]), float(low[1]), 1.0 / pixel_m, reach_m
-        )
+    def prepare(self, poses: list[Pose], margin_m: float = 0.0) -> None:
+        """Paint the ground that can be seen from places at most `margin_m` away."""
+        for pose in poses:
+            ahead = pose.rotation[:2, 1] / np.hypot(*pose.rotation[:2, 1])
+            for texture in self.ground:
+                texture.prepare(pose.position_m[:2], ahead, margin_m)
+
+    def _painted(self, east: Floats32, north: Floats32, pixel_m: float) -> Pixels:
+        return packed(self._colours(east, north, pixel_m))
 
     def _colours(self, east: Floats32, north: Floats32, pixel_m: float) -> Rgb:
         """Return (rows, columns, 3) RGB of the ground at a grid of places."""
@@ -75,9 +63,11 @@ class Country:
         fine = self._wrapped(self._grain, east, north, pixel_m * 1.01)
         softness = max(0.04, 0.8 * pixel_m)
         rgb = _meadow(broad, fine)
+        look = self._look
+        road_half_m = look.road_half_m
         for half_m, colour, mottle in (
-            (ROAD_HALF_M + 0.55, (150.0, 136.0, 112.0), 13.0),
-            (ROAD_HALF_M, (92.0, 93.0, 97.0), 7.0),
+            (road_half_m + look.verge_m, look.verge_rgb, 13.0),
+            (road_half_m, look.road_rgb, look.road_mottle),
         ):
             cover = _inside(np.abs(aside), half_m, softness)
             _blend(
@@ -86,15 +76,17 @@ class Country:
         for start_m, end_m in self._route.paved_m:
             cover = _inside(np.abs(along - 0.5 * (start_m + end_m)),
                             0.5 * (end_m - start_m), softness)  # fmt: skip
-            cover *= _inside(np.abs(aside), ROAD_HALF_M, softness)
+            cover *= _inside(np.abs(aside), road_half_m, softness)
             _blend(rgb, _paving(along, aside, fine), cover)
             for edge_m in (start_m, end_m):
                 stone = _inside(np.abs(along - edge_m), 0.11, softness)
-                stone *= _inside(np.abs(aside), ROAD_HALF_M, softness)
+                stone *= _inside(np.abs(aside), road_half_m, softness)
                 _blend(
                     rgb, np.add.outer(4.0 * fine, _colour(232.0, 228.0, 216.0)), stone
                 )
-        _blend(rgb, _colour(236.0, 234.0, 226.0), 0.92 * _marks(along, aside, softness))
+        if look.is_marked:
+            marks = 0.92 * _marks(along, aside, road_half_m, softness)
+            _blend(rgb, _colour(236.0, 234.0, 226.0), marks)
         self._shade(rgb, east, north)
         return rgb
 
@@ -111,12 +103,17 @@ class Country:
 
     def _shade(self, rgb: Rgb, east: Floats32, north: Floats32) -> None:
         """Lay the shadow of each tree on the ground, away from a low sun."""
-        for thing in self.standing:
-            if thing.kind == POST:
-                continue
-            reach_m = 0.34 * thing.height_m
-            x = (east - thing.east_m - 0.5 * reach_m) / reach_m
-            y = (north - thing.north_m - 0.2 * reach_m) / (0.6 * reach_m)
+        things = self.standing
+        near = (things.kind != POST) & (things.height_m > 0.0)
+        for axis, places in ((0, east), (1, north)):
+            foot_m = things.foot_m[:, axis]
+            near &= foot_m > places[0] - things.height_m
+            near &= foot_m < places[-1] + things.height_m
+        for number in np.flatnonzero(near):
+            east_m, north_m = things.foot_m[number, :2].astype(np.float32)
+            reach_m = np.float32(0.34 * things.height_m[number])
+            x = (east - east_m - 0.5 * reach_m) / reach_m
+            y = (north - north_m - 0.2 * reach_m) / (0.6 * reach_m)
             columns = np.flatnonzero(np.abs(x) < 1.3)
             rows = np.flatnonzero(np.abs(y) < 1.3)
             if not (len(columns) and len(rows)):
@@ -141,11 +138,11 @@ def _paving(along: Rgb, aside: Rgb, fine: Rgb) -> Rgb:
     )
 
 
-def _marks(along: Rgb, aside: Rgb, softness: float) -> Rgb:
+def _marks(along: Rgb, aside: Rgb, road_half_m: float, softness: float) -> Rgb:
     """Return the cover of the dashed middle line and the two edge lines."""
     dashes = _inside(np.abs((along + 500.0) % 4.0 - 1.0), 0.9, softness)
     middle = _inside(np.abs(aside), 0.06, softness) * dashes
-    edges = _inside(np.abs(np.abs(aside) - (ROAD_HALF_M - 0.22)), 0.06, softness)
+    edges = _inside(np.abs(np.abs(aside) - (road_half_m - 0.22)), 0.06, softness)
     return np.asarray(np.maximum(middle, edges))
 
 

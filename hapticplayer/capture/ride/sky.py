@@ -65,8 +65,8 @@ class Sky:
 
     def _cloud_cover(self, view: View, rotation: Floats32, up: Floats32) -> Pixels:
         reach = _CLOUD_HEIGHT_CELLS / np.maximum(up, np.float32(_LOWEST_CLOUD))
-        east = (view.towards(rotation[0]) * reach).astype(np.int32) % _TILE
-        north = (view.towards(rotation[1]) * reach).astype(np.int32) % _TILE
+        east = (view.towards(rotation[0]) * reach).astype(np.int32) & (_TILE - 1)
+        north = (view.towards(rotation[1]) * reach).astype(np.int32) & (_TILE - 1)
         cover = self._clouds[north, east]
         return np.asarray(np.where(up > _LOWEST_CLOUD, cover, np.uint32(0)))
 

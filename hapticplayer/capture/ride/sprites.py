@@ -1,6 +1,6 @@
 """Trees and marker posts: small pictures with transparency, drawn upright."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import NamedTuple
 
 import numpy as np
@@ -9,12 +9,18 @@ from numpy.typing import NDArray
 from hapticplayer.capture.ride.colours import (
     HAZE,
     HAZE_FROM_M,
+    Floats32,
     Pixels,
     haze_share,
     mixed,
     packed,
 )
 from hapticplayer.capture.ride.roadside import TREE_KINDS
+
+Indices = NDArray[np.int32]
+
+_UPRIGHT_PX = 60.0
+"""Smaller ones do not lean: it would not be seen, and takes twice the time."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -24,10 +30,21 @@ class Sprite:
     Attributes:
         pixels: (rows from the top, columns) packed colours.
         solid: (rows, columns) whether something is there.
+        hazed: the pixels behind haze, made at first use.
     """
 
     pixels: Pixels
     solid: NDArray[np.bool_]
+    hazed: dict[int, Pixels] = field(default_factory=dict)
+
+    def through_haze(self, distance_m: float) -> Pixels:
+        """Return the colours at a distance, in 16 steps of haze."""
+        if distance_m <= HAZE_FROM_M:
+            return self.pixels
+        share = int(haze_share(np.array(distance_m, np.float32))) // 16 * 16 + 8
+        if share not in self.hazed:
+            self.hazed[share] = mixed(self.pixels, HAZE, np.uint32(share))
+        return self.hazed[share]
 
 
 class Placement(NamedTuple):
@@ -48,9 +65,10 @@ class Placement(NamedTuple):
     distance_m: float
 
 
-def make_sprites(rng: np.random.Generator) -> tuple[Sprite, ...]:
+def make_sprites(rng: np.random.Generator, *, wooden: bool) -> tuple[Sprite, ...]:
     """Return the post and the kinds of trees, in the order of their numbers."""
-    return (_post(), *(_tree(rng, kind) for kind in TREE_KINDS))
+    post = _stake() if wooden else _post()
+    return (post, *(_tree(rng, kind) for kind in TREE_KINDS))
 
 
 def draw_sprite(canvas: Pixels, sprite: Sprite, place: Placement) -> None:
@@ -61,20 +79,49 @@ def draw_sprite(canvas: Pixels, sprite: Sprite, place: Placement) -> None:
     box = _box(canvas, place, width_px, upright)
     if box is None:
         return
-    dx = np.arange(box[1].start, box[1].stop, dtype=np.float32) + 0.5 - place.foot_x
-    dy = place.foot_y - 0.5 - np.arange(box[0].start, box[0].stop, dtype=np.float32)
-    dx, dy = dx[None, :], dy[:, None]
-    across = ((dx * upright - dy * place.lean) / width_px + 0.5) * columns
-    down = (1.0 - (dx * place.lean + dy * upright) / place.height_px) * rows
-    inside = (across >= 0) & (across < columns) & (down >= 0) & (down < rows)
-    index = down.astype(np.int32) * columns + across.astype(np.int32)
-    np.clip(index, 0, rows * columns - 1, out=index)
-    inside &= sprite.solid.reshape(-1)[index]
-    colours = sprite.pixels.reshape(-1)[index]
-    if place.distance_m > HAZE_FROM_M:
-        share = haze_share(np.array(place.distance_m, np.float32))
-        colours = mixed(colours, HAZE, share)
+    across = np.arange(box[1].start, box[1].stop, dtype=np.float32)
+    across += np.float32(0.5 - place.foot_x)
+    down = np.arange(box[0].start, box[0].stop, dtype=np.float32)
+    down += np.float32(0.5 - place.foot_y)
+    if place.height_px < _UPRIGHT_PX:
+        index, inside = _upright(sprite, across, down, place.height_px)
+    else:
+        index, inside = _leaning(sprite, across, down, place)
+    inside &= sprite.solid.take(index)
+    colours = sprite.through_haze(place.distance_m).take(index)
     np.copyto(canvas[box], colours, where=inside)
+
+
+def _upright(
+    sprite: Sprite, across: Floats32, down: Floats32, height_px: float
+) -> tuple[Indices, NDArray[np.bool_]]:
+    """Return which pixels of a small sprite are seen, and where; it does not lean."""
+    rows, columns = sprite.solid.shape
+    scale = rows / height_px
+    x = (across * scale + 0.5 * columns).astype(np.int32)
+    y = (down * scale + rows).astype(np.int32)
+    inside = np.logical_and.outer((y >= 0) & (y < rows), (x >= 0) & (x < columns))
+    np.minimum(np.maximum(y, 0, out=y), rows - 1, out=y)
+    np.minimum(np.maximum(x, 0, out=x), columns - 1, out=x)
+    index = np.add.outer(columns * y, x)
+    return index, inside
+
+
+def _leaning(
+    sprite: Sprite, across: Floats32, down: Floats32, place: Placement
+) -> tuple[Indices, NDArray[np.bool_]]:
+    rows, columns = sprite.solid.shape
+    upright = float(np.sqrt(1.0 - place.lean**2))
+    scale = rows / place.height_px
+    x = np.add.outer(down * (place.lean * scale), across * (upright * scale))
+    x += 0.5 * columns
+    y = np.add.outer(down * (upright * scale), across * (-place.lean * scale))
+    y += rows
+    inside = (x >= 0) & (x < columns) & (y >= 0) & (y < rows)
+    index = y.astype(np.int32)
+    index *= columns
+    index += x.astype(np.int32)
+    return np.clip(index, 0, rows * columns - 1, out=index), inside
 
 
 def _box(
@@ -102,6 +149,16 @@ def _post() -> Sprite:
     solid = np.ones((height, width), np.bool_)
     solid[:6, 10:] = False  # the slanted top
     return Sprite(packed(rgb), solid)
+
+
+def _stake() -> Sprite:
+    """A round wooden stake, darker at its foot, lit from the left."""
+    height, width = 128, 14
+    x, y = np.linspace(-1.0, 1.0, width), np.linspace(0.0, 1.0, height)
+    shade = (1.0 - 0.35 * x - 0.3 * x**2)[None, :] * (1.08 - 0.3 * y)[:, None]
+    rings = 1.0 + 0.05 * np.sin(40.0 * y + 0.8)[:, None]
+    rgb = (shade * rings)[..., None] * np.array((142.0, 112.0, 78.0))
+    return Sprite(packed(rgb.astype(np.float32)), np.ones((height, width), np.bool_))
 
 
 def _tree(rng: np.random.Generator, kind: int) -> Sprite:

