@@ -187,6 +187,7 @@ class Definition:
         sheet: questions before the first trial.
         post_test: questions after the last.
         texts: of the pages, by name.
+        words: on the participant's buttons, by name.
         use_published: show the published wording where there is one.
         operator_is_blind: the operator's screen does not tell the condition.
         order, limits, checks: see there.
@@ -204,6 +205,7 @@ class Definition:
     sheet: tuple[Question, ...]
     post_test: tuple[Question, ...]
     texts: Mapping[str, Text]
+    words: Mapping[str, Text]
     order: Order
     levels: tuple[Level, ...] = ()
     repeats: int = 1

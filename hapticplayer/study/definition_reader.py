@@ -30,6 +30,23 @@ PAGE_TEXTS = (
     "thanks",
     "retention",
 )
+WORDS = (
+    "agree",
+    "decline",
+    "next",
+    "start",
+    "feel",
+    "yes",
+    "no",
+    "feedback",
+    "clip",
+    "missing",
+    "paused",
+    "go_on",
+    "leave",
+    "stopped",
+    "problem",
+)
 MAX_CONDITIONS = 400
 MAX_DELAY_S = 5.0
 MAX_GAIN = 10.0
@@ -50,6 +67,7 @@ _ENTRIES = [
     "sheet",
     "post_test",
     "texts",
+    "words",
     "order",
     "levels",
     "repeats",
@@ -105,7 +123,8 @@ def _study(root: Branch) -> Definition:
         scale=_scale(root.get("scale"), languages),
         sheet=_questions(root, "sheet", languages),
         post_test=_questions(root, "post_test", languages),
-        texts=_texts(root, languages),
+        texts=_texts(root, "texts", PAGE_TEXTS, languages),
+        words=_texts(root, "words", WORDS, languages),
         order=_order(root.get("order")),
         levels=tuple(_level(entry) for entry in root.each("levels"))
         if root.has("levels")
@@ -157,9 +176,12 @@ def _text(branch: Branch, languages: tuple[str, ...]) -> Text:
     return {language: branch.get(language).text() for language in languages}
 
 
-def _texts(root: Branch, languages: tuple[str, ...]) -> dict[str, Text]:
-    root.get("texts").only(*PAGE_TEXTS)
-    return {name: _text(root.get("texts").get(name), languages) for name in PAGE_TEXTS}
+def _texts(
+    root: Branch, entry: str, names: tuple[str, ...], languages: tuple[str, ...]
+) -> dict[str, Text]:
+    found = root.get(entry)
+    found.only(*names)
+    return {name: _text(found.get(name), languages) for name in names}
 
 
 def _keys(root: Branch, name: str) -> tuple[str, ...]:

@@ -6,7 +6,7 @@ import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
-from typing import NoReturn
+from typing import BinaryIO, NoReturn
 
 from hapticplayer.errors import StudyError
 
@@ -29,8 +29,7 @@ def write_new(path: Path, content: bytes) -> None:
     with os.fdopen(descriptor, "wb") as writer:
         os.fchmod(descriptor, FILE_MODE)  # whatever the umask
         writer.write(content)
-        writer.flush()
-        os.fsync(descriptor)
+        sync_file(writer)
 
 
 def replace(path: Path, content: bytes) -> None:
@@ -87,6 +86,12 @@ def remove_scratch(folder: Path) -> None:
         else:
             with suppress(OSError):
                 left.unlink()
+
+
+def sync_file(writer: BinaryIO) -> None:
+    """Make what was written durable."""
+    writer.flush()
+    os.fsync(writer.fileno())
 
 
 def sync(folder: Path) -> None:
