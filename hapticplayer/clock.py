@@ -66,6 +66,6 @@ class ManualClock:
         self._now_s = max(self._now_s, deadline_s)
 
 
-def utc_now_iso() -> str:
-    """Wall-clock time for provenance (ISO 8601, UTC, seconds); never for timing."""
-    return dt.datetime.now(tz=dt.UTC).isoformat(timespec="seconds")
+def utc_now_iso(timespec: str = "seconds") -> str:
+    """Wall-clock time for provenance (ISO 8601, UTC); never for timing."""
+    return dt.datetime.now(tz=dt.UTC).isoformat(timespec=timespec)

@@ -34,6 +34,10 @@ class SequenceError(InputError):
     """A sequence folder is missing something, damaged, or cannot be written."""
 
 
+class StudyError(InputError):
+    """A study's definition, order or answers cannot be used, or cannot be kept."""
+
+
 class DeviceError(HapticPlayerError):
     """A haptic device is missing, refused the connection or failed."""
 

@@ -133,6 +133,10 @@ class HapticLink:
             self._process.close()
             self._next_read_s = 0.0  # the last ticks are still to be read
 
+    def restart_meters(self) -> None:
+        """Measure the force against picture and sound from here on."""
+        self.video_sync, self.audio_sync = SyncMeter(), SyncMeter()
+
     def summary(self) -> dict[str, Any]:
         """Return what the loop measured, for the end of a log."""
         loop = self.history.total_stats()

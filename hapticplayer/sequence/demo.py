@@ -49,7 +49,7 @@ def write_simulated_sequence(
 
 def demo_folder(progress: files.Progress = files.no_progress) -> Path:
     """Return the folder of the demo, made on first use in the user's cache."""
-    target = _cache_root() / f"demo-{__version__}"
+    target = cache_root() / f"demo-{__version__}"
     try:
         open_sequence(target)
     except SequenceError:
@@ -62,7 +62,8 @@ def demo_folder(progress: files.Progress = files.no_progress) -> Path:
     return target
 
 
-def _cache_root() -> Path:
+def cache_root() -> Path:
+    """Return a folder for what can be made again; one of this process at worst."""
     root = files.cache_home()
     try:
         root.mkdir(parents=True, exist_ok=True)

@@ -1,0 +1,253 @@
+"""What participants answered, as values: all that an analysis needs to know."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from hapticplayer.study.definition import (
+    LIKERT,
+    Condition,
+    Definition,
+    QuestionKind,
+    TrialKind,
+)
+from hapticplayer.study.reviews import read_reviewed, text_digest
+from hapticplayer.study.session_folder import State, StoredSession
+from hapticplayer.study.steps import AnsweredTrial, answered_trials, page_values
+from hapticplayer.study.study_folder import Study, open_study
+
+SHEET, POST_TEST = "sheet", "post-test"
+
+
+@dataclass(frozen=True, slots=True)
+class Rating:
+    """One factor of one condition, rated by one participant.
+
+    Attributes:
+        participant: code.
+        sequence: key of the sequence in the definition.
+        feedback: "realistic", "none", "random", or another of the definition's.
+        factor: "realism", "sensory", "comfort", "satisfaction", or the definition's own.
+        value: 1 to 5; None where it is missing.
+        sound: whether the playback that was rated was without a fault.
+    """
+
+    participant: str
+    sequence: str
+    feedback: str
+    factor: str
+    value: int | None
+    sound: bool
+
+
+@dataclass(frozen=True, slots=True)
+class Judgement:
+    """Whether one participant felt a shifted or scaled force as consistent.
+
+    Attributes:
+        participant: code.
+        sequence: key of the sequence.
+        delay_s: by which the force came later than the picture, s.
+        gain: of the force, 1 as recorded.
+        consistent: the answer; None where it is missing.
+        sound: whether the playback that was judged was without a fault.
+    """
+
+    participant: str
+    sequence: str
+    delay_s: float
+    gain: float
+    consistent: bool | None
+    sound: bool
+
+
+@dataclass(frozen=True, slots=True)
+class OpenAnswer:
+    """An answer in words; nobody has seen it yet who could tell if it names someone.
+
+    Attributes:
+        participant: code.
+        question: key of the question in the definition.
+        feedback: that the answer is about; empty where it is about all.
+        text: as written.
+        reviewed: whether a person has read it and let it pass for export.
+    """
+
+    participant: str
+    question: str
+    feedback: str
+    text: str
+    reviewed: bool
+
+
+@dataclass(frozen=True, slots=True)
+class Participant:
+    """Who answered; None where it was not told.
+
+    Attributes:
+        code: made by the program.
+        age: years.
+        gender: the definition's word for it.
+        handedness: the definition's word for it.
+        used_device_before: whether the device was known.
+        complete: whether the session came to its end.
+    """
+
+    code: str
+    age: int | None
+    gender: str | None
+    handedness: str | None
+    used_device_before: bool | None
+    complete: bool = True
+
+
+@dataclass(frozen=True, slots=True)
+class Answers:
+    """All answers of a study; names are keys in the order of the definition.
+
+    Every participant who began a trial is in `participants`, and every planned
+    condition of theirs in `ratings`: what is missing has the value None.
+
+    Attributes:
+        participants: in order of their sessions.
+        ratings: by participant, then in order of the definition.
+        sequences: keys.
+        feedbacks: keys.
+        factors: keys.
+        open_answers: in words.
+        judgements: of the second type of trial.
+        remarks: what could not be read, or was left out, one sentence each.
+    """
+
+    participants: tuple[Participant, ...]
+    ratings: tuple[Rating, ...]
+    sequences: tuple[str, ...]
+    feedbacks: tuple[str, ...]
+    factors: tuple[str, ...]
+    open_answers: tuple[OpenAnswer, ...] = ()
+    judgements: tuple[Judgement, ...] = ()
+    remarks: tuple[str, ...] = ()
+
+
+def read_answers(study_folder: str | Path) -> Answers:
+    """Return all answers of the study in a folder.
+
+    Of a trial that was repeated the last answers count. What is damaged or belongs to
+    another definition is left out, and `remarks` says so.
+
+    Raises:
+        StudyError: when it is no study.
+    """
+    return collect_answers(open_study(study_folder))
+
+
+def collect_answers(study: Study) -> Answers:
+    """Return all answers of an opened study, as `read_answers`."""
+    sessions, remarks = study.sessions()
+    sessions = [s for s in sessions if any(answered_trials(s.records))]
+    definition = study.definition
+    collected = [_Collector(session, definition, remarks) for session in sessions]
+    is_rating = definition.trial is TrialKind.RATING
+    return Answers(
+        participants=tuple(one.participant() for one in collected),
+        ratings=tuple(r for one in collected for r in one.ratings()),
+        sequences=tuple(s.key for s in definition.sequences),
+        feedbacks=definition.feedbacks,
+        factors=tuple(q.key for q in definition.factors) if is_rating else (),
+        open_answers=tuple(a for one in collected for a in one.open_answers()),
+        judgements=tuple(j for one in collected for j in one.judgements()),
+        remarks=tuple(remarks),
+    )
+
+
+class _Collector:
+    """Takes one session apart.
+
+    Args:
+        session: as stored.
+        definition: of the study as it is now, which gives names and order.
+        remarks: gets a sentence for each trial that is left out.
+    """
+
+    def __init__(
+        self, session: StoredSession, definition: Definition, remarks: list[str]
+    ) -> None:
+        self._session, self._definition = session, definition
+        self._sheet = page_values(session.records, SHEET)
+        self._trials: dict[Condition, AnsweredTrial] = {}
+        known = set(definition.conditions)
+        for trial in answered_trials(session.records):
+            if trial.condition in known:
+                self._trials[trial.condition] = trial
+            else:
+                remarks.append(
+                    f"session {session.code}: {trial.condition.key} was left out, the "
+                    "definition no longer has it"
+                )
+
+    def participant(self) -> Participant:
+        """Return who answered."""
+        sheet = self._sheet
+        return Participant(
+            code=self._session.code,
+            age=_of_type(sheet.get("age"), int),
+            gender=_of_type(sheet.get("gender"), str),
+            handedness=_of_type(sheet.get("handedness"), str),
+            used_device_before=_of_type(sheet.get("used_device_before"), bool),
+            complete=self._session.state is State.COMPLETE,
+        )
+
+    def ratings(self) -> Iterator[Rating]:
+        """Return a rating for each condition and factor, missing or not."""
+        if self._definition.trial is not TrialKind.RATING:
+            return
+        for condition in self._definition.conditions:
+            trial = self._trials.get(condition)
+            for question in self._definition.factors:
+                value = _of_type(trial.values.get(question.key), int) if trial else None
+                yield Rating(
+                    self._session.code,
+                    condition.sequence,
+                    condition.feedback,
+                    question.key,
+                    value if value in LIKERT else None,
+                    trial.sound if trial else True,
+                )
+
+    def judgements(self) -> Iterator[Judgement]:
+        """Return whether each shifted or scaled force was felt as consistent."""
+        question = self._definition.consistency
+        if self._definition.trial is not TrialKind.CONSISTENCY or question is None:
+            return
+        for condition in self._definition.conditions:
+            trial = self._trials.get(condition)
+            yield Judgement(
+                self._session.code,
+                condition.sequence,
+                condition.delay_s,
+                condition.gain,
+                _of_type(trial.values.get(question.key), bool) if trial else None,
+                trial.sound if trial else True,
+            )
+
+    def open_answers(self) -> Iterator[OpenAnswer]:
+        """Return what was answered in words, on all pages."""
+        reviewed = read_reviewed(self._session.folder)
+        session = self._session
+        for page, questions in (
+            (SHEET, session.definition.sheet),
+            (POST_TEST, session.definition.post_test),
+        ):
+            words = {q.key for q in questions if q.kind is QuestionKind.TEXT}
+            for name, value in page_values(session.records, page).items():
+                question, _, feedback = name.partition("@")
+                if question in words and isinstance(value, str) and value.strip():
+                    is_passed = text_digest(session.code, name, value) in reviewed
+                    yield OpenAnswer(session.code, question, feedback, value, is_passed)
+
+
+def _of_type(value: Any, kind: Any) -> Any:
+    """Return a value if it is what it should be, for files can be edited."""
+    is_right = isinstance(value, kind) and isinstance(value, bool) == (kind is bool)
+    return value if is_right else None

@@ -1,0 +1,111 @@
+"""New studies: from a template to a folder that can be edited."""
+
+import json
+import secrets
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from hapticplayer.errors import StudyError, UsageError
+from hapticplayer.study import private
+from hapticplayer.study.codes import LETTERS
+from hapticplayer.study.definition_reader import DEFINITION, parse_definition
+from hapticplayer.study.session_folder import sha256
+from hapticplayer.study.study_folder import Study, open_study
+
+TEMPLATES = Path(__file__).resolve().parents[2] / "resources" / "studies"
+_ID_LETTERS = 10
+
+
+def template_names() -> list[str]:
+    """Return the templates there are."""
+    return sorted(path.stem for path in TEMPLATES.glob("*.json"))
+
+
+def create_study(
+    folder: Path, template: str = "qoe2012", folders: Mapping[str, Path] | None = None
+) -> Study:
+    """Make a study's folder from a template.
+
+    Args:
+        folder: that does not exist yet.
+        template: one of `template_names()`.
+        folders: of the sequences, by key; others stay empty until someone says.
+
+    Raises:
+        UsageError: for a template or a sequence that there is not.
+        StudyError: when the folder exists or cannot be written.
+    """
+    content = _template(template)
+    letters = LETTERS.lower()
+    content["id"] = "".join(secrets.choice(letters) for _ in range(_ID_LETTERS))
+    known = {entry["key"]: entry for entry in content["sequences"]}
+    for key, path in (folders or {}).items():
+        if key not in known:
+            raise UsageError(f"there is no sequence {key!r}; {', '.join(known)} are")
+        known[key]["folder"] = str(path.resolve())
+    text = definition_text(content)
+    parse_definition(text, template)
+    with private.folder_written_aside(folder) as aside:
+        private.write_new(aside / DEFINITION, text)
+    return open_study(folder)
+
+
+def change_definition(study: Study, content: Mapping[str, Any]) -> Study:
+    """Keep another definition of a study, once it has been checked.
+
+    Sessions keep the definition that they began with.
+
+    Raises:
+        StudyError: which entry is wrong; nothing is changed then.
+    """
+    path = study.folder / DEFINITION
+    text = definition_text(content)
+    parse_definition(text, str(path))
+    private.replace(path, text)
+    return open_study(study.folder)
+
+
+def definition_text(content: Mapping[str, Any]) -> bytes:
+    """Return a definition as people read and edit it."""
+    return (json.dumps(content, indent=2, ensure_ascii=False) + "\n").encode()
+
+
+def sequence_folder(study: Study, key: str) -> Path:
+    """Return where a sequence lies.
+
+    Raises:
+        StudyError: when the definition does not say, or it is not there.
+    """
+    entry = next(s for s in study.definition.sequences if s.key == key)
+    folder = study.folder / entry.folder
+    if not entry.folder or not (folder / "sequence.json").is_file():
+        raise StudyError(
+            f"the sequence {key!r} has no folder with a sequence",
+            where=str(study.folder / DEFINITION),
+            remedy="enter it under sequences, or with `study new --sequence KEY=FOLDER`",
+        )
+    return folder
+
+
+def clip_checksums(study: Study) -> dict[str, str]:
+    """Return the SHA-256 of each sequence's description.
+
+    Raises:
+        StudyError: which sequence is missing.
+    """
+    return {
+        s.key: sha256((sequence_folder(study, s.key) / "sequence.json").read_bytes())
+        for s in study.definition.sequences
+    }
+
+
+def _template(name: str) -> dict[str, Any]:
+    if name not in template_names():
+        raise UsageError(
+            f"there is no template {name!r}; there is {', '.join(template_names())}"
+        )
+    text = (TEMPLATES / f"{name}.json").read_text(encoding="utf-8")
+    content: dict[str, Any] = json.loads(text)
+    base = content.pop("base", None)
+    return {**_template(base), **content} if base else content

@@ -1,0 +1,103 @@
+"""Sessions from another machine: those of the same study, never two of one code."""
+
+import shutil
+from dataclasses import dataclass
+from pathlib import Path
+
+from hapticplayer.errors import StudyError
+from hapticplayer.study import private
+from hapticplayer.study.records import decode
+from hapticplayer.study.session_folder import ANSWERS, sha256
+from hapticplayer.study.study_folder import CONSENTS, SESSIONS, Study
+
+
+@dataclass(frozen=True, slots=True)
+class Merged:
+    """What a merge did.
+
+    Attributes:
+        added: codes that are new here.
+        same: codes whose session is the same on both sides.
+        conflicts: one sentence for each that was left alone, and why.
+    """
+
+    added: tuple[str, ...]
+    same: tuple[str, ...]
+    conflicts: tuple[str, ...]
+
+
+def merge_sessions(study: Study, other: Study) -> Merged:
+    """Copy the sessions of another copy of a study into this one.
+
+    Nothing that is here is changed: where both sides hold different sessions of one
+    code, the conflict is named.
+
+    Raises:
+        StudyError: when it is another study, or it cannot be written.
+    """
+    if other.definition.id != study.definition.id:
+        raise StudyError(
+            f"is the study {other.definition.id}, not {study.definition.id}",
+            where=str(other.folder),
+            remedy="copy the study's folder to the other machine, then run it there",
+        )
+    private.make_folder(study.folder / SESSIONS)
+    private.make_folder(study.folder / CONSENTS)
+    here = set(study.codes())
+    added: list[str] = []
+    same: list[str] = []
+    conflicts: list[str] = []
+    for code in other.codes():
+        theirs = other.session_folder(code)
+        if code not in here:
+            problem = _take(study, other, code)
+        else:
+            problem = _difference(study.session_folder(code), theirs)
+        if problem:
+            conflicts.append(f"{code}: {problem}")
+        else:
+            (same if code in here else added).append(code)
+    return Merged(tuple(added), tuple(same), tuple(conflicts))
+
+
+def _take(study: Study, other: Study, code: str) -> str:
+    """Copy a session whole or not at all; return why it was not."""
+    try:
+        other.session(code)
+    except StudyError as problem:
+        return f"cannot be read there ({problem})"
+    folder = other.session_folder(code)
+    with private.folder_written_aside(study.session_folder(code)) as aside:
+        for path in sorted(folder.iterdir()):
+            if path.is_file() and not path.is_symlink():
+                _copy(path, aside / path.name)
+    consent = other.folder / CONSENTS / f"{code}.json"
+    if consent.is_file():
+        private.replace(study.folder / CONSENTS / consent.name, consent.read_bytes())
+    return ""
+
+
+def _copy(source: Path, target: Path) -> None:
+    private.write_new(target, b"")
+    with source.open("rb") as reader, target.open("wb") as writer:
+        shutil.copyfileobj(reader, writer)
+        private.sync_file(writer)
+
+
+def _difference(ours: Path, theirs: Path) -> str:
+    """Return in what two sessions of one code differ, "" where they do not."""
+    left, right = (decode((f / ANSWERS).read_bytes()).intact for f in (ours, theirs))
+    if left == right:
+        return ""
+    shared = min(len(left), len(right))
+    if left[:shared] == right[:shared]:
+        if len(left) > len(right):
+            return ""  # theirs is an earlier copy of ours
+        return (
+            f"goes on there ({len(right) - shared} more records); "
+            "move the shorter one here out of the study and merge again"
+        )
+    return (
+        f"two sessions of one code ({sha256((ours / ANSWERS).read_bytes())[:8]} here, "
+        f"{sha256((theirs / ANSWERS).read_bytes())[:8]} there)"
+    )

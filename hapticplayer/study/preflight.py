@@ -1,0 +1,112 @@
+"""What is looked at before the first trial, and kept with the session."""
+
+import shutil
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from hapticplayer.haptics.contract import Cause
+from hapticplayer.haptics.process import Health
+from hapticplayer.playback.haptic_link import NO_DEVICE
+from hapticplayer.playback.player import Player
+from hapticplayer.study.definition import Checks
+
+DEVICE, HOMED, SCHEDULING, SOUND, SCREEN, DISK = (
+    "device",
+    "homed",
+    "scheduling",
+    "sound",
+    "screen",
+    "disk",
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Check:
+    """One thing that was looked at.
+
+    Attributes:
+        name: what.
+        is_good: whether it is as the definition wants it.
+        found: what was found, in a few words.
+    """
+
+    name: str
+    is_good: bool
+    found: str
+
+
+def look(
+    player: Player,
+    checks: Checks,
+    folder: Path,
+    screen: Mapping[str, Any],
+    *,
+    is_sound_heard: bool,
+) -> tuple[Check, ...]:
+    """Return the state of everything that a session needs.
+
+    Args:
+        player: with its device.
+        checks: what the definition wants.
+        folder: of the study.
+        screen: of the participant: width_px, height_px, refresh_hz, screens.
+        is_sound_heard: as a person has confirmed.
+    """
+    return (
+        _device(player, checks),
+        _homed(player, checks),
+        _scheduling(player, checks),
+        Check(
+            SOUND,
+            is_sound_heard or not checks.sound,
+            "heard" if is_sound_heard else "not confirmed",
+        ),
+        Check(
+            SCREEN,
+            bool(screen.get("refresh_hz", 0) >= 30),
+            "{width_px} x {height_px}, {refresh_hz:.0f} Hz, {screens} screens".format(
+                **screen
+            ),
+        ),
+        _disk(checks, folder),
+    )
+
+
+def described(checks: tuple[Check, ...]) -> list[dict[str, Any]]:
+    """Return the checks as they are kept."""
+    return [{"check": c.name, "ok": c.is_good, "found": c.found} for c in checks]
+
+
+def _device(player: Player, checks: Checks) -> Check:
+    link = player.link
+    if link.device == NO_DEVICE:
+        return Check(DEVICE, not checks.device, "none")
+    is_good = link.health is Health.READY
+    return Check(DEVICE, is_good, f"{link.device}, {link.health}")
+
+
+def _homed(player: Player, checks: Checks) -> Check:
+    if player.link.device == NO_DEVICE:
+        return Check(HOMED, not checks.device, "no device")
+    latest = player.link.history.latest()
+    if latest is None:
+        return Check(HOMED, False, "the device has said nothing yet")
+    is_homed = Cause(int(latest["cause"])) is not Cause.NOT_HOMED
+    return Check(HOMED, is_homed, "yes" if is_homed else "not yet")
+
+
+def _scheduling(player: Player, checks: Checks) -> Check:
+    if player.link.device == NO_DEVICE:
+        return Check(SCHEDULING, not checks.device, "no device")
+    found = player.link.scheduling
+    return Check(SCHEDULING, found in checks.scheduling, found)
+
+
+def _disk(checks: Checks, folder: Path) -> Check:
+    try:
+        free_mb = shutil.disk_usage(folder).free / 1e6
+    except OSError as problem:
+        return Check(DISK, False, problem.strerror or "unreadable")
+    return Check(DISK, free_mb >= checks.disk_free_mb, f"{free_mb:.0f} MB free")

@@ -1,0 +1,69 @@
+"""Sessions that no person sat through, such as simulated ones; marked as such."""
+
+from collections.abc import Callable, Mapping
+from typing import Any
+
+from hapticplayer.clock import Clock
+from hapticplayer.study.definition import Condition
+from hapticplayer.study.journal import Journal
+from hapticplayer.study.plan import describe_condition
+from hapticplayer.study.session_folder import ANSWERS
+from hapticplayer.study.steps import SHEET, trial_step
+from hapticplayer.study.study_folder import Study, begin_session
+
+Values = Mapping[str, Any]
+
+
+def write_scripted_session(
+    study: Study,
+    sheet: Values,
+    rate: Callable[[Condition], Values | None],
+    clock: Clock,
+    *,
+    origin: Mapping[str, Any],
+) -> str:
+    """Write a whole session as if it had been sat through, and return its code.
+
+    Args:
+        study: to which it is added.
+        sheet: answers of the information sheet.
+        rate: gives a condition's answers by key of the question; None leaves the
+            trial out, as if it had been skipped.
+        clock: of the machine.
+        origin: why nobody sat there, such as `{"simulated": true, "seed": 1}`.
+
+    Raises:
+        StudyError: when it cannot be written.
+    """
+    session = begin_session(study, study.definition.languages[0], {}, clock)
+    journal = Journal(session.folder / ANSWERS, clock)
+    try:
+        journal.append("begin", scripted=dict(origin))
+        journal.append("answers", step=SHEET, values=dict(sheet))
+        for number, condition in enumerate(session.plan.assignment.conditions):
+            _write_trial(journal, number + 1, condition, rate(condition))
+        journal.append("end", complete=True, reason="")
+    finally:
+        journal.close()
+    return session.code
+
+
+def _write_trial(
+    journal: Journal, position: int, condition: Condition, values: Values | None
+) -> None:
+    step, described = trial_step(position), describe_condition(condition)
+    if values is None:
+        journal.append("skip", step=step, reason="scripted")
+        return
+    journal.append(
+        "trial",
+        step=step,
+        attempt=1,
+        condition=described,
+        sound=True,
+        reasons=[],
+        playback={},
+    )
+    journal.append(
+        "answers", step=step, attempt=1, condition=described, values=dict(values)
+    )

@@ -1,0 +1,86 @@
+"""What has to be loaded before a participant comes in."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+from hapticplayer.clock import Clock
+from hapticplayer.errors import StudyError
+from hapticplayer.playback.player import Player
+from hapticplayer.playback.source import Source, open_source
+from hapticplayer.study.creation import clip_checksums, sequence_folder
+from hapticplayer.study.demonstration import demonstration_source
+from hapticplayer.study.session_folder import StoredSession
+from hapticplayer.study.stage import PlayerStage
+from hapticplayer.study.study_folder import Study
+
+RECORD = "ticks-{:02d}.hprec"
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Material:
+    """Everything that is played in a study.
+
+    Attributes:
+        sources: of its sequences, by key.
+        demonstration: of the device.
+        clips: SHA-256 of each sequence's description.
+    """
+
+    sources: Mapping[str, Source]
+    demonstration: Source
+    clips: Mapping[str, str]
+
+
+def load_material(study: Study) -> Material:
+    """Open all sequences of a study, with the tracks that it needs.
+
+    Raises:
+        StudyError: which sequence or feedback is missing.
+        InputError: when a sequence is damaged.
+    """
+    clips = clip_checksums(study)
+    sources = {}
+    for sequence in study.definition.sequences:
+        source = open_source(sequence_folder(study, sequence.key))
+        for feedback in study.definition.feedbacks:
+            if feedback not in source.tracks:
+                raise StudyError(
+                    f"the sequence {sequence.key!r} has no feedback {feedback!r}",
+                    where=str(study.folder),
+                    remedy=f"it has {', '.join(source.tracks)}",
+                )
+        sources[sequence.key] = source
+    return Material(sources, demonstration_source(), clips)
+
+
+def check_unchanged(session: StoredSession, material: Material) -> None:
+    """Refuse to go on with other clips than the session began with.
+
+    Raises:
+        StudyError: which sequence is another one now.
+    """
+    for key, checksum in session.plan.clips.items():
+        if material.clips.get(key) != checksum:
+            raise StudyError(
+                f"the sequence {key!r} has changed since this session began",
+                where=session.code,
+                remedy="bring the old one back, or stop this session",
+            )
+
+
+def next_record(session_folder: Path) -> Path:
+    """Return the file for the ticks of the next run of a session."""
+    number = 1
+    while (path := session_folder / RECORD.format(number)).exists():
+        number += 1
+    return path
+
+
+def make_stage(
+    study: Study, material: Material, player: Player, clock: Clock, record: str
+) -> PlayerStage:
+    """Return the stage on which a session's clips are played."""
+    rules = (study.definition.limits, study.definition.checks)
+    sources, demonstration = material.sources, material.demonstration
+    return PlayerStage(player, sources, demonstration, rules, clock, record)

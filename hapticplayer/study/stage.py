@@ -1,0 +1,279 @@
+"""Plays what a trial asks for, and says what was really played."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import Any, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hapticplayer.clock import Clock
+from hapticplayer.haptics.contract import Cause, Mode
+from hapticplayer.haptics.process import Health
+from hapticplayer.model import ForceTrack, SyncStats
+from hapticplayer.playback.haptic_link import NO_DEVICE
+from hapticplayer.playback.player import Player
+from hapticplayer.playback.snapshot import Phase
+from hapticplayer.playback.source import Source
+from hapticplayer.study.definition import Checks, Condition, Limits
+
+# reasons that belong to playing a clip from its beginning to its end
+_HARMLESS = (Cause.NONE, Cause.PAUSED, Cause.SEEK, Cause.TRACK_ENDED, Cause.CLOSING)
+_ACTING = (Mode.ENTERING, Mode.FOLLOWING)
+
+
+@dataclass(frozen=True, slots=True)
+class Played:
+    """What a trial's playback was like.
+
+    Attributes:
+        sound: whether nothing was wrong with it.
+        reasons: what was, a word each.
+        playback: figures for the record.
+    """
+
+    sound: bool
+    reasons: tuple[str, ...]
+    playback: Mapping[str, Any]
+
+
+class Stage(Protocol):
+    """Where clips are played; everything on the thread that polls the player."""
+
+    def prepare(self, condition: Condition) -> None:
+        """Load what is played next; its first picture may be shown."""
+        ...
+
+    def prepare_demonstration(self) -> None:
+        """Load the demonstration of the device."""
+        ...
+
+    def begin(self) -> None:
+        """Play from the beginning."""
+        ...
+
+    def is_over(self) -> bool:
+        """Whether the clip has ended; looks for faults meanwhile."""
+        ...
+
+    def played(self, *reasons: str) -> Played:
+        """Return what was played since `begin`; `reasons` are added."""
+        ...
+
+    def halt(self) -> None:
+        """Take the force away at once and stand still."""
+        ...
+
+    def rearm(self) -> None:
+        """Let the force come back after `halt`."""
+        ...
+
+
+class PlayerStage:
+    """Plays with the player of the program.
+
+    Args:
+        player: that somebody polls.
+        sources: of the study's sequences, by key.
+        demonstration: of the device.
+        limits: of a sound playback.
+        checks: what is required at all.
+        clock: of the machine.
+        record: name of the file that holds all ticks, for the trial's record.
+    """
+
+    def __init__(
+        self,
+        player: Player,
+        sources: Mapping[str, Source],
+        demonstration: Source,
+        rules: tuple[Limits, Checks],
+        clock: Clock,
+        record: str = "",
+    ) -> None:
+        self.player = player
+        self._sources, self._demonstration = sources, demonstration
+        self._limits, self._checks = rules
+        self._clock, self._record = clock, record
+        self._watch = _Watch(player, clock.now_s())
+
+    def prepare(self, condition: Condition) -> None:
+        """Load a condition's clip with its force alone."""
+        source = self._sources[condition.sequence]
+        track = source.tracks[condition.feedback]
+        shifted = altered(track, condition.delay_s, condition.gain)
+        self._open(replace(source, tracks={condition.feedback: shifted}))
+
+    def prepare_demonstration(self) -> None:
+        """Load the demonstration of the device."""
+        self._open(self._demonstration)
+
+    def _open(self, source: Source) -> None:
+        self.player.open(source, next(iter(source.tracks)))
+
+    def begin(self) -> None:
+        """Play from the beginning."""
+        if self.player.media_s() > 0.0:
+            self.player.seek(0.0)
+        self.player.link.restart_meters()
+        self._watch = _Watch(self.player, self._clock.now_s())
+        self.player.play()
+
+    def is_over(self) -> bool:
+        """Whether the clip has ended; looks for faults meanwhile."""
+        self._watch.look()
+        return self.player.phase in (Phase.ENDED, Phase.EMPTY)
+
+    def halt(self) -> None:
+        """Take the force away at once and stand still."""
+        self._watch.look()
+        self.player.stop_force()
+
+    def rearm(self) -> None:
+        """Let the force come back after `halt`."""
+        self.player.rearm()
+
+    def played(self, *reasons: str) -> Played:
+        """Return what was played since `begin`."""
+        self._watch.look()
+        found = [*reasons, *self._watch.reasons(self._limits, self._checks)]
+        figures = self._watch.figures(self._clock.now_s())
+        if self._record:
+            figures["record"] = self._record
+        distinct = tuple(dict.fromkeys(found))
+        return Played(not distinct, distinct, figures)
+
+
+def altered(track: ForceTrack, delay_s: float, gain: float) -> ForceTrack:
+    """Return a force that comes later by `delay_s` and is `gain` times as large."""
+    if delay_s == 0.0 and gain == 1.0:
+        return track
+    return ForceTrack(
+        track.time_s + delay_s,
+        track.force_n * np.float32(gain),
+        track.reconstruction,
+        {**track.provenance, "delay_s": delay_s, "gain": gain},
+    )
+
+
+class _Watch:
+    """Follows one playback from its beginning.
+
+    Args:
+        player: that plays.
+        now_s: monotonic time of the beginning.
+    """
+
+    def __init__(self, player: Player, now_s: float) -> None:
+        self._player = player
+        self._begun_s = self._seen_s = now_s
+        self._before = player.snapshot()
+        self._silence_before_s = self._silence_s()
+        self._lost_before = player.link.history.lost
+        self._was_acting = False
+        self._faults: list[dict[str, Any]] = []
+        self._ticks = self._missed = 0
+        self._squares_n2 = np.zeros(3)
+        self._led_by_sound = False
+
+    def _silence_s(self) -> float:
+        return float(self._player.summary()["audio_underrun_s"])
+
+    def look(self) -> None:
+        """Take in what the loop did since the last look."""
+        self._led_by_sound |= self._player.snapshot().clock == "audio"
+        ticks = self._player.link.history.since(self._seen_s)
+        ticks = ticks[ticks["monotonic_s"] > self._seen_s]
+        if not len(ticks):
+            return
+        self._seen_s = float(ticks["monotonic_s"][-1])
+        self._ticks += len(ticks)
+        self._missed += int(ticks["missed"].sum())
+        self._squares_n2 += np.square(ticks["force_n"], dtype=np.float64).sum(axis=0)
+        self._note_faults(ticks)
+
+    def _note_faults(self, ticks: NDArray[Any]) -> None:
+        """Note each time that the force was taken away for a reason of its own."""
+        is_acting = np.isin(ticks["mode"], _ACTING)
+        before = np.concatenate([[self._was_acting], is_acting[:-1]])
+        for row in np.flatnonzero(before & ~is_acting):
+            cause = Cause(int(ticks["cause"][row]))
+            if cause not in _HARMLESS:
+                at_s = round(float(ticks["monotonic_s"][row]), 6)
+                self._faults.append({"cause": cause.name.lower(), "mono_s": at_s})
+        self._was_acting = bool(is_acting[-1])
+
+    def figures(self, now_s: float) -> dict[str, Any]:
+        """Return what the record keeps of the playback."""
+        after, player = self._player.snapshot(), self._player
+        rms_n = np.sqrt(self._squares_n2 / max(1, self._ticks))
+        return {
+            "begun_mono_s": round(self._begun_s, 6),
+            "ended_mono_s": round(now_s, 6),
+            "media_s": round(after.media_s, 3),
+            "duration_s": round(after.duration_s, 3),
+            "pictures_shown": after.frames_shown - self._before.frames_shown,
+            "pictures_dropped": after.frames_dropped - self._before.frames_dropped,
+            "silence_s": round(self._silence_s() - self._silence_before_s, 4),
+            "clock": "audio" if self._led_by_sound else "monotonic",
+            "force_minus_picture_ms": _described(player.link.video_sync.total()),
+            "force_minus_sound_ms": _described(player.link.audio_sync.total()),
+            "ticks": self._ticks,
+            "missed": self._missed,
+            "lost": player.link.history.lost - self._lost_before,
+            "force_rms_n": [round(float(value), 4) for value in rms_n],
+            "faults": self._faults,
+            "device": after.device,
+            "scheduling": after.scheduling,
+        }
+
+    def reasons(self, limits: Limits, checks: Checks) -> list[str]:
+        """Return why this playback was not sound."""
+        found = [f"fault:{fault['cause']}" for fault in self._faults]
+        after, link = self._player.snapshot(), self._player.link
+        shown = after.frames_shown - self._before.frames_shown
+        dropped = after.frames_dropped - self._before.frames_dropped
+        if self._player.problem:
+            found.append("clip_damaged")
+        if not shown or dropped > limits.dropped_share * (shown + dropped):
+            found.append("pictures_dropped")
+        found += self._sound_reasons(limits, checks)
+        if after.device != NO_DEVICE:
+            found += self._force_reasons(limits)
+        elif checks.device:
+            found.append("no_device")
+        for name, stats in (("picture", link.video_sync), ("sound", link.audio_sync)):
+            total = stats.total()
+            if total is not None and abs(total.p50_ms) > limits.sync_ms:
+                found.append(f"sync:{name}")
+        return found
+
+    def _sound_reasons(self, limits: Limits, checks: Checks) -> list[str]:
+        source = self._player.source
+        if source is None or not source.clip.has_audio or not checks.sound:
+            return []
+        if not self._led_by_sound:
+            return ["no_sound"]
+        missing_s = self._silence_s() - self._silence_before_s
+        return ["sound_missing"] if missing_s > limits.silence_s else []
+
+    def _force_reasons(self, limits: Limits) -> list[str]:
+        found = []
+        if self._player.link.health in (Health.FAILED, Health.GONE):
+            found.append("device_lost")
+        if self._missed > limits.missed_share * max(1, self._ticks):
+            found.append("periods_missed")
+        if not self._ticks:
+            found.append("no_ticks")
+        return found
+
+
+def _described(stats: SyncStats | None) -> dict[str, float] | None:
+    if stats is None:
+        return None
+    return {
+        "count": stats.count,
+        "p05": round(stats.p05_ms, 3),
+        "p50": round(stats.p50_ms, 3),
+        "p95": round(stats.p95_ms, 3),
+    }

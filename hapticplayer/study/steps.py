@@ -1,0 +1,134 @@
+"""What a session consists of, and what its records say has been done."""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from hapticplayer.errors import StudyError
+from hapticplayer.study.definition import Condition, Definition
+from hapticplayer.study.plan import read_condition
+from hapticplayer.study.records import Records
+from hapticplayer.study.tree import Branch
+
+CONSENT, SHEET, DEMONSTRATION, POST_TEST = (
+    "consent",
+    "sheet",
+    "demonstration",
+    "post-test",
+)
+_TRIAL = "trial-"
+
+
+@dataclass(frozen=True, slots=True)
+class AnsweredTrial:
+    """One trial with its answers.
+
+    Attributes:
+        position: 1 and up in the participant's order.
+        attempt: 1 and up, more where it was repeated.
+        condition: what was to be played.
+        values: answers by key of the question.
+        sound: whether the playback was without a fault.
+        reasons: why it was not.
+        playback: what was really played.
+    """
+
+    position: int
+    attempt: int
+    condition: Condition
+    values: Mapping[str, Any]
+    sound: bool
+    reasons: tuple[str, ...]
+    playback: Mapping[str, Any]
+
+
+def trial_step(position: int) -> str:
+    """Return the name of a trial's step."""
+    return f"{_TRIAL}{position:02d}"
+
+
+def position_of(step: str) -> int | None:
+    """Return which trial a step is; None for another page."""
+    return int(step.removeprefix(_TRIAL)) if step.startswith(_TRIAL) else None
+
+
+def steps_of(definition: Definition, trials: int) -> list[str]:
+    """Return the names of all steps in order."""
+    steps = [CONSENT]
+    if definition.sheet:
+        steps.append(SHEET)
+    steps.append(DEMONSTRATION)
+    steps += [trial_step(position) for position in range(1, trials + 1)]
+    if definition.post_test:
+        steps.append(POST_TEST)
+    return steps
+
+
+def steps_done(records: Records) -> set[str]:
+    """Return the steps that were answered, passed or skipped."""
+    kinds = ("answers", "passed", "skip")
+    return {
+        str(record.content.get("step"))
+        for record in records.intact
+        if record.kind in kinds
+    }
+
+
+def attempts_of(records: Records, step: str) -> int:
+    """Return how often a trial has been begun."""
+    return sum(
+        record.kind == "trial-begin" and record.content.get("step") == step
+        for record in records.intact
+    )
+
+
+def page_values(records: Records, page: str) -> Mapping[str, Any]:
+    """Return the answers of a page that is no trial; the last ones count."""
+    found: Mapping[str, Any] = {}
+    for record in records.intact:
+        if record.kind == "answers" and record.content.get("step") == page:
+            values = record.content.get("values")
+            found = values if isinstance(values, dict) else {}
+    return found
+
+
+def answered_trials(records: Records) -> Iterator[AnsweredTrial]:
+    """Yield each trial whose answers are there, in the order of answering."""
+    played: dict[tuple[str, int], Mapping[str, Any]] = {}
+    for record in records.intact:
+        content = record.content
+        if record.kind not in ("trial", "answers"):
+            continue
+        step, attempt = str(content.get("step")), content.get("attempt")
+        if not isinstance(attempt, int) or not step.startswith(_TRIAL):
+            continue
+        if record.kind == "trial":
+            played[step, attempt] = content
+        elif (trial := _trial(step, attempt, content, played)) is not None:
+            yield trial
+
+
+def _trial(
+    step: str,
+    attempt: int,
+    answers: Mapping[str, Any],
+    played: Mapping[tuple[str, int], Mapping[str, Any]],
+) -> AnsweredTrial | None:
+    """Return a trial; without its record of playing nobody knows if it was sound."""
+    trial = played.get((step, attempt), {})
+    position, values = position_of(step), answers.get("values")
+    try:
+        condition = read_condition(Branch(answers.get("condition"), step))
+    except StudyError:
+        return None
+    if position is None or not isinstance(values, dict):
+        return None
+    return AnsweredTrial(
+        position,
+        attempt,
+        condition,
+        values,
+        trial.get("sound") is True,
+        tuple(str(reason) for reason in trial.get("reasons", ["record damaged"])),
+        trial.get("playback", {}),
+    )

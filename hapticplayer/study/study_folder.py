@@ -1,0 +1,294 @@
+"""A study is a folder: its definition, its sessions, its consents, and a count.
+
+study.json   orders.csv   sessions/CODE/   consents/CODE.json   deleted/ID.json
+"""
+
+import fcntl
+import json
+import os
+import secrets
+import shutil
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+
+from hapticplayer import __version__
+from hapticplayer.clock import Clock, SystemClock, utc_now_iso
+from hapticplayer.errors import StudyError
+from hapticplayer.study import private
+from hapticplayer.study.codes import checked_code, is_code, new_code
+from hapticplayer.study.definition import Condition, Definition, OrderMethod
+from hapticplayer.study.definition_reader import DEFINITION, parse_definition
+from hapticplayer.study.journal import Journal
+from hapticplayer.study.order_list import ORDERS, read_orders
+from hapticplayer.study.orders import Assignment, Balance, assign, balance_of
+from hapticplayer.study.plan import Plan
+from hapticplayer.study.session_folder import (
+    ANSWERS,
+    State,
+    StoredSession,
+    create_session,
+    read_session,
+    sha256,
+)
+from hapticplayer.study.tree import read_file
+
+SESSIONS, CONSENTS, DELETED = "sessions", "consents", "deleted"
+_LEAVING = ".leaving-"
+
+
+@dataclass(frozen=True, slots=True)
+class Study:
+    """An opened study.
+
+    Attributes:
+        folder: where it lies.
+        definition: what it is.
+        content: of the definition's file.
+    """
+
+    folder: Path
+    definition: Definition
+    content: bytes
+
+    def session_folder(self, code: str) -> Path:
+        """Return where a participant's session lies."""
+        return self.folder / SESSIONS / checked_code(code)
+
+    def codes(self) -> list[str]:
+        """Return the codes of all sessions."""
+        try:
+            names = [entry.name for entry in (self.folder / SESSIONS).iterdir()]
+        except FileNotFoundError:
+            return []
+        except OSError as problem:
+            raise StudyError(
+                f"cannot be read ({problem.strerror})", where=str(self.folder)
+            ) from problem
+        return sorted(name for name in names if is_code(name))
+
+    def session(self, code: str) -> StoredSession:
+        """Return one session.
+
+        Raises:
+            StudyError: when there is none, or it is damaged beyond use.
+        """
+        folder = self.session_folder(code)
+        if not folder.is_dir():
+            raise StudyError(
+                f"there is no participant {checked_code(code)}",
+                where=str(self.folder),
+                remedy="`study status` lists them",
+            )
+        return read_session(folder, self.content)
+
+    def sessions(self) -> tuple[list[StoredSession], list[str]]:
+        """Return all sessions in order of their beginning, and what is wrong."""
+        found, remarks = [], []
+        for code in self.codes():
+            try:
+                found.append(self.session(code))
+            except StudyError as problem:
+                remarks.append(f"session {code} cannot be used: {problem}")
+            else:
+                remarks += found[-1].remarks
+        found.sort(key=lambda session: (session.plan.created_utc, session.code))
+        return found, remarks
+
+    def listed_orders(self) -> list[tuple[Condition, ...]]:
+        """Return the orders of `orders.csv`; empty unless the method needs them."""
+        if self.definition.order.method is not OrderMethod.LIST:
+            return []
+        return read_orders(self.folder / ORDERS, self.definition)
+
+    def deleted_count(self) -> int:
+        """Return how many participants were deleted."""
+        folder = self.folder / DELETED
+        return sum(1 for _ in folder.glob("*.json")) if folder.is_dir() else 0
+
+    def balance(self) -> Balance:
+        """Count the orders of all who did not drop out."""
+        sessions, _ = self.sessions()
+        orders = [
+            s.plan.assignment.conditions for s in sessions if s.state != State.STOPPED
+        ]
+        return balance_of(self.definition, orders)
+
+
+def open_study(folder: str | Path) -> Study:
+    """Return the study in a folder, and tidy up behind a program that was killed.
+
+    Raises:
+        StudyError: what is wrong with its definition.
+    """
+    folder = Path(folder)
+    content = read_file(folder / DEFINITION)
+    definition = parse_definition(content, str(folder / DEFINITION))
+    study = Study(folder, definition, content)
+    _finish_deletions(study)
+    return study
+
+
+def begin_session(
+    study: Study, language: str, clips: Mapping[str, str], clock: Clock
+) -> StoredSession:
+    """Give a new participant a code and an order, and keep both.
+
+    Args:
+        study: opened.
+        language: of the pages.
+        clips: SHA-256 of each sequence's description, by key.
+        clock: of the machine.
+
+    Raises:
+        StudyError: when there is no order, or nothing can be written.
+    """
+    if language not in study.definition.languages:
+        raise StudyError(
+            f"is not available in {language!r}",
+            where=str(study.folder),
+            remedy=f"choose one of {', '.join(study.definition.languages)}",
+        )
+    private.make_folder(study.folder / SESSIONS)
+    private.make_folder(study.folder / CONSENTS)
+    with _alone(study.folder / SESSIONS):
+        private.remove_scratch(study.folder / SESSIONS)
+        code = new_code(study.codes())
+        plan = Plan(
+            code=code,
+            study=study.definition.id,
+            definition_sha256=sha256(study.content),
+            program=f"hapticplayer {__version__}",
+            created_utc=utc_now_iso("milliseconds"),
+            language=language,
+            assignment=_assignment(study, code),
+            clips=clips,
+        )
+        create_session(study.session_folder(code), plan, study.content, clock)
+    return study.session(code)
+
+
+def _assignment(study: Study, code: str) -> Assignment:
+    sessions, _ = study.sessions()
+    used = [
+        s.plan.assignment.row
+        for s in sessions
+        if s.state != State.STOPPED
+        and s.plan.definition_sha256 == sha256(study.content)
+    ]
+    return assign(study.definition, code, used, study.listed_orders())
+
+
+def drop(study: Study, code: str, reason: str, clock: Clock) -> None:
+    """End a session that will not be resumed; its row is free again.
+
+    Raises:
+        StudyError: when it is open elsewhere or cannot be written.
+    """
+    session = study.session(code)
+    if session.state is State.UNFINISHED:
+        journal = Journal(session.folder / ANSWERS, clock)
+        try:
+            journal.append("end", complete=False, reason=reason, by="operator")
+        finally:
+            journal.close()
+
+
+def delete_participant(study: Study, code: str) -> list[str]:
+    """Remove every trace of a participant; a count is all that stays.
+
+    Returns:
+        Files in the study's folder that still hold the code, such as reports that
+        were made before: they have to be made anew.
+
+    Raises:
+        StudyError: when there is nobody of that code, or it cannot be removed.
+    """
+    folder = study.session_folder(code)
+    code = folder.name
+    consent = study.folder / CONSENTS / f"{code}.json"
+    if not folder.exists() and not consent.exists():
+        study.session(code)
+    private.make_folder(study.folder / DELETED)
+    try:
+        consent.unlink(missing_ok=True)
+        if folder.exists():
+            Journal(folder / ANSWERS, SystemClock()).close()  # nobody is writing
+            leaving = folder.with_name(f"{_LEAVING}{secrets.token_hex(8)}")
+            folder.rename(leaving)
+        private.sync(study.folder / SESSIONS)
+        private.sync(consent.parent)
+    except OSError as problem:
+        private.failed(problem, folder)
+    _finish_deletions(study)
+    return _files_with(study.folder, code.encode())
+
+
+def _finish_deletions(study: Study) -> None:
+    """Count and remove what is on its way out; again after an interruption."""
+    for leaving in (study.folder / SESSIONS).glob(f"{_LEAVING}*"):
+        name = leaving.name.removeprefix(_LEAVING)
+        stone = {"deleted_utc": utc_now_iso()}
+        try:
+            private.make_folder(study.folder / DELETED)
+            private.replace(
+                study.folder / DELETED / f"{name}.json", json.dumps(stone).encode()
+            )
+            shutil.rmtree(leaving)
+            private.sync(leaving.parent)
+        except OSError as problem:
+            private.failed(problem, leaving)
+
+
+def _files_with(folder: Path, code: bytes) -> list[str]:
+    found = []
+    for path in sorted(folder.rglob("*")):
+        if path.is_symlink() or not path.is_file():
+            continue
+        if code in path.name.encode() or _contains(path, code):
+            found.append(str(path.relative_to(folder)))
+    return found
+
+
+def _contains(path: Path, code: bytes) -> bool:
+    kept = b""
+    with path.open("rb") as reader:
+        while chunk := reader.read(1 << 20):
+            if code in kept + chunk:
+                return True
+            kept = chunk[-len(code) :]
+    return False
+
+
+def keep_consent(
+    study: Study, code: str, *, given: bool, text: str, language: str
+) -> None:
+    """Keep what a participant decided, apart from the answers.
+
+    Raises:
+        StudyError: when it cannot be written.
+    """
+    content = {
+        "schema": "hapticplayer.consent",
+        "version": 1,
+        "code": code,
+        "given": given,
+        "language": language,
+        "text_sha256": sha256(text.encode()),
+        "utc": utc_now_iso(),
+    }
+    private.make_folder(study.folder / CONSENTS)
+    path = study.folder / CONSENTS / f"{code}.json"
+    private.replace(path, (json.dumps(content, indent=2) + "\n").encode())
+
+
+@contextmanager
+def _alone(folder: Path) -> Iterator[None]:
+    """Hold a folder while nobody else may change it."""
+    descriptor = os.open(folder, os.O_RDONLY | os.O_DIRECTORY)
+    try:
+        fcntl.flock(descriptor, fcntl.LOCK_EX)
+        yield
+    finally:
+        os.close(descriptor)

@@ -1,0 +1,127 @@
+"""`study.json`: what is right is read, what is wrong is named by its place."""
+
+import json
+
+import pytest
+
+from hapticplayer.errors import StudyError, UsageError
+from hapticplayer.study.creation import create_study, template_names
+from hapticplayer.study.definition import QuestionKind
+from hapticplayer.study.definition_reader import parse_definition, read_definition
+
+
+def parse(content):
+    return parse_definition(json.dumps(content).encode(), "study.json")
+
+
+def test_the_built_in_study_is_the_protocol_of_the_paper(template):
+    study = parse(template)
+    assert len(study.conditions) == 12
+    assert [s.key for s in study.sequences] == [
+        "bike",
+        "horse",
+        "car-turning",
+        "car-braking",
+    ]
+    assert study.feedbacks == ("realistic", "none", "random")
+    assert [q.key for q in study.factors] == [
+        "realism",
+        "sensory",
+        "comfort",
+        "satisfaction",
+    ]
+    assert all(q.kind is QuestionKind.LIKERT for q in study.factors)
+    assert [q.key for q in study.sheet] == [
+        "age",
+        "gender",
+        "handedness",
+        "used_device_before",
+    ]
+    assert [q.key for q in study.post_test if q.for_each_feedback] == ["label"]
+
+
+@pytest.mark.parametrize("name", template_names())
+def test_every_template_is_whole_in_every_language(tmp_path, name):
+    study = create_study(tmp_path / name, name).definition
+    assert study.languages == ("en", "fr", "de")
+    texts = [*study.texts.values(), *study.scale]
+    texts += [q.text for q in (*study.trial_questions, *study.sheet)]
+    assert all(len({text[key] for key in study.languages}) == 3 for text in texts)
+
+
+def test_the_second_kind_of_trial_shifts_the_force(tmp_path):
+    study = create_study(tmp_path / "s", "consistency").definition
+    assert len(study.conditions) == 4 * 8
+    assert {c.delay_s for c in study.conditions} >= {-0.4, 0.0, 0.8}
+    assert len({c.key for c in study.conditions}) == len(study.conditions)
+
+
+def test_the_published_wording_is_shown_only_on_demand(template):
+    template["factors"][0]["published"] = {"en": "As printed"}
+    own = parse(template)
+    assert own.wording(own.factors[0], "en") != "As printed"
+    printed = parse({**template, "use_published": True})
+    assert printed.wording(printed.factors[0], "en") == "As printed"
+    assert printed.wording(printed.factors[0], "fr") == printed.factors[0].text["fr"]
+
+
+SPOILT = [
+    (lambda d: d.update(version=2), "version 2"),
+    (lambda d: d.pop("title"), "'title'"),
+    (lambda d: d.update(colour="red"), "'colour'"),
+    (lambda d: d["sequences"][1].update(key="bike"), "'bike' stands twice"),
+    (lambda d: d["sequences"][2].update(key="../etc"), "sequences[2].key"),
+    (lambda d: d["factors"][3]["text"].pop("de"), "factors[3].text"),
+    (lambda d: d["factors"][0].update(kind="text"), "factors[0].kind"),
+    (lambda d: d["order"].update(seed=1.5), "order.seed"),
+    (lambda d: d["order"].update(seed=True), "order.seed"),
+    (lambda d: d["order"].update(method="dice"), "williams"),
+    (lambda d: d["limits"].update(sync_ms=-1), "limits.sync_ms"),
+    (lambda d: d.update(feedbacks=[]), "feedbacks"),
+    (lambda d: d.update(factors=[]), "factors"),
+    (lambda d: d["texts"].update(consent="yes"), "texts.consent"),
+    (lambda d: d["sheet"][0].pop("least"), "'least'"),
+    (lambda d: d["sheet"][1].update(choices=[]), "sheet[1].choices"),
+    (
+        lambda d: d["order"].update(method="williams", no_sequence_twice_in_a_row=True),
+        "Williams",
+    ),
+]
+
+
+@pytest.mark.parametrize(("spoil", "place"), SPOILT)
+def test_what_is_wrong_is_named(template, spoil, place):
+    spoil(template)
+    with pytest.raises(StudyError) as refusal:
+        parse(template)
+    assert place in str(refusal.value)
+    assert "study.json" in str(refusal.value)
+
+
+@pytest.mark.parametrize(
+    "content", [b"", b"[]", b"{", b"\xff\xfe", b'{"a":1,"a":2}', b"[" * 100_000, b"NaN"]
+)
+def test_what_is_no_study_is_refused(content):
+    with pytest.raises(StudyError):
+        parse_definition(content, "study.json")
+
+
+def test_a_study_is_never_overwritten(tmp_path):
+    create_study(tmp_path / "s")
+    before = (tmp_path / "s" / "study.json").read_bytes()
+    with pytest.raises(StudyError, match="already exists"):
+        create_study(tmp_path / "s")
+    assert (tmp_path / "s" / "study.json").read_bytes() == before
+
+
+def test_unknown_templates_and_sequences_are_wrong_usage(tmp_path):
+    with pytest.raises(UsageError, match="qoe2012"):
+        create_study(tmp_path / "s", "nothing")
+    with pytest.raises(UsageError, match="bike"):
+        create_study(tmp_path / "s", folders={"boat": tmp_path})
+    assert not (tmp_path / "s").exists()
+
+
+def test_a_missing_folder_is_one_sentence(tmp_path):
+    with pytest.raises(StudyError, match="cannot be read"):
+        read_definition(tmp_path / "nowhere")

@@ -1,0 +1,53 @@
+"""Sessions from another machine, and conflicts that are named."""
+
+import shutil
+
+import pytest
+
+from hapticplayer.errors import StudyError
+from hapticplayer.study.answers import read_answers
+from hapticplayer.study.creation import create_study
+from hapticplayer.study.merging import merge_sessions
+from hapticplayer.study.records import encode
+from hapticplayer.study.study_folder import open_study
+from tests.unit.study.conftest import tree
+
+
+@pytest.fixture
+def other(study, tmp_path):
+    shutil.copytree(study.folder, tmp_path / "other")
+    return open_study(tmp_path / "other")
+
+
+def test_sessions_of_both_machines_come_together(study, other, scripted):
+    here, there = scripted(study), scripted(other)
+    merged = merge_sessions(study, other)
+    assert merged.added == (there,)
+    assert not merged.conflicts
+    assert sorted(study.codes()) == sorted([here, there])
+    assert len(read_answers(study.folder).ratings) == 2 * 48
+    left, right = study.session_folder(there), other.session_folder(there)
+    assert tree(left) == tree(right)
+    assert merge_sessions(study, other).same == (there,)
+
+
+def test_two_sessions_of_one_code_are_a_conflict_and_stay(study, other, scripted):
+    code = scripted(other)
+    merge_sessions(study, other)
+    path = other.session_folder(code) / "answers.jsonl"
+    kept = path.read_bytes().splitlines(keepends=True)
+    other_end = encode(len(kept), "now", 1.0, "end", {"complete": False})
+    path.write_bytes(b"".join(kept[:-1]) + other_end)
+    before = tree(study.folder)
+    merged = merge_sessions(study, other)
+    assert len(merged.conflicts) == 1
+    assert code in merged.conflicts[0]
+    assert tree(study.folder) == before
+
+
+def test_another_study_is_refused(study, scripted, tmp_path):
+    stranger = create_study(tmp_path / "stranger")
+    scripted(stranger)
+    with pytest.raises(StudyError, match="is the study"):
+        merge_sessions(study, stranger)
+    assert study.codes() == []

@@ -1,0 +1,143 @@
+"""Trials on the real player: what was played is told, and what was wrong with it."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from hapticplayer.clock import ManualClock, SystemClock
+from hapticplayer.haptics.contract import Mode
+from hapticplayer.haptics.limiter import Limits as ForceLimits
+from hapticplayer.media import probe, write_clip
+from hapticplayer.model import ForceTrack, Reconstruction
+from hapticplayer.playback.player import Player
+from hapticplayer.playback.source import Source
+from hapticplayer.study import demonstration
+from hapticplayer.study.definition import Checks, Condition, Limits
+from hapticplayer.study.preflight import look
+from hapticplayer.study.stage import PlayerStage, altered
+
+SECONDS, RATE_HZ = 1.0, 25
+LOOSE = Limits(1.0, 1e6, 1.0, 1e6)  # a busy machine is no fault here
+NOTHING = Checks(device=False, sound=False, disk_free_mb=0, scheduling=("normal",))
+
+
+@pytest.fixture(scope="module")
+def source(tmp_path_factory):
+    path = tmp_path_factory.mktemp("clip") / "clip.mp4"
+    pictures = (np.full((72, 128, 3), 9 * i, np.uint8) for i in range(RATE_HZ))
+    write_clip(path, pictures, frame_rate_hz=RATE_HZ)
+    push = ForceTrack([0.0, SECONDS], [[0, 1.0, 0], [0, 1.0, 0]])
+    still = ForceTrack([0.0, SECONDS], np.zeros((2, 3)))
+    tracks = {"realistic": push, "none": still}
+    return Source("clip", path, probe(path), tracks, None, "realistic")
+
+
+def stage_of(source, device, limits=LOOSE, checks=NOTHING):
+    clock = SystemClock()
+    player = Player(clock, device=device, audio=None)
+    return PlayerStage(player, {"clip": source}, source, (limits, checks), clock), clock
+
+
+def run(stage, clock, until=lambda stage: stage.is_over()):
+    while not until(stage):
+        clock.sleep_until(stage.player.poll())
+
+
+def test_a_trial_plays_its_force_and_tells_what_was_sent(source):
+    stage, clock = stage_of(source, "simulated")
+    try:
+        stage.player.link.wait_ready()
+        for feedback, force_n in (("realistic", 1.0), ("none", 0.0)):
+            stage.prepare(Condition("clip", feedback))
+            stage.begin()
+            run(stage, clock)
+            played = stage.played()
+            assert list(stage.player.source.tracks) == [feedback]
+            assert not any(reason.startswith("clip") for reason in played.reasons)
+            figures = played.playback
+            assert figures["media_s"] == pytest.approx(SECONDS, abs=0.1)
+            assert figures["pictures_shown"] + figures["pictures_dropped"] >= 23
+            assert figures["ticks"] > 100
+            # the first 90 ms fade in
+            assert figures["force_rms_n"][1] == pytest.approx(force_n, abs=0.25)
+            assert figures["force_rms_n"][0] == pytest.approx(0.0, abs=0.05)
+    finally:
+        stage.player.close()
+
+
+def test_a_stop_is_a_fault_and_rearming_lets_the_next_trial_be_felt(source):
+    stage, clock = stage_of(source, "simulated")
+    player = stage.player
+    try:
+        player.link.wait_ready()
+        stage.prepare(Condition("clip", "realistic"))
+        stage.begin()
+        run(stage, clock, lambda _s: player.snapshot().mode is Mode.FOLLOWING)
+        stage.halt()
+        run(stage, clock, lambda _s: player.snapshot().mode is Mode.TRIPPED)
+        played = stage.played("paused")
+        assert not played.sound
+        assert played.reasons[0] == "paused"
+        assert "fault:stopped" in played.reasons
+        stage.rearm()
+        stage.prepare(Condition("clip", "realistic"))
+        stage.begin()
+        run(stage, clock, lambda _s: player.snapshot().mode is Mode.FOLLOWING)
+    finally:
+        player.close()
+
+
+def test_limits_make_a_playback_unsound(source):
+    strict = Limits(dropped_share=-1.0)
+    stage, clock = stage_of(source, "none", strict, replace(NOTHING, device=True))
+    try:
+        stage.prepare(Condition("clip", "none"))
+        stage.begin()
+        run(stage, clock)
+        assert stage.played().reasons == ("pictures_dropped", "no_device")
+    finally:
+        stage.player.close()
+
+
+@pytest.mark.parametrize("reconstruction", list(Reconstruction))
+def test_a_shifted_and_scaled_force_is_the_same_force_later(reconstruction):
+    times = np.arange(0.0, 2.0, 0.01)
+    force = np.sin(times)[:, None] * [1.0, -2.0, 0.5]
+    track = ForceTrack(times, force, reconstruction)
+    shifted = altered(track, 0.3, 0.5)
+    at_s = np.linspace(0.313, 1.897, 97)
+    assert shifted.at(at_s) == pytest.approx(0.5 * track.at(at_s - 0.3), abs=1e-6)
+    early = altered(track, -0.4, 1.0)
+    assert early.at(at_s - 0.4) == pytest.approx(track.at(at_s), abs=1e-6)
+    assert altered(track, 0.0, 1.0) is track
+
+
+def test_the_demonstration_pushes_along_every_axis_as_strongly_as_ever():
+    track = demonstration.demonstration_force()
+    cap_n = ForceLimits().force_cap_n
+    assert track.force_n.max(axis=0) == pytest.approx([cap_n] * 3, rel=1e-3)
+    assert track.force_n.min(axis=0) == pytest.approx([-cap_n] * 3, rel=1e-3)
+    alone = np.count_nonzero(np.abs(track.force_n) > 1e-3, axis=1)
+    assert alone.max() == 1
+    assert np.abs(np.diff(track.force_n, axis=0)).max() * 100 < 12.0  # N/s: gentle
+    assert not track.force_n[0].any()
+
+
+def test_the_demonstration_is_a_clip_of_its_length(tmp_path, monkeypatch):
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+    made = demonstration.demonstration_source()
+    assert made.clip.duration_s == pytest.approx(demonstration.DURATION_S, abs=0.05)
+    assert made.clip.width == demonstration.WIDTH
+
+
+def test_checks_say_what_is_missing(tmp_path):
+    player = Player(ManualClock(), device="none", audio=None)
+    screen = {"width_px": 1920, "height_px": 1080, "refresh_hz": 60.0, "screens": 2}
+    wanted = Checks(disk_free_mb=10**9)
+    found = look(player, wanted, tmp_path, screen, is_sound_heard=False)
+    bad = [check.name for check in found if not check.is_good]
+    assert bad == ["device", "homed", "scheduling", "sound", "disk"]
+    found = look(player, NOTHING, tmp_path, screen, is_sound_heard=True)
+    assert all(check.is_good for check in found)
+    player.close()
