@@ -1,0 +1,1 @@
+"""The study: from consent to the figures of the paper."""
