@@ -1,0 +1,136 @@
+"""Sequence x feedback as such: analysis of variance of aligned ranks.
+
+Averaging over the sequences hides whether a feedback works for some of them only. For
+each effect the responses are stripped of all other effects (aligned), ranked, and put
+into an analysis of variance with both factors within participants, of which this one
+effect is read (Wobbrock et al. 2011); p is also corrected for unequal variances of the
+differences (Greenhouse and Geisser 1959).
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy import stats
+
+from hapticplayer.model.arrays import Floats
+
+EFFECTS = ("sequence", "feedback", "interaction")
+_DECIMALS = 9  # aligned responses that are equal but for their rounding are ties
+_LEAST = 2
+
+
+@dataclass(frozen=True, slots=True)
+class Effect:
+    """One effect of the analysis of variance of its aligned ranks.
+
+    Attributes:
+        f: F.
+        df: of the effect and of its error.
+        p: without correction for sphericity.
+        epsilon: of Greenhouse and Geisser, 1/df to 1.
+        p_corrected: with the degrees of freedom times epsilon.
+        partial_eta_squared: share of the variance, without that of other effects.
+    """
+
+    f: float
+    df: tuple[float, float]
+    p: float
+    epsilon: float
+    p_corrected: float
+    partial_eta_squared: float
+
+
+@dataclass(frozen=True, slots=True)
+class Structure:
+    """The three effects on one measure, and who was in it; only whole ones can be."""
+
+    participants: tuple[str, ...]
+    dropped: tuple[str, ...]
+    effects: dict[str, Effect]
+
+
+def structure(values: Floats, participants: tuple[str, ...]) -> Structure | None:
+    """Analyse (P, S, F); None where there are too few of something, or all are alike."""
+    whole = ~np.isnan(values).any(axis=(1, 2))
+    kept = values[whole]
+    if min(kept.shape) < _LEAST or np.ptp(kept) == 0.0:
+        return None
+    effects = {}
+    for name in EFFECTS:
+        effect = _effect(aligned_ranks(kept, name), name)
+        if effect is None:
+            return None
+        effects[name] = effect
+    codes = np.array(participants, dtype=object)
+    return Structure(tuple(codes[whole]), tuple(codes[~whole]), effects)
+
+
+def aligned_ranks(values: Floats, effect: str) -> Floats:
+    """Return the ranks of `values` (P, S, F) aligned for one effect."""
+    aligned = align(values, effect)
+    return np.asarray(stats.rankdata(aligned), np.float64).reshape(values.shape)
+
+
+def align(values: Floats, effect: str) -> Floats:
+    """Return what is left of `values` (P, S, F) but for one effect."""
+    cells = values.mean(axis=0)
+    grand = cells.mean()
+    sequence = cells.mean(axis=1, keepdims=True) - grand
+    feedback = cells.mean(axis=0, keepdims=True) - grand
+    estimates = {
+        "sequence": sequence,
+        "feedback": feedback,
+        "interaction": cells - grand - sequence - feedback,
+    }
+    return np.asarray(np.round(values - cells + estimates[effect], _DECIMALS))
+
+
+def _effect(ranks: Floats, name: str) -> Effect | None:
+    """Return the effect of the analysis of variance of ranks (P, S, F)."""
+    from pandas import DataFrame
+    from statsmodels.stats.anova import AnovaRM
+
+    epsilon = _epsilon(ranks, name)
+    if epsilon is None:
+        return None
+    person, sequence, feedback = (axis.ravel() for axis in np.indices(ranks.shape))
+    columns = {"y": ranks.ravel(), "p": person, "sequence": sequence}
+    table = DataFrame({**columns, "feedback": feedback})
+    within = ["sequence", "feedback"]
+    found = AnovaRM(table, "y", "p", within=within).fit().anova_table
+    row = found.loc["sequence:feedback" if name == "interaction" else name]
+    f, df1, df2 = (float(row[key]) for key in ("F Value", "Num DF", "Den DF"))
+    return Effect(
+        f,
+        (df1, df2),
+        float(stats.f.sf(f, df1, df2)),
+        epsilon,
+        float(stats.f.sf(f, df1 * epsilon, df2 * epsilon)),
+        f * df1 / (f * df1 + df2),
+    )
+
+
+def _epsilon(ranks: Floats, name: str) -> float | None:
+    """Return tr(C)^2 / (d tr(C^2)) of the d contrasts' covariance C; None if it is 0."""
+    sequences, feedbacks = (_contrasts(size) for size in ranks.shape[1:])
+    means = [np.full((size, 1), size**-0.5) for size in ranks.shape[1:]]
+    if name == "sequence":
+        contrasts = np.kron(sequences, means[1])
+    elif name == "feedback":
+        contrasts = np.kron(means[0], feedbacks)
+    else:
+        contrasts = np.kron(sequences, feedbacks)
+    covariance = np.atleast_2d(
+        np.cov(ranks.reshape(len(ranks), -1) @ contrasts, rowvar=False)
+    )
+    square = float((covariance**2).sum())
+    if square < 1e-18:
+        return None
+    return float(np.trace(covariance) ** 2 / (len(covariance) * square))
+
+
+def _contrasts(size: int) -> Floats:
+    """Return orthonormal contrasts (size, size - 1)."""
+    helmert = np.eye(size) - 1.0 / size
+    columns, _ = np.linalg.qr(helmert[:, :-1])
+    return np.asarray(columns, np.float64)
