@@ -5,7 +5,7 @@ from typing import Any, NoReturn
 
 from hapticplayer.cli import commands as run
 
-DEVICE_NAMES = ("simulated", "falcon", "none")
+DEVICE_NAMES = ("simulated", "falcon", "falcon-simulated", "none")
 CLIP_SCENARIOS = ("demo",)
 MOTION_SCENARIOS = (
     "car-calm",
@@ -62,7 +62,7 @@ def add_play(commands: Any) -> None:
         metavar="FILE.csv",
         help="force track: rows of time_s,fx_n,fy_n,fz_n, held between rows",
     )
-    play.add_argument("--device", choices=DEVICE_NAMES, default="simulated")
+    _add_device_name(play)
     play.add_argument("--headless", action="store_true", help="without a window")
     play.add_argument("--fullscreen", action="store_true")
     play.add_argument(
@@ -90,6 +90,17 @@ def add_play(commands: Any) -> None:
         "(default: the best there is)",
     )
     play.add_argument("--json", action="store_true", help="print the summary as JSON")
+
+
+def _add_device_name(command: argparse.ArgumentParser) -> None:
+    command.add_argument(
+        "--device",
+        type=_device_name,
+        default="simulated",
+        metavar="NAME[:SERIAL]",
+        help=f"{', '.join(DEVICE_NAMES)}; of several Falcons one by its number "
+        "(default: simulated)",
+    )
 
 
 def add_import(commands: Any) -> None:
@@ -254,6 +265,14 @@ def add_doctor(commands: Any) -> None:
     command = commands.add_parser("doctor", help="what is missing, by package name")
     command.add_argument("--json", action="store_true")
     command.set_defaults(run=run.doctor)
+
+
+def _device_name(text: str) -> str:
+    if text.partition(":")[0] not in DEVICE_NAMES:
+        raise argparse.ArgumentTypeError(
+            f"{text!r} is none of {', '.join(DEVICE_NAMES)}"
+        )
+    return text
 
 
 def _number(text: str) -> float:

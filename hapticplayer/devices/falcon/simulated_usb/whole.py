@@ -4,17 +4,15 @@ from dataclasses import dataclass
 
 from hapticplayer.clock import Clock, SystemClock
 from hapticplayer.devices.falcon.driver import DEFAULTS, FalconDriver, Options
-from hapticplayer.devices.falcon.firmware import (
-    Block,
-    FirmwareImage,
-    build_image,
-    parse_image,
-)
 from hapticplayer.devices.falcon.simulated_usb.backend import (
     SimulatedBus,
     SimulatedPort,
 )
-from hapticplayer.devices.falcon.simulated_usb.board import Board, Stage
+from hapticplayer.devices.falcon.simulated_usb.board import (
+    Board,
+    Stage,
+    synthetic_image,
+)
 from hapticplayer.devices.falcon.simulated_usb.chip import Chip
 from hapticplayer.devices.falcon.simulated_usb.mechanics import SimulatedMechanics
 from hapticplayer.devices.falcon.transport import open_falcon
@@ -38,12 +36,6 @@ class SimulatedSet:
     board: Board
     chip: Chip
     bus: SimulatedBus
-
-
-def synthetic_image(words: int = 4000) -> FirmwareImage:
-    """Return an image of the size of a real one that no processor could run."""
-    block = Block(0x3F8002, tuple(range(1, words + 1)))
-    return parse_image(build_image(block.address, (block,)))
 
 
 def make_set(
@@ -73,8 +65,3 @@ def make_set(
         options=options,
     )
     return SimulatedSet(driver, simulation, board, chip, bus)
-
-
-def make(_handle: int) -> FalconDriver:
-    """Return the real driver on a simulated Falcon that was just plugged in."""
-    return make_set(stage=Stage.DARK).driver
