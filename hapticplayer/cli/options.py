@@ -1,9 +1,10 @@
 """The options of each command; needs nothing but the standard library."""
 
 import argparse
-from typing import Any, NoReturn
+from typing import Any
 
 from hapticplayer.cli import commands as run
+from hapticplayer.cli import device
 
 DEVICE_NAMES = ("simulated", "falcon", "falcon-simulated", "none")
 CLIP_SCENARIOS = ("demo",)
@@ -92,14 +93,16 @@ def add_play(commands: Any) -> None:
     play.add_argument("--json", action="store_true", help="print the summary as JSON")
 
 
-def _add_device_name(command: argparse.ArgumentParser) -> None:
+def _add_device_name(
+    command: argparse.ArgumentParser, default: str = "simulated"
+) -> None:
     command.add_argument(
         "--device",
         type=_device_name,
-        default="simulated",
+        default=default,
         metavar="NAME[:SERIAL]",
         help=f"{', '.join(DEVICE_NAMES)}; of several Falcons one by its number "
-        "(default: simulated)",
+        f"(default: {default})",
     )
 
 
@@ -252,12 +255,7 @@ def add_export(commands: Any) -> None:
 
 def add_device(commands: Any) -> None:
     """Add the command `device`."""
-    command = commands.add_parser("device", help="haptic devices")
-    command.set_defaults(run=lambda *_: _usage(command))
-    actions = command.add_subparsers(title="actions", metavar="ACTION")
-    listing = actions.add_parser("list", help="devices that can be chosen")
-    listing.add_argument("--json", action="store_true")
-    listing.set_defaults(run=run.device_list)
+    device.add_device(commands, _add_device_name)
 
 
 def add_doctor(commands: Any) -> None:
@@ -294,7 +292,3 @@ def _seconds(text: str) -> float:
     if value < 0.0:
         raise argparse.ArgumentTypeError(f"{text!r} is negative")
     return value
-
-
-def _usage(parser: argparse.ArgumentParser) -> NoReturn:
-    parser.error("an action is needed")

@@ -14,7 +14,10 @@ from hapticplayer.devices.falcon.simulated_usb.board import (
     synthetic_image,
 )
 from hapticplayer.devices.falcon.simulated_usb.chip import Chip
-from hapticplayer.devices.falcon.simulated_usb.mechanics import SimulatedMechanics
+from hapticplayer.devices.falcon.simulated_usb.mechanics import (
+    Homing,
+    SimulatedMechanics,
+)
 from hapticplayer.devices.falcon.transport import open_falcon
 from hapticplayer.devices.simulated import Simulation
 
@@ -44,6 +47,7 @@ def make_set(
     clock: Clock | None = None,
     stage: Stage = Stage.RUNNING,
     options: Options = DEFAULTS,
+    homing: Homing | None = None,
 ) -> SimulatedSet:
     """Return a Falcon in a hand, with the real driver on it.
 
@@ -52,10 +56,13 @@ def make_set(
         clock: of the machine, or a virtual one.
         stage: RUNNING for one that has its firmware, DARK for one just plugged in.
         options: of the driver.
+        homing: an owner for a Falcon that does not know its zero yet.
     """
     clock = clock or SystemClock()
     simulation = simulation or Simulation()
-    board = Board(SimulatedMechanics(simulation), stage)
+    mechanics = SimulatedMechanics(simulation)
+    mechanics.homing = homing
+    board = Board(mechanics, stage)
     chip = Chip(board, clock)
     bus = SimulatedBus([SimulatedPort(chip)])
     driver = FalconDriver(
