@@ -135,4 +135,5 @@ def _run_until_closed(
 
 def _last_device(settings: Settings) -> str:
     name = settings.text(DEVICE, "simulated")
-    return name if name in DEVICES or name == NO_DEVICE else "simulated"
+    is_known = name.partition(":")[0] in DEVICES or name == NO_DEVICE
+    return name if is_known else "simulated"

@@ -7,8 +7,7 @@ from PySide6.QtCore import QCoreApplication
 
 from app.player.health import device_name
 from hapticplayer.cli import DEVICE_NAMES
-from hapticplayer.devices import DEVICES, find_device
-from hapticplayer.errors import DeviceError
+from hapticplayer.devices import DEVICES
 from hapticplayer.model import Feedback
 from hapticplayer.playback.haptic_link import NO_DEVICE
 from hapticplayer.playback.source import FROM_FILE
@@ -41,16 +40,13 @@ def feedbacks(names: Iterable[str]) -> list[Choice]:
     return [Choice(name, texts.get(name, name)) for name in names]
 
 
-def devices() -> list[Choice]:
-    """Return all devices, also those that this version cannot drive yet."""
-    return [Choice(name, device_name(name), _refusal(name)) for name in DEVICE_NAMES]
+def devices(current: str = NO_DEVICE) -> list[Choice]:
+    """Return the devices that a person may choose, and the one that is chosen."""
+    names = [name for name in DEVICE_NAMES if not _is_hidden(name) or name == current]
+    if current not in names:  # one of several, by its number
+        names.insert(0, current)
+    return [Choice(name, device_name(name)) for name in names]
 
 
-def _refusal(name: str) -> str:
-    if name == NO_DEVICE or name in DEVICES:
-        return ""
-    try:
-        find_device(name)
-    except DeviceError as problem:
-        return str(problem)
-    return ""
+def _is_hidden(name: str) -> bool:
+    return name in DEVICES and DEVICES[name].is_for_developers

@@ -13,7 +13,7 @@ from app.plots.grip_scene import (
     position_of,
     trail_of,
 )
-from hapticplayer.devices import DEVICES
+from hapticplayer.devices import find_device
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.process import Health
 from hapticplayer.model import Feedback
@@ -55,7 +55,7 @@ def grip_of(link: HapticLink, feedback: str) -> Grip:
 
 
 def _moving(title: str, link: HapticLink, latest: Any, feedback: str) -> Grip:
-    capabilities = DEVICES[link.device].capabilities
+    capabilities = find_device(link.device).capabilities
     position_m = position_of(latest)
     mode = Mode(int(latest["mode"]))
     ticks = link.history.since(float(latest["monotonic_s"]) - TRAIL_S)

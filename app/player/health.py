@@ -73,9 +73,11 @@ def device_name(name: str) -> str:
     names = {
         "simulated": translate("Health", "Simulated"),
         "falcon": translate("Health", "Falcon"),
+        "falcon-simulated": translate("Health", "Falcon on simulated USB"),
         NO_DEVICE: translate("Health", "None"),
     }
-    return names.get(name, name)
+    kind, _, serial = name.partition(":")
+    return f"{names.get(kind, kind)} {serial}".rstrip()
 
 
 def mode_text(mode: Mode) -> str:

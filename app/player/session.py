@@ -9,7 +9,7 @@ from PySide6.QtCore import QObject, Signal
 from app.bridge.child import in_child
 from app.bridge.errors import ErrorGateway
 from app.bridge.jobs import Jobs, Progress
-from hapticplayer.devices import DEVICES
+from hapticplayer.devices import find_device
 from hapticplayer.errors import DeviceError, HapticPlayerError, HapticsError
 from hapticplayer.haptics.contract import Mode
 from hapticplayer.haptics.limiter import is_near_middle, limits_of
@@ -141,8 +141,8 @@ class Session(QObject):
         if not self.is_stopped:
             return
         latest = self.player.link.history.latest()
-        device = DEVICES.get(self.player.link.device)
-        if device is not None and not is_near_middle(
+        device = find_device(self.player.link.device)
+        if not is_near_middle(
             latest["position_m"].tolist(), limits_of(device.capabilities)
         ):
             self.gateway.report(

@@ -183,6 +183,10 @@ class Transport(QFrame):
         """Offer these devices."""
         _fill(self.device, offered)
 
+    def offers_device(self, name: str) -> bool:
+        """Whether a device can be chosen."""
+        return self.device.findData(name) >= 0
+
     def select_device(self, name: str) -> None:
         """Show which device is moved."""
         self.device.setCurrentIndex(self.device.findData(name))

@@ -240,8 +240,13 @@ class PlayerWindow(QMainWindow):
         self.transport.show_playing(is_playing=self.player.is_playing)
         self.transport.show_stopped(is_stopped=self.session.is_stopped)
         self.transport.select_feedback(self.player.feedback)
-        self.transport.select_device(self.player.link.device)
+        self._show_device(self.player.link.device)
         self._display.refresh_soon()
+
+    def _show_device(self, name: str) -> None:
+        if not self.transport.offers_device(name):
+            self.transport.set_devices(choices.devices(name))
+        self.transport.select_device(name)
 
     def _on_target_changed(self, width_px: int, height_px: int) -> None:
         self.player.set_size(width_px, height_px)

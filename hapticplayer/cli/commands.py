@@ -54,13 +54,6 @@ def export(options: argparse.Namespace, _open_window: OpenWindow | None) -> int:
     return console.export(options)
 
 
-def device_list(options: argparse.Namespace, _open_window: OpenWindow | None) -> int:
-    """List the devices."""
-    from hapticplayer import console
-
-    return console.list_devices(options)
-
-
 def doctor(options: argparse.Namespace, _open_window: OpenWindow | None) -> int:
     """Tell what is missing."""
     from hapticplayer import doctor

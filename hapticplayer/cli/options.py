@@ -1,11 +1,12 @@
 """The options of each command; needs nothing but the standard library."""
 
 import argparse
-from typing import Any, NoReturn
+from typing import Any
 
 from hapticplayer.cli import commands as run
+from hapticplayer.cli import device
 
-DEVICE_NAMES = ("simulated", "falcon", "none")
+DEVICE_NAMES = ("simulated", "falcon", "falcon-simulated", "none")
 CLIP_SCENARIOS = ("demo",)
 RIDE_SCENARIOS = (
     "bike",
@@ -71,7 +72,7 @@ def add_play(commands: Any) -> None:
         metavar="FILE.csv",
         help="force track: rows of time_s,fx_n,fy_n,fz_n, held between rows",
     )
-    play.add_argument("--device", choices=DEVICE_NAMES, default="simulated")
+    _add_device_name(play)
     play.add_argument("--headless", action="store_true", help="without a window")
     play.add_argument("--fullscreen", action="store_true")
     play.add_argument(
@@ -99,6 +100,19 @@ def add_play(commands: Any) -> None:
         "(default: the best there is)",
     )
     play.add_argument("--json", action="store_true", help="print the summary as JSON")
+
+
+def _add_device_name(
+    command: argparse.ArgumentParser, default: str = "simulated"
+) -> None:
+    command.add_argument(
+        "--device",
+        type=_device_name,
+        default=default,
+        metavar="NAME[:SERIAL]",
+        help=f"{', '.join(DEVICE_NAMES)}; of several Falcons one by its number "
+        f"(default: {default})",
+    )
 
 
 def add_import(commands: Any) -> None:
@@ -256,12 +270,7 @@ def add_export(commands: Any) -> None:
 
 def add_device(commands: Any) -> None:
     """Add the command `device`."""
-    command = commands.add_parser("device", help="haptic devices")
-    command.set_defaults(run=lambda *_: _usage(command))
-    actions = command.add_subparsers(title="actions", metavar="ACTION")
-    listing = actions.add_parser("list", help="devices that can be chosen")
-    listing.add_argument("--json", action="store_true")
-    listing.set_defaults(run=run.device_list)
+    device.add_device(commands, _add_device_name)
 
 
 def add_doctor(commands: Any) -> None:
@@ -269,6 +278,14 @@ def add_doctor(commands: Any) -> None:
     command = commands.add_parser("doctor", help="what is missing, by package name")
     command.add_argument("--json", action="store_true")
     command.set_defaults(run=run.doctor)
+
+
+def _device_name(text: str) -> str:
+    if text.partition(":")[0] not in DEVICE_NAMES:
+        raise argparse.ArgumentTypeError(
+            f"{text!r} is none of {', '.join(DEVICE_NAMES)}"
+        )
+    return text
 
 
 def _number(text: str) -> float:
@@ -290,7 +307,3 @@ def _seconds(text: str) -> float:
     if value < 0.0:
         raise argparse.ArgumentTypeError(f"{text!r} is negative")
     return value
-
-
-def _usage(parser: argparse.ArgumentParser) -> NoReturn:
-    parser.error("an action is needed")

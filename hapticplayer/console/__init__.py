@@ -11,7 +11,6 @@ if TYPE_CHECKING:
     from hapticplayer.console.playing import (
         advise,
         attach_log,
-        list_devices,
         play,
         record_target,
         until_s,
@@ -39,7 +38,6 @@ _HOMES = {
     "export": "exporting",
     "import_recording": "recordings",
     "interruptible": "speech",
-    "list_devices": "playing",
     "play": "playing",
     "process": "processing",
     "record_target": "playing",
@@ -59,7 +57,6 @@ __all__ = [
     "export",
     "import_recording",
     "interruptible",
-    "list_devices",
     "play",
     "process",
     "record_target",

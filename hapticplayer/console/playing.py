@@ -1,4 +1,4 @@
-"""Plays without a window, and says how it went; lists the devices."""
+"""Plays without a window, and says how it went."""
 
 import argparse
 import json
@@ -8,7 +8,6 @@ from typing import Any
 from hapticplayer import __version__
 from hapticplayer.clock import SystemClock
 from hapticplayer.console.speech import complain, interruptible, say, say_aside
-from hapticplayer.devices import DEVICES
 from hapticplayer.errors import UsageError
 from hapticplayer.haptics.limiter import Limits
 from hapticplayer.haptics.scheduling import Scheduling
@@ -117,18 +116,6 @@ def attach_log(player: Player, path: str | None, source: Source, feedback: str) 
         "time": "seconds of CLOCK_MONOTONIC",
     }
     player.attach_log(PlaybackLog(Path(path), header))
-
-
-def list_devices(options: argparse.Namespace) -> int:
-    """Print the devices that this version can drive."""
-    entries = [{"name": d.name, "title": d.title} for d in DEVICES.values()]
-    entries.append({"name": "none", "title": "no force at all"})
-    if options.json:
-        say(json.dumps({"devices": entries}))
-    else:
-        for entry in entries:
-            say(f"{entry['name']:<12}{entry['title']}")
-    return 0
 
 
 def _summary_text(source: Source, feedback: str, report: dict[str, Any]) -> str:

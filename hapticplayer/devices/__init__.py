@@ -1,14 +1,15 @@
 """Haptic devices behind one protocol: open, exchange at 1 kHz, close."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import partial
 from typing import Protocol
 
+from hapticplayer.devices.falcon import driver
+from hapticplayer.devices.falcon import silence as falcon_silence
 from hapticplayer.devices.simulated import FALCON, RemoteFalcon, silence
 from hapticplayer.errors import DeviceError
 from hapticplayer.model.device import DeviceCapabilities, DeviceReading, Vector
-
-NO_HANDLE = -1
 
 
 class HapticDevice(Protocol):
@@ -46,24 +47,43 @@ class DeviceEntry:
         name: for command lines and files.
         title: for people.
         capabilities: what it can do.
-        make: returns the device, not yet open, for a descriptor on which it can be
-            reached (NO_HANDLE where it finds the hardware itself).
-        silence: returns what writes one zero command over the same descriptor, for
-            the guard; False from it means that there is nothing left to silence.
-        server: module that is run as a process of its own at the other end of the
-            descriptor; "" for real hardware.
+        make: returns the device, not yet open, for a descriptor, and for a serial
+            number where there may be several.
+        silence: returns what writes one zero command, for the guard, for a descriptor;
+            False from it means that there is nothing left to silence.
+        server: module that is run as a process of its own; loop and guard both hold
+            the other end of its line. "" for real hardware: then they hold the two
+            ends of one line, along which the loop may pass what the guard needs.
+        has_serials: whether it can be chosen as `name:serial`.
+        is_for_developers: whether windows leave it out.
+        patience_s: longest time that opening it may take.
     """
 
     name: str
     title: str
     capabilities: DeviceCapabilities
-    make: Callable[[int], HapticDevice]
+    make: Callable[..., HapticDevice]
     silence: Callable[[int], Callable[[], bool]]
     server: str = ""
+    has_serials: bool = False
+    is_for_developers: bool = False
+    patience_s: float = 10.0
 
 
-DEVICES: dict[str, DeviceEntry] = {
-    "simulated": DeviceEntry(
+def _falcon_simulated(descriptor: int) -> HapticDevice:
+    from hapticplayer.devices.falcon.simulated_usb import remote
+
+    return remote.make(descriptor)
+
+
+def _silence_simulated(descriptor: int) -> Callable[[], bool]:
+    from hapticplayer.devices.falcon.simulated_usb import remote
+
+    return remote.silence(descriptor)
+
+
+_ENTRIES = (
+    DeviceEntry(
         "simulated",
         "simulated Falcon, held by a relaxed hand",
         FALCON,
@@ -71,18 +91,42 @@ DEVICES: dict[str, DeviceEntry] = {
         silence,
         server="hapticplayer.devices.simulated",
     ),
-}
+    DeviceEntry(
+        "falcon",
+        "Novint Falcon on USB",
+        driver.CAPABILITIES,
+        driver.make,
+        falcon_silence.silence,
+        has_serials=True,
+        patience_s=45.0,  # ten uploads, should the first nine fail
+    ),
+    DeviceEntry(
+        "falcon-simulated",
+        "the Falcon's own driver on simulated USB, for developers",
+        driver.CAPABILITIES,
+        _falcon_simulated,
+        _silence_simulated,
+        server="hapticplayer.devices.falcon.simulated_usb",
+        is_for_developers=True,
+        patience_s=45.0,
+    ),
+)
+DEVICES: dict[str, DeviceEntry] = {entry.name: entry for entry in _ENTRIES}
 
 
 def find_device(name: str) -> DeviceEntry:
-    """Return the device of that name.
+    """Return the device of that name, or of that name and serial number.
 
     Raises:
         DeviceError: when this version has no driver for it.
     """
-    if name not in DEVICES:
+    kind, _, serial = name.partition(":")
+    entry = DEVICES.get(kind)
+    if entry is None or (serial and not entry.has_serials):
         raise DeviceError(
             f"device {name!r}: this version has no driver for it; "
             f"use {' or '.join(DEVICES)}"
         )
-    return DEVICES[name]
+    if serial:
+        return replace(entry, name=name, make=partial(entry.make, serial=serial))
+    return entry

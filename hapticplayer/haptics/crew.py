@@ -12,7 +12,7 @@ import subprocess
 import sys
 from collections.abc import Sequence
 
-from hapticplayer.devices import NO_HANDLE, DeviceEntry
+from hapticplayer.devices import DeviceEntry
 from hapticplayer.haptics.scheduling import DEVICE_PRIORITY, Scheduling, grant
 
 QUIT_TIMEOUT_S = 2.0
@@ -50,19 +50,19 @@ class Crew:
             OSError: when a process cannot be started; call `end`.
         """
         with contextlib.ExitStack() as stack:
-            handle = self._start_device(stack)
-            reach = ["--device", self._entry.name, "--handle", str(handle)]
-            shared = ["--block", str(block)]
-            passed = [block] if handle == NO_HANDLE else [block, handle]
-            options = [*shared, *reach, "--line", str(line), "--guarded"]
+            loops, guards = self._start_device(stack)
+            shared = ["--block", str(block), "--device", self._entry.name]
+            options = [*shared, "--handle", str(loops), "--line", str(line)]
             if self._scheduling is not None:
                 options += ["--scheduling", self._scheduling.value]
-            self.loop = self._run("hapticplayer.haptics", options, [*passed, line])
+            self.loop = self._run(
+                "hapticplayer.haptics", [*options, "--guarded"], [block, loops, line]
+            )
             watch = os.pidfd_open(self.loop.pid)
             stack.callback(os.close, watch)
-            options = [*shared, *reach, "--loop-pidfd", str(watch)]
+            options = [*shared, "--handle", str(guards), "--loop-pidfd", str(watch)]
             self.guard = self._run(
-                "hapticplayer.haptics.guard", options, [*passed, watch]
+                "hapticplayer.haptics.guard", options, [block, guards, watch]
             )
 
     def end(self) -> None:
@@ -74,17 +74,18 @@ class Crew:
                 process.kill()
                 process.wait()
 
-    def _start_device(self, stack: contextlib.ExitStack) -> int:
-        if not self._entry.server:
-            return NO_HANDLE
+    def _start_device(self, stack: contextlib.ExitStack) -> tuple[int, int]:
+        """Return the descriptors for loop and guard; see `DeviceEntry.server`."""
         ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
         stack.enter_context(ours)
         stack.enter_context(theirs)
+        if not self._entry.server:
+            return ours.fileno(), theirs.fileno()
         options = ["--line", str(theirs.fileno()), *self._device_options]
         passed = [theirs.fileno(), *self._device_descriptors]
         self.device = self._run(self._entry.server, options, passed)
         grant(self.device.pid, self._scheduling, DEVICE_PRIORITY)
-        return ours.fileno()
+        return ours.fileno(), ours.fileno()
 
     def _run(
         self, module: str, options: Sequence[str], passed: Sequence[int]

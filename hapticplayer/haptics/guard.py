@@ -14,6 +14,7 @@ from collections.abc import Callable
 
 from hapticplayer.clock import Clock, SystemClock
 from hapticplayer.devices import find_device
+from hapticplayer.errors import DeviceError
 from hapticplayer.haptics.contract import GAP_RAMP_S
 from hapticplayer.haptics.limiter import PERIOD_S
 from hapticplayer.haptics.scheduling import GUARD_PRIORITY, acquire
@@ -119,7 +120,10 @@ def main(argv: list[str] | None = None) -> int:
     options = parser.parse_args(argv)
     for number in (signal.SIGINT, signal.SIGHUP, signal.SIGTERM):
         signal.signal(number, signal.SIG_IGN)
-    silence = find_device(options.device).silence(options.handle)
+    try:
+        silence = find_device(options.device).silence(options.handle)
+    except DeviceError:
+        return 1  # the loop meets the same trouble, and tells
     acquire(priority=GUARD_PRIORITY)
     loop = LoopProcess(options.loop_pidfd)
     Guard(SystemClock(), SharedBlock(options.block), silence).run(loop)

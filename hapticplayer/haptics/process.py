@@ -20,8 +20,6 @@ from hapticplayer.haptics.shared import BLOCK_BYTES, SharedBlock
 from hapticplayer.haptics.track import anonymous_memory, to_shared_memory
 from hapticplayer.model import ForceTrack, PlaybackClock
 
-READY_TIMEOUT_S = 10.0
-
 
 class Health(enum.StrEnum):
     """State of the process as the player sees it."""
@@ -68,6 +66,7 @@ class HapticsProcess:
         self._next_track_id = 1
         self._is_loop_ready = False
         entry = find_device(device)
+        self._patience_s = entry.patience_s
         descriptor = anonymous_memory("hapticplayer-loop", BLOCK_BYTES)
         try:
             self._recording = Recording(record, descriptor) if record else None
@@ -110,7 +109,7 @@ class HapticsProcess:
             DeviceError: with the device's own reason.
             HapticsError: when the process died or said nothing in time.
         """
-        deadline_s = self._clock.now_s() + READY_TIMEOUT_S
+        deadline_s = self._clock.now_s() + self._patience_s
         while self.health is Health.STARTING and self._clock.now_s() < deadline_s:
             self._read_line(timeout_ms=50)
             self._note_guard()

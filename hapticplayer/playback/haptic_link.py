@@ -8,12 +8,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hapticplayer.clock import Clock
+from hapticplayer.devices import find_device
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.process import HapticsProcess, Health
 from hapticplayer.haptics.scheduling import Scheduling
 from hapticplayer.model import ForceTrack, PlaybackClock, SyncStats
 from hapticplayer.playback.log import PlaybackLog
 from hapticplayer.playback.meters import SyncMeter, TickHistory
+from hapticplayer.rendering import adapted
 
 NO_DEVICE = "none"
 READ_PERIOD_S = 0.05  # plots draw at 30 Hz; more often costs more than it shows
@@ -50,6 +52,7 @@ class HapticLink:
         self._track_ids: dict[str, int] = {}
         self._process: HapticsProcess | None = None
         if device != NO_DEVICE:
+            self._capabilities = find_device(device).capabilities
             self._process = HapticsProcess(
                 clock, device, scheduling=scheduling, record=record
             )
@@ -94,7 +97,8 @@ class HapticLink:
             for track_id in self._track_ids.values():
                 self._process.forget_track(track_id)
             self._track_ids = {
-                name: self._process.load_track(track) for name, track in tracks.items()
+                name: self._process.load_track(adapted(track, self._capabilities))
+                for name, track in tracks.items()
             }
 
     def publish(self, clock: PlaybackClock, feedback: str) -> None:

@@ -3,7 +3,16 @@
 A pure room: no I/O, no threads, no clocks.
 """
 
+from hapticplayer.rendering.adaptation import adapted
+from hapticplayer.rendering.demonstration import circle, demonstration
 from hapticplayer.rendering.feedback import no_feedback, random_feedback
 from hapticplayer.rendering.force import render_force
 
-__all__ = ["no_feedback", "random_feedback", "render_force"]
+__all__ = [
+    "adapted",
+    "circle",
+    "demonstration",
+    "no_feedback",
+    "random_feedback",
+    "render_force",
+]

@@ -23,6 +23,7 @@ from app.plots.grip_view import GripView
 from app.plots.grip_words import excursion_text, force_text, headline
 from app.plots.panel import PlotPanel
 from app.widgets import theme
+from hapticplayer.devices import DEVICES
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.process import Health
 from hapticplayer.haptics.shared import TICK
@@ -131,7 +132,7 @@ def test_only_a_simulated_grip_is_called_simulated(monkeypatch):
     assert grip_of(link(ticks(9)), "realistic").title == "Simulated grip"
     large = DeviceCapabilities(3, 20.0, 8.0, 0.080, 1000.0, 0.001)
     entry = SimpleNamespace(capabilities=large)
-    monkeypatch.setitem(grip_of.__globals__["DEVICES"], "other", entry)
+    monkeypatch.setitem(DEVICES, "other", entry)
     grip = grip_of(link(ticks(9), device="other"), "realistic")
     assert grip.title == "Grip"
     assert (grip.radius_m, grip.full_force_n) == (0.080, 8.0)

@@ -171,13 +171,19 @@ def test_space_on_a_focused_button_presses_it(playing, wait_for):
     wait_for(lambda: playing.player.phase is Phase.PAUSED)
 
 
-def test_the_device_that_has_no_driver_is_refused_with_its_reason(window):
+def test_a_falcon_is_offered_and_what_is_for_developers_is_not(window):
     combo = window.transport.device
     row = combo.findData("falcon")
-    if combo.model().item(row).isEnabled():
-        pytest.skip("this version drives a Falcon")
-    tip = combo.itemData(row, Qt.ItemDataRole.ToolTipRole)
-    assert "driver" in tip
+    assert combo.model().item(row).isEnabled()
+    assert combo.findData("falcon-simulated") < 0
+
+
+def test_a_falcon_that_is_not_there_leaves_the_window_without_a_device(
+    window, wait_for
+):
+    window.session.choose_device("falcon:NOWHERE0")  # nobody has one of that number
+    wait_for(lambda: "Falcon" in window.messages.text())
+    assert not window.player.link.history.latest()
 
 
 def test_stop_trips_and_rearm_lets_the_force_back(make_window, source, wait_for):

@@ -230,7 +230,8 @@ def test_without_a_display_the_demo_plays_headless(tmp_path):
 
 def test_devices_and_doctor_report_as_json():
     listed = json.loads(hapticplayer("device", "list", "--json").stdout)
-    assert [d["name"] for d in listed["devices"]] == ["simulated", "none"]
+    names = [d["name"] for d in listed["devices"]]
+    assert names == ["simulated", "falcon", "falcon-simulated", "none"]
     assert json.loads(hapticplayer("doctor", "--json").stdout)
 
 
@@ -446,9 +447,13 @@ def test_a_ride_without_a_clip_is_a_log_with_its_truth(tmp_path):
     assert "already exists" in refused(again)
 
 
-def test_a_device_without_a_driver_is_refused(clip):
-    done = hapticplayer("play", clip, "--headless", "--device", "falcon")
-    assert "no driver" in refused(done)
+def test_a_device_that_is_not_there_is_refused(clip):
+    play = ("play", clip, "--headless", "--device")
+    # nobody has a Falcon of that number
+    assert "Falcon" in refused(hapticplayer(*play, "falcon:NOWHERE0"))
+    done = hapticplayer(*play, "abacus")
+    assert done.returncode == 2
+    assert "falcon-simulated" in done.stderr
 
 
 def test_wrong_usage_has_status_2(demo):

@@ -80,13 +80,13 @@ class SlowClock(ManualClock):
 class Rig:
     """Player, loop and device in one thread; `tick` is one period."""
 
-    def __init__(self, force=None, device=None):
+    def __init__(self, force=None, device=None, clock=None):
         ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
         self.player, self.line = Line(ours), Line(theirs)
         descriptor = anonymous_memory("test", BLOCK_BYTES)
         self.block = SharedBlock(descriptor)
         os.close(descriptor)
-        self.clock = SlowClock()
+        self.clock = clock or SlowClock()
         self.device = device or Grip()
         self.loop = Loop(
             self.clock,

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from hapticplayer.clock import Clock, SystemClock
+from hapticplayer.devices.falcon import usbfs
 from hapticplayer.devices.falcon.firmware import (
     PATIENCE,
     FirmwareImage,
@@ -19,14 +20,18 @@ from hapticplayer.devices.falcon.kinematics import Kinematics, motor_words
 from hapticplayer.devices.falcon.link import WRITE_S, Link, ThreadedLink
 from hapticplayer.devices.falcon.protocol import Lights, Reply, encode_command
 from hapticplayer.devices.falcon.tracker import Tracker
-from hapticplayer.devices.falcon.transport import OpenTransport, open_falcon
+from hapticplayer.devices.falcon.transport import (
+    OpenTransport,
+    Transport,
+    open_falcon,
+)
 from hapticplayer.errors import DeviceError
 from hapticplayer.model.device import DeviceCapabilities, DeviceReading, Vector
 
 CAPABILITIES = DeviceCapabilities(
     axes=3,
     peak_force_n=9.0,  # press: "over 2 lb"; in every direction 4.9
-    continuous_force_n=4.5,
+    continuous_force_n=3.0,  # not known; assumed, a third of the peak
     workspace_radius_m=0.04,  # CHAI3D
     rate_hz=1000.0,
     latency_s=0.001,
@@ -255,6 +260,20 @@ class FalconDriver:
         )
 
 
-def make(_handle: int) -> FalconDriver:
-    """Return the driver of the Falcon that is plugged in; it needs no handle."""
-    return FalconDriver()
+def make(line: int, serial: str = "") -> FalconDriver:
+    """Return the driver of the Falcon that is plugged in.
+
+    Args:
+        line: descriptor along which the guard is handed the open USB file; -1 where
+            there is no guard. It stays the caller's.
+        serial: number of the Falcon, where there are several.
+    """
+
+    def open_and_share() -> Transport:
+        transport = open_falcon(serial)
+        file = usbfs.open_descriptor(transport.bus, transport.address)
+        if file is not None and line >= 0:
+            usbfs.hand_over(line, file)
+        return transport
+
+    return FalconDriver(open_and_share)

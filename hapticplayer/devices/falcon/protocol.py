@@ -10,6 +10,7 @@ has a '>' 15 bytes on and only allowed bytes between.
 """
 
 import re
+from abc import ABC, abstractmethod
 from enum import IntFlag
 from typing import Generic, NamedTuple, TypeVar
 
@@ -151,7 +152,7 @@ def _reply(frame: bytes) -> Reply:
 _Frame = TypeVar("_Frame", Command, Reply)
 
 
-class _Parser(Generic[_Frame]):
+class _Parser(ABC, Generic[_Frame]):
     """Finds frames in a stream that may be cut, torn or full of noise."""
 
     _pattern: re.Pattern[bytes]
@@ -177,8 +178,9 @@ class _Parser(Generic[_Frame]):
         self._rest = stream[kept_from:]
         return frames
 
+    @abstractmethod
     def _decode(self, frame: bytes) -> _Frame:
-        raise NotImplementedError
+        """Return what a frame says that the pattern has matched."""
 
 
 class ReplyParser(_Parser[Reply]):

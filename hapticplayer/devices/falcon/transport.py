@@ -20,7 +20,7 @@ PACKET_BYTES = 64
 UDEV_RULE = "packaging/udev/70-novint-falcon.rules"
 
 _INTERFACE = 0
-_ENDPOINT_OUT = 0x02
+ENDPOINT_OUT = 0x02
 _ENDPOINT_IN = 0x81
 _VENDOR_OUT = 0x40
 _CONTROL_TIMEOUT_MS = 1000
@@ -80,12 +80,16 @@ class PyUsbTransport:
     Args:
         device: of pyusb.
 
+    Attributes:
+        bus, address: where it is on the bus.
+
     Raises:
         DeviceError: when it cannot be claimed; says what to do.
     """
 
     def __init__(self, device: Any) -> None:
         self._device = device
+        self.bus, self.address = device.bus or 0, device.address or 0
         self._packet = array("B", bytes(PACKET_BYTES))
         self._is_open = True
         with _explained("opened"):
@@ -103,9 +107,7 @@ class PyUsbTransport:
     def write(self, data: bytes, timeout_s: float) -> int:
         """Send bytes; return how many were taken before the time was over."""
         try:
-            return int(
-                self._device.write(_ENDPOINT_OUT, data, _milliseconds(timeout_s))
-            )
+            return int(self._device.write(ENDPOINT_OUT, data, _milliseconds(timeout_s)))
         except OSError as problem:
             if _is_timeout(problem):
                 return 0
@@ -182,7 +184,10 @@ def open_falcon(serial: str = "", backend: Any = None) -> PyUsbTransport:
     known = ", ".join(sorted(filter(None, found))) or "without a readable number"
     if serial:
         raise DeviceError(f"no Falcon {serial!r} is plugged in; there is: {known}")
-    raise DeviceError(f"{len(devices)} Falcons are plugged in: {known}; choose one")
+    raise DeviceError(
+        f"{len(devices)} Falcons are plugged in: {known}; choose one, "
+        f"such as falcon:{min(filter(None, found), default='SERIAL')}"
+    )
 
 
 def _find_all(backend: Any) -> list[Any]:

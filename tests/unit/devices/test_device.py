@@ -41,6 +41,16 @@ def test_it_is_a_falcon_by_name():
         find_device("a Falcon of wood")
 
 
+def test_one_of_several_falcons_is_found_by_its_number_and_nothing_else_is():
+    entry = find_device("falcon:12PZ657E")
+    assert entry.name == "falcon:12PZ657E"
+    assert entry.capabilities is DEVICES["falcon"].capabilities
+    with pytest.raises(DeviceError, match="Falcon"):
+        entry.make(-1).open()  # none is plugged in, or another one
+    with pytest.raises(DeviceError, match="no driver"):
+        find_device("simulated:12PZ657E")
+
+
 def test_a_force_acts_from_the_exchange_that_brought_it():
     bench = Bench()
     assert bench.tick(PUSH).position_m[0] == pytest.approx(0.0, abs=1e-12)

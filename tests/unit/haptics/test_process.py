@@ -65,7 +65,7 @@ def test_the_process_follows_a_track_exactly():
 
 def test_an_unknown_device_is_refused_in_one_sentence():
     with pytest.raises(DeviceError, match="no driver"):
-        HapticsProcess(SystemClock(), device="falcon")
+        HapticsProcess(SystemClock(), device="falcon of wood")
 
 
 def test_a_killed_process_is_noticed():

@@ -18,6 +18,7 @@ import usb.core
 from usb.backend import IBackend
 
 from hapticplayer.devices.falcon.simulated_usb.chip import Chip, UsbFault
+from hapticplayer.devices.falcon.simulated_usb.remote import RemoteChip
 from hapticplayer.devices.falcon.transport import PRODUCT_ID, VENDOR_ID
 
 _GET_DESCRIPTOR, _STRING = 6, 3
@@ -37,7 +38,7 @@ class SimulatedPort:
         is_claimed: whether a program, perhaps another one, uses it.
     """
 
-    chip: Chip
+    chip: Chip | RemoteChip
     serial: str = "SIM00001"
     has_kernel_driver: bool = False
     refuses_with: int = 0

@@ -7,7 +7,13 @@ processor at 9600 baud, then the DSP's ROM loader); the bytes are facts.
 import enum
 from dataclasses import dataclass
 
-from hapticplayer.devices.falcon.firmware import KNOWN_IMAGES, parse_image
+from hapticplayer.devices.falcon.firmware import (
+    KNOWN_IMAGES,
+    Block,
+    FirmwareImage,
+    build_image,
+    parse_image,
+)
 from hapticplayer.devices.falcon.firmware.loader import AUTOBAUD, HELLO, HELLO_ANSWER
 from hapticplayer.devices.falcon.ftdi import HELLO_BAUD, RUN_BAUD
 from hapticplayer.devices.falcon.protocol import CommandParser, encode_reply
@@ -149,7 +155,7 @@ class Board:
     def _run(self, data: bytes, at_s: float) -> bytes:
         answer, faults = b"", self.faults
         for command in self._parser.feed(data):
-            self.mechanics.command(command.words, at_s)
+            self.mechanics.command(command, at_s)
             if faults.silent:
                 faults.silent -= 1
                 continue
@@ -164,3 +170,9 @@ class Board:
 
 def _fits(baud: float, expected: float) -> bool:
     return abs(baud / expected - 1.0) <= _TOLERANCE
+
+
+def synthetic_image(words: int = 4000) -> FirmwareImage:
+    """Return an image of the size of a real one that no processor could run."""
+    block = Block(0x3F8002, tuple(range(1, words + 1)))
+    return parse_image(build_image(block.address, (block,)))

@@ -4,6 +4,8 @@ import errno
 import math
 import threading
 from collections import deque
+from collections.abc import Iterator
+from contextlib import contextmanager
 
 from hapticplayer.clock import Clock
 from hapticplayer.devices.falcon import ftdi
@@ -106,6 +108,12 @@ class Chip:
             # what is due may come earlier, when another thread writes
             soon_s = now_s + _SLICE_S if self._event >= 0 else due_s
             self._clock.sleep_until(min(due_s, deadline_s, soon_s))
+
+    @contextmanager
+    def held(self) -> Iterator[None]:
+        """Let a test change what is behind it while nothing else does."""
+        with self._lock:
+            yield
 
     def unplug(self) -> None:
         """Pull the cable, whatever is going on; the board loses its firmware."""

@@ -4,19 +4,20 @@ from dataclasses import dataclass
 
 from hapticplayer.clock import Clock, SystemClock
 from hapticplayer.devices.falcon.driver import DEFAULTS, FalconDriver, Options
-from hapticplayer.devices.falcon.firmware import (
-    Block,
-    FirmwareImage,
-    build_image,
-    parse_image,
-)
 from hapticplayer.devices.falcon.simulated_usb.backend import (
     SimulatedBus,
     SimulatedPort,
 )
-from hapticplayer.devices.falcon.simulated_usb.board import Board, Stage
+from hapticplayer.devices.falcon.simulated_usb.board import (
+    Board,
+    Stage,
+    synthetic_image,
+)
 from hapticplayer.devices.falcon.simulated_usb.chip import Chip
-from hapticplayer.devices.falcon.simulated_usb.mechanics import SimulatedMechanics
+from hapticplayer.devices.falcon.simulated_usb.mechanics import (
+    Homing,
+    SimulatedMechanics,
+)
 from hapticplayer.devices.falcon.transport import open_falcon
 from hapticplayer.devices.simulated import Simulation
 
@@ -40,18 +41,13 @@ class SimulatedSet:
     bus: SimulatedBus
 
 
-def synthetic_image(words: int = 4000) -> FirmwareImage:
-    """Return an image of the size of a real one that no processor could run."""
-    block = Block(0x3F8002, tuple(range(1, words + 1)))
-    return parse_image(build_image(block.address, (block,)))
-
-
 def make_set(
     simulation: Simulation | None = None,
     *,
     clock: Clock | None = None,
     stage: Stage = Stage.RUNNING,
     options: Options = DEFAULTS,
+    homing: Homing | None = None,
 ) -> SimulatedSet:
     """Return a Falcon in a hand, with the real driver on it.
 
@@ -60,10 +56,13 @@ def make_set(
         clock: of the machine, or a virtual one.
         stage: RUNNING for one that has its firmware, DARK for one just plugged in.
         options: of the driver.
+        homing: an owner for a Falcon that does not know its zero yet.
     """
     clock = clock or SystemClock()
     simulation = simulation or Simulation()
-    board = Board(SimulatedMechanics(simulation), stage)
+    mechanics = SimulatedMechanics(simulation)
+    mechanics.homing = homing
+    board = Board(mechanics, stage)
     chip = Chip(board, clock)
     bus = SimulatedBus([SimulatedPort(chip)])
     driver = FalconDriver(
@@ -73,8 +72,3 @@ def make_set(
         options=options,
     )
     return SimulatedSet(driver, simulation, board, chip, bus)
-
-
-def make(_handle: int) -> FalconDriver:
-    """Return the real driver on a simulated Falcon that was just plugged in."""
-    return make_set(stage=Stage.DARK).driver

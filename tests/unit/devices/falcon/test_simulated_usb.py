@@ -7,7 +7,9 @@ import usb.core
 
 from hapticplayer.devices.falcon import kinematics
 from hapticplayer.devices.falcon.ftdi import LOADER_BAUD, RUN_BAUD
+from hapticplayer.devices.falcon.protocol import Command, Lights
 from hapticplayer.devices.falcon.simulated_usb import SimulatedMechanics, Stage
+from hapticplayer.devices.falcon.simulated_usb.mechanics import Homing
 from hapticplayer.devices.simulated import Simulation
 
 ZERO_FRAME = b"<AAAAAAAAAAAAAA>"
@@ -133,7 +135,7 @@ def test_the_motors_of_the_simulated_hand_push_as_they_are_told(rng):
         jacobian = kinematics.jacobian((x, y, z + 0.12))
         force = tuple(rng.uniform(-2.0, 2.0, 3).tolist())
         words = kinematics.motor_words(jacobian, force)
-        mechanics.command(tuple(round(w) for w in words), 1.0)
+        mechanics.command(Command(tuple(round(w) for w in words), 0), 1.0)
         assert simulation.commanded_n == pytest.approx(force, abs=0.005)
         counts = mechanics.reply(1.0).counts
         seen = kinematics.forward(kinematics.angles(counts))
@@ -146,3 +148,26 @@ def test_a_simulated_hand_that_is_not_homed_says_so():
     simulation.buttons = 9
     reply = SimulatedMechanics(simulation).reply(1.0)
     assert (reply.is_homed, reply.buttons) == (False, 9)
+
+
+def test_an_owner_homes_the_grip_only_when_the_program_asks_for_it():
+    simulation = Simulation()
+    mechanics = SimulatedMechanics(simulation)
+    mechanics.homing = Homing()
+    places = []
+
+    def run(lights, seconds):
+        for _ in range(round(1000 * seconds)):
+            run.now_s += 0.001
+            mechanics.command(Command((0, 0, 0), lights), run.now_s)
+            places.append(simulation.position_m[2])
+        return mechanics.reply(run.now_s).is_homed
+
+    run.now_s = 1.0
+    assert not run(Lights.RED, 2.0)
+    assert max(map(abs, places)) < 1e-3  # nobody moved it
+    assert run(Lights.RED | Lights.HOMING, 8.0)
+    assert max(places) > 0.03
+    assert min(places) < -0.03
+    assert places.index(max(places)) < places.index(min(places))
+    assert abs(places[-1]) < 0.005

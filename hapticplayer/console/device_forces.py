@@ -1,0 +1,98 @@
+"""`device test`: a slow circle of force, through all that guards a hand."""
+
+import argparse
+import json
+import sys
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hapticplayer.clock import SystemClock
+from hapticplayer.console.devices import agreed
+from hapticplayer.console.speech import complain, interruptible, say
+from hapticplayer.errors import DeviceError
+from hapticplayer.haptics.contract import Cause, Mode
+from hapticplayer.playback.forces import ForcePlayer, moved_along
+from hapticplayer.rendering import circle
+from hapticplayer.rendering.demonstration import CIRCLE_N
+
+POLL_S = 0.02
+HOMING_S = 120.0
+_WAIT_FOR_HOMING = "pull the grip out as far as it goes, then push it in until it locks"
+
+
+def test_forces(options: argparse.Namespace) -> int:
+    """Draw a circle and say how the device took it."""
+    agreed(
+        options,
+        f"The device will draw a slow circle of {CIRCLE_N} N. Hold its grip loosely; "
+        "any button on it, or Ctrl-C, stops. Ready?",
+    )
+    clock = SystemClock()
+    player = ForcePlayer(clock, options.device, circle())
+    ticks: list[NDArray[Any]] = []
+    try:
+        with interruptible():
+            player.process.wait_ready()
+            _play(player, clock, ticks)
+    finally:
+        player.close()
+    felt = np.concatenate(ticks)
+    report = _report(options.device, felt)
+    say(json.dumps(report) if options.json else _text(report))
+    if player.mode is Mode.TRIPPED:
+        complain(f"stopped: {player.cause.name.lower().replace('_', ' ')}")
+        return 1
+    if player.process.problem:
+        complain(player.process.problem)
+        return 1
+    return 0
+
+
+def _play(player: ForcePlayer, clock: SystemClock, ticks: list[NDArray[Any]]) -> None:
+    limit_s, was_told = clock.now_s() + HOMING_S, False
+    while not player.is_over:
+        ticks.append(player.poll())
+        if player.cause is Cause.NOT_HOMED and not was_told:
+            was_told = True
+            sys.stderr.write(_WAIT_FOR_HOMING + "\n")
+        if player.media_s == 0.0 and clock.now_s() > limit_s:
+            raise DeviceError(
+                f"the device was not homed in {HOMING_S:.0f} s; try again"
+            )
+        clock.sleep_until(clock.now_s() + POLL_S)
+
+
+def _report(device: str, ticks: NDArray[Any]) -> dict[str, Any]:
+    played = ticks[ticks["mode"] == Mode.FOLLOWING]
+    report: dict[str, Any] = {"device": device, "ticks": len(ticks)}
+    if not len(played):
+        return report
+    age_ms = 1e3 * np.percentile(played["reply_age_s"], (50, 99))
+    late_us = 1e6 * np.percentile(played["lateness_s"], (50, 99))
+    size_n = np.linalg.norm(played["force_n"], axis=1)
+    way_mm = 1e3 * np.ptp(played["position_m"], axis=0)
+    return report | {
+        "largest_force_n": round(float(size_n.max()), 3),
+        "way_mm": [round(float(way), 1) for way in way_mm],
+        "moved_along_the_force": round(moved_along(played), 3),
+        "reply_age_ms": {"p50": round(age_ms[0], 3), "p99": round(age_ms[1], 3)},
+        "lateness_us": {"p50": round(late_us[0], 1), "p99": round(late_us[1], 1)},
+        "missed": int(played["missed"].sum()),
+    }
+
+
+def _text(report: dict[str, Any]) -> str:
+    if "way_mm" not in report:
+        return "No force was made."
+    x, y, z = report["way_mm"]
+    age, late = report["reply_age_ms"], report["lateness_us"]
+    return (
+        f"force      up to {report['largest_force_n']} N\n"
+        f"way        {x} x {y} x {z} mm; along the force "
+        f"{report['moved_along_the_force']:+.2f} (1 is exactly)\n"
+        f"answers    p50 {age['p50']} ms, p99 {age['p99']} ms old\n"
+        f"loop       late by p50 {late['p50']} us, p99 {late['p99']} us; "
+        f"{report['missed']} missed"
+    )

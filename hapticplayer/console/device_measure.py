@@ -1,0 +1,127 @@
+"""`device measure`: an owner's measurements, step by step, and a report of them."""
+
+import argparse
+import json
+import math
+import sys
+from pathlib import Path
+from typing import Any
+
+from hapticplayer import __version__
+from hapticplayer.clock import SystemClock, utc_now_iso
+from hapticplayer.console.devices import agreed
+from hapticplayer.console.speech import interruptible, say, shown_progress
+from hapticplayer.devices.falcon import measuring
+from hapticplayer.devices.falcon.firmware import open_running
+from hapticplayer.devices.falcon.homing import home
+from hapticplayer.devices.falcon.link import ThreadedLink
+from hapticplayer.devices.falcon.reach import Reach, reach_of
+from hapticplayer.errors import InputError
+
+STOPS_S = 20.0
+HOMING_S = 120.0
+
+
+def measure_falcon(options: argparse.Namespace) -> int:
+    """Measure, print, and save where asked."""
+    reach, clock = reach_of(options.device), SystemClock()
+    target = _new_file(options.output)
+    agreed(
+        options,
+        f"The Falcon will push with up to {measuring.MOST_N} N, partly without a hand "
+        "on it. A button on the grip stops. There is no guard beside this program: "
+        "switch the Falcon off if it does not let go. Go on?",
+    )
+    report: dict[str, Any] = {
+        "program": f"hapticplayer {__version__}",
+        "device": options.device,
+        "utc": utc_now_iso(),
+    }
+    with interruptible():
+        report["round_trip"] = _round_trips(reach, clock)
+        report |= _with_forces(options, reach, clock)
+    text = json.dumps(_finite(report), indent=None if options.json else 1)
+    say(text)
+    if target is not None:
+        _save(target, text)
+    return 0
+
+
+def _round_trips(reach: Reach, clock: SystemClock) -> dict[str, Any]:
+    with shown_progress() as progress:
+        ftdi = open_running(
+            reach.open_transport,
+            reach.image,
+            clock,
+            progress=lambda part: progress(part, "loading the firmware"),
+        )
+    try:
+        return {
+            "latency_timer": measuring.round_trips(ftdi, clock, event_character=False),
+            "event_character": measuring.round_trips(ftdi, clock, event_character=True),
+        }
+    finally:
+        ftdi.close()
+
+
+def _with_forces(
+    options: argparse.Namespace, reach: Reach, clock: SystemClock
+) -> dict[str, Any]:
+    driver = reach.driver(clock)
+    driver.open()
+    try:
+        _wait(options, "Home the grip: pull it out all the way, then push it in.")
+        for _ in home(driver, clock, HOMING_S):
+            pass
+    finally:
+        driver.close()
+    driver = reach.driver(clock, make_link=ThreadedLink)
+    driver.open()
+    try:
+        _wait(options, "Move the grip to all its ends for 20 s; there is no force.")
+        stops = measuring.stops(driver, clock, STOPS_S)
+        _wait(options, "Hold the grip loosely in the middle; it pushes to the right.")
+        silence = measuring.force_after_silence(driver, clock)
+        _wait(options, "Leave the grip in the middle and take the hand away.")
+        friction = measuring.friction(driver, clock)
+    finally:
+        driver.close()
+    return {"stops": stops, "silence": silence, "friction_n": friction}
+
+
+def _wait(options: argparse.Namespace, text: str) -> None:
+    sys.stderr.write(text + "\n")
+    if not options.yes:
+        sys.stderr.write("  ENTER begins. ")
+        sys.stderr.flush()
+        sys.stdin.readline()
+
+
+def _finite(value: Any) -> Any:
+    """Return the same with None for what is not finite, as JSON has no such numbers."""
+    if isinstance(value, dict):
+        return {name: _finite(each) for name, each in value.items()}
+    if isinstance(value, float):
+        return round(value, 6) if math.isfinite(value) else None
+    return value
+
+
+def _new_file(name: str | None) -> Path | None:
+    if name is None:
+        return None
+    path = Path(name)
+    if path.exists():
+        raise InputError("exists", where=name, remedy="choose a new file")
+    return path
+
+
+def _save(path: Path, text: str) -> None:
+    try:
+        with path.open("x", encoding="utf-8") as file:
+            file.write(text + "\n")
+    except OSError as problem:
+        raise InputError(
+            f"cannot be written ({problem.strerror})",
+            where=str(path),
+            remedy="choose another place; the report was printed",
+        ) from problem

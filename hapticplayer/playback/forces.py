@@ -1,0 +1,102 @@
+"""Plays a force track by itself, without a clip: demonstrations and tests of a device."""
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hapticplayer.clock import Clock
+from hapticplayer.devices import find_device
+from hapticplayer.haptics.contract import Cause, Mode
+from hapticplayer.haptics.process import HapticsProcess, Health
+from hapticplayer.model import ForceTrack, PlaybackClock
+from hapticplayer.rendering import adapted
+
+VALID_S = 0.150
+
+
+class ForcePlayer:
+    """Holds a device of its own and plays one track on it; poll it at 10 Hz or more.
+
+    The media clock stands still until the device is ready and homed, so nobody misses
+    the beginning; from then on it runs to the end of the track, whatever is felt.
+
+    Args:
+        clock: of the machine.
+        device: name of the device.
+        track: what to play; it has to have an end.
+
+    Raises:
+        DeviceError: when this version has no driver for the device.
+        HapticsError: when the haptics process cannot be started.
+    """
+
+    def __init__(self, clock: Clock, device: str, track: ForceTrack) -> None:
+        capabilities = find_device(device).capabilities
+        self.process = HapticsProcess(clock, device)
+        self.media_s = 0.0
+        self.mode, self.cause = Mode.IDLE, Cause.NONE
+        self.end_s = float(track.time_s[-1])
+        self._clock = clock
+        self._begin_s: float | None = None
+        self._epoch = 1
+        self._track = adapted(track, capabilities)
+        self._track_id = 0
+
+    @property
+    def is_over(self) -> bool:
+        """Whether there is nothing more to come."""
+        is_dead = self.process.health in (Health.FAILED, Health.GONE)
+        return is_dead or self.media_s >= self.end_s or self.mode is Mode.TRIPPED
+
+    def poll(self) -> NDArray[Any]:
+        """Beat, move on, and return the ticks since the last call (see TICK)."""
+        process, now_s = self.process, self._clock.now_s()
+        process.beat()
+        health = process.poll()
+        if health is Health.READY:
+            if not self._track_id:
+                self._track_id = process.load_track(self._track)
+            self._publish(now_s)
+        ticks, _ = process.read_ticks()
+        if len(ticks):
+            self.mode = Mode(int(ticks["mode"][-1]))
+            self.cause = Cause(int(ticks["cause"][-1]))
+        return ticks
+
+    def stop(self) -> None:
+        """Take the force away at once."""
+        self.process.stop_force()
+
+    def close(self) -> None:
+        """Bring the hand to rest and let go of the device."""
+        self.process.stop_force()
+        self.process.close()
+
+    def _publish(self, now_s: float) -> None:
+        if self._begin_s is None and self._is_waited_for():
+            self._begin_s = now_s
+            self._epoch += 1
+        begin_s, rate = self._begin_s, 1.0
+        if begin_s is None:
+            begin_s, rate = now_s, 0.0
+        self.media_s = min(self.end_s, now_s - begin_s)
+        clock = PlaybackClock(self._epoch, begin_s, 0.0, rate, now_s + VALID_S)
+        self.process.publish(clock, self._track_id)
+
+    def _is_waited_for(self) -> bool:
+        """Whether the loop only waits for the clip to begin."""
+        return self.cause is Cause.PAUSED
+
+
+def moved_along(ticks: NDArray[Any]) -> float:
+    """Return how well the grip goes where it is pushed: cosine, -1 to 1; 0 if nowhere.
+
+    Of force and of the way from the mean position, over ticks with a force.
+    """
+    pushed = ticks[np.linalg.norm(ticks["force_n"], axis=1) > 0.0]
+    if not len(pushed):
+        return 0.0
+    way = pushed["position_m"] - pushed["position_m"].mean(axis=0)
+    size = np.linalg.norm(pushed["force_n"]) * np.linalg.norm(way)
+    return float(np.sum(pushed["force_n"] * way) / size) if size else 0.0

@@ -1,0 +1,126 @@
+"""`hapticplayer device`, as a person calls it, on a Falcon on simulated USB."""
+
+import json
+import os
+import signal
+import subprocess
+import sys
+
+import pytest
+
+from hapticplayer.clock import SystemClock
+from hapticplayer.devices.falcon.simulated_usb.board import synthetic_image
+from hapticplayer.doctor import ROOT
+
+FALCON = ("--device", "falcon-simulated")
+
+
+@pytest.fixture
+def device(tmp_path):
+    def run(*arguments, status=0):
+        done = subprocess.run(
+            [sys.executable, "-m", "app", "device", *map(str, arguments)],
+            capture_output=True,
+            text=True,
+            cwd=ROOT,
+            stdin=subprocess.DEVNULL,
+            env={**os.environ, "XDG_DATA_HOME": str(tmp_path)},
+            timeout=60,
+            check=False,
+        )
+        assert "Traceback" not in done.stderr
+        assert done.returncode == status, done.stderr
+        return done
+
+    return run
+
+
+def test_the_list_says_what_can_be_chosen_and_what_is_plugged_in(device):
+    report = json.loads(device("list", "--json").stdout)
+    assert {"simulated", "falcon", "none"} <= {d["name"] for d in report["devices"]}
+    assert isinstance(report["falcons"], list)
+
+
+def test_info_looks_and_loads_nothing(device):
+    report = json.loads(device("info", *FALCON, "--json").stdout)
+    assert report["firmware"] == "not loaded"
+    assert "upload-firmware" in report["kept_firmware"]
+    assert report["capabilities"]["axes"] == 3
+    assert "homed" not in report
+    simulated = json.loads(device("info", "--device", "simulated", "--json").stdout)
+    assert "firmware" not in simulated
+
+
+def test_homing_guides_out_then_in_and_ends_near_nothing_but_homed(device):
+    done = device("home", *FALCON)
+    told = [line.split(" (")[0] for line in done.stderr.splitlines()]
+    wanted = ["pull the grip out as far as it goes", "push the grip in until it locks"]
+    assert [line for line in told if line in wanted] == wanted
+    assert "homed" in done.stdout
+    assert device("home", "--device", "simulated", status=2)
+
+
+def test_homing_that_nobody_does_ends(device):
+    done = device("home", *FALCON, "--timeout", "0.3", status=1)
+    assert "not homed within" in done.stderr
+
+
+def test_firmware_is_kept_only_after_consent_and_only_if_it_is_sound(device, tmp_path):
+    file = tmp_path / "image.bin"
+    kept = tmp_path / "hapticplayer" / "falcon-firmware.bin"
+    upload = ("upload-firmware", file, *FALCON)
+    file.write_bytes(b"no firmware at all")
+    assert "08AA" in device(*upload, "--yes", status=1).stderr
+    file.write_bytes(synthetic_image().data)
+    assert "--yes" in device(*upload, status=2).stderr
+    assert "known images" in device(*upload, "--yes", status=2).stderr
+    assert not kept.exists()
+    done = device(*upload, "--yes", "--accept-unknown")
+    assert "Novint" in done.stdout  # the note on its licence
+    assert kept.read_bytes() == file.read_bytes()
+    report = json.loads(device("upload-firmware", *FALCON, "--json").stdout)
+    assert (report["image"], report["loaded"]) == ("unknown", True)
+
+
+def test_the_test_asks_and_then_draws_a_circle_below_1_newton(device):
+    test = ("test", "--device", "simulated", "--json")
+    assert "0.8 N" in device(*test, status=2).stderr
+    report = json.loads(device(*test, "--yes").stdout)
+    assert 0.7 < report["largest_force_n"] <= 0.8
+    assert report["moved_along_the_force"] > 0.9
+    x, y, z = report["way_mm"]
+    assert 4.0 < x < 20.0
+    assert 4.0 < y < 20.0
+    assert z < 2.0
+
+
+def test_ctrl_c_ends_the_test_and_leaves_nothing_running():
+    clock = SystemClock()
+    process = subprocess.Popen(
+        [sys.executable, "-m", "app", "device", "test", *FALCON, "--yes"],
+        stderr=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        text=True,
+        cwd=ROOT,
+        start_new_session=True,
+    )
+    try:
+        clock.sleep_until(clock.now_s() + 2.0)
+        process.send_signal(signal.SIGINT)
+        _, complaint = process.communicate(timeout=30)
+        with pytest.raises(ProcessLookupError):
+            os.killpg(process.pid, 0)
+    finally:
+        if process.poll() is None:
+            process.kill()
+    assert process.returncode == 1
+    assert "interrupted" in complaint
+
+
+@pytest.mark.parametrize("action", ["info", "home", "upload-firmware"])
+def test_a_falcon_that_is_not_there_is_one_sentence(device, action):
+    # nobody has a Falcon of that number
+    done = device(action, "--device", "falcon:NOWHERE0", status=1)
+    complaint = [x for x in done.stderr.splitlines() if x.startswith("hapticplayer:")]
+    assert len(complaint) == 1
+    assert "Falcon" in complaint[0]

@@ -1,0 +1,175 @@
+"""The safety contract with the Falcon's own driver; faults happen on its USB."""
+
+import math
+
+import pytest
+from falcon_rig import FalconGrip
+from haptic_cases import CASES
+from haptic_rig import Rig, SlowClock
+
+from hapticplayer.haptics.contract import Cause, Mode, Reaction
+from hapticplayer.haptics.limiter import ZERO, Limits
+from hapticplayer.haptics.messages import Word
+
+PHASES = 5
+STRIDE = 37
+# The answer to a frame comes with the chip's latency timer, one or two periods later.
+SLACK = 3
+RAMP_TICKS = 20
+CAP_N = Limits().force_cap_n
+ROUNDING_N = 0.01  # of motor words, in newtons
+# No encoder says "not a number", and none leaps through the air to the edge.
+NOT_ON_USB = ("position-not-finite", "pushed-out")
+# A place that is lost for good is a fault of the driver, earlier than 20 bad answers.
+ALSO = {"encoder-leaps": (Cause.UNPLUGGED,)}
+
+
+@pytest.fixture
+def rig():
+    clock = SlowClock()
+    made = Rig(device=FalconGrip(clock), clock=clock)
+    yield made
+    made.close()
+
+
+def ticks_to(rig, mode, most):
+    """Tick until the loop is in a mode; return how many periods that took."""
+    for count in range(1, most + 1):
+        rig.tick()
+        if rig.mode is mode:
+            return count
+    raise AssertionError(f"still {rig.mode.name} ({rig.cause.name}) after {most}")
+
+
+def assert_the_motors_are_off(rig, ticks=10):
+    """After what was on its way has arrived, every frame is zero."""
+    count = len(rig.device.mechanics.commands)
+    rig.tick(ticks)
+    late = rig.device.mechanics.commands[count + 2 :]
+    assert all(words == (0, 0, 0) for _, words in late)
+
+
+@pytest.mark.parametrize("name", [name for name in CASES if name not in NOT_ON_USB])
+@pytest.mark.parametrize("phase", range(PHASES))
+def test_the_force_is_gone_in_the_stated_time_and_three_periods(name, phase, rig):
+    case = CASES[name]
+    rig.following(phase * STRIDE % 700)
+    case.inject(rig)
+    expected = Mode.TRIPPED if case.reaction is Reaction.TRIP else Mode.RAMPING
+    if case.gap_s > 0.001 or case.passes_s:
+        rig.tick(1, case.gap_s)
+        assert rig.mode is expected
+    else:
+        assert ticks_to(rig, expected, case.notice + SLACK) <= case.notice + SLACK
+    assert rig.cause in (case.cause, *ALSO.get(name, ()))
+    if case.reaction is Reaction.TRIP:
+        assert_the_motors_are_off(rig, 5)
+        return
+    began_s = rig.clock.now_s()
+    assert ZERO in rig.tick(RAMP_TICKS + 2)
+    commands = rig.device.mechanics.commands
+    assert any(words == (0, 0, 0) for at_s, words in commands if at_s >= began_s)
+
+
+def test_what_the_motors_get_is_what_was_sent_and_never_more_than_the_cap(rig):
+    rig.tick(900)
+    forces = [size for _, size in rig.device.motor_forces_n()]
+    assert max(forces) <= CAP_N + ROUNDING_N
+    assert max(forces) > 3.5
+    sent = [math.hypot(*force) for force in rig.device.sent]
+    assert max(forces) == pytest.approx(max(sent), abs=ROUNDING_N)
+
+
+@pytest.mark.parametrize("moment", range(40))
+def test_the_cable_may_be_pulled_at_any_moment(moment, rig):
+    rig.following()
+    rig.clock.advance(moment * 25e-6)
+    rig.device.chip.unplug()
+    assert ticks_to(rig, Mode.TRIPPED, 2) <= 2
+    assert rig.cause is Cause.UNPLUGGED
+    message = rig.player.receive()
+    assert message.word is Word.LOST
+    assert "unplugged" in message.text
+
+
+@pytest.mark.parametrize(
+    ("stall_ms", "mode", "cause"),
+    [
+        (5, Mode.FOLLOWING, Cause.NONE),
+        (20, Mode.RAMPING, Cause.REPLY_LATE),
+        (100, Mode.TRIPPED, Cause.REPLY_LOST),
+        (1000, Mode.TRIPPED, Cause.REPLY_LOST),
+    ],
+)
+def test_stalls_of_the_bus(stall_ms, mode, cause, rig):
+    rig.following()
+    rig.device.chip.stalled_until_s = rig.clock.now_s() + stall_ms / 1000.0
+    seen, causes = [], []
+    for _ in range(stall_ms + SLACK):
+        rig.tick()
+        seen.append(rig.mode)
+        causes.append(rig.cause)
+    assert mode in seen
+    assert cause in causes
+    if stall_ms == 5:
+        assert set(seen) == {Mode.FOLLOWING}
+    # when the bus goes on, the newest frame is the first that it takes
+    if mode is Mode.TRIPPED:
+        assert_the_motors_are_off(rig)
+        rig.player.send(Word.REARM)
+    rig.tick(400)
+    assert rig.mode is Mode.FOLLOWING
+
+
+@pytest.mark.parametrize("most", [1, 2, 7, 15, 16, 17, 61])
+def test_short_and_split_packets_change_nothing(most, rig):
+    rig.device.chip.most_payload = most
+    rig.following()
+    modes = set()
+    for _ in range(300):
+        rig.tick()
+        modes.add(rig.mode)
+    assert modes == {Mode.FOLLOWING}
+
+
+@pytest.mark.parametrize("fault", ["corrupt", "silent", "noise", "leap"])
+def test_single_faults_are_dropped_without_a_reaction(fault, rig):
+    rig.following()
+    device = rig.device
+    for moment in range(40):
+        counts = device.mechanics.counts
+        if fault == "noise":
+            device.board.faults.noise = b"<\x00\xff>"
+        elif fault == "leap":
+            device.mechanics.counts = (counts[0] + 5000, *counts[1:])
+        else:
+            setattr(device.board.faults, fault, 1 + moment % 3)
+        rig.tick()
+        device.mechanics.counts = counts
+        rig.tick(6)
+        assert rig.mode is Mode.FOLLOWING
+        assert math.hypot(*rig.loop.state.hand.position_m) < 1e-4
+
+
+def test_a_hand_that_slowly_comes_to_the_edge_is_not_pushed_further(rig):
+    """The glide that no leap can show: fade, and at the edge the trip."""
+    rig.following()
+    for _ in range(400):
+        force = rig.loop.state.planned_n
+        size = math.hypot(*force)
+        rig.device.velocity_mps = tuple(0.4 * f / size for f in force)
+        rig.tick()
+        if rig.mode is Mode.TRIPPED:
+            break
+    assert rig.cause is Cause.OUTSIDE
+    assert_the_motors_are_off(rig)
+
+
+def test_lost_homing_is_zero_on_the_motors_with_the_very_next_frame(rig):
+    rig.following()
+    rig.device.is_homed = False
+    rig.tick(SLACK)
+    assert_the_motors_are_off(rig)
+    rig.device.is_homed = True
+    rig.tick(400)
+    assert rig.mode is Mode.FOLLOWING
