@@ -47,8 +47,8 @@ class StillSpans:
     Attributes:
         per_bin: samples of a bin; what is left at the end belongs to none.
         bins: (B,) True for bins inside a window of 1 s that stands still.
-        force_mps2: (3, B) mean of each bin.
-        rate_radps: (3, B) mean of each bin.
+        force_mps2: (3, B) mean of each bin; 0 where the whole log is in motion.
+        rate_radps: (3, B) the same.
         bin_s: length of a bin.
     """
 
@@ -88,13 +88,16 @@ def find_still(imu: ImuLog, interval_s: float | None = None) -> StillSpans:
     per_bin = max(1, round(WINDOW_S / (_BINS * interval_s)))
     count = len(imu) // per_bin
     bin_s = per_bin * interval_s
+    nothing = np.zeros((3, count))
+    none = StillSpans(per_bin, np.zeros(count, np.bool_), nothing, nothing, bin_s)
     if count < _BINS:
-        nothing = np.zeros((3, count))
-        none = np.zeros(count, dtype=np.bool_)
-        return StillSpans(per_bin, none, nothing, nothing, bin_s)
+        return none
     used = count * per_bin
-    force = _Bins.of(imu.specific_force_mps2[:used], count)
-    rate = _Bins.of(imu.angular_rate_radps[:used], count)
+    turning = _spread(imu.angular_rate_radps[:used], count)
+    if not _may_be_still(turning[1]):
+        return none
+    rate = _Bins.of(*turning)
+    force = _Bins.of(*_spread(imu.specific_force_mps2[:used], count))
     ends_s = imu.time_s[per_bin - 1 : used : per_bin]
     span_s = ends_s[_BINS - 1 :] - imu.time_s[:used:per_bin][: count - _BINS + 1]
     starts = np.flatnonzero(
@@ -149,13 +152,7 @@ class _Bins:
     deviation: Floats
 
     @classmethod
-    def of(cls, values: Floats, count: int) -> "_Bins":
-        # column by column: numpy is slow along axes of three
-        columns = [column.reshape(count, -1) for column in values.T]
-        per_bin = columns[0].shape[1]
-        means = np.stack([column.sum(axis=1) for column in columns]) / per_bin
-        squares = np.einsum("bk,bk->b", *[values.reshape(count, -1)] * 2) / per_bin
-        inside = np.maximum(squares - np.square(means).sum(axis=0), 0.0)
+    def of(cls, means: Floats, inside: Floats) -> "_Bins":
         overall = means.mean(axis=1, keepdims=True)
         centred = means - overall  # or the variance cancels
         running = _running_mean(
@@ -167,6 +164,26 @@ class _Bins:
         return cls(
             means, np.sqrt(np.square(mean).sum(axis=0)), np.sqrt(within + between)
         )
+
+
+def _spread(values: Floats, count: int) -> tuple[Floats, Floats]:
+    """Return means (3, count) and variances (count,), over all axes, of the bins."""
+    # column by column: numpy is slow along axes of three
+    columns = [column.reshape(count, -1) for column in values.T]
+    per_bin = columns[0].shape[1]
+    means = np.stack([column.sum(axis=1) for column in columns]) / per_bin
+    squares = np.einsum("bk,bk->b", *[values.reshape(count, -1)] * 2) / per_bin
+    return means, np.maximum(squares - np.square(means).sum(axis=0), 0.0)
+
+
+def _may_be_still(variance: Floats) -> bool:
+    """Whether any window has only bins that are calm enough for it to be still.
+
+    What varies inside the bins is part of what varies in the window, so most of a
+    recording in motion needs no closer look.
+    """
+    calm = variance < _BINS * MAX_RATE_STD_RADPS**2
+    return bool((calm[:-3] & calm[1:-2] & calm[2:-1] & calm[3:]).any())
 
 
 def _running_mean(values: Floats) -> Floats:

@@ -90,7 +90,7 @@ def test_every_window_is_judged_as_in_a_plain_loop(rng):
 
 
 def test_bins_hold_the_means_of_their_samples(rng):
-    log = shaken(resting(1010, rng), rng.random(1010) < 0.5, rng)
+    log = shaken(resting(1010, rng), np.arange(1010) < 600, rng)
     spans = find_still(log)
     used = 1010 // spans.per_bin * spans.per_bin
     for name in ("specific_force_mps2", "angular_rate_radps"):
@@ -211,3 +211,16 @@ def test_a_log_that_moves_throughout_keeps_its_scale(swing):
     gain = estimate_accelerometer_gain(swing[0])
     assert gain.gain == 1.0
     assert "no still span" in gain.reason
+
+
+@pytest.mark.parametrize("shaken_s", [[], [0, 4], [0, 3.2], [0.3, 1.6, 2.7, 3.9]])
+def test_what_is_skipped_in_motion_changes_nothing(monkeypatch, shaken_s):
+    rng = np.random.default_rng(5)
+    log = resting(800, rng, rate_std=0.8 * MAX_RATE_STD_RADPS)
+    moving = np.zeros(len(log), np.bool_)
+    for first_s, last_s in zip(shaken_s[::2], shaken_s[1::2], strict=True):
+        moving |= (log.time_s >= first_s) & (log.time_s < last_s)
+    log = shaken(log, moving, rng)
+    quick = find_still(log)
+    monkeypatch.setattr("hapticplayer.motion.stillness._may_be_still", lambda _: True)
+    assert np.array_equal(quick.bins, find_still(log).bins)
