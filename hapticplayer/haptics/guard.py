@@ -45,12 +45,11 @@ class LoopProcess:
             pid = next(int(line[4:]) for line in lines if line.startswith("Pid:"))
         # None: it is dead already; open before any other process can have its number
         self._stat = os.open(f"/proc/{pid}/stat", os.O_RDONLY) if pid > 0 else None
-        self._poll = select.poll()
-        self._poll.register(pidfd, select.POLLIN)
+        self._pidfd = pidfd
 
     def has_ended(self, timeout_s: float) -> bool:
         """Wait for its end."""
-        return bool(self._poll.poll(timeout_s * 1000))
+        return bool(select.select([self._pidfd], [], [], timeout_s)[0])
 
     def is_dying(self) -> bool:
         """Return whether it runs no instruction of its own any more."""
@@ -102,9 +101,17 @@ class Guard:
                 return
             self._clock.sleep_until(self._clock.now_s() + PERIOD_S)
 
+    def _pause_s(self) -> float:
+        """Return the time to the next look, in the middle between two ticks.
+
+        So that guard and loop do not ask for the same core at the same moment.
+        """
+        middle_s = self._block.last_tick_s() + PERIOD_S / 2
+        return LOOK_PERIOD_S - PERIOD_S + (middle_s - self._clock.now_s()) % PERIOD_S
+
     def run(self, loop: LoopProcess) -> None:
         """Look until the loop's process has gone, or is going."""
-        while not loop.has_ended(LOOK_PERIOD_S):
+        while not loop.has_ended(self._pause_s()):
             if self.look() > SUSPECT_AGE_S and loop.is_dying():
                 break
         self.bury()

@@ -96,18 +96,31 @@ class Dying:
 
     def __init__(self, bench, dies_s, told_s):
         self.bench, self.dies_s, self.told_s = bench, dies_s, told_s
+        self.next_tick_s = bench.clock.now_s() + 0.0003
+        self.phases_s = []
 
     def has_ended(self, timeout_s):
         clock = self.bench.clock
         until_s = clock.now_s() + timeout_s
-        while clock.now_s() + 0.001 <= until_s:
-            clock.advance(0.001)
+        while self.next_tick_s <= until_s:
+            clock.sleep_until(self.next_tick_s)
+            self.next_tick_s += 0.001
             if not self.is_dying():
                 self.bench.loop_ticks()
+        clock.sleep_until(until_s)
+        self.phases_s.append(until_s - self.next_tick_s + 0.001)
         return clock.now_s() >= self.told_s
 
     def is_dying(self):
         return self.bench.clock.now_s() >= self.dies_s
+
+
+def test_the_looks_fall_between_the_ticks(bench):
+    now_s = bench.clock.now_s()
+    loop = Dying(bench, now_s + 0.2, now_s + 0.2)
+    bench.guard.run(loop)
+    assert len(loop.phases_s) >= 50
+    assert loop.phases_s[2:-2] == pytest.approx([0.0005] * (len(loop.phases_s) - 4))
 
 
 @pytest.mark.parametrize("phase", range(20))
