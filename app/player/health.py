@@ -74,6 +74,7 @@ def device_name(name: str) -> str:
         "simulated": translate("Health", "Simulated"),
         "falcon": translate("Health", "Falcon"),
         "falcon-simulated": translate("Health", "Falcon on simulated USB"),
+        "gamepad": translate("Health", "Game pad"),
         NO_DEVICE: translate("Health", "None"),
     }
     kind, _, serial = name.partition(":")

@@ -6,7 +6,7 @@ from typing import Any
 from hapticplayer.cli import commands as run
 from hapticplayer.cli import device
 
-DEVICE_NAMES = ("simulated", "falcon", "falcon-simulated", "none")
+DEVICE_NAMES = ("simulated", "falcon", "falcon-simulated", "gamepad", "none")
 CLIP_SCENARIOS = ("demo",)
 RIDE_SCENARIOS = (
     "bike",

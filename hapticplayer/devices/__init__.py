@@ -7,6 +7,7 @@ from typing import Protocol
 
 from hapticplayer.devices.falcon import driver
 from hapticplayer.devices.falcon import silence as falcon_silence
+from hapticplayer.devices.gamepad import driver as gamepad
 from hapticplayer.devices.simulated import FALCON, RemoteFalcon, silence
 from hapticplayer.errors import DeviceError
 from hapticplayer.model.device import DeviceCapabilities, DeviceReading, Vector
@@ -109,6 +110,13 @@ _ENTRIES = (
         server="hapticplayer.devices.falcon.simulated_usb",
         is_for_developers=True,
         patience_s=45.0,
+    ),
+    DeviceEntry(
+        "gamepad",
+        "DualSense or DualShock 4 on USB: vibration only",
+        gamepad.CAPABILITIES,
+        gamepad.make,
+        gamepad.silence,
     ),
 )
 DEVICES: dict[str, DeviceEntry] = {entry.name: entry for entry in _ENTRIES}

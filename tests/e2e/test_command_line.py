@@ -231,7 +231,7 @@ def test_without_a_display_the_demo_plays_headless(tmp_path):
 def test_devices_and_doctor_report_as_json():
     listed = json.loads(hapticplayer("device", "list", "--json").stdout)
     names = [d["name"] for d in listed["devices"]]
-    assert names == ["simulated", "falcon", "falcon-simulated", "none"]
+    assert names == ["simulated", "falcon", "falcon-simulated", "gamepad", "none"]
     assert json.loads(hapticplayer("doctor", "--json").stdout)
 
 

@@ -63,9 +63,10 @@ class FalconGrip:
         self.mechanics = BenchMechanics()
         self.board = Board(self.mechanics, Stage.RUNNING)
         self.chip = Chip(self.board, clock)
-        bus = SimulatedBus([SimulatedPort(self.chip)])
+        self.port = SimulatedPort(self.chip)
+        self.bus = SimulatedBus([self.port])
         self.driver = FalconDriver(
-            lambda: open_falcon(backend=bus),
+            lambda: open_falcon(backend=self.bus),
             clock=clock,
             make_link=lambda ftdi, at: VirtualLink(ftdi, at, self.chip),
         )

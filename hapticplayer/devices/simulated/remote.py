@@ -85,7 +85,10 @@ class RemoteFalcon:
         return self._newest._replace(malformed=self._malformed)
 
     def close(self) -> None:
-        """Hang up; the device ends when all others have done so too."""
+        """Leave zero and hang up; the device ends when all others have done so too."""
+        if self._end.fileno() >= 0:
+            zero = pack_command(Command(0, SystemClock().now_s(), _ZERO))
+            _write(lambda: self._end.send(zero))
         self._end.close()
 
     def _collect(self) -> bool:

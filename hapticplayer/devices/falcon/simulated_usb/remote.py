@@ -8,6 +8,7 @@ import errno
 import os
 import select
 import socket
+import weakref
 from collections.abc import Callable
 from typing import Any
 
@@ -44,11 +45,15 @@ class RemoteChip:
     def __init__(self, descriptor: int, clock: Clock | None = None) -> None:
         self.is_plugged = True
         self._clock = clock or SystemClock()
-        self._out = _Line(socket.socket(fileno=descriptor), self._clock)
         ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
-        self._in = _Line(ours, self._clock)
         with theirs:
-            self._out.send(Request(Kind.ATTACH), theirs.fileno())
+            attach = socket.socket(fileno=descriptor)
+            attach.setblocking(False)
+            message = pack_request(Request(Kind.ATTACH))
+            socket.send_fds(attach, [message], [theirs.fileno()])
+        # two numbers, closed with this object: no bus has a place to close it
+        self._out = _Line(attach.detach(), self._clock)
+        self._in = _Line(ours.detach(), self._clock)
 
     def control(self, request: int, value: int, index: int) -> None:
         """Make a vendor request."""
@@ -84,29 +89,26 @@ class RemoteChip:
 class _Line:
     """Requests one after the other, each with its answer."""
 
-    def __init__(self, end: socket.socket, clock: Clock) -> None:
-        end.setblocking(False)
-        self._end, self._clock = end, clock
+    def __init__(self, descriptor: int, clock: Clock) -> None:
+        os.set_blocking(descriptor, False)
+        weakref.finalize(self, os.close, descriptor)
+        self._end, self._clock = descriptor, clock
         self._poll = select.poll()
-        self._poll.register(end, select.POLLIN)
+        self._poll.register(descriptor, select.POLLIN)
         self._serial = NO_ANSWER
-
-    def send(self, request: Request, descriptor: int) -> None:
-        """Send a request that has no answer, with a descriptor."""
-        socket.send_fds(self._end, [pack_request(request)], [descriptor])
 
     def ask(self, request: Request, timeout_s: float) -> Answer | None:
         """Return the answer, None if it does not come; raises OSError at the end."""
         self._serial = self._serial % 0xFFFFFFFF + 1
         try:
-            self._end.send(pack_request(request._replace(serial=self._serial)))
+            os.write(self._end, pack_request(request._replace(serial=self._serial)))
         except BlockingIOError:
             return None  # the process is there and does not listen
         deadline_s = self._clock.now_s() + timeout_s
         while (left_s := deadline_s - self._clock.now_s()) > 0.0:
             if not self._poll.poll(1e3 * left_s):
                 return None
-            data = self._end.recv(MAX_BYTES)
+            data = os.read(self._end, MAX_BYTES)
             if not data:
                 raise ConnectionResetError
             answer = unpack_answer(data)

@@ -1,0 +1,127 @@
+"""Pads on USB through hidapi: the only place that knows it."""
+
+import importlib
+import sys
+from dataclasses import dataclass
+from typing import Any, Protocol
+
+from hapticplayer.devices.gamepad.reports import VENDOR_ID, Layout, layout_of
+from hapticplayer.errors import DeviceError
+
+UDEV_RULE = "packaging/udev/70-novint-falcon.rules"
+_BLUETOOTH = 2  # of hidapi's bus types
+_INPUT_BYTES = 64
+
+
+class Port(Protocol):
+    """One open pad; all methods raise DeviceError."""
+
+    layout: Layout
+
+    def write(self, report: bytes) -> None:
+        """Send a report; may take as long as the pad takes it, some ms."""
+        ...
+
+    def read(self) -> bytes:
+        """Return the next report, b"" when there is none; never waits."""
+        ...
+
+    def close(self) -> None:
+        """Let go of the pad; may be called again."""
+        ...
+
+
+@dataclass(frozen=True, slots=True)
+class Found:
+    """A pad that is plugged in."""
+
+    layout: Layout
+    path: bytes
+    serial: str
+
+
+class HidPort:
+    """A pad that hidapi has opened.
+
+    Raises:
+        DeviceError: when it cannot be opened.
+    """
+
+    def __init__(self, found: Found) -> None:
+        self.layout = found.layout
+        self._device = _hidapi().device()
+        try:
+            self._device.open_path(found.path)
+        except OSError as problem:
+            raise DeviceError(
+                f"the {found.layout.title} may not be used by you, or is gone; copy the "
+                f"udev rule {UDEV_RULE} to /etc/udev/rules.d, then unplug it and plug "
+                "it in"
+            ) from problem
+        self._device.set_nonblocking(1)
+
+    def write(self, report: bytes) -> None:
+        """Send a report."""
+        try:
+            count = self._device.write(report)
+        except (OSError, ValueError) as problem:
+            raise self._gone() from problem
+        if count < 0:
+            raise self._gone()
+
+    def read(self) -> bytes:
+        """Return the next report."""
+        try:
+            return bytes(self._device.read(_INPUT_BYTES))
+        except (OSError, ValueError) as problem:
+            raise self._gone() from problem
+
+    def close(self) -> None:
+        """Let go of the pad."""
+        self._device.close()
+
+    def _gone(self) -> DeviceError:
+        return DeviceError(
+            f"the {self.layout.title} was unplugged; plug it in and choose the device "
+            "again"
+        )
+
+
+def list_pads() -> list[Found]:
+    """Return the pads on USB that this program can drive.
+
+    Raises:
+        DeviceError: when hidapi is missing.
+    """
+    found = []
+    for info in _hidapi().enumerate(VENDOR_ID, 0):
+        layout = layout_of(info["product_id"])
+        if layout is not None and info.get("bus_type") != _BLUETOOTH:
+            serial = str(info.get("serial_number") or "")
+            found.append(Found(layout, bytes(info["path"]), serial))
+    return found
+
+
+def open_pad() -> Port:
+    """Return the first pad, open.
+
+    Raises:
+        DeviceError: when there is none, or it cannot be opened.
+    """
+    found = list_pads()
+    if not found:
+        raise DeviceError(
+            "no game pad is plugged in; connect a DualSense or DualShock 4 by USB cable"
+        )
+    return HidPort(found[0])
+
+
+def _hidapi() -> Any:
+    # on Linux the flavour that goes by the kernel's driver, which may stay where it is
+    name = "hidraw" if sys.platform == "linux" else "hid"
+    try:
+        return importlib.import_module(name)
+    except ImportError as problem:
+        raise DeviceError(
+            "the Python package hidapi is missing; ./run sets it up in .venv"
+        ) from problem

@@ -1,0 +1,91 @@
+"""What DualSense and DualShock 4 say and are told over USB.
+
+Layouts: Linux, drivers/hid/hid-playstation.c (structs dualsense_output_report_common,
+dualshock4_output_report_common, and the input reports of both). Only motors are set;
+lights and triggers stay as they are.
+"""
+
+from dataclasses import dataclass
+
+VENDOR_ID = 0x054C
+INPUT_ID = 0x01
+_NEUTRAL = 8  # of the direction pad
+
+
+@dataclass(frozen=True, slots=True)
+class Layout:
+    """Where things are in the reports of one kind of pad.
+
+    Attributes:
+        title: for people.
+        product_ids: of USB.
+        head: first bytes of an output report: its id, and flags (compatible vibration
+            and haptics select, or motors).
+        size: of an output report, bytes.
+        weak_at, strong_at: the two motors, 0 to 255 each.
+        buttons_at: first of three bytes in an input report.
+    """
+
+    title: str
+    product_ids: tuple[int, ...]
+    head: bytes
+    size: int
+    weak_at: int
+    strong_at: int
+    buttons_at: int
+
+
+DUALSENSE = Layout(
+    "DualSense",
+    (0x0CE6, 0x0DF2),
+    b"\x02\x03",
+    48,
+    weak_at=3,
+    strong_at=4,
+    buttons_at=8,
+)
+DUALSHOCK4 = Layout(
+    "DualShock 4",
+    (0x05C4, 0x09CC),
+    b"\x05\x01",
+    32,
+    weak_at=4,
+    strong_at=5,
+    buttons_at=5,
+)
+LAYOUTS = (DUALSENSE, DUALSHOCK4)
+
+
+def layout_of(product_id: int) -> Layout | None:
+    """Return the layout of a pad, None for other devices."""
+    for layout in LAYOUTS:
+        if product_id in layout.product_ids:
+            return layout
+    return None
+
+
+def motors_report(layout: Layout, strong: int, weak: int) -> bytes:
+    """Return the report that sets both motors.
+
+    Raises:
+        ValueError: when a level is not within 0 to 255.
+    """
+    report = bytearray(layout.size)
+    report[: len(layout.head)] = layout.head
+    report[layout.weak_at], report[layout.strong_at] = weak, strong
+    return bytes(report)
+
+
+def buttons_of(layout: Layout, report: bytes) -> int | None:
+    """Return the pressed buttons as a mask of 16 bits; None for other reports.
+
+    Bits: the four on the right, then shoulders, triggers, menu buttons and sticks,
+    then up to three more, and last any direction of the direction pad.
+    """
+    at = layout.buttons_at
+    if len(report) < at + 3 or report[0] != INPUT_ID:
+        return None
+    first, second, third = report[at : at + 3]
+    third &= 0x07 if layout is DUALSENSE else 0x03  # a counter is above them
+    is_directed = (first & 0x0F) < _NEUTRAL
+    return first >> 4 | second << 4 | third << 12 | is_directed << 15

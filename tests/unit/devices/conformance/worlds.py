@@ -1,0 +1,257 @@
+"""Each device with another side that a test can command; what a device has to bear.
+
+A `World` has the device under test as `device`, and lets the time pass in `tick`.
+"""
+
+import contextlib
+import os
+import re
+import socket
+import subprocess
+import sys
+from pathlib import Path
+
+from fake_pad import FakePad
+from falcon_rig import FalconGrip
+
+from hapticplayer.clock import ManualClock, SystemClock
+from hapticplayer.devices import DEVICES, find_device
+from hapticplayer.devices.falcon.silence import Silencer
+from hapticplayer.devices.gamepad import driver as gamepad
+from hapticplayer.devices.simulated import Controls, read_record
+
+ROOT = Path(__file__).parents[4]
+ZERO = (0.0, 0.0, 0.0)
+
+
+class World:
+    """What the tests ask for; times are virtual unless a process is at the other side."""
+
+    has_place = True
+    """Whether the device knows where its grip is."""
+
+    def __init__(self):
+        self.clock = ManualClock()
+
+    def tick(self, force_n=ZERO, count=1):
+        """Exchange every millisecond; return the last reading."""
+        for _ in range(count):
+            reading = self.device.exchange(force_n, self.clock.now_s())
+            self.wait()
+        return reading
+
+    def wait(self):
+        self.clock.advance(0.001)
+
+    def until(self, condition, force_n=ZERO):
+        """Exchange until the reading is so; time enough for a busy machine."""
+        for _ in range(3000):
+            if condition(reading := self.tick(force_n)):
+                return reading
+        raise AssertionError(f"never; last {reading}")
+
+    def until_motors(self, are_off, force_n=None):
+        """Wait until the motors are off, or on; with exchanges if there is a force."""
+        for _ in range(3000):
+            if self.are_off() is are_off:
+                return
+            if force_n is not None:
+                self.tick(force_n)
+            else:
+                self.wait()
+        raise AssertionError("the motors never were")
+
+    def close(self):
+        self.device.close()
+
+
+class Falcon(World):
+    """The driver on a simulated bus, in virtual time."""
+
+    def __init__(self):
+        super().__init__()
+        self.grip = FalconGrip(self.clock)
+        self.device = self.grip.driver
+        self.device.close()
+
+    def press(self, buttons):
+        self.grip.buttons = buttons
+
+    def fall_silent(self):
+        self.grip.answers = False
+
+    def talk_nonsense(self):
+        self.grip.malformed = 10**6
+
+    def unplug(self):
+        self.grip.chip.unplug()
+
+    def are_off(self):
+        commands = self.grip.mechanics.commands
+        return not commands or commands[-1][1] == (0, 0, 0)
+
+    def guard(self):
+        return Silencer(self.grip.bus)
+
+    def kill(self):
+        self.grip.port.is_claimed = False  # as the system does
+
+
+class Pad(World):
+    """The driver on a pad below hidapi."""
+
+    has_place = False
+
+    def __init__(self):
+        super().__init__()
+        self.pad = FakePad()
+        self.device = gamepad.GamepadDriver(lambda: self.pad, gamepad.DirectOutlet)
+
+    def press(self, _buttons):
+        self.pad.buttons = b"\x18\x00\x00"
+
+    def fall_silent(self):
+        self.pad.answers = False
+
+    def talk_nonsense(self):
+        self.pad.garbage = 10**6
+
+    def unplug(self):
+        self.pad.is_plugged = False
+
+    def are_off(self):
+        return self.pad.motors == (0, 0)
+
+    def guard(self):
+        return gamepad.silence(-1, lambda: self.pad)
+
+    def kill(self):
+        """Nothing: the pad keeps shaking."""
+
+
+class Process(World):
+    """A device that is a process at the other end of a line, in real time."""
+
+    def __init__(self, name):
+        self.clock = SystemClock()
+        entry = DEVICES[name]
+        ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
+        control, their_control = socket.socketpair(
+            socket.AF_UNIX, socket.SOCK_SEQPACKET
+        )
+        self.record = os.memfd_create("record")
+        passed = (theirs.fileno(), self.record, their_control.fileno())
+        command = [sys.executable, "-P", "-m", entry.server, "--line", str(passed[0])]
+        command += ["--record", str(passed[1]), "--control", str(passed[2])]
+        command += ["--running"] if "falcon-simulated" in name else []
+        self.process = subprocess.Popen(command, pass_fds=passed)
+        theirs.close()
+        their_control.close()
+        self.guard_end = os.dup(ours.fileno())
+        self.controls = Controls(control.detach())
+        self.entry = entry
+        self.device = entry.make(ours.detach())
+
+    def wait(self):
+        self.clock.sleep_until(self.clock.now_s() + 0.001)
+
+    def press(self, buttons):
+        self.controls.press(buttons)
+
+    def fall_silent(self):
+        self.controls.stall(30.0)
+
+    def talk_nonsense(self):
+        self.controls.corrupt(10**6)
+
+    def unplug(self):
+        self.controls.unplug()
+
+    def are_off(self):
+        with contextlib.suppress(ValueError):  # nothing was written yet
+            found = read_record(self.record)
+            return not len(found) or not found["applied_n"][-1].any()
+        return True
+
+    def guard(self):
+        return self.entry.silence(self.guard_end)
+
+    def kill(self):
+        """Nothing: the device outlives its loop."""
+
+    def close(self):
+        super().close()
+        self.process.kill()
+        self.process.wait()
+        self.controls.close()
+        os.close(self.guard_end)
+        os.close(self.record)
+
+
+class Example(World):
+    """The device of docs/devices.md, with a seat at the other side."""
+
+    def __init__(self):
+        super().__init__()
+        self.seat = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+        self.seat.bind(("127.0.0.1", 0))
+        self.seat.setblocking(False)
+        self.address = self.seat.getsockname()
+        text = (ROOT / "docs" / "devices.md").read_text(encoding="utf-8")
+        self.code = re.search(r"```python\n(.*?)```", text, re.DOTALL)[1]
+        self.module = {}
+        exec(self.code, self.module)
+        self.device = self.module["Seat"](self.address)
+        self.buttons, self.answer, self.force = 0, b"P 0.001 0 %d", ["0", "0"]
+
+    def wait(self):
+        super().wait()
+        with contextlib.suppress(OSError):
+            while True:
+                data, sender = self.seat.recvfrom(64)
+                self.force = data.decode().split()[1:]
+                if self.answer:
+                    answer = self.answer
+                    full = answer % self.buttons if b"%d" in answer else answer
+                    self.seat.sendto(full, sender)
+
+    def press(self, buttons):
+        self.buttons = buttons
+
+    def fall_silent(self):
+        self.answer = b""
+
+    def talk_nonsense(self):
+        self.answer = b"P nan what"
+
+    def unplug(self):
+        self.seat.close()
+
+    def are_off(self):
+        return [float(part) for part in self.force] == [0.0, 0.0]
+
+    def guard(self):
+        return self.module["silence"](-1, self.address)
+
+    def kill(self):
+        """Nothing: UDP knows no death."""
+
+    def close(self):
+        super().close()
+        self.seat.close()
+
+
+WORLDS = {
+    "simulated": lambda: Process("simulated"),
+    "falcon": Falcon,
+    "falcon-simulated": lambda: Process("falcon-simulated"),
+    "gamepad": Pad,
+    "example": Example,
+}
+
+
+def capabilities_of(name, world):
+    """Return the record under which a device is offered."""
+    if name == "example":
+        return world.module["SEAT"]
+    return find_device(name).capabilities
