@@ -15,8 +15,8 @@ caption { text-align: left; font-weight: bold; padding: 0.3em 0; }
 th, td { padding: 0.2em 0.7em; text-align: right; white-space: nowrap;
   border-bottom: 1px solid #e1e5ea; }
 th:first-child, td:first-child { text-align: left; }
-figure { margin: 1em 0; } img { max-width: 100%; }
-@media print { h2, table, figure { break-inside: avoid; } }
+img { max-width: 100%; }
+@media print { h2, table, img { break-inside: avoid; } }
 """
 _POLICY = "default-src 'none'; img-src data:; style-src 'unsafe-inline'"
 
@@ -61,9 +61,9 @@ def _block(block: Block, source: Callable[[str], str]) -> str:
             return f"<p>{bold}{html.escape(text)}</p>"
         case Picture(name, caption):
             told = html.escape(caption)
-            return (
-                f'<figure><img src="{html.escape(source(name))}" alt="{told}">'
-                f"<figcaption>{told}</figcaption></figure>"
+            return (  # paragraphs, for the window does not know <figure>
+                f'<p><img src="{html.escape(source(name))}" alt="{told}"></p>'
+                f"<p><i>{told}</i></p>"
             )
         case Table():
             return _table(block)

@@ -1,5 +1,6 @@
 import numpy as np
 import pytest
+from statsmodels.stats.power import TTestPower
 
 from hapticplayer.errors import Cancelled, UsageError
 from hapticplayer.study.analysis import Choices, analyse
@@ -120,20 +121,18 @@ def test_without_an_effect_the_power_is_alpha_and_no_number_suffices():
     assert set(found.needed.values()) == {None}
 
 
-def test_a_normal_shift_needs_what_the_closed_form_says():
-    """Two feedbacks, differences N(d, 1): n = ((z_a + z_b) / d)^2 pi / 3.
-
-    Noether 1987, for large n: one or two more are needed at 27.
-    """
-    d = 0.55
-    expected = ((1.959964 + 0.841621) / d) ** 2 * np.pi / 3
+@pytest.mark.parametrize("d", [0.55, 0.8])
+def test_a_normal_shift_needs_what_the_t_test_needs_over_its_efficiency(d):
+    """Differences N(d, 1): 3 / pi is Pitman's efficiency of the signed-rank test."""
+    by_t = TTestPower().solve_power(effect_size=d, alpha=0.05, power=0.8)
+    expected = by_t * np.pi / 3.0
 
     def draw(studies, people, rng):
         values = rng.standard_normal((studies, people, 2)) / np.sqrt(2.0)
         return values + np.array([0.0, d])
 
     found = find_power(draw, ("a", "b"), Goal(largest=40, studies=4000))
-    assert found.needed["a-b"] == pytest.approx(expected, abs=2)
+    assert found.needed["a-b"] == pytest.approx(expected, abs=1.5)
 
 
 def test_a_larger_effect_needs_fewer():
