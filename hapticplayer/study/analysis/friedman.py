@@ -63,16 +63,23 @@ def friedman(values: Floats, resampling: Resampling, label: str) -> Friedman:
         return Friedman(n, k, k - 1, ())
     ranks = stats.rankdata(values, axis=1)
     mean_ranks = tuple(ranks.mean(axis=0).tolist())
-    spread = (ranks**2).sum() - n * k * (k + 1) ** 2 / 4.0
-    if spread == 0.0:
+    chi2 = float(chi_squares(ranks))
+    if np.isnan(chi2):
         return Friedman(n, k, k - 1, mean_ranks)
-    between = ((ranks.sum(axis=0) - n * (k + 1) / 2.0) ** 2).sum()
-    chi2 = float((k - 1) * between / spread)
     w = chi2 / (n * (k - 1))
     p_exact, method = exact_p(ranks, resampling, label)
     p = float(stats.chi2.sf(chi2, k - 1))
     small = _small_sample_f(w, n, k)
     return Friedman(n, k, k - 1, mean_ranks, chi2, p, w, p_exact, method, *small)
+
+
+def chi_squares(ranks: Floats) -> Floats:
+    """Return chi-square of ranks (..., n, k), corrected for ties; NaN if all are tied."""
+    n, k = ranks.shape[-2:]
+    spread = (ranks**2).sum(axis=(-2, -1)) - n * k * (k + 1) ** 2 / 4.0
+    between = ((ranks.sum(axis=-2) - n * (k + 1) / 2.0) ** 2).sum(axis=-1)
+    with np.errstate(invalid="ignore"):
+        return np.asarray((k - 1) * between / spread, np.float64)
 
 
 def _small_sample_f(

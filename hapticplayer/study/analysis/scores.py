@@ -169,6 +169,8 @@ def _check_design(answers: Answers) -> None:
     ):
         if len(set(names)) != len(names):
             raise InputError(f"a {kind} is named twice ({_first_twice(names)})")
+        if any(name.encode(errors="replace").decode() != name for name in names):
+            raise InputError(f"a {kind} has half a character in its name")
         if not names:
             raise InputError(f"there is no {kind}", remedy="run a participant first")
     if len(answers.feedbacks) < _LEAST_FEEDBACKS:

@@ -9,7 +9,6 @@ ALPHA = 0.05
 FEW = 6
 """Below so many participants no pair can reach 0.05 in the signed-rank test."""
 _SMALL_GROUP = 5
-_EVEN_EPSILON = 0.75
 
 ASSUMPTIONS = (
     (
@@ -183,12 +182,13 @@ def _structure(name: str, one: MeasureAnalysis) -> Iterator[str]:
     uneven = [
         effect
         for effect, found in one.structure.effects.items()
-        if found.epsilon < _EVEN_EPSILON and found.df[0] > 1
+        if (found.p < ALPHA) != (found.p_corrected < ALPHA)
     ]
     if uneven:
         yield (
-            f"{name}: the differences are unequally spread for {_listed(tuple(uneven))} "
-            "(epsilon below 0.75): read the corrected p of the aligned ranks."
+            f"{name}: the differences are unequally spread (no sphericity), and this "
+            f"decides about {_listed(tuple(uneven))}: read the corrected p of the "
+            "aligned ranks."
         )
 
 

@@ -132,6 +132,7 @@ def test_a_repeated_trial_replaces_the_unsound_one(answers):
         (lambda _: {"feedbacks": ("none",)}, "one feedback alone"),
         (lambda _: {"factors": ("qoe",)}, "'qoe'"),
         (lambda _: {"sequences": ("a", "b", "a")}, "named twice (a)"),
+        (lambda _: {"sequences": ("a", "\ud800")}, "half a character"),
     ],
 )
 def test_answers_that_do_not_fit_their_design_are_refused(answers, change, said):

@@ -1,0 +1,172 @@
+"""The page that shows the report of a study."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+from PySide6.QtCore import QTimer, QUrl
+from PySide6.QtGui import QImage, QTextDocument
+from PySide6.QtWidgets import QHBoxLayout, QTextBrowser, QVBoxLayout, QWidget
+
+from app.bridge.jobs import Jobs, Progress
+from app.player.files import folder_dialog
+from app.widgets import theme
+from app.widgets.buttons import text_button
+from app.widgets.job_bar import JobBar
+from app.widgets.labels import ElidedLabel
+from hapticplayer.clock import Clock
+from hapticplayer.study.analysis import Analysis, analyse
+from hapticplayer.study.analysis.contents import contents
+from hapticplayer.study.analysis.figures import DPI, pngs
+from hapticplayer.study.analysis.html import body
+from hapticplayer.study.analysis.report import write_report
+from hapticplayer.study.answers import Answers
+
+_POLL_MS = 50
+_SCREEN_DPI = 100.0
+_SCHEME = "figure:"
+_STYLE = f"""
+h2 {{ color: {theme.ACCENT}; }}
+table {{ margin-top: 4px; margin-bottom: 14px; }}
+th {{ color: {theme.DIM}; padding: 1px 9px; text-align: right; }}
+td {{ padding: 1px 9px; text-align: right; }}
+caption {{ font-weight: bold; }}
+"""
+
+
+@dataclass(frozen=True, slots=True)
+class _Report:
+    """What a job hands over: text and pictures, ready to be shown."""
+
+    analysis: Analysis
+    html: str
+    pictures: dict[str, bytes]
+
+
+class AnalysisPage(QWidget):
+    """Analyses a study beside the window and shows what was found.
+
+    Args:
+        title: of the study.
+        read: gives its answers; called in a thread.
+        failed: told what went wrong.
+        clock: of the machine.
+    """
+
+    def __init__(
+        self,
+        title: str,
+        read: Callable[[], Answers],
+        failed: Callable[[BaseException], None],
+        clock: Clock,
+    ) -> None:
+        super().__init__()
+        self._title, self._read, self._clock = title, read, clock
+        self._report: _Report | None = None
+        self.jobs = Jobs(failed)
+        self.job_bar = JobBar()
+        self.job_bar.cancelled.connect(self.jobs.cancel)
+        self.text = QTextBrowser()
+        self.text.setOpenLinks(False)
+        self.text.document().setDefaultStyleSheet(_STYLE)
+        self.text.setAccessibleName(self.tr("Report"))
+        self.analyse_button = text_button(
+            self.tr("&Analyse"),
+            self.tr("Compute statistics and figures anew"),
+            "primary",
+        )
+        self.analyse_button.clicked.connect(self.analyse)
+        self.save_button = text_button(
+            self.tr("&Save report\u2026"),
+            self.tr("Write report, figures and numbers into a new folder"),
+        )
+        self.save_button.clicked.connect(self._choose_folder)
+        self._lay_out()
+        self._timer = QTimer(self)
+        self._timer.setInterval(_POLL_MS)
+        self._timer.timeout.connect(self._poll)
+        self._show_buttons()
+
+    def analyse(self) -> None:
+        """Read the answers and analyse them."""
+        if not self.jobs.is_busy:
+            self.jobs.run(self.tr("Analysing"), self._work, self._show)
+            self._begin()
+
+    def save(self, target: Path) -> None:
+        """Write the report that is shown into a new folder."""
+        if self.jobs.is_busy or self._report is None:
+            return
+        analysis, title = self._report.analysis, self._title
+
+        def work(progress: Progress) -> Path:
+            write_report(analysis, target, title, progress)
+            return target
+
+        self.jobs.run(self.tr("Writing the report"), work, self._saved)
+        self._begin()
+
+    def close_jobs(self) -> None:
+        """Stop what runs; before the window goes."""
+        self._timer.stop()
+        self.jobs.close()
+
+    def _lay_out(self) -> None:
+        self._heading = ElidedLabel(self._title)
+        row = QHBoxLayout()
+        row.setSpacing(8)
+        row.addWidget(self._heading, 1)
+        row.addWidget(self.save_button)
+        row.addWidget(self.analyse_button)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(12, 10, 12, 12)
+        column.setSpacing(8)
+        column.addLayout(row)
+        column.addWidget(self.job_bar)
+        column.addWidget(self.text, 1)
+
+    def _work(self, progress: Progress) -> _Report:
+        progress(0.0, "reading the answers")
+        answers = self._read()
+        found = analyse(
+            answers, progress=lambda fraction, step: progress(0.7 * fraction, step)
+        )
+        progress(0.7, "drawing the figures")
+        pictures = pngs(found)
+        html = body(contents(found), lambda name: _SCHEME + name)
+        return _Report(found, html, pictures)
+
+    def _show(self, report: _Report) -> None:
+        self._report = report
+        document = self.text.document()
+        document.clear()
+        for name, png in report.pictures.items():
+            image = QImage.fromData(png)
+            image.setDevicePixelRatio(DPI / _SCREEN_DPI)
+            kind = QTextDocument.ResourceType.ImageResource
+            document.addResource(kind.value, QUrl(_SCHEME + name), image)
+        self.text.setHtml(report.html)
+
+    def _saved(self, target: Path) -> None:
+        self._heading.set_text(self.tr("Saved in {0}").format(target))
+
+    def _begin(self) -> None:
+        self._timer.start()
+        self._show_buttons()
+
+    def _poll(self) -> None:
+        self.jobs.poll()
+        self.job_bar.show_state(self.jobs.state(), self._clock.now_s())
+        if not self.jobs.is_busy:
+            self._timer.stop()
+        self._show_buttons()
+
+    def _show_buttons(self) -> None:
+        self.analyse_button.setEnabled(not self.jobs.is_busy)
+        self.save_button.setEnabled(not self.jobs.is_busy and self._report is not None)
+
+    def _choose_folder(self) -> None:
+        title = self.tr("Where shall the folder of the report be made?")
+        dialog = folder_dialog(self, title, str(Path.home()))
+        dialog.fileSelected.connect(lambda path: self.save(Path(path) / "report"))
+        dialog.open()

@@ -1,0 +1,205 @@
+"""The figures of a study: bars, spreads, and every participant's line.
+
+The same analysis gives the same bytes: ids in an SVG are salted, no file has a date.
+"""
+
+import io
+import warnings
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from hapticplayer.model.arrays import Floats
+from hapticplayer.study.analysis.analysis import Analysis
+from hapticplayer.study.analysis.scores import QOE, SCALE
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+FORMATS = (".svg", ".pdf", ".png")
+SIZE_IN = (9.0, 4.6)
+DPI = 150
+
+# Okabe and Ito, told apart with every kind of colour vision; the hatches also in print
+_COLOURS = ("#bbbbbb", "#56b4e9", "#e69f00", "#009e73", "#cc79a7", "#f0e442")
+_HATCHES = ("", "//", "..", "xx", "\\\\", "++")
+_INK, _LINE = "#222222", "#444444"
+_GROUP = 0.84  # of the room between two groups
+_ASIDE = 0.18  # of a bar: the spread stands beside the participants
+_SETTINGS: dict[Any, Any] = {
+    "svg.hashsalt": "hapticplayer",
+    "svg.fonttype": "none",
+    "pdf.fonttype": 42,
+    "hatch.linewidth": 0.5,
+    "text.parse_math": False,  # a name may hold a dollar
+    "font.size": 10.0,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+}
+
+
+def figures(analysis: Analysis) -> dict[str, "Figure"]:
+    """Return the figures by name: `qoe-by-sequence` and `factors-by-feedback`."""
+    return {
+        "qoe-by-sequence": qoe_by_sequence(analysis),
+        "factors-by-feedback": factors_by_feedback(analysis),
+    }
+
+
+def qoe_by_sequence(analysis: Analysis) -> "Figure":
+    """Draw QoE by sequence and feedback, as figure 7 of the paper, and over all."""
+    scores = analysis.scores
+    values = scores.of(QOE)  # (P, S, F)
+    groups = dict(zip(scores.sequences, np.moveaxis(values, 1, 0), strict=True))
+    groups["all"] = analysis.measures[QOE].scores.values
+    count = len(scores.factors)
+    limits = (SCALE[0] * count, SCALE[1] * count)
+    return _figure(
+        groups, scores.feedbacks, f"QoE ({limits[0]} to {limits[1]})", limits
+    )
+
+
+def factors_by_feedback(analysis: Analysis) -> "Figure":
+    """Draw the factors by feedback, as figure 8 of the paper."""
+    groups = {
+        name: one.scores.values
+        for name, one in analysis.measures.items()
+        if name != QOE
+    }
+    label = f"rating ({SCALE[0]} to {SCALE[1]})"
+    return _figure(groups, analysis.scores.feedbacks, label, SCALE)
+
+
+def save(figure: "Figure", path: Path) -> None:
+    """Write a figure; the ending (.svg, .pdf, .png) is the format."""
+    none = {".svg": {"Date": None}, ".pdf": {"CreationDate": None}}
+    metadata = none.get(path.suffix.lower(), {"Software": None})
+    with settings():
+        figure.savefig(path, dpi=DPI, metadata=metadata)
+
+
+def pngs(analysis: Analysis) -> dict[str, bytes]:
+    """Return the figures as PNG by name."""
+    found = {}
+    for name, figure in figures(analysis).items():
+        out = io.BytesIO()
+        with settings():
+            figure.savefig(out, dpi=DPI, format="png", metadata={"Software": None})
+        found[name] = out.getvalue()
+    return found
+
+
+@contextmanager
+def settings() -> Iterator[None]:
+    """Draw and write in one look, whatever the user's own settings are."""
+    import matplotlib as mpl
+
+    with mpl.rc_context(_SETTINGS), warnings.catch_warnings():
+        warnings.filterwarnings("ignore", "Glyph .* missing", UserWarning)
+        yield
+
+
+def _figure(
+    groups: dict[str, Floats],
+    feedbacks: tuple[str, ...],
+    label: str,
+    limits: tuple[int, int],
+) -> "Figure":
+    """Draw groups of (P, F) side by side."""
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
+
+    with settings():
+        figure = Figure(figsize=SIZE_IN, layout="constrained")
+        FigureCanvasAgg(figure)
+        panel = figure.subplots()
+        for place, values in enumerate(groups.values()):
+            _draw_group(panel, place, values, limits[0])
+        panel.set_xticks(range(len(groups)), list(groups))
+        panel.tick_params(axis="x", length=0)
+        panel.set_ylabel(label)
+        panel.set_ylim(limits[0] - 0.02 * (limits[1] - limits[0]), limits[1] * 1.04)
+        panel.grid(visible=True, axis="y", color="#dddddd", linewidth=0.6)
+        panel.set_axisbelow(True)
+        _draw_legend(figure, feedbacks)
+    return figure
+
+
+def _draw_group(panel: "Axes", place: int, values: Floats, floor: float) -> None:
+    count = values.shape[1]
+    width = _GROUP / count
+    at = place + (np.arange(count) - (count - 1) / 2.0) * width
+    for column in range(count):
+        known = values[~np.isnan(values[:, column]), column]
+        if not len(known):
+            continue
+        height = known.mean() - floor
+        panel.bar(
+            at[column],
+            height,
+            0.92 * width,
+            floor,
+            edgecolor=_INK,
+            linewidth=0.6,
+            facecolor=_COLOURS[column % 6],
+            hatch=_HATCHES[column % 6],
+        )
+        if len(known) > 1:
+            spread = known.std(ddof=1)
+            panel.errorbar(
+                at[column] + _ASIDE * width,
+                known.mean(),
+                spread,
+                color=_INK,
+                capsize=4,
+                linewidth=1.4,
+                zorder=4,
+            )
+    for row in values:
+        panel.plot(
+            at - _ASIDE * width,
+            row,
+            color=_LINE,
+            alpha=0.35,
+            linewidth=0.7,
+            marker="o",
+            markersize=2.0,
+            zorder=3,
+        )
+
+
+def _draw_legend(figure: "Figure", feedbacks: tuple[str, ...]) -> None:
+    from matplotlib.lines import Line2D
+    from matplotlib.patches import Patch
+
+    marks: list[Patch | Line2D] = [
+        Patch(
+            facecolor=_COLOURS[i % 6],
+            hatch=_HATCHES[i % 6],
+            edgecolor=_INK,
+            label=f,
+        )
+        for i, f in enumerate(feedbacks)
+    ]
+    marks.append(Line2D([], [], color=_INK, marker="_", label="mean ± SD"))
+    marks.append(
+        Line2D(
+            [],
+            [],
+            color=_LINE,
+            alpha=0.6,
+            marker="o",
+            markersize=3,
+            label="one participant",
+        )
+    )
+    figure.legend(
+        handles=marks,
+        loc="outside upper center",
+        ncols=min(len(marks), 5),
+        frameon=False,
+    )

@@ -1,0 +1,208 @@
+"""How many participants a design needs, by simulated studies.
+
+Each simulated study is tested as the analysis would: Friedman's chi-square over the
+feedbacks, and the signed-rank test of each pair (normal distribution corrected for ties)
+with Holm's correction. Both approximations are careful for few participants. Power is the
+share of the studies in which a test is significant.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from itertools import combinations
+from typing import Any
+
+import numpy as np
+from scipy import stats
+
+from hapticplayer.errors import UsageError
+from hapticplayer.model.arrays import Floats
+from hapticplayer.study.analysis.effects import Effect, drawn_ratings
+from hapticplayer.study.analysis.friedman import chi_squares
+from hapticplayer.study.analysis.scores import QOE, FeedbackScores
+
+FRIEDMAN, ALL_PAIRS = "friedman", "all pairs"
+MOST_PARTICIPANTS, MOST_STUDIES = 300, 100_000
+_BLOCK = 100
+_EACH_UP_TO, _STEP = 30, 5
+
+Draw = Callable[[int, int, np.random.Generator], Floats]
+"""Gives scores (studies, participants, F) of studies and participants asked for."""
+
+
+@dataclass(frozen=True, slots=True)
+class Goal:
+    """What is asked for.
+
+    Attributes:
+        alpha: level of significance.
+        power: share of studies that shall be significant.
+        largest: number of participants up to which is looked.
+        studies: simulated for each number.
+        seed: the same seed gives the same numbers.
+    """
+
+    alpha: float = 0.05
+    power: float = 0.8
+    largest: int = 60
+    studies: int = 2000
+    seed: int = 2012
+
+    def __post_init__(self) -> None:
+        """Refuse what cannot be computed."""
+        if not 0.0 < self.alpha < 1.0 or not 0.0 < self.power < 1.0:
+            raise UsageError("alpha and power are shares between 0 and 1")
+        if not 3 <= self.largest <= MOST_PARTICIPANTS:
+            raise UsageError(f"from 3 to {MOST_PARTICIPANTS} participants can be tried")
+        if not _BLOCK <= self.studies <= MOST_STUDIES:
+            raise UsageError(
+                f"from {_BLOCK} to {MOST_STUDIES} studies can be simulated"
+            )
+
+
+@dataclass(frozen=True, slots=True)
+class Power:
+    """What was found.
+
+    Attributes:
+        goal: what was asked for.
+        participants: numbers that were tried, N.
+        curves: test to the power (N,) at them; "friedman", the pairs, "all pairs".
+        needed: test to the least number from which on the power suffices; None where
+            even the largest number does not.
+    """
+
+    goal: Goal
+    participants: tuple[int, ...]
+    curves: dict[str, tuple[float, ...]]
+    needed: dict[str, int | None]
+
+    @property
+    def standard_error(self) -> float:
+        """Of a power near the wanted one, from the number of simulated studies."""
+        wanted = self.goal.power
+        return float(np.sqrt(wanted * (1.0 - wanted) / self.goal.studies))
+
+
+def draw_effect(effect: Effect, measure: str, sequences: int) -> Draw:
+    """Return draws of participants of a population with a known effect."""
+    if measure != QOE and measure not in effect.factors:
+        known = ", ".join((QOE, *effect.factors))
+        raise UsageError(f"there is no measure {measure!r}; there is {known}")
+
+    def draw(studies: int, people: int, rng: np.random.Generator) -> Floats:
+        ratings = drawn_ratings(effect, (studies, people, sequences), rng)
+        if measure == QOE:
+            return np.asarray(ratings.sum(axis=4).mean(axis=2))
+        return np.asarray(ratings[..., effect.factors.index(measure)].mean(axis=2))
+
+    return draw
+
+
+def draw_pilot(pilot: FeedbackScores) -> Draw:
+    """Return draws, with replacement, of those who took part in a pilot study.
+
+    Raises:
+        UsageError: when there are too few to draw from.
+    """
+    if len(pilot.values) < 5:
+        raise UsageError("a pilot needs at least five participants without holes")
+
+    def draw(studies: int, people: int, rng: np.random.Generator) -> Floats:
+        return pilot.values[rng.integers(len(pilot.values), size=(studies, people))]
+
+    return draw
+
+
+def find_power(
+    draw: Draw,
+    feedbacks: tuple[str, ...],
+    goal: Goal,
+    progress: Callable[[float, str], None] = lambda _fraction, _step: None,
+) -> Power:
+    """Return the power for each number of participants.
+
+    Args:
+        draw: gives simulated scores.
+        feedbacks: their names.
+        goal: what is asked for.
+        progress: told the done fraction and the step; raises to stop.
+    """
+    sizes = _sizes(goal.largest)
+    pairs = list(combinations(range(len(feedbacks)), 2))
+    hits = np.zeros((len(pairs) + 2, len(sizes)))
+    rng = np.random.default_rng(goal.seed)
+    for begin in range(0, goal.studies, _BLOCK):
+        progress(begin / goal.studies, f"simulated {begin} of {goal.studies} studies")
+        count = min(_BLOCK, goal.studies - begin)
+        values = draw(count, goal.largest, rng)
+        for place, size in enumerate(sizes):
+            hits[:, place] += _significant(values[:, :size], pairs, goal.alpha)
+    shares = hits / goal.studies
+    names = [FRIEDMAN, *(f"{feedbacks[i]}-{feedbacks[j]}" for i, j in pairs), ALL_PAIRS]
+    curves = {
+        name: tuple(row.tolist()) for name, row in zip(names, shares, strict=True)
+    }
+    needed = {name: _needed(row, sizes, goal.power) for name, row in curves.items()}
+    return Power(goal, sizes, curves, needed)
+
+
+def power_summary(found: Power) -> dict[str, Any]:
+    """Return what was found as plain JSON."""
+    goal = found.goal
+    return {
+        "needed": found.needed,
+        "alpha": goal.alpha,
+        "power": goal.power,
+        "standard_error": found.standard_error,
+        "studies": goal.studies,
+        "seed": goal.seed,
+        "participants": list(found.participants),
+        "curves": {name: list(row) for name, row in found.curves.items()},
+    }
+
+
+def _sizes(largest: int) -> tuple[int, ...]:
+    each = range(3, min(largest, _EACH_UP_TO) + 1)
+    return (*each, *range(_EACH_UP_TO + _STEP, largest + 1, _STEP))
+
+
+def _significant(values: Floats, pairs: list[tuple[int, int]], alpha: float) -> Floats:
+    """Return in how many studies (D, n, F) each test is significant."""
+    values = np.round(values, 9)
+    feedbacks = values.shape[2]
+    chi2 = np.nan_to_num(chi_squares(stats.rankdata(values, axis=2)))
+    omnibus = chi2 > stats.chi2.isf(alpha, feedbacks - 1)
+    p = np.stack([_pair_p(values[:, :, j] - values[:, :, i]) for i, j in pairs])
+    # Holm: the sorted p as long as each is below alpha over what is left
+    order = np.argsort(p, axis=0)
+    limits = alpha / np.arange(len(pairs), 0, -1)[:, None]
+    passed = np.logical_and.accumulate(
+        np.take_along_axis(p, order, axis=0) <= limits, axis=0
+    )
+    significant = np.zeros_like(passed)
+    np.put_along_axis(significant, order, passed, axis=0)
+    rows = np.concatenate([omnibus[None], significant, passed[-1:]])
+    return np.asarray(rows.sum(axis=1), np.float64)
+
+
+def _pair_p(differences: Floats) -> Floats:
+    """Return p of the signed-rank test of each row (D, n), zeros left out."""
+    differences = np.round(differences, 9)
+    ranks = stats.rankdata(np.abs(differences), axis=1)
+    ranks -= (differences == 0.0).sum(axis=1, keepdims=True)
+    ranks[differences == 0.0] = 0.0
+    signed = (np.sign(differences) * ranks).sum(axis=1)
+    spread = np.sqrt((ranks**2).sum(axis=1))
+    z = np.abs(signed) / np.where(spread > 0.0, spread, 1.0)
+    return np.asarray(2.0 * stats.norm.sf(z), np.float64)
+
+
+def _needed(
+    row: tuple[float, ...], sizes: tuple[int, ...], wanted: float
+) -> int | None:
+    needed = None
+    for share, size in zip(reversed(row), reversed(sizes), strict=True):
+        if share < wanted:
+            break
+        needed = size
+    return needed

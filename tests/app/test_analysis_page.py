@@ -1,0 +1,76 @@
+import threading
+
+import pytest
+
+from app.experimenter.analysis_page import AnalysisPage
+from hapticplayer.clock import SystemClock
+from hapticplayer.errors import InputError
+from hapticplayer.study.analysis.simulation import simulated_answers
+
+
+@pytest.fixture
+def failures() -> list[BaseException]:
+    return []
+
+
+@pytest.fixture
+def make_page(application, qtbot, failures):
+    made = []
+
+    def make(read=lambda: simulated_answers(6, seed=1)) -> AnalysisPage:
+        page = AnalysisPage("Rides", read, failures.append, SystemClock())
+        qtbot.addWidget(page)
+        page.resize(1000, 800)
+        page.show()
+        made.append(page)
+        return page
+
+    yield make
+    for page in made:
+        page.close_jobs()
+
+
+def test_the_report_is_shown_with_its_figures_and_can_be_saved(
+    make_page, wait_for, tmp_path, failures
+):
+    page = make_page()
+    assert not page.save_button.isEnabled()
+    page.analyse_button.click()
+    assert not page.analyse_button.isEnabled()
+    wait_for(lambda: not page.jobs.is_busy)
+    shown = page.text.toPlainText()
+    assert "6 participants" in shown
+    assert "Kendall's W" in shown
+    assert shown.count("\ufffc") == 2  # an embedded picture
+    page.save(tmp_path / "report")
+    wait_for(lambda: not page.jobs.is_busy)
+    assert (tmp_path / "report" / "report.pdf").stat().st_size > 10_000
+    assert failures == []
+
+
+def test_what_cannot_be_analysed_is_told(make_page, wait_for, failures):
+    def read():
+        raise InputError("there is no participant")
+
+    page = make_page(read)
+    page.analyse_button.click()
+    wait_for(lambda: not page.jobs.is_busy)
+    assert [str(one) for one in failures] == ["there is no participant"]
+    assert page.analyse_button.isEnabled()
+    assert not page.save_button.isEnabled()
+
+
+def test_the_work_can_be_stopped(make_page, wait_for, failures):
+    may_go_on = threading.Event()
+
+    def read():
+        may_go_on.wait(20.0)
+        return simulated_answers(6, seed=1)
+
+    page = make_page(read)
+    page.analyse_button.click()
+    page.job_bar.cancelled.emit()
+    may_go_on.set()
+    wait_for(lambda: not page.jobs.is_busy)
+    assert page.text.toPlainText() == ""
+    assert failures == []

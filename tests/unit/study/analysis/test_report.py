@@ -1,0 +1,116 @@
+import csv
+import json
+import re
+from dataclasses import replace
+from html.parser import HTMLParser
+
+import pytest
+
+from hapticplayer.errors import Cancelled, SequenceError
+from hapticplayer.study.analysis import Choices, analyse
+from hapticplayer.study.analysis.report import write_report
+from hapticplayer.study.analysis.summary import summary
+
+NASTY = "<script>alert(1)</script> $x^2$ $ \\frac é"
+
+
+@pytest.fixture(scope="module")
+def analysis(make_answers, quick):
+    answers = make_answers(5, 8, sequences=2, holes=0.01)
+    return analyse(answers, Choices(resampling=quick))
+
+
+@pytest.fixture(scope="module")
+def report(analysis, tmp_path_factory):
+    target = tmp_path_factory.mktemp("report") / "out"
+    write_report(analysis, target, "Study of rides")
+    return target
+
+
+def test_everything_is_there(report):
+    names = {"report.html", "report.pdf", "numbers.json"}
+    names |= {"conditions.csv", "tests.csv", "scores.csv"}
+    for figure in ("qoe-by-sequence", "factors-by-feedback"):
+        names |= {f"{figure}{suffix}" for suffix in (".svg", ".pdf", ".png")}
+    assert {path.name for path in report.iterdir()} == names
+
+
+def test_the_same_answers_give_the_same_bytes(analysis, report, tmp_path):
+    write_report(analysis, tmp_path / "again", "Study of rides")
+    for path in report.iterdir():
+        assert (tmp_path / "again" / path.name).read_bytes() == path.read_bytes(), path
+
+
+def test_the_page_needs_nothing_from_elsewhere_and_runs_nothing(report):
+    text = (report / "report.html").read_text(encoding="utf-8")
+    assert "<script" not in text
+    addresses = re.findall(r'(?:src|href)="([^"]{0,30})', text)
+    assert len(addresses) == 2
+    assert all(one.startswith("data:image/svg+xml;base64,") for one in addresses)
+
+
+def test_the_page_is_well_formed(report):
+    class Checker(HTMLParser):
+        def __init__(self):
+            super().__init__()
+            self.open = []
+
+        def handle_starttag(self, tag, attrs):
+            if tag not in {"meta", "img"}:
+                self.open.append(tag)
+
+        def handle_endtag(self, tag):
+            assert self.open.pop() == tag
+
+    checker = Checker()
+    checker.feed((report / "report.html").read_text(encoding="utf-8"))
+    assert checker.open == []
+
+
+def test_the_numbers_are_those_of_the_analysis(analysis, report):
+    numbers = json.loads((report / "numbers.json").read_text(encoding="utf-8"))
+    assert numbers == summary(analysis)
+    with (report / "tests.csv").open(encoding="utf-8") as lines:
+        rows = {tuple(row[:4]): row[4] for row in csv.reader(lines)}
+    chi2 = float(rows["friedman", "qoe", "", "chi2"])
+    assert chi2 == analysis.measures["qoe"].friedman.chi2
+    with (report / "conditions.csv").open(encoding="utf-8") as lines:
+        table = {
+            (r["measure"], r["sequence"], r["feedback"]): r
+            for r in csv.DictReader(lines)
+        }
+    mean = analysis.measures["comfort"].conditions["clip-1"]["none"].mean
+    assert float(table["comfort", "clip-1", "none"]["mean"]) == mean
+
+
+def test_who_is_missing_is_said_in_the_report(report, analysis):
+    text = (report / "report.html").read_text(encoding="utf-8")
+    assert analysis.scores.missing > 0
+    assert f"{analysis.scores.missing} of 192 answers are missing" in text
+
+
+def test_names_from_a_definition_are_only_shown(make_answers, quick, tmp_path):
+    answers = make_answers(5, 4, sequences=1, feedbacks=("none", NASTY))
+    named = tuple(replace(one, sequence=NASTY) for one in answers.ratings)
+    odd = replace(answers, ratings=named, sequences=(NASTY,))
+    found = analyse(odd, Choices(resampling=quick))
+    write_report(found, tmp_path / "x", NASTY)
+    text = (tmp_path / "x" / "report.html").read_text(encoding="utf-8")
+    assert "<script" not in text
+    assert "&lt;script&gt;alert(1)&lt;/script&gt; $x^2$" in text
+    assert "$x^2$" in (tmp_path / "x" / "qoe-by-sequence.svg").read_text("utf-8")
+
+
+def test_an_existing_folder_is_refused(analysis, report):
+    with pytest.raises(SequenceError, match="already exists"):
+        write_report(analysis, report, "again")
+
+
+def test_a_cancelled_report_leaves_nothing_behind(analysis, tmp_path):
+    def stop(fraction: float, _step: str) -> None:
+        if fraction > 0.6:
+            raise Cancelled
+
+    with pytest.raises(Cancelled):
+        write_report(analysis, tmp_path / "report", "x", stop)
+    assert list(tmp_path.iterdir()) == []
