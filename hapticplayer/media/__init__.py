@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from hapticplayer.media.encode import write_clip
     from hapticplayer.media.opening import open_media
     from hapticplayer.media.pictures import Picture
+    from hapticplayer.media.stretch import AudioStretcher
     from hapticplayer.media.telemetry import (
         TelemetryPacket,
         data_track_names,
@@ -24,6 +25,7 @@ if TYPE_CHECKING:
 _HOMES = {
     "AudioBlock": "audio",
     "AudioDecoder": "audio",
+    "AudioStretcher": "stretch",
     "ClipInfo": "clip_info",
     "DecodedFrame": "video",
     "Picture": "pictures",
@@ -40,6 +42,7 @@ _HOMES = {
 __all__ = [
     "AudioBlock",
     "AudioDecoder",
+    "AudioStretcher",
     "ClipInfo",
     "DecodedFrame",
     "Picture",

@@ -28,12 +28,16 @@ class AudioRing:
 
     The reader's position moves with the DAC whatever happens: samples that come
     too late are skipped, missing ones are silence. So the sound never stalls the
-    clock.
+    clock. At another speed the samples are stretched before they come here, and an
+    index counts samples of the stretched sound.
     """
 
     def __init__(self, rate_hz: int = RATE_HZ) -> None:
         self.rate_hz = rate_hz
         self.underrun_samples = 0
+        self.gain = 1.0  # of the amplitude; a change is spread over one block
+        self._gain_before = 1.0
+        self._speed = 1.0
         self._epoch = 0  # of the clock, for the reports
         self._generation = 0  # of the samples: a pause keeps them
         self._capacity = int(CAPACITY_S * rate_hz)
@@ -46,17 +50,18 @@ class AudioRing:
         self._lock = threading.Lock()
         self._reports: deque[AudioReport] = deque(maxlen=256)
 
-    def load(self, epoch: int, media_s: float) -> None:
+    def load(self, epoch: int, media_s: float, speed: float = 1.0) -> None:
         """Forget everything and stand still at a position of a new epoch."""
         with self._lock:
             self._epoch = self._generation = epoch
-            self._read = self._written = self._begin = round(media_s * self.rate_hz)
+            self._speed = speed
+            self._read = self._written = self._begin = self._index(media_s)
             self._is_playing = self._is_complete = False
             self._reports.clear()
 
     def resume_from(self, epoch: int, media_s: float) -> bool:
         """Stand at a position again without new samples, if they are still here."""
-        index = round(media_s * self.rate_hz)
+        index = self._index(media_s)
         with self._lock:
             oldest = max(self._begin, self._written - self._capacity)
             if not oldest <= index <= self._written:
@@ -87,7 +92,7 @@ class AudioRing:
         Args:
             generation: the epoch of the `load` that they were decoded for.
             media_s: of the first one.
-            samples: float32.
+            samples: float32, stretched to the speed of the `load`.
 
         Returns:
             How many rows were taken (late ones count as taken); fewer than n when
@@ -96,7 +101,7 @@ class AudioRing:
         with self._lock:
             if generation != self._generation:
                 return len(samples)
-            first = round(media_s * self.rate_hz)
+            first = self._index(media_s)
             late = min(len(samples), max(0, self._written - first))
             start = first + late
             room = self._read + self._capacity - int(HISTORY_S * self.rate_hz) - start
@@ -134,7 +139,8 @@ class AudioRing:
             out[ready:] = 0.0
             if ready < count and not self._is_complete:
                 self.underrun_samples += count - ready
-            media_s = self._read / self.rate_hz
+            self._turn_up(out)
+            media_s = self._read / self.rate_hz * self._speed
             self._reports.append(AudioReport(self._epoch, dac_s, media_s))
             self._read += count
             self._written = max(self._written, self._read)
@@ -145,6 +151,16 @@ class AudioRing:
         while self._reports:
             taken.append(self._reports.popleft())
         return taken
+
+    def _index(self, media_s: float) -> int:
+        return round(media_s / self._speed * self.rate_hz)
+
+    def _turn_up(self, out: NDArray[np.float32]) -> None:
+        """Apply the volume; a step would be heard as a click."""
+        before, self._gain_before = self._gain_before, self.gain
+        if before != 1.0 or self._gain_before != 1.0:
+            ramp = np.linspace(before, self._gain_before, len(out), dtype=np.float32)
+            out *= ramp[:, None]
 
     def _fill(self, index: int, samples: NDArray[Any]) -> None:
         samples = samples[-self._capacity :]
@@ -163,14 +179,19 @@ class AudioOut(Protocol):
 
 
 class SoundDeviceOut:
-    """The default output through PortAudio.
+    """An output through PortAudio.
+
+    Args:
+        ring: emptied by it.
+        clock: of the machine.
+        device: its name; "" for the default one.
 
     Raises:
         OSError: when PortAudio is missing or there is no device; the caller goes
             on with the monotonic clock.
     """
 
-    def __init__(self, ring: AudioRing, clock: Clock) -> None:
+    def __init__(self, ring: AudioRing, clock: Clock, device: str = "") -> None:
         import sounddevice
 
         self._ring = ring
@@ -178,6 +199,7 @@ class SoundDeviceOut:
         self.callback_errors = 0
         try:
             self._stream = sounddevice.OutputStream(
+                device=device or None,
                 samplerate=ring.rate_hz,
                 channels=CHANNELS,
                 dtype="float32",
@@ -185,7 +207,7 @@ class SoundDeviceOut:
                 callback=self._callback,
             )
             self._stream.start()
-        except sounddevice.PortAudioError as problem:
+        except (sounddevice.PortAudioError, ValueError) as problem:
             raise OSError(str(problem)) from problem
         self.name = str(sounddevice.query_devices(self._stream.device)["name"])
 
@@ -204,6 +226,18 @@ class SoundDeviceOut:
         """Stop at once; what is buffered is dropped."""
         self._stream.abort(ignore_errors=True)
         self._stream.close(ignore_errors=True)
+
+
+def sound_outputs() -> list[str]:
+    """Return the names of the outputs that there are, without the default's alias."""
+    try:
+        import sounddevice
+
+        known = sounddevice.query_devices()
+    except Exception:  # noqa: BLE001 - PortAudio is missing or broken: there are none
+        return []
+    names = [str(one["name"]) for one in known if one["max_output_channels"] > 0]
+    return list(dict.fromkeys(names))
 
 
 class SilentOut:

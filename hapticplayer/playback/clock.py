@@ -41,6 +41,7 @@ class MediaClock:
     def __init__(self) -> None:
         self.epoch = 0
         self.source = Source.MONOTONIC
+        self.speed = 1.0  # of the media in the person's time; set before `seek`
         self._monotonic0_s = 0.0
         self._media0_s = 0.0
         self._is_running = False
@@ -94,7 +95,7 @@ class MediaClock:
 
     def snapshot(self, now_s: float) -> PlaybackClock:
         """Return what others may rely on until the horizon."""
-        rate = 1.0 + self._bend if self._is_running else 0.0
+        rate = self.speed * (1.0 + self._bend) if self._is_running else 0.0
         return PlaybackClock(
             self.epoch, self._monotonic0_s, self._media0_s, rate, now_s + HORIZON_S
         )

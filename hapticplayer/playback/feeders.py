@@ -7,7 +7,14 @@ from collections import deque
 from pathlib import Path
 
 from hapticplayer.errors import MediaError
-from hapticplayer.media import AudioDecoder, DecodedFrame, Picture, VideoDecoder
+from hapticplayer.media import (
+    AudioBlock,
+    AudioDecoder,
+    AudioStretcher,
+    DecodedFrame,
+    Picture,
+    VideoDecoder,
+)
 from hapticplayer.playback.audio import CHANNELS, AudioRing
 
 QUEUE_PICTURES = 5
@@ -187,6 +194,13 @@ class AudioFeeder(Feeder):
     def __init__(self, path: Path, ring: AudioRing) -> None:
         super().__init__("audio-decoder", path)
         self._ring = ring
+        self._speed = self._speed_now = 1.0
+        self._stretcher: AudioStretcher | None = None
+        self._ready: deque[AudioBlock] = deque()
+
+    def set_speed(self, speed: float) -> None:
+        """Stretch to this speed, keeping the pitch, from the next `request` on."""
+        self._speed = speed
 
     def _has_work(self) -> bool:
         return not self.is_at_end
@@ -205,9 +219,24 @@ class AudioFeeder(Feeder):
 
     def _seek(self, media_s: float) -> None:
         self._decoder.seek(media_s)
+        self._ready.clear()
+        self._speed_now = self._speed
+        self._stretcher = None
+        if self._speed_now != 1.0:
+            self._stretcher = AudioStretcher(
+                self._speed_now, self._ring.rate_hz, CHANNELS
+            )
+
+    def _next_block(self) -> AudioBlock | None:
+        """Return the next block at the speed, None at the end."""
+        if self._stretcher is None:
+            return self._decoder.next_block()
+        while not self._ready and not self._stretcher.is_over:
+            self._ready.extend(self._stretcher.push(self._decoder.next_block()))
+        return self._ready.popleft() if self._ready else None
 
     def _decode(self) -> None:
-        block = self._decoder.next_block()
+        block = self._next_block()
         if block is None:
             self._ring.finish(self._epoch)
             self._end()
@@ -216,7 +245,7 @@ class AudioFeeder(Feeder):
         while len(samples):
             taken = self._ring.write(self._epoch, media_s, samples)
             samples = samples[taken:]
-            media_s += taken / self._ring.rate_hz
+            media_s += taken / self._ring.rate_hz * self._speed_now
             if len(samples) and not self._wait_for_room():
                 return
 

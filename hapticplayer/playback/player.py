@@ -31,6 +31,7 @@ AUDIO_LOG_PERIOD_S = 0.04
 MAX_SHOW_COST_S = 0.008
 SHOW_COST_SMOOTHING = 0.1
 
+SLOWEST, FASTEST = 0.5, 4.0  # of `set_speed`
 AudioFactory = Callable[[AudioRing, Clock], AudioOut]
 
 
@@ -77,6 +78,7 @@ class Player:
         self.told: list[str] = []  # remarks for people, in order
         self.log_problem = ""
         self.end_s = 0.0
+        self.loop_s: tuple[float, float] | None = None  # played again and again
         self._clock = clock
         self._sink = sink or NullSink()
         self._make_audio = audio
@@ -89,6 +91,7 @@ class Player:
         self._log: PlaybackLog | None = None
         self._link = HapticLink(clock, device, scheduling)
         self._size_px = (0, 0)
+        self._picture_s = 0.0  # of what is shown
         self._preview: Picture | None = None
         self._needs_preview = False
         self._first_sound_by_s = 0.0
@@ -116,6 +119,11 @@ class Player:
         """Return the position, s."""
         return self._media.media_s(self._clock.now_s())
 
+    @property
+    def speed(self) -> float:
+        """Media seconds in one second of the person's time."""
+        return self._media.speed
+
     def open(self, source: Source, feedback: str | None = None) -> None:
         """Load a source and show its first picture; it does not play yet."""
         self.unload()
@@ -128,6 +136,7 @@ class Player:
         self._audio = self._open_audio() if source.clip.has_audio else None
         if self._audio is not None:
             self._audio_feeder = AudioFeeder(source.clip.path, self._ring)
+            self._audio_feeder.set_speed(self._media.speed)
         self.phase = Phase.PAUSED
         self._go_to(0.0)
         for feeder in (self._video_feeder, self._audio_feeder):
@@ -154,7 +163,7 @@ class Player:
         if self._video_feeder is not None:
             self._dropped_before += self._video_feeder.dropped
         self._video_feeder = self._audio_feeder = self._audio = None
-        self.source, self._preview = None, None
+        self.source, self._preview, self.loop_s = None, None, None
         self.phase, self.problem = Phase.EMPTY, ""
         self._media.seek(0.0)
 
@@ -187,6 +196,45 @@ class Player:
         self._go_to(min(max(0.0, media_s), self.source.clip.duration_s))
         self.phase = Phase.BUFFERING if was_playing else Phase.PAUSED
         self._event("seek", to_s=self._media.media_s(self._clock.now_s()))
+
+    def step(self, frames: int) -> None:
+        """Stand still one picture farther (+1) or one picture back (-1)."""
+        feeder, source = self._video_feeder, self.source
+        if feeder is None or source is None:
+            return
+        self.pause()
+        if frames < 0:
+            half_s = 0.5 / (source.clip.frame_rate_hz or 30.0)
+            self.seek(self._picture_s - half_s)
+            self._picture_s = max(0.0, self._picture_s - half_s)
+        elif (picture := feeder.pop()) is not None:
+            self._media.seek(picture.pts_s)
+            self._follow_clock(picture.pts_s)
+            self._show_still(picture)
+
+    def set_speed(self, speed: float) -> None:
+        """Play faster or slower from here on; the sound keeps its pitch."""
+        self._media.speed, position_s = (
+            min(max(speed, SLOWEST), FASTEST),
+            self.media_s(),
+        )
+        self._event("speed", speed=self._media.speed)
+        if self._audio_feeder is not None:
+            self._audio_feeder.set_speed(self._media.speed)
+        self.seek(position_s)
+
+    def set_volume(self, share: float) -> None:
+        """Set the loudness: 0 is silent, 1 as recorded; its cube is the amplitude."""
+        self._ring.gain = min(max(share, 0.0), 1.0) ** 3
+
+    def set_sound_output(self, make: AudioFactory) -> None:
+        """Play through another output from here on."""
+        source, position_s, was_playing = self.source, self.media_s(), self.is_playing
+        self._make_audio = make
+        if source is not None:
+            self.open(source, self.feedback)
+            self.seek(position_s)
+            self.phase = Phase.BUFFERING if was_playing else Phase.PAUSED
 
     def set_feedback(self, name: str) -> None:
         """Change the force track; the force ramps down and fades in again."""
@@ -338,7 +386,9 @@ class Player:
             self._event("no_sound")
         elif self.phase is Phase.PLAYING:
             self._note_source()
-            if self._is_over(feeder, now_s):
+            if self.loop_s is not None and self.media_s() >= self.loop_s[1]:
+                self.seek(self.loop_s[0])
+            elif self._is_over(feeder, now_s):
                 self._hold(Phase.ENDED)
                 self._event("end")
 
@@ -378,18 +428,21 @@ class Player:
         self._media.pause(now_s)
         position_s = self._media.media_s(now_s)
         if not self._ring.resume_from(self._media.epoch, position_s):
-            self._ring.load(self._media.epoch, position_s)
-            if self._audio_feeder is not None:
-                self._audio_feeder.request(self._media.epoch, position_s)
+            self._follow_clock(position_s)
         self.phase = phase
 
     def _go_to(self, media_s: float) -> None:
         self._media.seek(media_s)
-        self._ring.load(self._media.epoch, media_s)
         self._preview, self._needs_preview = None, True
-        for feeder in (self._video_feeder, self._audio_feeder):
-            if feeder is not None:
-                feeder.request(self._media.epoch, media_s)
+        if self._video_feeder is not None:
+            self._video_feeder.request(self._media.epoch, media_s)
+        self._follow_clock(media_s)
+
+    def _follow_clock(self, media_s: float) -> None:
+        """Let the sound stand at a position of the clock's new epoch."""
+        self._ring.load(self._media.epoch, media_s, self._media.speed)
+        if self._audio_feeder is not None:
+            self._audio_feeder.request(self._media.epoch, media_s)
 
     def _present(self, now_s: float) -> float:
         """Show the picture that is due and return when the next one is, s."""
@@ -421,9 +474,12 @@ class Player:
     def _show_preview(self, feeder: VideoFeeder) -> None:
         """After a seek, show where we are without waiting for the clock."""
         if self._needs_preview and (picture := feeder.pop()) is not None:
-            self._needs_preview = False
-            self._preview = picture
-            self._sink.show(picture)
+            self._show_still(picture)
+
+    def _show_still(self, picture: Picture) -> None:
+        self._needs_preview, self._preview = False, picture
+        self._picture_s = picture.pts_s
+        self._sink.show(picture)
 
     def _show(self, picture: Picture) -> None:
         begun_s = self._clock.now_s()
@@ -432,6 +488,7 @@ class Player:
         cost_s = min(shown_s - begun_s, MAX_SHOW_COST_S)
         self._show_cost_s += SHOW_COST_SMOOTHING * (cost_s - self._show_cost_s)
         self._shown += 1
+        self._picture_s = picture.pts_s
         self._link.video_sync.event(shown_s, picture.pts_s)
         if self._log:
             self._log.line("frame", monotonic_s=shown_s, media_s=picture.pts_s)

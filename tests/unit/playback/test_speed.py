@@ -1,0 +1,145 @@
+"""Speed, loop, single pictures and volume, on virtual time with real decoders."""
+
+import numpy as np
+import pytest
+
+from hapticplayer.clock import ManualClock
+from hapticplayer.media import AudioBlock, AudioStretcher
+from hapticplayer.playback.audio import AudioRing, SilentOut
+from hapticplayer.playback.snapshot import Phase
+
+FRAME_S, RATE_HZ = 1 / 25, 48_000
+
+
+def stretched(speed, sound):
+    """The whole sound at another speed, and the media time of each sample of it."""
+    stretcher = AudioStretcher(speed, RATE_HZ, 2)
+    blocks = []
+    for first in range(0, len(sound), 1024):
+        blocks += stretcher.push(
+            AudioBlock(first / RATE_HZ, sound[first : first + 1024])
+        )
+    blocks += stretcher.push(None)
+    samples = np.concatenate([block.samples for block in blocks])
+    times = [
+        block.media_s + np.arange(len(block.samples)) * speed / RATE_HZ
+        for block in blocks
+    ]
+    return samples, np.concatenate(times)
+
+
+@pytest.mark.parametrize("speed", [0.5, 0.8, 1.25, 2.0])
+def test_a_tone_keeps_its_pitch_and_lasts_1_by_speed(speed):
+    t = np.arange(4 * RATE_HZ) / RATE_HZ
+    tone = np.repeat(np.sin(2 * np.pi * 440 * t)[:, None], 2, axis=1)
+    samples, _ = stretched(speed, tone.astype(np.float32))
+    assert len(samples) / RATE_HZ == pytest.approx(4.0 / speed, abs=0.03)
+    middle = samples[len(samples) // 4 : 3 * len(samples) // 4, 0]
+    spectrum = np.abs(np.fft.rfft(middle * np.hanning(len(middle))))
+    peak_hz = np.argmax(spectrum) * RATE_HZ / len(middle)
+    assert peak_hz == pytest.approx(440.0, abs=2.0)
+
+
+@pytest.mark.parametrize("speed", [0.5, 1.25, 2.0])
+def test_a_burst_is_heard_at_its_media_time_at_any_speed(speed):
+    sound = np.zeros((4 * RATE_HZ, 2), np.float32)
+    noise = np.random.default_rng(1).standard_normal((4800, 2))
+    bursts_s = (0.7, 1.9, 3.1)
+    for at_s in bursts_s:
+        first = int(at_s * RATE_HZ)
+        sound[first : first + 4800] = 0.3 * noise
+    samples, media_s = stretched(speed, sound)
+    loud = np.abs(samples[:, 0]) > 0.05
+    for at_s in bursts_s:
+        near = loud & (np.abs(media_s - at_s) < 0.4)
+        # the window of atempo is 42 ms
+        assert media_s[near][0] == pytest.approx(at_s, abs=0.045)
+
+
+@pytest.mark.parametrize("speed", [0.5, 1.25, 2.0])
+def test_at_another_speed_pictures_and_sound_agree(theatre, speed):
+    theatre.player.set_speed(speed)
+    theatre.player.play()
+    theatre.run(1.2)
+    shown = np.array(theatre.sink.shown)
+    shown = shown[shown[:, 1] > 0.05]
+    slope, _ = np.polyfit(shown[:, 0], shown[:, 1], 1)
+    assert slope == pytest.approx(speed, rel=0.02)
+    assert theatre.player.snapshot().clock == "audio"
+    assert theatre.player._media.error_s == pytest.approx(0.0, abs=0.002)
+    assert theatre.player.frames_dropped == 0
+    assert theatre.player._ring.underrun_samples == 0
+
+
+def test_a_change_of_speed_while_it_plays_stays_where_it_is(theatre):
+    theatre.player.play()
+    theatre.run(0.8)
+    before_s = theatre.player.media_s()
+    epoch = theatre.player._media.epoch
+    theatre.player.set_speed(2.0)
+    assert theatre.player.media_s() == pytest.approx(before_s, abs=1e-9)
+    assert theatre.player._media.epoch > epoch  # the force fades out and in
+    assert theatre.player.is_playing
+
+
+@pytest.mark.parametrize(("asked", "got"), [(0.01, 0.5), (1.5, 1.5), (99.0, 4.0)])
+def test_the_speed_has_limits(theatre, asked, got):
+    theatre.player.set_speed(asked)
+    assert theatre.player.speed == got
+
+
+def test_single_steps_go_one_picture_forth_and_back(theatre):
+    theatre.run(0.05)
+    seen = []
+    for direction in (1, 1, 1, -1, -1):
+        theatre.player.step(direction)
+        theatre.run(0.02)
+        seen.append(round(theatre.sink.shown[-1][1] / FRAME_S))
+    assert seen == [1, 2, 3, 2, 1]
+    assert theatre.player.phase is Phase.PAUSED
+
+
+def test_a_step_pauses_what_plays(theatre):
+    theatre.player.play()
+    theatre.run(0.6)
+    last_s = theatre.sink.shown[-1][1]
+    theatre.player.step(1)
+    assert theatre.player.phase is Phase.PAUSED
+    assert theatre.sink.shown[-1][1] == pytest.approx(last_s + FRAME_S, abs=1e-6)
+    assert theatre.player.media_s() == theatre.sink.shown[-1][1]
+
+
+def test_a_loop_returns_to_its_beginning(theatre):
+    theatre.player.loop_s = (1.0, 1.4)
+    theatre.player.seek(1.0)
+    theatre.player.play()
+    theatre.run(2.0)
+    media_s = np.array([pts for _, pts in theatre.sink.shown[1:]])
+    assert media_s.max() < 1.4 + FRAME_S
+    assert (np.diff(media_s) < -0.3).sum() >= 2
+    assert theatre.player.is_playing
+
+
+def test_another_output_takes_over_where_the_sound_is(theatre):
+    theatre.player.play()
+    theatre.run(1.0)
+    first, before_s = theatre.out, theatre.player.media_s()
+    theatre.player.set_sound_output(theatre._make_audio)
+    assert theatre.out is not first
+    assert theatre.player.media_s() == pytest.approx(before_s, abs=1e-9)
+    theatre.run(0.5)
+    assert theatre.player.phase is Phase.PLAYING
+    assert theatre.player.snapshot().clock == "audio"
+
+
+def test_the_volume_goes_with_the_cube_and_without_a_step():
+    ring = AudioRing()
+    out = SilentOut(ring, ManualClock())
+    ring.load(1, 0.0)
+    ring.write(1, 0.0, np.ones((3000, 2), np.float32))
+    ring.play()
+    assert (out.advance(1000) == 1.0).all()
+    ring.gain = 0.5**3
+    faded = out.advance(1000)[:, 0]
+    assert np.abs(np.diff(faded)).max() < 0.001
+    assert out.advance(1000)[:, 0] == pytest.approx(0.125)
