@@ -78,7 +78,7 @@ class AudioStretcher:
 
     def _pull(self) -> list[AudioBlock]:
         assert self._graph is not None
-        made = []
+        made: list[AudioBlock] = []
         while True:
             try:
                 frame = cast("AudioFrame", self._graph.pull())
