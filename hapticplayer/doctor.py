@@ -37,7 +37,6 @@ PYTHON_PACKAGES = {
     "numba": "numba",
     "numpy": "numpy",
     "pyqtgraph": "pyqtgraph",
-    "scikit_posthocs": "scikit-posthocs",
     "scipy": "scipy",
     "sounddevice": "sounddevice",
     "statsmodels": "statsmodels",
