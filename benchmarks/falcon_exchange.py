@@ -4,22 +4,29 @@
 
 A bare loop of 1 kHz, with the scheduling of the haptics process, runs in turns without
 a device, with the driver on a simulated Falcon at the chip's 1 ms latency timer, and
-with the event character. pyusb is the real one; chip, board and physics are simulated
-in the same process and share its interpreter, which a real device would not.
+with the event character. pyusb is the real one; chip, board and physics are a process
+of their own, as they are for `--device falcon-simulated`. A real Falcon takes no
+time of this machine, so the loop and its threads have the first core and the simulated
+device the last one, in every kind of run.
 """
 
 import argparse
 import gc
+import os
+import socket
 import statistics
+import subprocess
+import sys
 from typing import Any
 
 import numpy as np
 from common import save, table
 
 from hapticplayer.clock import SystemClock
+from hapticplayer.devices import DEVICES
 from hapticplayer.devices.falcon.driver import FalconDriver, Options
-from hapticplayer.devices.falcon.simulated_usb.whole import make_set
-from hapticplayer.haptics.scheduling import acquire
+from hapticplayer.devices.falcon.simulated_usb import remote
+from hapticplayer.haptics.scheduling import DEVICE_PRIORITY, acquire, grant
 
 PERIOD_S = 0.001
 SETTLING_TICKS = 200
@@ -33,9 +40,10 @@ KINDS: dict[str, Options | None] = {
 def run(options: Options | None, ticks: int) -> dict[str, float]:
     """Return percentiles of one run, us."""
     clock = SystemClock()
-    device = None
+    device, server = None, None
     if options is not None:
-        device = make_set(clock=clock, options=options).driver
+        server, descriptor = start_falcon()
+        device = remote.make(descriptor, options)
         device.open()
     gc.collect()
     gc.disable()
@@ -52,14 +60,28 @@ def run(options: Options | None, ticks: int) -> dict[str, float]:
         missed = int((clock.now_s() - deadline_s) / PERIOD_S)
         deadline_s += (missed + 1) * PERIOD_S
     gc.enable()
-    if device is not None:
+    if device is not None and server is not None:
         device.close()
+        server.kill()
+        server.wait()
     found = {}
     for name, values in (("late", late), ("exchange", took), ("age", age)):
         for q in (50, 99) if values else ():
             us = 1e6 * float(np.percentile(values[SETTLING_TICKS:], q))
             found[f"{name} p{q}"] = us
     return found
+
+
+def start_falcon() -> tuple[subprocess.Popen[bytes], int]:
+    """Return the process of a simulated Falcon, and our end of its line."""
+    ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
+    command = [sys.executable, "-P", "-m", DEVICES["falcon-simulated"].server]
+    command += ["--line", str(theirs.fileno()), "--running"]
+    server = subprocess.Popen(command, pass_fds=[theirs.fileno()])
+    theirs.close()
+    os.sched_setaffinity(server.pid, {(os.cpu_count() or 1) - 1})
+    grant(server.pid, priority=DEVICE_PRIORITY)
+    return server, ours.detach()
 
 
 def exchange(
@@ -78,6 +100,8 @@ def main() -> int:
     options = parser.parse_args()
     scheduling = acquire(None).value
     ticks = int(options.seconds / PERIOD_S)
+    cores = sorted(os.sched_getaffinity(0))
+    os.sched_setaffinity(0, cores[:1])
     rounds = [
         {name: run(kind, ticks) for name, kind in KINDS.items()}
         for _ in range(options.rounds)

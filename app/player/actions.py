@@ -38,6 +38,9 @@ class Actions:
         # also while another window of this program has the keyboard
         self.stop.setShortcutContext(Qt.ShortcutContext.ApplicationShortcut)
         self.rearm = make(translate("Actions", "&Re-arm the force"), "Ctrl+R")
+        self.get_to_know = make(
+            translate("Actions", "Get to &know the forces\u2026"), "Ctrl+K"
+        )
         self.plots = make(translate("Actions", "Live &plots"), "P")
         self.plots.setCheckable(True)
         self.grip = make(translate("Actions", "Simulated &grip"), "G")
@@ -68,6 +71,7 @@ class Actions:
             translate("Actions", "&Playback"),
             [self.play, self.back, self.forward, self.to_start, self.to_end],
             [self.stop, self.rearm],
+            [self.get_to_know],
         )
         _menu(
             bar,

@@ -7,10 +7,14 @@ from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QDialog, QWidget
 
 from app.bridge.settings import Settings
+from app.player.device_page import DevicePage
 from app.player.files import file_dialog, folder_dialog, video_filter
 from app.player.help import about_dialog, shortcuts_dialog
 from app.player.import_dialog import ImportDialog
 from app.player.session import ImportRequest, Session
+from hapticplayer.clock import Clock
+from hapticplayer.errors import HapticPlayerError
+from hapticplayer.playback.haptic_link import NO_DEVICE
 
 _FOLDER = "folder"
 
@@ -48,6 +52,20 @@ class Dialogs(QObject):
         """Ask what to import."""
         dialog = ImportDialog(self._folder(), self._window)
         dialog.accepted_request.connect(self._import)
+        dialog.open()
+
+    def get_to_know(self, clock: Clock) -> None:
+        """Demonstrate the forces of the chosen device; nothing plays meanwhile."""
+        player = self._session.player
+        device = player.link.device
+        if device == NO_DEVICE:
+            problem = self.tr("Choose a device first, then get to know its forces")
+            self._session.gateway.report(HapticPlayerError(problem))
+            return
+        self._session.stop()
+        self._session.choose_device(NO_DEVICE)
+        dialog = DevicePage(clock, device, self._window)
+        dialog.finished.connect(lambda _: self._session.choose_device(device))
         dialog.open()
 
     def show(self, make: Callable[[QWidget], QDialog]) -> None:

@@ -59,12 +59,17 @@ def device(snapshot: Snapshot) -> Reading:
     name = device_name(snapshot.device)
     if snapshot.device_health == Health.STARTING:
         return Reading(Level.WATCH, f"{name}, {translate('Health', 'starting')}")
-    if snapshot.device_health == Health.FAILED:
-        return Reading(Level.BAD, f"{name}, {translate('Health', 'failed')}")
-    if snapshot.device_health == Health.GONE:
-        return Reading(Level.BAD, f"{name}, {translate('Health', 'gone')}")
+    ends: dict[str, str] = {
+        Health.FAILED: translate("Health", "failed"),
+        Health.GONE: translate("Health", "gone"),
+    }
+    if snapshot.device_health in ends:
+        return Reading(Level.BAD, f"{name}, {ends[snapshot.device_health]}")
     if snapshot.mode is Mode.TRIPPED:
         return Reading(Level.BAD, f"{name}, {stop_reason(snapshot.cause)}")
+    if snapshot.cause is Cause.NOT_HOMED:
+        text = translate("Health", "pull the grip out, then push it in")
+        return Reading(Level.WATCH, f"{name}: {text}")
     return Reading(Level.GOOD, f"{name}, {mode_text(snapshot.mode)}")
 
 

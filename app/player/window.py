@@ -139,6 +139,7 @@ class PlayerWindow(QMainWindow):
             (commands.stop, self.stop),
             (commands.rearm, session.rearm),
             (commands.fullscreen, self.toggle_fullscreen),
+            (commands.get_to_know, lambda: self.dialogs.get_to_know(self._clock)),
             (commands.shortcuts, self.dialogs.shortcuts),
             (commands.about, self.dialogs.about),
         ):

@@ -56,6 +56,13 @@ def test_all_is_well():
             "the window hung",
         ),
         ({"device_health": "gone"}, 0, Level.BAD, "gone"),
+        ({"device_health": "failed"}, 0, Level.BAD, "failed"),
+        (
+            {"mode": Mode.IDLE, "cause": Cause.NOT_HOMED},
+            0,
+            Level.WATCH,
+            "pull the grip out, then push it in",
+        ),
         ({"device_health": "starting"}, 0, Level.WATCH, "starting"),
         ({"device": "none", "device_health": ""}, 0, Level.NEUTRAL, "none"),
         ({"scheduling": "normal"}, 1, Level.WATCH, "normal"),

@@ -38,7 +38,8 @@ class VirtualLink:
         self._write()
         while self._chip._due_s() <= self._clock.now_s() and not self._is_stalled():
             data = self._ftdi.read(PERIOD_S)
-            self._answer = updated(self._answer, self._parser, data, self._clock)
+            now_s = self._clock.now_s()
+            self._answer = updated(self._answer, self._parser, data, now_s)
         return self._answer
 
     def stop(self):

@@ -8,6 +8,7 @@ outside the interpreter's lock.
 
 import queue
 import threading
+from collections import deque
 from typing import NamedTuple, Protocol
 
 from hapticplayer.clock import Clock
@@ -73,7 +74,8 @@ class DirectLink:
             data = self._ftdi.read(0.001)
             if not data:
                 break
-            self._answer = updated(self._answer, self._parser, data, self._clock)
+            at_s = self._clock.now_s()
+            self._answer = updated(self._answer, self._parser, data, at_s)
         return self._answer
 
     def stop(self) -> None:
@@ -84,13 +86,16 @@ class ThreadedLink:
     """Never waits, neither in `post` nor in `newest`.
 
     Of frames that were posted while a write was stalled only the last one is sent.
-    The threads inherit the scheduling of the one that makes the link.
+    The threads inherit the scheduling of the one that makes the link. They do as
+    little as possible, for while they do it the loop cannot wake: what was read is
+    taken apart by whoever asks for it.
     """
 
     def __init__(self, ftdi: Ftdi, clock: Clock) -> None:
         self._ftdi, self._clock = ftdi, clock
         self._frames: queue.SimpleQueue[bytes | None] = queue.SimpleQueue()
-        self._answer = NO_ANSWER
+        self._packets: deque[tuple[bytes, float]] = deque(maxlen=_MOST_PACKETS)
+        self._parser, self._answer = ReplyParser(), NO_ANSWER
         self._problem: DeviceError | None = None
         self._is_stopping = False
         self._threads = [
@@ -110,6 +115,10 @@ class ThreadedLink:
         """Return the newest answer that the reader has."""
         if self._problem is not None:
             raise self._problem
+        packets = self._packets
+        while packets:
+            data, at_s = packets.popleft()
+            self._answer = updated(self._answer, self._parser, data, at_s)
         return self._answer
 
     def stop(self) -> None:
@@ -133,20 +142,20 @@ class ThreadedLink:
                 return
 
     def _read(self) -> None:
-        parser = ReplyParser()
+        read, keep, now_s = self._ftdi.read, self._packets.append, self._clock.now_s
         while not self._is_stopping:
             try:
-                data = self._ftdi.read(READ_S)
+                data = read(READ_S)
             except DeviceError as problem:
                 self._problem = problem
                 return
             if data:
-                self._answer = updated(self._answer, parser, data, self._clock)
+                keep((data, now_s()))
 
 
-def updated(answer: Answer, parser: ReplyParser, data: bytes, clock: Clock) -> Answer:
-    """Return the newest answer after these bytes."""
+def updated(answer: Answer, parser: ReplyParser, data: bytes, at_s: float) -> Answer:
+    """Return the newest answer after these bytes, which were read at `at_s`."""
     replies = parser.feed(data)
     if replies:
-        return Answer(replies[-1], clock.now_s(), parser.malformed)
+        return Answer(replies[-1], at_s, parser.malformed)
     return answer._replace(malformed=parser.malformed)

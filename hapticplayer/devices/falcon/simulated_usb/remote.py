@@ -13,7 +13,7 @@ from collections.abc import Callable
 from typing import Any
 
 from hapticplayer.clock import Clock, SystemClock
-from hapticplayer.devices.falcon.driver import FalconDriver
+from hapticplayer.devices.falcon.driver import DEFAULTS, FalconDriver, Options
 from hapticplayer.devices.falcon.protocol import encode_command
 from hapticplayer.devices.falcon.simulated_usb.board import synthetic_image
 from hapticplayer.devices.falcon.simulated_usb.chip import UsbFault
@@ -117,7 +117,7 @@ class _Line:
         return None
 
 
-def make(descriptor: int) -> FalconDriver:
+def make(descriptor: int, options: Options = DEFAULTS) -> FalconDriver:
     """Return the real driver for the Falcon at the other end of a descriptor."""
     bus: list[Any] = []
 
@@ -130,7 +130,7 @@ def make(descriptor: int) -> FalconDriver:
             bus.append(backend.SimulatedBus([port]))
         return open_falcon(backend=bus[0])
 
-    return FalconDriver(open_transport, image=synthetic_image)
+    return FalconDriver(open_transport, image=synthetic_image, options=options)
 
 
 def silence(descriptor: int) -> Callable[[], bool]:

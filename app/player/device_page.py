@@ -1,0 +1,201 @@
+"""Getting to know a device: homing, then every force that it can make, step by step."""
+
+from PySide6.QtCore import QCoreApplication, Qt, QTimer
+from PySide6.QtWidgets import (
+    QDialog,
+    QHBoxLayout,
+    QLabel,
+    QProgressBar,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.player.health import device_name, stop_reason
+from app.widgets.buttons import text_button
+from hapticplayer.clock import Clock
+from hapticplayer.devices import find_device
+from hapticplayer.errors import HapticPlayerError
+from hapticplayer.haptics.contract import Cause, Mode
+from hapticplayer.playback.forces import ForcePlayer
+from hapticplayer.rendering import demonstration
+from hapticplayer.rendering.demonstration import Step
+
+POLL_MS = 30
+WIDTH_PX = 460
+_SIGN_PX = 72
+
+translate = QCoreApplication.translate
+
+
+def homing_text() -> str:
+    """Return what a person does to home a device."""
+    return translate(
+        "DevicePage",
+        "Pull the grip out as far as it goes, then push it in until it locks",
+    )
+
+
+def sign_of(direction: str) -> str:
+    """Return an arrow, or a point for what comes out of the picture."""
+    signs = {
+        "right": "\u2192",
+        "left": "\u2190",
+        "up": "\u2191",
+        "down": "\u2193",
+        "towards you": "\u2299",
+        "away from you": "\u2297",
+    }
+    return signs.get(direction, "\u2248")
+
+
+def step_text(step: Step) -> str:
+    """Return what is felt now."""
+    ways = {
+        "right": translate("DevicePage", "To the right"),
+        "left": translate("DevicePage", "To the left"),
+        "up": translate("DevicePage", "Up"),
+        "down": translate("DevicePage", "Down"),
+        "towards you": translate("DevicePage", "Towards you"),
+        "away from you": translate("DevicePage", "Away from you"),
+        "vibration": translate("DevicePage", "Vibration"),
+    }
+    return f"{ways[step.direction]}, {step.strength_n:.1f} N"
+
+
+class DevicePage(QDialog):
+    """Plays the demonstration on a device of its own; STOP and Escape end it at once.
+
+    The window has to let go of the device before.
+
+    Args:
+        clock: of the machine.
+        device: the engine's name of it.
+        parent: Qt's owner.
+    """
+
+    def __init__(
+        self, clock: Clock, device: str, parent: QWidget | None = None
+    ) -> None:
+        super().__init__(parent)
+        self._clock, self._device = clock, device
+        self._player: ForcePlayer | None = None
+        self._track, self._steps = demonstration(find_device(device).capabilities)
+        self.sign, self.text = QLabel(), QLabel()
+        self.progress = QProgressBar()
+        self.start_button = text_button(
+            self.tr("Start"), self.tr("Feel every direction, gentle first")
+        )
+        self.stop_button = text_button(
+            self.tr("STOP"), self.tr("Take the force away at once (Esc)"), "stop"
+        )
+        self._timer = QTimer(self)
+        self._timer.setInterval(POLL_MS)
+        self._timer.timeout.connect(self._poll)
+        self.start_button.clicked.connect(self.begin)
+        self.stop_button.clicked.connect(self.stop)
+        self._lay_out()
+        self._show_end(
+            self.tr(
+                "Hold the grip loosely. You will feel every direction three times, "
+                "gentle first. Esc, STOP or a button on the grip ends it at once."
+            )
+        )
+
+    @property
+    def is_running(self) -> bool:
+        """Whether a device is held."""
+        return self._player is not None
+
+    def begin(self) -> None:
+        """Take the device and begin."""
+        if self._player is not None:
+            return
+        try:
+            self._player = ForcePlayer(self._clock, self._device, self._track)
+        except HapticPlayerError as problem:
+            self._show_end(str(problem))
+            return
+        self.start_button.setEnabled(False)
+        self.stop_button.setEnabled(True)
+        self._timer.start()
+
+    def stop(self) -> None:
+        """Take the force away and let go of the device."""
+        if self._player is not None:
+            self._player.stop()
+            self._end(self.tr("Stopped."))
+
+    def reject(self) -> None:
+        """Stop before anything else; Escape comes here too."""
+        self.stop()
+        super().reject()
+
+    def _lay_out(self) -> None:
+        name = device_name(self._device)
+        self.setWindowTitle(self.tr("Get to know the forces: {name}").format(name=name))
+        self.setMinimumWidth(WIDTH_PX)
+        font = self.sign.font()
+        font.setPixelSize(_SIGN_PX)
+        self.sign.setFont(font)
+        self.sign.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self.text.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self.text.setWordWrap(True)
+        self.text.setMinimumHeight(4 * self.text.fontMetrics().lineSpacing())
+        self.progress.setTextVisible(False)
+        self.progress.setRange(0, 1000)
+        self.progress.setAccessibleName(self.tr("Progress"))
+        close = text_button(self.tr("Close"), self.tr("Give the device back"))
+        close.clicked.connect(self.reject)
+        buttons = QHBoxLayout()
+        for button in (self.start_button, self.stop_button):
+            buttons.addWidget(button)
+        buttons.addStretch()
+        buttons.addWidget(close)
+        page = QVBoxLayout(self)
+        for part in (self.sign, self.text, self.progress):
+            page.addWidget(part)
+        page.addLayout(buttons)
+
+    def _poll(self) -> None:
+        player = self._player
+        if player is None:
+            return
+        player.poll()
+        if player.is_over:
+            self._end(self._verdict(player))
+            return
+        self.progress.setValue(round(1000 * player.media_s / player.end_s))
+        if player.cause is Cause.NOT_HOMED:
+            self.sign.setText("")
+            self.text.setText(homing_text())
+            return
+        now = [s for s in self._steps if s.begin_s <= player.media_s < s.end_s]
+        if now:
+            self.sign.setText(sign_of(now[0].direction))
+            self.text.setText(step_text(now[0]))
+        else:
+            self.sign.setText("")
+            self.text.setText(
+                self.tr("Rest") if player.media_s else self.tr("Starting")
+            )
+
+    def _verdict(self, player: ForcePlayer) -> str:
+        if player.mode is Mode.TRIPPED:
+            return stop_reason(player.cause)
+        if player.media_s >= player.end_s:
+            return self.tr("These were all the forces that you can meet.")
+        return player.process.problem or self.tr("The haptics process has ended.")
+
+    def _end(self, text: str) -> None:
+        self._timer.stop()
+        player, self._player = self._player, None
+        if player is not None:
+            player.close()
+        self._show_end(text)
+
+    def _show_end(self, text: str) -> None:
+        self.sign.setText("")
+        self.text.setText(text)
+        self.progress.setValue(0)
+        self.start_button.setEnabled(True)
+        self.stop_button.setEnabled(False)

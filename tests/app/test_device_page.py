@@ -1,0 +1,95 @@
+"""The demonstration of forces: announced step by step, and stopped at once."""
+
+import numpy as np
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+
+from app.player.device_page import DevicePage, homing_text, sign_of, step_text
+from hapticplayer.clock import SystemClock
+from hapticplayer.rendering.demonstration import LEAD_S, Step
+
+
+@pytest.fixture
+def page(application, qtbot):
+    made = DevicePage(SystemClock(), "simulated")
+    qtbot.addWidget(made)
+    made.show()
+    qtbot.waitExposed(made)
+    yield made
+    made.reject()
+
+
+def test_it_waits_for_a_person_and_says_how_to_stop(page):
+    assert not page.is_running
+    assert "Esc" in page.text.text()
+    assert page.start_button.isEnabled()
+    assert not page.stop_button.isEnabled()
+
+
+def test_each_force_is_announced_while_it_is_made(page, wait_for):
+    page.start_button.click()
+    wait_for(lambda: "right" in page.text.text())
+    assert page.sign.text() == "\u2192"
+    assert "1.1 N" in page.text.text()
+    player = page._player
+    wait_for(lambda: player.mode.name in ("ENTERING", "FOLLOWING"))
+    ticks = []
+
+    def is_pushed() -> bool:
+        ticks.append(player.process.read_ticks()[0])
+        return float(np.concatenate(ticks)["force_n"][:, 0].max(initial=0.0)) > 0.3
+
+    wait_for(is_pushed)
+    assert player.media_s > LEAD_S
+
+
+@pytest.mark.parametrize("way", ["stop", "escape", "close"])
+def test_it_is_stopped_at_once_and_lets_go_of_the_device(page, wait_for, way):
+    page.start_button.click()
+    wait_for(lambda: "right" in page.text.text())
+    process = page._player.process
+    if way == "stop":
+        page.stop_button.click()
+        assert page.text.text() == "Stopped."
+        assert page.start_button.isEnabled()
+    elif way == "escape":
+        QTest.keyClick(page, Qt.Key.Key_Escape)
+        assert not page.isVisible()
+    else:
+        page.close()
+    assert not page.is_running
+    assert process._crew.loop.poll() is not None
+
+
+def test_a_device_that_is_not_there_is_said_on_the_page(application, qtbot, wait_for):
+    page = DevicePage(SystemClock(), "falcon:NOWHERE0")
+    qtbot.addWidget(page)
+    page.begin()
+    wait_for(lambda: not page.is_running)
+    assert "Falcon" in page.text.text()
+
+
+def test_every_step_has_words_and_a_sign():
+    names = ["right", "left", "up", "down", "towards you", "away from you", "vibration"]
+    steps = [Step(0.0, 1.0, name, 2.25) for name in names]
+    assert len({step_text(step) for step in steps}) == len(names)
+    assert all(step_text(step).endswith("2.2 N") for step in steps)
+    assert len({sign_of(name) for name in names}) == len(names)
+    assert "push it in" in homing_text()
+
+
+def test_the_window_lends_its_device_and_gets_it_back(make_window, wait_for, qtbot):
+    window = make_window("simulated")
+    window.commands.get_to_know.trigger()
+    page = window.findChild(DevicePage)
+    assert page.isVisible()
+    assert window.player.link.device == "none"
+    page.reject()
+    wait_for(lambda: window.player.link.device == "simulated")
+
+
+def test_without_a_device_there_is_nothing_to_get_to_know(window):
+    window.commands.get_to_know.trigger()
+    assert window.findChild(DevicePage) is None
+    assert "device" in window.messages.text()
