@@ -1,0 +1,156 @@
+"""Finds what begins suddenly: in sound to the millisecond, in acceleration to a sample.
+
+Each event has its rarity, the number of events per second of the same recording that
+are at least as strong: sound and acceleration, a quiet car and a gale become comparable
+without any threshold in a unit.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.linalg import solve_toeplitz
+from scipy.ndimage import maximum_filter1d
+from scipy.signal import butter, lfilter, sosfilt
+
+from hapticplayer.model import ImuLog
+from hapticplayer.model.arrays import Floats
+
+CURVE_HZ = 1000
+"""Rate of the onset curve of sound."""
+
+_BAND_HZ = (80.0, 800.0)  # a hand on a housing; wind lies below, most speech above
+_BAND_RATE_HZ = 4000
+_AFTER = 10  # ms whose power counts as the event's
+_BEFORE = (2, 27)  # ms that it is compared with
+_SEPARATION_S = 0.06
+_MOST_PER_S = 3.0
+_MOST = 6000
+_AR_ORDER = 6
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Events:
+    """Sudden events, in the order of time.
+
+    Attributes:
+        time_s: (N,) when each begins, on its stream's own clock.
+        strength: (N,) in the stream's own measure.
+        rarity_hz: (N,) how many events per second are at least as strong.
+    """
+
+    time_s: Floats
+    strength: Floats
+    rarity_hz: Floats
+
+    def __len__(self) -> int:
+        return len(self.time_s)
+
+    def within(self, begin_s: float, end_s: float) -> "Events":
+        """Return the events of a span, with the rarity they have in the whole."""
+        kept = (self.time_s >= begin_s) & (self.time_s <= end_s)
+        return Events(self.time_s[kept], self.strength[kept], self.rarity_hz[kept])
+
+    def rarest(self, most: int) -> "Events":
+        """Return at most so many events, the strongest."""
+        kept = np.sort(np.argsort(self.rarity_hz, kind="stable")[:most])
+        return Events(self.time_s[kept], self.strength[kept], self.rarity_hz[kept])
+
+
+def sound_onsets(audio: NDArray[np.floating], rate_hz: float) -> Floats:
+    """Return how suddenly the sound swells at each millisecond (n,), 0 or more.
+
+    Args:
+        audio: (n,) mono.
+        rate_hz: of the audio, 8000 or more.
+    """
+    power = _band_power(audio, rate_hz)
+    total = np.concatenate([[0.0], np.cumsum(power)])
+    at = np.arange(len(power))
+    end = np.minimum(at + _AFTER, len(power))
+    after = (total[end] - total[at]) / _AFTER
+    near, far = (np.maximum(at - ms, 0) for ms in _BEFORE)
+    before = (total[near] - total[far]) / (_BEFORE[1] - _BEFORE[0])
+    floor = 0.3 * float(np.median(power)) + 1e-14
+    rise = np.maximum(np.sqrt(after) - np.sqrt(before), 0.0)
+    ratio = np.log((after + 1e-14) / (before + floor))
+    curve = np.sqrt(rise) * np.maximum(ratio, 0.0)
+    curve[: _BEFORE[1]] = 0.0
+    return np.asarray(curve)
+
+
+def _band_power(audio: NDArray[np.floating], rate_hz: float) -> Floats:
+    """Return the mean square of each millisecond in the band of pats."""
+    step = max(1, int(rate_hz // _BAND_RATE_HZ))
+    usable = audio[: len(audio) // step * step].reshape(-1, step)
+    low = usable.mean(axis=1, dtype=np.float64)
+    band_hz = rate_hz / step
+    edges = [edge / (band_hz / 2.0) for edge in _BAND_HZ]
+    square = sosfilt(butter(2, edges, "band", output="sos"), low) ** 2
+    total = np.concatenate([[0.0], np.cumsum(square)])
+    marks = np.arange(0.0, len(square), band_hz / CURVE_HZ)
+    if band_hz % CURVE_HZ == 0:
+        sums = np.diff(total[marks.astype(int)])
+    else:
+        sums = np.diff(np.interp(marks, np.arange(len(total)), total))
+    return np.asarray(sums * CURVE_HZ / band_hz)
+
+
+def sound_events(curve: Floats, start_s: float = 0.0) -> Events:
+    """Return the events of an onset curve that begins at `start_s`."""
+    peaks = _peaks(curve, round(_SEPARATION_S * CURVE_HZ))
+    return _ranked(start_s + peaks / CURVE_HZ, curve[peaks], len(curve) / CURVE_HZ)
+
+
+def shocks(imu: ImuLog) -> Floats:
+    """Return how unexpected each sample is (N,): the size of its innovation.
+
+    Each axis is predicted from its own past (autoregression of order 6, which takes
+    away the regular motion of a walk), and scaled by the median of its error.
+    """
+    force = imu.specific_force_mps2
+    if len(force) < 4 * _AR_ORDER:
+        return np.zeros(len(force))
+    square = np.zeros(len(force))
+    for axis in range(3):
+        signal = force[:, axis] - force[:, axis].mean()
+        error = lfilter(innovation_filter(signal), [1.0], signal)
+        square += (error / (1.4826 * np.median(np.abs(error)) + 1e-6)) ** 2
+    square[: 2 * _AR_ORDER] = 0.0
+    steps_s = np.diff(imu.time_s, prepend=imu.time_s[0])
+    after_gap = np.flatnonzero(steps_s > 1.8 * np.median(steps_s))
+    square[np.unique(after_gap[:, None] + np.arange(2)) % len(square)] *= 0.25
+    return np.sqrt(square)
+
+
+def innovation_filter(signal: Floats) -> Floats:
+    """Return the filter (7,) that leaves of a signal what its past does not tell.
+
+    Autocorrelation method; a signal without variation is left as it is.
+    """
+    lags = [signal[: len(signal) - k] @ signal[k:] for k in range(_AR_ORDER + 1)]
+    lags[0] = lags[0] * (1.0 + 1e-4) + 1e-12
+    weights = solve_toeplitz(lags[:-1], lags[1:])
+    return np.concatenate([[1.0], -weights])
+
+
+def shock_events(imu: ImuLog, size: Floats) -> Events:
+    """Return the events among the samples of a log, on its clock."""
+    peaks = _peaks(size, max(1, round(_SEPARATION_S * imu.rate_hz)))
+    duration_s = float(imu.time_s[-1] - imu.time_s[0]) or 1.0
+    return _ranked(imu.time_s[peaks], size[peaks], duration_s)
+
+
+def _peaks(curve: Floats, reach: int) -> NDArray[np.intp]:
+    highest = maximum_filter1d(curve, 2 * reach + 1)
+    return np.flatnonzero((curve == highest) & (curve > 0.0))
+
+
+def _ranked(time_s: Floats, strength: Floats, duration_s: float) -> Events:
+    """Keep the strongest and say how rare each is."""
+    order = np.argsort(-strength, kind="stable")
+    order = order[: int(min(_MOST, max(12.0, _MOST_PER_S * duration_s)))]
+    rarity_hz = np.asarray(np.arange(1.0, len(order) + 1.0) / duration_s)
+    back = np.argsort(time_s[order], kind="stable")
+    kept = order[back]
+    return Events(time_s[kept], strength[kept], rarity_hz[back])

@@ -1,0 +1,160 @@
+"""Synchronises by three pats on the camera: heard in its sound, felt in the log."""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from hapticplayer.capture.sync.events import Events, shock_events, shocks
+from hapticplayer.capture.sync.fit import Whitener, fit_shift
+from hapticplayer.capture.sync.result import Pat, Rival, Synchronisation
+from hapticplayer.capture.sync.shifts import Candidate, Coincidence, candidates
+from hapticplayer.model import ClockMap, ImuLog
+
+LONG_S = 150.0
+"""From here on the drift is worth its fit: 50 ppm are 8 ms."""
+
+DRIFT_PRIOR = 50e-6  # SD; a quartz keeps this
+_DRIFT_LIMIT = 300e-6
+_END_S = 90.0  # of a long clip, in which pats at an end are sought
+_APART_S = 0.06  # a rival is another shift, not this one's flank
+_RIVALS = 5
+_FIT_REACH_S = 0.012
+_LEAST_END = 9.0  # evidence of pats where the other end has told where to look
+_ENOUGH, _CHANCE = 3.5, 10.0  # fitted on simulated clips, right, wrong and mismatched
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Streams:
+    """Both streams, ready to be compared."""
+
+    imu: ImuLog
+    sound: Events
+    shock: Events
+    match: Coincidence
+    whitener: Whitener
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Found:
+    """A shift that was found and fitted."""
+
+    best: Candidate
+    rivals: list[Candidate]
+    pats: tuple[Pat, ...]
+    shift_s: float
+    sigma_s: float
+
+    @property
+    def margin(self) -> float:
+        rival = self.rivals[0].evidence if self.rivals else 0.0
+        return self.best.evidence - max(rival, 0.0)
+
+    @property
+    def score(self) -> float:
+        """What confidence rests on: nobody near, and more than chance gives."""
+        return min(self.margin, 0.6 * (self.best.evidence - _CHANCE))
+
+    @property
+    def at_s(self) -> float:
+        """Log time for which the shift holds."""
+        return float(np.mean([pat.felt_s for pat in self.pats]))
+
+
+def synchronize_pats(imu: ImuLog, sound: Events) -> Synchronisation | None:
+    """Return how the log lies to the sound, None when nothing coincides.
+
+    Args:
+        imu: the log; 30 Hz averages at the least.
+        sound: events of the sound, in media time.
+    """
+    shock = shock_events(imu, shocks(imu))
+    if len(sound) < 3 or len(shock) < 3:
+        return None
+    step_s = 1.0 / imu.rate_hz
+    match = Coincidence(0.003 + 0.25 * step_s, math.hypot(0.003, 0.4 * step_s))
+    streams = _Streams(imu, sound, shock, match, Whitener.of(imu))
+    begin_s, end_s = float(sound.time_s[0]), float(sound.time_s[-1])
+    if end_s - begin_s < LONG_S:
+        found = _find(streams, sound)
+        return None if found is None else _result(found, None)
+    return _long(streams, begin_s, end_s)
+
+
+def _long(streams: _Streams, begin_s: float, end_s: float) -> Synchronisation | None:
+    """Anchor at the surer end; the other one tells the drift."""
+    ends = [
+        streams.sound.within(begin_s, begin_s + _END_S),
+        streams.sound.within(end_s - _END_S, end_s),
+    ]
+    found = [_find(streams, part) for part in ends]
+    scores = [-math.inf if one is None else one.score for one in found]
+    surer = int(np.argmax(scores))
+    anchor = found[surer]
+    if anchor is None or anchor.score < _ENOUGH:
+        whole = _find(streams, streams.sound.rarest(600))
+        if whole is not None and (anchor is None or whole.score > anchor.score):
+            return _result(whole, None)
+    if anchor is None:
+        return None
+    slack_s = _DRIFT_LIMIT * (end_s - begin_s) + streams.match.sigma_s
+    allowed_s = (anchor.shift_s - slack_s, anchor.shift_s + slack_s)
+    other = _find(streams, ends[1 - surer], allowed_s)
+    is_felt = other is not None and other.best.evidence >= _LEAST_END
+    return _result(anchor, other if is_felt else None)
+
+
+def _find(
+    streams: _Streams,
+    sound: Events,
+    allowed_s: tuple[float, float] = (-math.inf, math.inf),
+) -> _Found | None:
+    """Return the best shift of a part of the sound."""
+    ranked = candidates(sound, streams.shock, streams.match, allowed_s)
+    best = next((one for one in ranked if one.triple is not None), None)
+    if best is None or best.triple is None:
+        return None
+    rivals = [one for one in ranked if abs(one.shift_s - best.shift_s) > _APART_S]
+    heard, felt = best.triple.sound, best.triple.shock
+    pats = tuple(
+        Pat(
+            float(sound.time_s[a]),
+            float(streams.shock.time_s[b]),
+            float(sound.rarity_hz[a]),
+            float(streams.shock.rarity_hz[b]),
+        )
+        for a, b in zip(heard, felt, strict=True)
+    )
+    late_s = streams.match.late_s
+    mean_s = float(np.mean([pat.heard_s - pat.felt_s for pat in pats])) + late_s
+    reach_s = _FIT_REACH_S + 1.0 / streams.imu.rate_hz
+    fit = fit_shift(streams.imu, streams.whitener, sound.time_s[heard], mean_s, reach_s)
+    return _Found(best, rivals[:_RIVALS], pats, fit.shift_s, fit.sigma_s)
+
+
+def _result(found: _Found, other: _Found | None) -> Synchronisation:
+    """Return the line through one end, or through both with the prior on drift."""
+    drift, sigma_s, pats = 0.0, found.sigma_s, found.pats
+    shift_s, at_s = found.shift_s, found.at_s
+    if other is not None:
+        apart_s = other.at_s - at_s
+        variance = (found.sigma_s**2 + other.sigma_s**2) / apart_s**2
+        trust = DRIFT_PRIOR**2 / (DRIFT_PRIOR**2 + variance)
+        measured = (other.shift_s - shift_s) / apart_s
+        drift = trust * measured
+        # what the prior keeps back is shared by both ends
+        weight = found.sigma_s**2 / (found.sigma_s**2 + other.sigma_s**2)
+        shift_s += weight * (measured - drift) * apart_s
+        pats = tuple(sorted(found.pats + other.pats, key=lambda pat: pat.heard_s))
+        sigma_s = math.sqrt((found.sigma_s**2 + other.sigma_s**2) / 2.0)
+    confidence = 1.0 / (1.0 + math.exp(min(50.0, _ENOUGH - found.score)))
+    return Synchronisation(
+        # shift(t) = shift + drift (t - at), as a line through log time zero
+        ClockMap(shift_s - drift * at_s, 1.0 + drift, sigma_s, confidence),
+        "pats",
+        found.best.evidence,
+        found.margin,
+        pats,
+        tuple(Rival(one.shift_s, one.evidence) for one in found.rivals),
+        has_drift=other is not None,
+    )

@@ -1,0 +1,103 @@
+"""What a synchronisation found, and why it may be believed."""
+
+from dataclasses import dataclass
+from typing import Any
+
+from hapticplayer.model import ClockMap
+
+ENOUGH_CONFIDENCE = 0.5
+"""Below it a person has to look."""
+
+
+@dataclass(frozen=True, slots=True)
+class Pat:
+    """One pat as both streams have it.
+
+    Attributes:
+        heard_s: media time of its onset in the sound.
+        felt_s: log time of its strongest sample.
+        heard_rarity_hz: events per second of the sound that are at least as strong.
+        felt_rarity_hz: the same of the log.
+    """
+
+    heard_s: float
+    felt_s: float
+    heard_rarity_hz: float
+    felt_rarity_hz: float
+
+
+@dataclass(frozen=True, slots=True)
+class Rival:
+    """Another shift and its evidence, as the logarithm of a likelihood ratio."""
+
+    shift_s: float
+    evidence: float
+
+
+@dataclass(frozen=True, slots=True)
+class Synchronisation:
+    """How the clock of a log lies to a clip.
+
+    Attributes:
+        clock_map: log time to media time, with residual and confidence.
+        method: that found it.
+        evidence: logarithm of the likelihood ratio against chance; 0 where the
+            method weighs nothing.
+        margin: evidence over that of the best rival.
+        pats: what it rests on.
+        rivals: the next best shifts, best first.
+        has_drift: whether the rate was fitted, not assumed.
+        sound_late_s: skew of the camera that was taken off: its sound comes this much
+            later than its picture.
+    """
+
+    clock_map: ClockMap
+    method: str
+    evidence: float = 0.0
+    margin: float = 0.0
+    pats: tuple[Pat, ...] = ()
+    rivals: tuple[Rival, ...] = ()
+    has_drift: bool = False
+    sound_late_s: float = 0.0
+
+    @property
+    def is_confident(self) -> bool:
+        """Whether it may be used without a person's look."""
+        return self.clock_map.confidence >= ENOUGH_CONFIDENCE
+
+    @property
+    def drift_ppm(self) -> float:
+        """How much slower than the media's clock the log's runs."""
+        return 1e6 * (self.clock_map.rate - 1.0)
+
+    def described(self) -> dict[str, Any]:
+        """Return it as plain numbers, lists and texts."""
+        clock = self.clock_map
+        return {
+            "method": self.method,
+            "offset_s": round(clock.offset_s, 6),
+            "drift_ppm": round(self.drift_ppm, 3),
+            "drift_is_fitted": self.has_drift,
+            "residual_s": round(clock.residual_s, 6),
+            "confidence": round(clock.confidence, 4),
+            "is_confident": self.is_confident,
+            "evidence": round(self.evidence, 2),
+            "margin": round(self.margin, 2),
+            "sound_late_s": self.sound_late_s,
+            "pats": [
+                {
+                    "heard_s": round(pat.heard_s, 4),
+                    "felt_s": round(pat.felt_s, 4),
+                    "heard_rarity_hz": round(pat.heard_rarity_hz, 4),
+                    "felt_rarity_hz": round(pat.felt_rarity_hz, 4),
+                }
+                for pat in self.pats
+            ],
+            "rivals": [
+                {
+                    "shift_s": round(rival.shift_s, 4),
+                    "evidence": round(rival.evidence, 2),
+                }
+                for rival in self.rivals
+            ],
+        }
