@@ -1,4 +1,4 @@
-"""Draws what the simulator's camera sees, about 15 ms a picture of 720 lines.
+"""Draws what the simulator's camera sees, about 12 ms a picture of 720 lines.
 
 Each pixel below the horizon is projected onto the ground plane and looks its
 colour up in a texture that is fine enough for its distance; the clouds are a second
