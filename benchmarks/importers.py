@@ -1,6 +1,7 @@
 """Every importer: a large clip, all mutations of every format, logs of ten hours.
 
-    python benchmarks/importers.py [--only WORD] [--mutations N] [--skip-long]
+    python benchmarks/importers.py [--only WORD] [--part clips|mutations|ten_hours]
+                                   [--mutations N]
 
 A generated 700 MB clip: the best of five readings (after one that loads the
 libraries), and bytes that were read from it. 200 seeded mutations of each format: what became of
@@ -8,7 +9,7 @@ them, the longest time and the memory at the peak; anything but a recording that
 sound, a refusal or a question in one sentence ends the run. Ten hours at 100 Hz in
 each format: time and memory, each in a process of its own. Also the same mutations
 of a real camera's clip, if it is at hand. Writes benchmarks/results/importers.json
-and importers.md.
+and importers.md; a run of a part replaces its rows there and keeps the others.
 """
 
 import argparse
@@ -38,6 +39,7 @@ CLIP_BYTES = 700_000_000
 CLIP_LENGTHS_S = (112.0, 2580.0)
 """50 Mbit/s, what cameras write, and the 43 min of the reference's file."""
 
+PARTS = ("clips", "mutations", "ten_hours")
 _READINGS = 5
 MAX_CLIP_S, MAX_CLIP_READ_MB = 0.2, 120.0
 MAX_S, MAX_MB = 10.0, 1024.0
@@ -48,27 +50,49 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--only", default="", help="formats with this word")
     parser.add_argument("--mutations", type=int, default=MUTATIONS)
-    parser.add_argument("--skip-long", action="store_true")
+    parser.add_argument("--part", choices=PARTS, help="only this, kept with the rest")
     parser.add_argument("--child", nargs=2, metavar=("KIND", "KEY"))
     options = parser.parse_args()
     if options.child:
         print(json.dumps(_child(*options.child, options.mutations)))
         return 0
+    parts = (options.part,) if options.part else PARTS
     keys = [key for key in (*FORMATS, KARMA) if options.only.lower() in key.lower()]
-    with tempfile.TemporaryDirectory(prefix="hp-importers-") as folder:
-        clips = [] if options.only else _clips(Path(folder))
-    faults = [_in_child("mutations", key, options.mutations) for key in keys]
-    long = (
-        []
-        if options.skip_long
-        else [_in_child("long", k, 0) for k in keys if k in FORMATS]
-    )
-    text = _report(clips, faults, long)
+    found: dict[str, list[Any]] = {part: [] for part in PARTS}
+    if "clips" in parts and not options.only:
+        with tempfile.TemporaryDirectory(prefix="hp-importers-") as folder:
+            found["clips"] = _clips(Path(folder))
+    if "mutations" in parts:
+        found["mutations"] = [
+            _in_child("mutations", k, options.mutations) for k in keys
+        ]
+    if "ten_hours" in parts:
+        found["ten_hours"] = [_in_child("long", k, 0) for k in keys if k in FORMATS]
+    if options.mutations == MUTATIONS:
+        _keep(found)
+    else:
+        print(_report(*found.values()))
+    return int(_is_broken(*found.values()))
+
+
+def _keep(found: dict[str, list[Any]]) -> None:
+    """Put the new rows in the place of the old ones and write the report."""
+    path = RESULTS / "importers.json"
+    held = json.loads(path.read_text()) if path.exists() else {}
+    merged = {}
+    for part in PARTS:
+        name = "length_s" if part == "clips" else "format"
+        rows = {row[name]: row for row in (*held.get(part, ()), *found[part])}
+        order = (
+            list(rows)
+            if part == "clips"
+            else [k for k in (*FORMATS, KARMA) if k in rows]
+        )
+        merged[part] = [rows[key] for key in order]
+    save("importers", merged)
+    text = _report(*merged.values())
     print(text)
-    if not options.only:
-        save("importers", {"clips": clips, "mutations": faults, "ten_hours": long})
-        (RESULTS / "importers.md").write_text(text + "\n")
-    return int(_is_broken(clips, faults, long))
+    (RESULTS / "importers.md").write_text(text + "\n")
 
 
 def _is_broken(clips: list[Any], faults: list[Any], long: list[Any]) -> bool:

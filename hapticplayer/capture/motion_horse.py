@@ -1,11 +1,10 @@
 """A horse under its rider: walk, trot and canter, and the footfalls to be heard.
 
-Each gait is a sum of harmonics of the stride. Frequencies and the number of vertical
-waves in a stride (two in walk and trot, one in canter) are those of the literature on
-equine gait (Barrey 1999, "Methods, applications and limitations of gait analysis in
-horses", table 1: stride frequencies 0.8 to 1.1, 1.3 to 1.8 and 1.6 to 2.0 Hz); the
-amplitudes give a sitting rider's trunk up to 3, 13 and 9 m/s2 upwards, and never much
-more than free fall downwards.
+Each gait is a sum of harmonics of the stride. Stride frequencies (ordinary ones, from
+memory: 0.8 to 1.1, 1.3 to 1.8 and 1.6 to 2.0 Hz) and the number of vertical waves in a
+stride (two in walk and trot, one in canter) are those of the literature on equine gait;
+the amplitudes are chosen so that a sitting rider's trunk feels up to 3, 13 and 9 m/s2
+upwards, and never much more than free fall downwards.
 """
 
 from dataclasses import dataclass

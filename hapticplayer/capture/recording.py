@@ -19,6 +19,7 @@ from hapticplayer.model import ClockMap, ImuLog, Sampling
 
 if TYPE_CHECKING:
     from hapticplayer.capture.logs import LogChoices, Source
+    from hapticplayer.capture.logs.assemble import LogReading
 
 _GAP_STEPS = 3.0
 """A step of more than this many samples is a gap."""
@@ -80,7 +81,7 @@ def _read(path: str | os.PathLike[str], choices: "LogChoices | None") -> Recordi
     if head.startswith(ZIP_MAGIC):
         return _from_logs(file, choices)
     if not is_text(head):
-        return _from_video(file)
+        return _from_video(file, choices)
     is_own = head.decode("utf-8-sig", "replace").lstrip().startswith(TIME)
     return _from_csv(file) if is_own else _from_logs(file, choices)
 
@@ -93,7 +94,10 @@ def _from_logs(path: str | os.PathLike[str], choices: "LogChoices | None") -> Re
     form = logs.find_format(source, choices) if source.names else None
     if form is None:
         return _from_unknown(source)
-    log = logs.read_log(source, form, choices)
+    return _of_log(logs.read_log(source, form, choices))
+
+
+def _of_log(log: "LogReading") -> Recording:
     return Recording(
         imu=log.imu,
         clock_map=log.clock_map,
@@ -116,7 +120,8 @@ def _from_unknown(source: "Source") -> Recording:
     return _from_csv(source.path)
 
 
-def _from_video(file: Path) -> Recording:
+def _from_video(file: Path, choices: "LogChoices | None") -> Recording:
+    from hapticplayer.capture import logs, other_cameras
     from hapticplayer.media import data_track_names, read_telemetry_packets
 
     packets = read_telemetry_packets(file)
@@ -125,6 +130,10 @@ def _from_video(file: Path) -> Recording:
     reason = "holds no motion telemetry"
     if any("dji" in name.lower() for name in data_track_names(file)):
         reason = "holds no accelerometer samples (DJI stores orientations only)"
+    elif other_cameras.is_available():
+        return _of_log(
+            other_cameras.read_other_camera(file, choices or logs.LogChoices())
+        )
     raise TelemetryError(
         reason, where=str(file), remedy="give the log with --imu LOG --offset S"
     )

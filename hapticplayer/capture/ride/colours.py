@@ -43,8 +43,9 @@ def mixed(
 
 def haze_share(distance_m: Floats32) -> Pixels:
     """Return how much haze lies before a thing, 0 to 256."""
-    clear = np.exp((HAZE_FROM_M - distance_m) / HAZE_LENGTH_M)
-    return np.asarray(256.0 * np.clip(1.0 - clear, 0.0, 1.0)).astype(np.uint32)
+    share = np.float32(HAZE_FROM_M) - distance_m
+    share = np.exp(np.minimum(share, 0.0) * np.float32(1.0 / HAZE_LENGTH_M))
+    return np.asarray(np.float32(256.0) * (np.float32(1.0) - share)).astype(np.uint32)
 
 
 HAZE = colour(172.0, 190.0, 186.0)

@@ -1,4 +1,4 @@
-"""Draws what the simulator's camera sees, about 15 ms a picture of 720 lines.
+"""Draws what the simulator's camera sees, about 12 ms a picture of 720 lines.
 
 Each pixel below the horizon is projected onto the ground plane and looks its
 colour up in a texture that is fine enough for its distance; the clouds are a second
@@ -24,8 +24,9 @@ from hapticplayer.capture.ride.stairs import draw_face
 from hapticplayer.capture.ride.view import Pose, View
 
 _NEAREST_M = 0.6
-_FARTHEST_M = 170.0
-_LEAST_PX = 2.0
+_FARTHEST_M = 150.0
+_LEAST_PX = 7.0
+_STRIP = 48
 
 
 class PictureMaker:
@@ -45,14 +46,9 @@ class PictureMaker:
         self._country.prepare([pose])
         canvas = np.empty(self._view.size, np.uint32)
         rotation = pose.rotation.astype(np.float32)
-        rise = self._view.towards(rotation[2])
-        self._sky.draw(canvas, self._view, rotation, rise)
-        nearer_m = 0.0
-        last = self._country.ground[-1]
-        for texture in self._country.ground:
-            reach_m = np.inf if texture is last else texture.reach_m
-            self._draw_ground(canvas, texture, pose, rise, (nearer_m, reach_m))
-            nearer_m = texture.reach_m
+        self._sky.draw(canvas, self._view, rotation)
+        for top in range(0, len(canvas), _STRIP):
+            self._draw_strip(canvas, top, pose, rotation)
         self._draw_standing(canvas, pose)
         for face in self._country.faces:
             draw_face(canvas, self._view, pose, face)
@@ -64,51 +60,31 @@ class PictureMaker:
         """Paint the ground for poses that will be drawn, by several threads perhaps."""
         self._country.prepare(poses, margin_m)
 
-    def _draw_ground(
-        self,
-        canvas: Pixels,
-        texture: GroundTexture,
-        pose: Pose,
-        rise: Floats32,
-        between_m: tuple[float, float],
+    def _draw_strip(
+        self, canvas: Pixels, top: int, pose: Pose, rotation: Floats32
     ) -> None:
-        """Draw what lies between two distances."""
-        nearer_m, reach_m = between_m
-        height_m = float(pose.position_m[2])
-        # a ray that rises by -h / d meets the ground at the distance d
-        flattest = np.float32(-height_m / reach_m)
-        steepest = np.float32(-height_m / nearer_m if nearer_m else -np.inf)
-        is_hit = (rise.min(axis=1) < flattest) & (rise.max(axis=1) > steepest)
-        rows = np.flatnonzero(is_hit)
-        if not len(rows):
-            return
-        band = slice(int(rows[0]), int(rows[-1]) + 1)
-        fall = rise[band]
-        distance = np.divide(height_m, np.maximum(-fall, 1e-4), dtype=np.float32)
-        colours = self._look_up(texture, pose, band, distance)
-        if not np.isfinite(reach_m):
-            colours = mixed(colours, HAZE, haze_share(distance))
-        np.copyto(canvas[band], colours, where=(fall < flattest) & (fall >= steepest))
-
-    def _look_up(
-        self, texture: GroundTexture, pose: Pose, band: slice, distance: Floats32
-    ) -> Pixels:
-        """Return the colour of the ground that each ray of a band of rows meets."""
-        rotation = pose.rotation.astype(np.float32)
-        view = View(self._view.x, self._view.z[band], self._view.focal_px)
-        scale = np.minimum(distance, np.float32(texture.reach_m))
-        scale /= np.float32(texture.pixel_m)
-        # the window wraps around: a remainder, made positive by whole windows
-        east, north = (
-            view.towards(rotation[axis]) * scale
-            + np.float32(pose.position_m[axis] / texture.pixel_m % SIZE + SIZE)
-            for axis in (0, 1)
-        )
-        index = north.astype(np.int32)
-        index &= SIZE - 1
-        index *= SIZE
-        index += east.astype(np.int32) & (SIZE - 1)
-        return np.asarray(texture.pixels.reshape(-1).take(index))
+        """Draw the ground in some rows; so few that all of it stays in the cache."""
+        view = self._view.rows(top, top + _STRIP)
+        edges = view.edges(rotation[2])
+        height_m, nearer_m = float(pose.position_m[2]), 0.0
+        rise: Floats32 | None = None
+        for texture in self._country.ground:
+            is_last = texture is self._country.ground[-1]
+            # a ray that rises by -h / d meets the ground at the distance d
+            flattest = np.float32(0.0 if is_last else -height_m / texture.reach_m)
+            steepest = np.float32(-height_m / nearer_m if nearer_m else -np.inf)
+            nearer_m = texture.reach_m
+            if edges.min() >= flattest or edges.max() < steepest:
+                continue
+            rise = view.towards(rotation[2]) if rise is None else rise
+            distance = np.minimum(rise, np.float32(-1e-4))
+            np.divide(np.float32(-height_m), distance, out=distance)
+            colours = _look_up(texture, view, pose, distance)
+            if is_last:
+                colours = mixed(colours, HAZE, haze_share(distance))
+            seen = rise < flattest
+            seen &= rise >= steepest
+            np.copyto(canvas[top : top + _STRIP], colours, where=seen)
 
     def _draw_standing(self, canvas: Pixels, pose: Pose) -> None:
         """Draw the things beside the road, from far to near."""
@@ -131,3 +107,30 @@ class PictureMaker:
                 distance_m=float(front[number]),
             )
             draw_sprite(canvas, self._sprites[things.kind[number]], place)
+
+
+def _look_up(
+    texture: GroundTexture, view: View, pose: Pose, distance: Floats32
+) -> Pixels:
+    """Return the colour of the ground that each ray meets."""
+    rotation = pose.rotation.astype(np.float32)
+    scale = np.minimum(distance, np.float32(texture.reach_m))
+    scale *= np.float32(1.0 / texture.pixel_m)
+    # the window wraps around: a remainder, made positive by whole windows
+    column, row = (
+        _cells(view.towards(rotation[axis]), scale, pose.position_m[axis], texture)
+        for axis in (0, 1)
+    )
+    row *= SIZE
+    row += column
+    return np.asarray(texture.pixels.reshape(-1).take(row))
+
+
+def _cells(
+    ray: Floats32, scale: Floats32, at_m: float, texture: GroundTexture
+) -> NDArray[np.int32]:
+    ray *= scale
+    ray += np.float32(at_m / texture.pixel_m % SIZE + SIZE)
+    cells = ray.astype(np.int32)
+    cells &= SIZE - 1
+    return cells

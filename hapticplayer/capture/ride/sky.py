@@ -34,23 +34,20 @@ class Sky:
             )
         )
 
-    def draw(
-        self, canvas: Pixels, view: View, rotation: Floats32, rise: Floats32
-    ) -> None:
+    def draw(self, canvas: Pixels, view: View, rotation: Floats32) -> None:
         """Paint all rows that reach above the horizon.
 
         Args:
             canvas: packed colours, the upper rows are overwritten.
             view: of the canvas.
             rotation: (3, 3) sensor to earth.
-            rise: upward component of all rays.
         """
-        above = np.flatnonzero(rise.max(axis=1) > 0.0)
-        rows = min(len(rise), int(above[-1]) + 3 if len(above) else 0)
+        above = np.flatnonzero(view.edges(rotation[2]).max(axis=1) > 0.0)
+        rows = min(len(canvas), int(above[-1]) + 3 if len(above) else 0)
         if not rows:
             return
         coarse = View(view.x[:, ::2], view.z[:rows:2], view.focal_px)
-        up = rise[:rows:2, ::2]
+        up = coarse.towards(rotation[2])
         level = np.clip(_STEPS_PER_RISE * up, 0.0, len(self._gradient) - 1.0)
         colours = mixed(
             self._gradient[level.astype(np.int32)],

@@ -52,6 +52,14 @@ class View(NamedTuple):
         """Height and width, px."""
         return self.z.shape[0], self.x.shape[1]
 
+    def rows(self, first: int, last: int) -> "View":
+        """Return the view of some rows."""
+        return View(self.x, self.z[first:last], self.focal_px)
+
+    def edges(self, row: Floats32) -> Floats32:
+        """Return the component at both ends of each row (height, 2): its extremes."""
+        return View(self.x[:, [0, -1]], self.z, self.focal_px).towards(row)
+
     def towards(self, row: Floats32) -> Floats32:
         """Return one earth component of all rays; `row` is that of the rotation."""
         return np.asarray((row[0] * self.x) + (row[1] + row[2] * self.z))

@@ -1,0 +1,432 @@
+"""Where the error of the force comes from: the paper's four rides, cause by cause.
+
+    python benchmarks/error_budget.py [--quick] [--no-picture]
+
+The truth is the simulator's: p every millisecond, mapped by the same axes, gain and
+limit as the recording. Each cause is let in alone, all others being perfect; the whole
+chain runs with all of them. Causes are independent where their squares add up to the
+chain's; the rest is printed as what they have in common. The pats and the standstill
+around them are left out. Figures are the RMS of the error vector in mN, over all seeds.
+
+Three chains: *paper* (30 Hz means, pats found to half a frame, each value held),
+*today* (the same log, pats to the 8 ms that event matching reaches at 30 Hz, straight
+lines) and *camera* (200 Hz beside the clip, embedded clock). Writes
+benchmarks/results/error_budget.json and docs/error-budget.png.
+"""
+
+import argparse
+import sys
+import time
+from collections.abc import Callable
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+import numpy as np
+from common import ROOT, save, table
+from numpy.typing import NDArray
+from scipy.interpolate import CubicSpline, make_interp_spline
+
+sys.path.insert(0, str(ROOT))
+from hapticplayer.capture.board import PAPER, Board, record
+from hapticplayer.capture.rides import RIDES
+from hapticplayer.capture.scenes import Scene
+from hapticplayer.capture.sensor_model import CAMERA, SensorErrors, SensorModel
+from hapticplayer.devices.falcon import kinematics
+from hapticplayer.model import ImuLog, Mapping, MotionTrack, Sampling
+from hapticplayer.motion import METHODS, remove_gravity
+from hapticplayer.rendering import render_force
+
+Floats = NDArray[np.float64]
+SCENARIOS = ("bike", "horse", "car-turning", "car-braking")
+SEEDS = (1, 2, 3)
+BEGIN_S = 6.0
+SYNC_S = {"camera": 0.0015, "event pattern, 200 Hz": 0.002, "event pattern, 30 Hz": 0.008,
+          "half a frame, 30 Hz": 1.0 / 60.0, "a frame, 30 Hz": 1.0 / 30.0}  # fmt: skip
+"""Errors of synchronisation by where they are met; the sign does not matter."""
+
+_PERFECT = SensorModel("perfect", averaged_to_hz=30.0)
+_MAPPING = Mapping()
+
+
+@dataclass(slots=True)
+class Ride:
+    """One ride with its truth.
+
+    Attributes:
+        scene: what was ridden.
+        time_s: (N,) media time, every millisecond.
+        p: (N, 3) true gravity-free acceleration.
+        force: (N, 3) what it should become.
+        seed: of the sensors.
+        seconds: run time of what was timed, by name.
+    """
+
+    scene: Scene
+    time_s: Floats
+    p: Floats
+    force: Floats
+    seed: int
+    seconds: dict[str, float] = field(default_factory=dict)
+
+    def error_mn(self, force: Floats) -> float:
+        """Return the mean square of the error vector in mN^2."""
+        return float(np.mean(np.sum((1e3 * (force - self.force)) ** 2, axis=1)))
+
+    def error_of(self, p: Floats) -> float:
+        """Return the mean square for accelerations at the truth's times."""
+        return self.error_mn(force_of(p))
+
+    def log(self, board: Board) -> tuple[ImuLog, Floats]:
+        """Return what a board logs, and the true media times of its samples."""
+        span_s = (-self.scene.lead_s, self.scene.duration_s + self.scene.tail_s)
+        rng = np.random.default_rng([self.seed, 3])
+        log = record(self.scene.trajectory, span_s, board, rng)
+        media_s = log.clock_map.rate * log.imu.time_s + log.clock_map.offset_s
+        return log.imu, media_s
+
+    def timed(self, name: str, work: Callable[[], Any]) -> Any:
+        """Do it and keep how long it took."""
+        begin = time.perf_counter()
+        result = work()
+        self.seconds[name] = time.perf_counter() - begin
+        return result
+
+
+def force_of(p: Floats) -> Floats:
+    """Map accelerations as `rendering` does, without its rounding to float32."""
+    force = _MAPPING.gain_n_per_mps2 * p @ _MAPPING.axes.T
+    size = np.linalg.norm(force, axis=1, keepdims=True)
+    return np.asarray(
+        force * np.minimum(1.0, _MAPPING.force_limit_n / np.maximum(size, 1e-12))
+    )
+
+
+def make_ride(name: str, seed: int) -> Ride:
+    """Ride a scenario; the first seconds with the pats are left out."""
+    scene = RIDES[name](np.random.default_rng([seed, 0]))
+    time_s = np.arange(round(1000 * BEGIN_S), round(1000 * scene.duration_s)) / 1000.0
+    p = scene.trajectory.at(time_s).acceleration_mps2
+    return Ride(scene, time_s, p, force_of(p), seed)
+
+
+# --- what happens between two samples ---------------------------------------
+
+
+def held(time_s: Floats, values: Floats, at_s: Floats) -> Floats:
+    """Each value over the cell around its time, as the paper plays them."""
+    edges = 0.5 * (time_s[1:] + time_s[:-1])
+    return values[np.searchsorted(edges, at_s)]
+
+
+def linear(time_s: Floats, values: Floats, at_s: Floats) -> Floats:
+    """Straight lines."""
+    return np.stack([np.interp(at_s, time_s, v) for v in values.T], axis=1)
+
+
+def cubic(time_s: Floats, values: Floats, at_s: Floats) -> Floats:
+    """A cubic spline through the values."""
+    return np.asarray(CubicSpline(time_s, values)(at_s))
+
+
+def mean_keeping(time_s: Floats, values: Floats, at_s: Floats) -> Floats:
+    """A curve whose means over the windows are the values: it undoes the averaging.
+
+    The derivative of a quintic spline through the running integral of the means.
+    """
+    edges = np.concatenate(
+        [[1.5 * time_s[0] - 0.5 * time_s[1]], 0.5 * (time_s[1:] + time_s[:-1]),
+         [1.5 * time_s[-1] - 0.5 * time_s[-2]]]
+    )  # fmt: skip
+    steps = np.diff(edges)[:, None] * values
+    area = np.concatenate([np.zeros((1, values.shape[1])), np.cumsum(steps, axis=0)])
+    return np.asarray(make_interp_spline(edges, area, k=5).derivative()(at_s))
+
+
+RECONSTRUCTIONS = {
+    "hold": held,
+    "linear": linear,
+    "cubic": cubic,
+    "mean-keeping": mean_keeping,
+}
+
+
+def quantised(force: Floats) -> Floats:
+    """Round to the Falcon's motor words at the middle of its workspace."""
+    jacobian = np.array(kinematics.jacobian((0.0, 0.0, 0.13)))
+    to_words = -kinematics.WORDS_PER_NM * jacobian.T
+    words = np.clip(np.rint(force @ to_words.T), -4096, 4096)
+    return np.asarray(words @ np.linalg.inv(to_words).T)
+
+
+# --- one cause at a time ----------------------------------------------------
+
+
+def averaged_motion(ride: Ride, board: Board) -> tuple[Floats, Floats]:
+    """Return media times and true means of p, as a log of that board has windows."""
+    imu, media_s = ride.log(board)
+    half_s = 0.5 / imu.rate_hz
+    fine_s = np.linspace(-half_s, half_s, 33)[None, :] + media_s[:, None]
+    p = ride.scene.trajectory.at(fine_s.reshape(-1)).acceleration_mps2
+    return media_s, p.reshape(*fine_s.shape, 3).mean(axis=1)
+
+
+def with_errors(**parts: SensorErrors) -> Board:
+    """Return the perfect board with some errors of the paper's."""
+    return Board(sensor=replace(_PERFECT, **parts))
+
+
+def sensor_causes(ride: Ride) -> dict[str, float]:
+    """Let the accelerometer's noise, its constant errors and the stalls in, one by one.
+
+    What counts is what comes through the smoother, which levels with the same
+    accelerometer; what the gyro does wrong is an error of the gravity removal.
+    """
+    whole = PAPER.sensor.accelerometer
+    noise = SensorErrors(noise=whole.noise, step=whole.step, limit=whole.limit)
+    constant = replace(whole, noise=0.0, step=0.0)
+    stalling = replace(with_errors(), stall_every_s=PAPER.stall_every_s, stamp_s=0.001)
+    perfect = _smoothed(ride, with_errors())
+    return {
+        name: ride.error_of(ride.p + _smoothed(ride, board) - perfect)
+        for name, board in (
+            ("noise", with_errors(accelerometer=noise)),
+            ("bias, scale, axes", with_errors(accelerometer=constant)),
+            ("stalls, stamps", stalling),
+        )
+    }
+
+
+def _smoothed(ride: Ride, board: Board) -> Floats:
+    imu, media_s = ride.log(board)
+    return linear(
+        media_s, remove_gravity(imu, "smoother").acceleration_mps2, ride.time_s
+    )
+
+
+def sampling_causes(ride: Ride) -> dict[str, float]:
+    """The averaging itself, and what each reconstruction does between the means."""
+    smooth = _boxcar(ride, 0.0)
+    media_s, means = averaged_motion(ride, with_errors())
+    causes = {"averaging": ride.error_of(smooth)}
+    for name, between in RECONSTRUCTIONS.items():
+        p = ride.timed(name, lambda b=between: b(media_s, means, ride.time_s))
+        causes[f"averaging and {name}"] = ride.error_of(p)
+        causes[name] = ride.error_of(ride.p + p - smooth)
+    return causes
+
+
+def sync_causes(ride: Ride) -> dict[str, float]:
+    """What is left after the averaging, shifted; of the 200 Hz log, all of it."""
+    return {
+        name: float(
+            np.mean(
+                [_shifted(ride, s, is_fine="30" not in name) for s in (-by_s, by_s)]
+            )
+        )
+        for name, by_s in SYNC_S.items()
+    }
+
+
+def _shifted(ride: Ride, by_s: float, *, is_fine: bool) -> float:
+    at = ride.scene.trajectory.at
+    if is_fine:
+        return ride.error_of(at(ride.time_s + by_s).acceleration_mps2)
+    wrong = _boxcar(ride, by_s) - _boxcar(ride, 0.0)
+    return ride.error_of(ride.p + wrong)
+
+
+def _boxcar(ride: Ride, later_s: float) -> Floats:
+    """Return the true p averaged over a window of 1 / 30 s around each time."""
+    at, fine_s = ride.scene.trajectory.at, np.linspace(-0.5, 0.5, 17) / 30.0 + later_s
+    return np.asarray(
+        np.mean([at(ride.time_s + s).acceleration_mps2 for s in fine_s], axis=0)
+    )
+
+
+def gravity_causes(ride: Ride) -> dict[str, float]:
+    """Each method on a perfect log, and on the board's with its gyro's errors."""
+    causes = {}
+    media_s, means = averaged_motion(ride, with_errors())
+    gyro = replace(
+        with_errors(gyro=PAPER.sensor.gyro), rate_per_mps2=PAPER.rate_per_mps2
+    )
+    for kind, board in (("perfect", with_errors()), ("board's gyro", gyro)):
+        imu, _ = ride.log(board)
+        for method in METHODS:
+            remove_gravity(imu, method)  # loads and compiles
+            track = ride.timed(method, lambda i=imu, m=method: remove_gravity(i, m))
+            wrong = track.acceleration_mps2 - means
+            p = ride.p + linear(media_s, wrong, ride.time_s)
+            causes[f"{method}, {kind}"] = ride.error_of(p)
+    return causes
+
+
+def chains(ride: Ride) -> dict[str, float]:
+    """Return the mean square of whole chains, as the player runs them."""
+    imu, media_s = ride.log(PAPER)
+    found = {}
+    track = remove_gravity(imu, "smoother")
+    for name, late_s, between in (
+        ("paper", SYNC_S["half a frame, 30 Hz"], held),
+        ("today", SYNC_S["event pattern, 30 Hz"], linear),
+        ("mean-keeping", SYNC_S["event pattern, 30 Hz"], mean_keeping),
+    ):
+        found[name] = _sent(ride, track, media_s + late_s, between)
+    camera = Board(sensor=replace(CAMERA, averaged_to_hz=None))
+    imu, media_s = ride.log(camera)
+    track = remove_gravity(replace(imu, sampling=Sampling.INSTANT), "smoother")
+    found["camera"] = _sent(ride, track, media_s + SYNC_S["camera"], linear)
+    return found
+
+
+def _sent(
+    ride: Ride,
+    track: MotionTrack,
+    media_s: Floats,
+    between: Callable[[Floats, Floats, Floats], Floats],
+) -> float:
+    force = render_force(track, _MAPPING).force_n.astype(np.float64)
+    return ride.error_mn(quantised(between(media_s, force, ride.time_s)))
+
+
+def measure(name: str, seed: int) -> tuple[dict[str, dict[str, float]], Ride]:
+    """Return all mean squares of one ride by group and cause."""
+    ride = make_ride(name, seed)
+    rounded = ride.timed("quantisation", lambda: quantised(ride.force))
+    return {
+        "sensor": sensor_causes(ride),
+        "sampling": sampling_causes(ride),
+        "synchronisation": sync_causes(ride),
+        "gravity removal": gravity_causes(ride),
+        "device": {"quantisation": ride.error_mn(rounded)},
+        "chain": chains(ride),
+        "signal": {"force": float(np.mean(np.sum((1e3 * ride.force) ** 2, axis=1)))},
+    }, ride
+
+
+# --- tables and the picture -------------------------------------------------
+
+STACKS: dict[str, tuple[tuple[str, str, str], ...]] = {
+    chain: (
+        ("sensor noise", "sensor", "noise"),
+        ("sensor bias, scale, axes", "sensor", "bias, scale, axes"),
+        ("stalls, stamps", "sensor", "stalls, stamps"),
+        ("averaging", "sampling", "averaging"),
+        ("reconstruction", "sampling", between),
+        ("synchronisation", "synchronisation", sync),
+        ("gravity removal", "gravity removal", "smoother, board's gyro"),
+        ("quantisation", "device", "quantisation"),
+    )
+    for chain, between, sync in (
+        ("paper", "hold", "half a frame, 30 Hz"),
+        ("today", "linear", "event pattern, 30 Hz"),
+    )
+}
+"""What a chain's error is made of: label, group and cause."""
+
+Figures = dict[str, dict[str, dict[str, float]]]
+
+
+def gather(seeds: tuple[int, ...]) -> tuple[Figures, dict[str, float]]:
+    """Return the RMS in mN by scenario, group and cause, and seconds by name."""
+    figures: Figures = {}
+    seconds: dict[str, list[float]] = {}
+    for name in SCENARIOS:
+        runs = []
+        for seed in seeds:
+            squares, ride = measure(name, seed)
+            runs.append(squares)
+            for what, took in ride.seconds.items():
+                seconds.setdefault(what, []).append(60.0 * took / ride.scene.duration_s)
+            print(f"{name}, seed {seed} done", file=sys.stderr)
+        figures[name] = {
+            group: {
+                cause: float(np.sqrt(np.mean([run[group][cause] for run in runs])))
+                for cause in causes
+            }
+            for group, causes in runs[0].items()
+        }
+    return figures, {what: float(np.median(took)) for what, took in seconds.items()}
+
+
+def report(figures: Figures, seconds: dict[str, float]) -> str:
+    """Return the tables as text."""
+    first = figures[SCENARIOS[0]]
+    rows: list[list[Any]] = []
+    for group, causes in first.items():
+        for cause in causes:
+            timed = seconds.get(cause.split(",")[0])
+            took = f"{1e3 * timed:.1f}" if timed is not None else ""
+            rows.append(
+                [group, cause, *(figures[n][group][cause] for n in SCENARIOS), took]
+            )
+    for chain, parts in STACKS.items():
+        rest = [_in_common(figures[n], chain, parts) for n in SCENARIOS]
+        rows.append(["chain", f"{chain}: not of one cause", *rest, ""])
+    return table(["group", "cause", *SCENARIOS, "ms per 60 s"], rows)
+
+
+def _in_common(figures: dict[str, dict[str, float]], chain: str, parts: Any) -> float:
+    """Return the signed root of the chain's square less those of its causes."""
+    alone = sum(figures[group][cause] ** 2 for _, group, cause in parts)
+    rest = figures["chain"][chain] ** 2 - alone
+    return float(np.sign(rest) * np.sqrt(abs(rest)))
+
+
+def draw(figures: Figures) -> None:
+    """Write the stacked picture: each cause's share of the squares of all causes."""
+    import matplotlib as mpl
+
+    mpl.use("Agg")
+    import matplotlib.pyplot as plt
+
+    figure, axes = plt.subplots(figsize=(9.0, 4.6), layout="constrained")
+    colours = plt.get_cmap("tab10").colors
+    labels, at = [], 0.0
+    for name in SCENARIOS:
+        for chain, parts in STACKS.items():
+            squares = np.array([figures[name][g][c] ** 2 for _, g, c in parts])
+            total = np.sqrt(squares.sum())
+            bottom = 0.0
+            for number, share in enumerate(squares / squares.sum()):
+                label = parts[number][0] if at == 0.0 else None
+                axes.bar(
+                    at, share * total, 0.8, bottom, color=colours[number], label=label
+                )
+                bottom += share * total
+            axes.plot(at, figures[name]["chain"][chain], "kD", ms=5,
+                      label="the whole chain" if at == 0.0 else None)  # fmt: skip
+            labels.append((at, f"{chain}\n{name}" if chain == "paper" else chain))
+            at += 1.0
+        axes.plot(at - 1.0 + 0.0, figures[name]["chain"]["camera"], "k_", ms=18, mew=2,
+                  label="camera at 200 Hz" if name == SCENARIOS[0] else None)  # fmt: skip
+        at += 0.6
+    axes.set_xticks([x for x, _ in labels], [text for _, text in labels], fontsize=8)
+    axes.set_ylabel("RMS error of the force, mN")
+    axes.set_title(
+        "Each cause's share of the error of the force (by squares)", fontsize=10
+    )
+    axes.spines[["top", "right"]].set_visible(False)
+    axes.legend(fontsize=8, ncols=2, frameon=False)
+    figure.savefig(ROOT / "docs" / "error-budget.png", dpi=110)
+
+
+def main() -> int:
+    """Measure, print, save and draw."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--quick", action="store_true", help="one seed, nothing saved")
+    parser.add_argument("--no-picture", action="store_true")
+    options = parser.parse_args()
+    begin = time.perf_counter()
+    figures, seconds = gather(SEEDS[:1] if options.quick else SEEDS)
+    print(report(figures, seconds))
+    print(f"\n{time.perf_counter() - begin:.0f} s in all")
+    if not options.quick:
+        save("error_budget", {"rms_mn": figures, "seconds_per_60_s": seconds})
+    if not options.no_picture:
+        draw(figures)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,150 @@
+"""Cameras beyond GoPro, through the optional library `telemetry-parser`.
+
+It runs in a child process with limits of memory and time, on a copy of the video in a
+folder of its own, because it reads side-car files that happen to lie beside a video.
+What it is known to get wrong (its version 0.3.0) is refused: GoPro is never given to
+it; samples without acceleration (DJI, and floats that it drops) are no log; it pairs
+sensors by index, so that missing samples in between are a sign of wrong times. It
+declares no frame, so the axes have to be decided.
+"""
+
+import importlib.util
+import json
+import shutil
+import subprocess
+import sys
+import tempfile
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from hapticplayer.capture.logs.assemble import LogReading, assemble
+from hapticplayer.capture.logs.choices import OPTION, LogChoices, question
+from hapticplayer.capture.logs.raw import RawLog, Stream
+from hapticplayer.capture.telemetry_child import COLUMNS
+from hapticplayer.errors import TelemetryError
+from hapticplayer.model.arrays import Floats
+
+MAX_VIDEO_BYTES = 16 << 30
+MAX_ANSWER_BYTES = 1 << 30
+MEMORY_BYTES = 2 << 30
+TIME_LIMIT_S = 60.0
+
+_COMMAND = (sys.executable, "-P", "-m", "hapticplayer.capture.telemetry_child")
+_LEAST_SHARE = 0.98
+"""Of the samples that must hold acceleration and rate."""
+
+
+def is_available() -> bool:
+    """Whether the library is installed."""
+    return importlib.util.find_spec("telemetry_parser") is not None
+
+
+def read_other_camera(
+    video: Path,
+    choices: LogChoices,
+    *,
+    command: Sequence[str] = _COMMAND,
+    time_limit_s: float = TIME_LIMIT_S,
+) -> LogReading:
+    """Return the motion in a video of a camera that the library knows.
+
+    Args:
+        video: no GoPro's.
+        choices: `axes` must be decided: the library declares no frame.
+        command: of the child.
+        time_limit_s: for it, copying not included.
+
+    Raises:
+        TelemetryError: when it holds none, or what the library gives is not sound.
+        UsageError: when the axes are not decided.
+    """
+    with tempfile.TemporaryDirectory(prefix="hapticplayer-") as folder:
+        name, arrays = _read_copy(video, Path(folder), command, time_limit_s)
+    time_s, force, rate = (arrays[column] for column in COLUMNS)
+    if not choices.axes:
+        raise question(
+            f"is of a {name}, whose axes its telemetry does not tell",
+            ("axes=RIGHT,FRONT,UP in its axes, such as axes=x,-z,y",),
+            str(video),
+        )
+    raw = RawLog(
+        name=name,
+        force=Stream(time_s, force),
+        rate=Stream(time_s, rate),
+        rate_unit="deg/s",
+        axes_words="as telemetry-parser gives them",
+        notes=("read by telemetry-parser; its times are those of an average rate",),
+    )
+    return assemble(raw, choices, str(video))
+
+
+def _read_copy(
+    video: Path, folder: Path, command: Sequence[str], time_limit_s: float
+) -> tuple[str, dict[str, Floats]]:
+    if video.stat().st_size > MAX_VIDEO_BYTES:
+        raise _refusal(video, f"is larger than {MAX_VIDEO_BYTES >> 30} GB")
+    copy, answer = folder / f"video{video.suffix}", folder / "answer.npz"
+    try:
+        shutil.copyfile(video, copy)
+        done = subprocess.run(
+            [
+                *command,
+                str(copy),
+                str(answer),
+                str(MEMORY_BYTES),
+                f"{time_limit_s:.0f}",
+            ],
+            capture_output=True,
+            timeout=time_limit_s,
+            check=False,
+        )
+    except OSError as error:
+        raise _refusal(video, f"cannot be copied ({error.strerror})") from error
+    except subprocess.TimeoutExpired as error:
+        raise _refusal(video, f"took telemetry-parser {time_limit_s:g} s") from error
+    if done.returncode:
+        lines = done.stderr.decode("utf-8", "replace").strip().splitlines()
+        why = lines[-1][:200] if lines else f"it died, status {done.returncode}"
+        raise _refusal(video, f"is nothing that telemetry-parser can read ({why})")
+    try:
+        about: Any = json.loads(done.stdout)
+        name = f"{about['camera']} {about['model']}".strip()[:60]
+        return name, _checked(answer, name)
+    except (ValueError, KeyError, TypeError, OSError, MemoryError) as error:
+        raise _refusal(
+            video, f"made telemetry-parser answer nonsense ({error})"
+        ) from error
+
+
+def _checked(answer: Path, name: str) -> dict[str, Floats]:
+    """Return the arrays of an answer.
+
+    Raises:
+        ValueError: with the reason, when they are not those of a log.
+    """
+    if name.startswith("GoPro"):  # it pairs their sensors wrongly
+        raise ValueError("a GoPro's telemetry is read without it, and is damaged")
+    if answer.stat().st_size > MAX_ANSWER_BYTES:
+        raise ValueError("it is too large")
+    with np.load(answer, allow_pickle=False) as archive:
+        arrays = {name: np.asarray(archive[name], np.float64) for name in COLUMNS}
+    time_s, force, rate = (arrays[name] for name in COLUMNS)
+    if time_s.ndim != 1 or force.shape != (len(time_s), 3) or rate.shape != force.shape:
+        raise ValueError("its arrays do not belong together")
+    if not len(time_s) or not np.isfinite(force).any():
+        raise ValueError("it holds no accelerations")
+    whole = np.isfinite(force).all(axis=1) & np.isfinite(rate).all(axis=1)
+    if whole.mean() < _LEAST_SHARE:
+        raise ValueError(f"only {whole.mean():.0%} of its samples are whole")
+    return arrays
+
+
+def _refusal(video: Path, what: str) -> TelemetryError:
+    return TelemetryError(
+        what,
+        where=str(video),
+        remedy=f"give the log with --imu LOG --offset S, and {OPTION} where it is asked",
+    )

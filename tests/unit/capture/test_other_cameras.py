@@ -1,0 +1,122 @@
+"""Cameras beyond GoPro: the library is not here, so children stand in for it."""
+
+import os
+import sys
+import textwrap
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from hapticplayer.capture.logs.choices import LogChoices
+from hapticplayer.capture.other_cameras import read_other_camera
+from hapticplayer.errors import TelemetryError, UsageError
+
+AXES = LogChoices(axes="x,y,z")
+LIBRARY = """
+    import os
+    class Parser:
+        camera, model = "Sony", "FX3"
+        def __init__(self, path):
+            if open(path).read() == "gopro":
+                self.camera = "GoPro"
+            assert sorted(os.listdir(os.path.dirname(path))) == ["video.mp4"], "side cars"
+            self.kind = open(path).read()
+        def normalized_imu(self):
+            if self.kind == "panic":
+                class PanicException(BaseException): pass
+                raise PanicException("index out of range")
+            if self.kind == "greedy":
+                bytearray(3 << 30)
+            if self.kind == "dead":
+                os.abort()
+            if self.kind == "slow":
+                while True: pass
+            accl = None if self.kind == "gimbal" else (0.1, 0.2, 9.8)
+            return [
+                dict(timestamp_ms=5.0 * k, gyro=(9.0, 0.0, 0.01 * (k % 7)),
+                     accl=None if self.kind == "half" and k % 2 else
+                     accl and (*accl[:2], accl[2] + 0.01 * (k % 5)))
+                for k in range(2000)
+            ]
+"""
+
+
+@pytest.fixture
+def camera(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A folder with a library on the child's path, and a video with a side-car."""
+    library = tmp_path / "library"
+    library.mkdir()
+    (library / "telemetry_parser.py").write_text(textwrap.dedent(LIBRARY))
+    here = os.pathsep.join([str(library), *(p for p in sys.path if p)])
+    monkeypatch.setenv("PYTHONPATH", here)
+    (tmp_path / "clip.gyroflow").write_text("a side-car that must not be seen")
+    return tmp_path / "clip.mp4"
+
+
+def test_video_becomes_a_log_in_si(camera: Path) -> None:
+    camera.write_text("good")
+    log = read_other_camera(camera, AXES)
+    assert log.name == "Sony FX3"
+    assert log.imu.rate_hz == pytest.approx(200.0)
+    np.testing.assert_allclose(log.imu.specific_force_mps2[0], [0.1, 0.2, 9.8])
+    assert log.imu.angular_rate_radps[0, 0] == pytest.approx(np.radians(9.0))
+
+
+def test_axes_are_asked_for(camera: Path) -> None:
+    camera.write_text("good")
+    with pytest.raises(UsageError, match="axes its telemetry does not tell"):
+        read_other_camera(camera, LogChoices())
+
+
+@pytest.mark.parametrize(
+    ("kind", "reason"),
+    [
+        ("panic", "PanicException: index out of range"),
+        ("greedy", "MemoryError"),
+        ("dead", "it died, status -6|abort"),
+        ("gopro", "a GoPro's telemetry is read without it"),
+        ("gimbal", "no accelerations"),
+        ("half", "only 50% of its samples are whole"),
+    ],
+)
+def test_what_goes_wrong_in_the_library_is_one_sentence(
+    camera: Path, kind: str, reason: str
+) -> None:
+    camera.write_text(kind)
+    with pytest.raises(TelemetryError, match=reason) as caught:
+        read_other_camera(camera, AXES)
+    assert "\n" not in str(caught.value)
+
+
+def test_library_that_hangs_is_ended(camera: Path) -> None:
+    camera.write_text("slow")
+    with pytest.raises(TelemetryError, match=r"took telemetry-parser 2 s|it died"):
+        read_other_camera(camera, AXES, time_limit_s=2.0)
+
+
+@pytest.mark.parametrize(
+    "script",
+    [
+        "print('no json')",
+        "print('{}')",
+        'print(\'{"camera": "x", "model": ""}\')',
+    ],
+)
+def test_answers_that_are_none_are_refused(camera: Path, script: str) -> None:
+    camera.write_text("good")
+    command = (sys.executable, "-c", f"import sys; sys.argv[1:1] = []; {script}")
+    with pytest.raises(TelemetryError, match="answer nonsense"):
+        read_other_camera(camera, AXES, command=command)
+
+
+def test_nothing_is_left_of_the_copy(
+    camera: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    scratch = tmp_path / "scratch"
+    scratch.mkdir()
+    monkeypatch.setattr("tempfile.tempdir", str(scratch))
+    camera.write_text("panic")
+    with pytest.raises(TelemetryError):
+        read_other_camera(camera, AXES)
+    assert list(scratch.iterdir()) == []
