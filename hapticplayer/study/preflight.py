@@ -21,6 +21,8 @@ DEVICE, HOMED, SCHEDULING, SOUND, SCREEN, DISK = (
     "disk",
 )
 
+SIMULATED = "simulated"  # nobody feels anything: good for trying a study out
+
 
 @dataclass(frozen=True, slots=True)
 class Check:
@@ -83,7 +85,8 @@ def _device(player: Player, checks: Checks) -> Check:
     link = player.link
     if link.device == NO_DEVICE:
         return Check(DEVICE, not checks.device, "none")
-    is_good = link.health is Health.READY
+    is_real = link.device != SIMULATED or not checks.device
+    is_good = is_real and link.health is Health.READY
     return Check(DEVICE, is_good, f"{link.device}, {link.health}")
 
 

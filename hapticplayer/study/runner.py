@@ -101,7 +101,7 @@ class SessionRunner:
         self.last_trial: Played | None = None
         self._clock, self._observer = clock, observer
         self._conditions = session.plan.assignment.conditions
-        self._maker = PageMaker(self.definition, self.plan)
+        self.maker = PageMaker(self.definition, self.plan)
         self._steps = steps_of(self.definition, len(self._conditions))
         self._journal = Journal(session.folder / ANSWERS, clock)
         records = self._journal.found
@@ -162,7 +162,7 @@ class SessionRunner:
     @property
     def page(self) -> Page:
         """What the participant is to see now."""
-        return self._maker.page(self._kind(), self.step, self._number)
+        return self.maker.page(self._kind(), self.step, self._number)
 
     def _kind(self) -> PageKind:
         if self._mode is Mode.AT_PAGE:
@@ -181,7 +181,7 @@ class SessionRunner:
                 self.study,
                 self.plan.code,
                 given=given,
-                text=self._maker.text("consent"),
+                text=self.maker.text("consent"),
                 language=self.plan.language,
             )
         except StudyError as problem:

@@ -1,6 +1,6 @@
 """Plays what a trial asks for, and says what was really played."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any, Protocol
 
@@ -80,6 +80,9 @@ class PlayerStage:
         checks: what is required at all.
         clock: of the machine.
         record: name of the file that holds all ticks, for the trial's record.
+
+    Attributes:
+        opening: called with each source before it is loaded.
     """
 
     def __init__(
@@ -95,6 +98,7 @@ class PlayerStage:
         self._sources, self._demonstration = sources, demonstration
         self._limits, self._checks = rules
         self._clock, self._record = clock, record
+        self.opening: Callable[[Source], None] = lambda _source: None
         self._watch = _Watch(player, clock.now_s())
 
     def prepare(self, condition: Condition) -> None:
@@ -109,6 +113,7 @@ class PlayerStage:
         self._open(self._demonstration)
 
     def _open(self, source: Source) -> None:
+        self.opening(source)
         self.player.open(source, next(iter(source.tracks)))
 
     def begin(self) -> None:

@@ -1,0 +1,1 @@
+"""Other people's formats: what a study or a record is for other programs."""

@@ -1,0 +1,264 @@
+"""A study as a BIDS dataset: answers (beh), and the device at 1 kHz (motion).
+
+Source: BIDS specification 1.10, behavioural and motion data. BIDS has no type for
+force: it is MISC with the unit N.
+"""
+
+import datetime as dt
+import json
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from hapticplayer import __version__
+from hapticplayer.interchange.session_data import (
+    finite,
+    markers_of,
+    tick_chunks,
+    tick_files,
+)
+from hapticplayer.interchange.study_tables import Column, Table, separated
+from hapticplayer.study import private
+from hapticplayer.study.answers import Answers, Participant
+from hapticplayer.study.definition import Definition
+from hapticplayer.study.session_folder import StoredSession
+from hapticplayer.study.steps import AnsweredTrial, answered_trials
+
+VERSION = "1.10.0"
+TASK, SYSTEM, RATE_HZ = "qoe", "falcon", 1000
+_BEH = (
+    Column("trial_index", "place in this participant's order, from 1"),
+    Column("attempt", "1, or more where the trial was repeated"),
+    Column("sequence", "what was played"),
+    Column("feedback", "force condition"),
+    Column("delay_s", "by which the force came later than recorded"),
+    Column("gain", "of the force, 1 as recorded"),
+    Column("sound", "whether the playback was without a fault"),
+)
+_CHANNELS = (
+    # name, component, type, unit, decimals
+    ("latency", "n/a", "LATENCY", "s", 6),
+    ("media", "n/a", "MISC", "s", 4),
+    *[(f"grip_{axis}", axis, "POS", "m", 6) for axis in "xyz"],
+    *[(f"force_{axis}", axis, "MISC", "N", 4) for axis in "xyz"],
+)
+
+
+def write_bids(
+    definition: Definition,
+    answers: Answers,
+    sessions: list[StoredSession],
+    folder: Path,
+    remarks: list[str],
+) -> None:
+    """Write a dataset into an empty folder."""
+    _json(folder / "dataset_description.json", _dataset(definition))
+    _new(folder / "README", _readme(definition))
+    _new(folder / "participants.tsv", _participants(answers))
+    _json(folder / "participants.json", _participants_sidecar())
+    keys = [question.key for question in definition.trial_questions]
+    _json(folder / f"task-{TASK}_beh.json", _beh_sidecar(definition))
+    known = {participant.code for participant in answers.participants}
+    for session in sessions:
+        if session.code in known:
+            _subject(session, keys, folder / f"sub-{session.code}", remarks)
+
+
+def _dataset(definition: Definition) -> dict[str, Any]:
+    return {
+        "Name": definition.title,
+        "BIDSVersion": VERSION,
+        "DatasetType": "raw",
+        "GeneratedBy": [{"Name": "hapticplayer", "Version": __version__}],
+    }
+
+
+def _readme(definition: Definition) -> bytes:
+    language = definition.languages[0]
+    text = (
+        f"{definition.title}\n\n"
+        "Participants watched clips while a haptic device moved their hand, and "
+        "answered questions after each. Codes were made by the program.\n\n"
+        "beh: answers of each trial. motion: the device at 1 kHz, in the frame of the "
+        "device: x right, y up, z towards the participant; force_x to force_z is the "
+        "force that was sent (type MISC, for BIDS has none for force), media the "
+        "position in the clip.\n\n"
+        f"{definition.texts['retention'][language]}\n"
+    )
+    return text.encode()
+
+
+def _participants(answers: Answers) -> bytes:
+    names = ("participant_id", "age", "gender", "handedness", "used_device_before")
+    rows = [_participant_row(participant) for participant in answers.participants]
+    columns = [Column(name, "") for name in names]
+    return separated(Table("participants.tsv", columns, rows), "\t", "n/a")
+
+
+def _participant_row(who: Participant) -> tuple[Any, ...]:
+    used = who.used_device_before
+    return (f"sub-{who.code}", who.age, who.gender, who.handedness, used)
+
+
+def _participants_sidecar() -> dict[str, Any]:
+    return {
+        "age": {"Description": "age of the participant", "Units": "year"},
+        "gender": {"Description": "as answered"},
+        "handedness": {"Description": "hand that writes"},
+        "used_device_before": {
+            "Description": "whether such a device was known",
+            "Levels": {"true": "yes", "false": "no"},
+        },
+    }
+
+
+def _beh_sidecar(definition: Definition) -> dict[str, Any]:
+    language = definition.languages[0]
+    made: dict[str, Any] = {
+        "TaskName": TASK,
+        "Instructions": definition.texts["consent"][language],
+    }
+    for column in _BEH:
+        made[column.name] = {"Description": column.meaning}
+    for name in ("delay_s",):
+        made[name]["Units"] = "s"
+    for question in definition.trial_questions:
+        made[question.key] = {
+            "LongName": question.key,
+            "Description": definition.wording(question, language),
+        }
+    return made
+
+
+def _subject(
+    session: StoredSession, keys: list[str], folder: Path, remarks: list[str]
+) -> None:
+    behaviour = folder / "beh"
+    behaviour.mkdir(mode=private.FOLDER_MODE, parents=True)
+    rows = [_beh_row(trial, keys) for trial in answered_trials(session.records)]
+    columns = [*_BEH, *[Column(key, "") for key in keys]]
+    name = f"sub-{session.code}_task-{TASK}"
+    text = separated(Table("beh", columns, rows), "\t", "n/a")
+    _new(behaviour / f"{name}_beh.tsv", text)
+    scans: list[tuple[str, str]] = []
+    for number, path in enumerate(tick_files(session), 1):
+        base = f"{name}_tracksys-{SYSTEM}_run-{number}"
+        begun_s = _motion(path, folder / "motion", base, remarks)
+        if begun_s is not None:
+            _events(session, begun_s, folder / "motion" / f"{base}_events.tsv")
+            acquired = _utc(session, begun_s)
+            scans.append((f"motion/{base}_motion.tsv", acquired))
+    if scans:
+        listed = "".join(f"{file}\t{time}\n" for file, time in scans)
+        head = "filename\tacq_time\n"
+        _new(folder / f"sub-{session.code}_scans.tsv", (head + listed).encode())
+
+
+def _beh_row(trial: AnsweredTrial, keys: list[str]) -> tuple[Any, ...]:
+    condition = trial.condition
+    return (
+        trial.position,
+        trial.attempt,
+        condition.sequence,
+        condition.feedback,
+        condition.delay_s,
+        condition.gain,
+        trial.sound,
+        *(trial.values.get(key) for key in keys),
+    )
+
+
+def _motion(path: Path, folder: Path, base: str, remarks: list[str]) -> float | None:
+    """Write the ticks of one run; return the monotonic time of the first."""
+    begun_s: float | None = None
+    count, last_s = 0, 0.0
+    folder.mkdir(mode=private.FOLDER_MODE, exist_ok=True)
+    table = folder / f"{base}_motion.tsv"
+    private.write_new(table, b"")
+    with table.open("ab") as out:
+        for ticks in tick_chunks(path, remarks):
+            time_s = finite(ticks["monotonic_s"])
+            begun_s = float(time_s[0]) if begun_s is None else begun_s
+            out.write(_motion_lines(ticks, begun_s))
+            count, last_s = count + len(ticks), float(time_s[-1]) - begun_s
+        private.sync_file(out)
+    if begun_s is None or count < 2:
+        table.unlink()
+        return None
+    _describe_motion(folder, base, count, last_s)
+    return begun_s
+
+
+def _motion_lines(ticks: Any, begun_s: float) -> bytes:
+    columns = [finite(ticks["monotonic_s"]) - begun_s, finite(ticks["media_s"])]
+    columns += [*finite(ticks["position_m"]).T, *finite(ticks["force_n"]).T]
+    texts = [
+        [f"{v:.{channel[4]}f}" if np.isfinite(v) else "n/a" for v in values.tolist()]
+        for values, channel in zip(columns, _CHANNELS, strict=True)
+    ]
+    return "".join("\t".join(row) + "\n" for row in zip(*texts, strict=True)).encode()
+
+
+def _describe_motion(folder: Path, base: str, count: int, last_s: float) -> None:
+    head = "name\tcomponent\ttype\ttracked_point\tunits\treference_frame\n"
+    rows = [
+        f"{name}\t{component}\t{kind}\t"
+        f"{'Hand' if component != 'n/a' else 'n/a'}\t{unit}\tdevice\n"
+        for name, component, kind, unit, _ in _CHANNELS
+    ]
+    _new(folder / f"{base}_channels.tsv", (head + "".join(rows)).encode())
+    frame = {
+        "Levels": {
+            "device": {
+                "SpatialAxes": "RSP",
+                "RotationRule": "n/a",
+                "RotationOrder": "n/a",
+                "Description": "x right, y up, z towards the participant",
+            }
+        }
+    }
+    _json(folder / f"{base}_channels.json", {"reference_frame": frame})
+    sidecar = {
+        "TaskName": TASK,
+        "SamplingFrequency": RATE_HZ,
+        "SamplingFrequencyEffective": round((count - 1) / max(last_s, 1e-9), 4),
+        "TrackingSystemName": SYSTEM,
+        "RecordingDuration": round(last_s, 6),
+        "RecordingType": "continuous",
+        "MotionChannelCount": len(_CHANNELS),
+        "POSChannelCount": 3,
+        "LATENCYChannelCount": 1,
+        "MISCChannelCount": 4,
+        "TrackedPointsCount": 1,
+        "Manufacturer": "Novint",
+        "ManufacturersModelName": "Falcon",
+        "SoftwareVersions": f"hapticplayer {__version__}",
+    }
+    _json(folder / f"{base}_motion.json", sidecar)
+
+
+def _events(session: StoredSession, begun_s: float, path: Path) -> None:
+    lines = ["onset\tduration\ttrial_type\n"]
+    lines += [
+        f"{marker.monotonic_s - begun_s:.6f}\tn/a\t{marker.text}\n"
+        for marker in markers_of(session)
+        if marker.monotonic_s >= begun_s
+    ]
+    _new(path, "".join(lines).encode())
+
+
+def _utc(session: StoredSession, monotonic_s: float) -> str:
+    """Return the wall-clock time of a monotonic one, by the record nearest to it."""
+    near = min(session.records.intact, key=lambda r: abs(r.monotonic_s - monotonic_s))
+    at = dt.datetime.fromisoformat(near.utc)
+    at += dt.timedelta(seconds=monotonic_s - near.monotonic_s)
+    return at.astimezone(dt.UTC).strftime("%Y-%m-%dT%H:%M:%S.%fZ")
+
+
+def _json(path: Path, content: Any) -> None:
+    _new(path, (json.dumps(content, indent=2, ensure_ascii=False) + "\n").encode())
+
+
+def _new(path: Path, content: bytes) -> None:
+    private.write_new(path, content)

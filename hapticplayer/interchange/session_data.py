@@ -1,0 +1,80 @@
+"""What every export takes from a session: trials, markers, and the device's ticks."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hapticplayer.errors import InputError
+from hapticplayer.haptics.record_reader import RecordReader
+from hapticplayer.study.session_folder import StoredSession
+from hapticplayer.study.session_setup import RECORD
+
+_MARKED = {
+    "trial-begin": "begin",
+    "trial": "end",
+    "pause": "pause",
+    "go-on": "go on",
+    "repeat": "repeat",
+    "skip": "skip",
+    "resume": "resume",
+    "end": "session end",
+}
+_WANTED = ("monotonic_s", "media_s", "force_n", "position_m")
+
+
+@dataclass(frozen=True, slots=True)
+class Marker:
+    """Something that happened, without answers.
+
+    Attributes:
+        monotonic_s: of the machine's clock.
+        text: such as `trial-03 begin bike/random`.
+    """
+
+    monotonic_s: float
+    text: str
+
+
+def markers_of(session: StoredSession) -> list[Marker]:
+    """Return what happened in a session, in order of time within each run."""
+    found = []
+    for record in session.records.intact:
+        if record.kind not in _MARKED:
+            continue
+        parts = [str(record.content.get("step") or ""), _MARKED[record.kind]]
+        condition = record.content.get("condition")
+        if record.kind == "trial-begin" and isinstance(condition, dict):
+            parts.append(f"{condition.get('sequence')}/{condition.get('feedback')}")
+        found.append(Marker(record.monotonic_s, " ".join(filter(None, parts))))
+    return found
+
+
+def tick_files(session: StoredSession) -> list[Path]:
+    """Return the records of the device, one for each run of the session."""
+    pattern = RECORD.format(0).replace("00", "*")
+    return sorted(session.folder.glob(pattern))
+
+
+def tick_chunks(path: Path, remarks: list[str]) -> Iterator[NDArray[Any]]:
+    """Yield the intact ticks of a record; what is wrong goes to the remarks."""
+    name = f"{path.parent.name}/{path.name}"
+    try:
+        with RecordReader(path) as reader:
+            if not set(_WANTED) <= set(reader.dtype.names or ()):
+                remarks.append(f"{name}: lacks what is to be exported")
+                return
+            for frame in reader.frames():
+                yield frame.ticks
+            if reader.remark:
+                remarks.append(f"{name}: {reader.remark}")
+    except InputError as problem:
+        remarks.append(f"{name}: {problem.what}")
+
+
+def finite(values: NDArray[Any]) -> NDArray[np.float64]:
+    """Return values as float64."""
+    return np.asarray(values, dtype=np.float64)

@@ -1,0 +1,127 @@
+"""`hapticplayer study ...` as a person types it."""
+
+import json
+import shutil
+
+import pytest
+
+from hapticplayer import cli
+from hapticplayer.clock import SystemClock
+from hapticplayer.study.journal import Journal
+from hapticplayer.study.scripted import write_scripted_session
+from hapticplayer.study.study_folder import begin_session, open_study
+
+VALUES = {"realism": 3, "sensory": 2, "comfort": 5, "satisfaction": 1}
+
+
+@pytest.fixture
+def run(capsys):
+    """Run a command; return its status, its JSON or text, and stderr."""
+
+    def call(*arguments):
+        status = cli.main(["study", *map(str, arguments)])
+        told = capsys.readouterr()
+        is_json = "--json" in arguments and told.out
+        return status, json.loads(told.out) if is_json else told.out, told.err
+
+    return call
+
+
+@pytest.fixture
+def folder(run, tmp_path):
+    status, _, _ = run("new", tmp_path / "s")
+    assert status == 0
+    return tmp_path / "s"
+
+
+@pytest.fixture
+def code(folder):
+    return write_scripted_session(
+        open_study(folder), {"age": 30}, lambda _c: VALUES, SystemClock(), origin={}
+    )
+
+
+def test_new_makes_a_study_and_says_what_is_missing(run, tmp_path):
+    status, report, told = run("new", tmp_path / "s", "--json")
+    assert status == 0
+    assert report["conditions"] == 12
+    assert report["missing"] == ["bike", "horse", "car-turning", "car-braking"]
+    assert "bike" in told
+
+
+@pytest.mark.parametrize(
+    ("arguments", "status"),
+    [
+        (["--template", "none"], 2),
+        (["--sequence", "bike"], 2),
+        (["--sequence", "boat=/x"], 2),
+    ],
+)
+def test_wrong_usage_is_told_and_makes_nothing(run, tmp_path, arguments, status):
+    found, _, told = run("new", tmp_path / "s", *arguments)
+    assert found == status
+    assert told.startswith("hapticplayer: ")
+    assert not (tmp_path / "s").exists()
+
+
+def test_status_tells_who_took_part_and_how_balanced_it_is(run, folder, code):
+    begin_session(open_study(folder), "en", {}, SystemClock())
+    status, report, _ = run("status", folder, "--json")
+    assert status == 0
+    first = report["sessions"][0]
+    assert (first["code"], first["state"], first["answered"]) == (code, "complete", 12)
+    assert report["sessions"][1]["state"] == "unfinished"
+    assert report["balance"]["times_at_each_position"][1] <= 2
+    _, text, _ = run("status", folder)
+    assert code in text
+    assert "12/12 answered" in text
+
+
+def test_dropping_and_deleting(run, folder, code):
+    other = begin_session(open_study(folder), "en", {}, SystemClock()).code
+    assert run("drop", folder, other, "--reason", "ill")[0] == 0
+    assert run("drop", folder, other, "--reason", "ill")[0] == 1
+    assert run("delete-participant", folder, code)[0] == 0
+    assert run("delete-participant", folder, code)[0] == 1
+    _, report, _ = run("status", folder, "--json")
+    assert report["deleted"] == 1
+    assert [s["state"] for s in report["sessions"]] == ["stopped"]
+
+
+def test_texts_are_reviewed_before_they_leave(run, folder, code, tmp_path):
+    path = open_study(folder).session_folder(code) / "answers.jsonl"
+    journal = Journal(path, SystemClock())
+    journal.append("answers", step="post-test", values={"tiring": "no"})
+    journal.close()
+    _, report, _ = run("review", folder, "--json")
+    assert report["unreviewed"] == [{"code": code, "question": "tiring", "text": "no"}]
+    _, _, told = run("export", folder, "-o", tmp_path / "a")
+    assert "1 answers in words were left out" in told
+    assert run("review", folder, "--pass", f"{code}:tiring")[0] == 0
+    _, report, told = run("export", folder, "-o", tmp_path / "b", "--json")
+    assert "texts.csv" in report["files"]
+    assert not told
+
+
+def test_merging_tells_conflicts_by_status(run, folder, code, tmp_path):
+    shutil.copytree(folder, tmp_path / "other")
+    shutil.rmtree(folder / "sessions" / code)
+    status, report, _ = run("merge", folder, tmp_path / "other", "--json")
+    assert status == 0
+    assert report["added"] == [code]
+    path = tmp_path / "other" / "sessions" / code / "answers.jsonl"
+    path.write_bytes(b"")
+    status, _, _ = run("merge", folder, tmp_path / "other")
+    assert status == 0  # an emptier copy of what is here
+
+
+def test_running_needs_a_display(run, folder):
+    status, _, told = run("run", folder)
+    assert status == 2
+    assert "display" in told
+
+
+def test_a_folder_that_is_no_study_is_one_sentence(run, tmp_path):
+    status, _, told = run("status", tmp_path)
+    assert status == 1
+    assert told.count("\n") == 1

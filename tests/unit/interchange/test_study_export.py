@@ -1,0 +1,188 @@
+"""Exports read by other programs, and what must not be in them."""
+
+import csv
+import getpass
+import io
+import json
+import socket
+from pathlib import Path
+
+import numpy as np
+import pytest
+import pyxdf
+
+from hapticplayer.errors import StudyError, UsageError
+from hapticplayer.haptics.records import RecordWriter
+from hapticplayer.haptics.shared import TICK
+from hapticplayer.interchange.study_export import export_study
+from hapticplayer.interchange.xdf import XdfWriter
+from hapticplayer.study.creation import create_study
+from hapticplayer.study.journal import Journal
+from hapticplayer.study.reviews import keep_reviewed, text_digest
+from hapticplayer.study.scripted import write_scripted_session
+from hapticplayer.study.study_folder import open_study
+
+VALUES = {"realism": 3, "sensory": 2, "comfort": 5, "satisfaction": 1}
+SHEET = {"age": 31, "gender": "female", "handedness": "left"}
+TICKS = 4000
+
+
+@pytest.fixture
+def study(tmp_path, manual_clock):
+    """Two participants, one of them with a record of the device and texts."""
+    made = create_study(tmp_path / "study")
+    for _ in range(2):
+        write_scripted_session(
+            made, SHEET, lambda _c: VALUES, manual_clock, origin={"scripted": True}
+        )
+    folder = made.session_folder(made.codes()[0])
+    journal = Journal(folder / "answers.jsonl", manual_clock)
+    words = {"tiring": "it was Anna", "comfortable": 'yes; "very"\nso'}
+    journal.append("answers", step="post-test", values=words)
+    journal.close()
+    digest = text_digest(folder.name, "comfortable", words["comfortable"])
+    keep_reviewed(folder, [digest])
+    write_ticks(folder / "ticks-01.hprec", manual_clock.now_s() - 1.0)
+    return open_study(made.folder)
+
+
+def write_ticks(path: Path, begun_s: float) -> None:
+    ticks = np.zeros(TICKS, dtype=TICK)
+    ticks["monotonic_s"] = begun_s + 1e-3 * np.arange(TICKS)
+    ticks["media_s"] = 1e-3 * np.arange(TICKS)
+    ticks["force_n"][:, 1] = np.sin(1e-2 * np.arange(TICKS))
+    ticks["position_m"][:, 0] = 0.01
+    ticks["position_m"][7, 2] = np.nan
+    with path.open("wb") as out:
+        writer = RecordWriter(out.fileno())
+        writer.begin({"device": "simulated"})
+        for first in range(0, TICKS, 1000):
+            writer.append(first, 0, ticks[first : first + 1000])
+        writer.append(TICKS, 0, ticks[:0])
+
+
+def table(path: Path, mark=",") -> list[dict[str, str]]:
+    return list(csv.DictReader(io.StringIO(path.read_text()), delimiter=mark))
+
+
+def test_tidy_tables_hold_every_rating_and_explain_each_column(study, tmp_path):
+    report = export_study(study, tmp_path / "out", "csv")
+    ratings = table(tmp_path / "out" / "ratings.csv")
+    assert len(ratings) == 2 * 12 * 4
+    assert {(r["factor"], r["value"]) for r in ratings} == {
+        (factor, str(value)) for factor, value in VALUES.items()
+    }
+    explained = {
+        (row["file"], row["column"])
+        for row in table(tmp_path / "out" / "data_dictionary.csv")
+    }
+    for name in set(report["files"]) - {"data_dictionary.csv"}:
+        for column in table(tmp_path / "out" / name)[0]:
+            assert (name, column) in explained
+    assert len(table(tmp_path / "out" / "trials.csv")) == 24
+
+
+def test_texts_that_nobody_reviewed_stay_at_home(study, tmp_path):
+    for form in ("csv", "bids", "xdf"):
+        report = export_study(study, tmp_path / form, form)
+        whole = b"".join(p.read_bytes() for p in (tmp_path / form).rglob("*.*"))
+        assert b"Anna" not in whole
+        assert any("nobody reviewed" in remark for remark in report["remarks"])
+    texts = table(tmp_path / "csv" / "texts.csv")
+    assert [row["text"] for row in texts] == ['yes; "very"\nso']
+
+
+@pytest.mark.parametrize("form", ["csv", "bids", "xdf"])
+def test_no_export_names_a_person_a_machine_or_a_path(study, tmp_path, form):
+    export_study(study, tmp_path / form, form)
+    secrets = [str(tmp_path), str(Path.home()), socket.gethostname(), getpass.getuser()]
+    secrets = [secret for secret in secrets if len(secret) > 4]  # others by chance
+    for path in (tmp_path / form).rglob("*"):
+        content = path.read_bytes() if path.is_file() else b""
+        assert not any(secret.encode() in content for secret in secrets), path
+
+
+def test_xdf_is_what_pyxdf_reads(study, tmp_path):
+    export_study(study, tmp_path / "out", "xdf")
+    file = next((tmp_path / "out").glob("*.xdf"))
+    streams, _ = pyxdf.load_xdf(str(file))
+    by_name = {stream["info"]["name"][0]: stream for stream in streams}
+    device, markers = by_name["device"], by_name["markers"]
+    assert device["time_series"].shape == (TICKS, 8)
+    assert device["info"]["effective_srate"] == pytest.approx(1000.0, rel=1e-6)
+    force = device["time_series"][:, 4]
+    assert force == pytest.approx(np.sin(1e-2 * np.arange(TICKS)), abs=1e-6)
+    assert device["time_series"][:, 7] == pytest.approx(device["time_stamps"], abs=1e-6)
+    assert ["trial-12 end"] in markers["time_series"]
+    assert len(markers["time_series"]) == 13
+    channel = device["info"]["desc"][0]["channels"][0]["channel"][3]
+    assert channel["unit"] == ["newton"]
+
+
+def test_texts_of_any_language_survive_xdf(tmp_path):
+    path = tmp_path / "a.xdf"
+    samples = [(1.0, "d\u00e9but"), (1.5, "<&> \u2603"), (9.0, "x" * 300)]
+    with path.open("wb") as out:
+        writer = XdfWriter(out)
+        writer.begin_stream(1, "a<b", "Markers", [("m", "M", "n/a")], 0.0, is_text=True)
+        writer.texts(1, samples)
+        writer.end_stream(1, 1.0, 9.0, 3)
+    (stream,), _ = pyxdf.load_xdf(str(path), dejitter_timestamps=False)
+    assert stream["info"]["name"] == ["a<b"]
+    assert [row[0] for row in stream["time_series"]] == [text for _, text in samples]
+    assert stream["time_stamps"].tolist() == [at for at, _ in samples]
+
+
+def test_bids_has_what_the_specification_requires(study, tmp_path):
+    export_study(study, tmp_path / "out", "bids")
+    out, code = tmp_path / "out", study.codes()[0]
+    description = json.loads((out / "dataset_description.json").read_text())
+    assert {"Name", "BIDSVersion"} <= description.keys()
+    people = table(out / "participants.tsv", "\t")
+    assert {row["participant_id"] for row in people} == {
+        f"sub-{code}" for code in study.codes()
+    }
+    assert people[0]["used_device_before"] == "n/a"
+    beh = table(out / f"sub-{code}" / "beh" / f"sub-{code}_task-qoe_beh.tsv", "\t")
+    assert len(beh) == 12
+    assert {row["realism"] for row in beh} == {"3"}
+    base = out / f"sub-{code}" / "motion" / f"sub-{code}_task-qoe_tracksys-falcon_run-1"
+    channels = table(Path(f"{base}_channels.tsv"), "\t")
+    assert list(channels[0])[:5] == [
+        "name",
+        "component",
+        "type",
+        "tracked_point",
+        "units",
+    ]
+    kinds = {"LATENCY", "MISC", "POS"}
+    assert {row["type"] for row in channels} == kinds
+    lines = Path(f"{base}_motion.tsv").read_text().splitlines()
+    assert len(lines) == TICKS
+    assert all(len(line.split("\t")) == len(channels) for line in lines[:50])
+    first = lines[0].split("\t")
+    assert float(first[0]) == 0.0
+    assert lines[7].split("\t")[4] == "n/a"
+    sidecar = json.loads(Path(f"{base}_motion.json").read_text())
+    assert sidecar["SamplingFrequency"] == 1000
+    assert sidecar["TaskName"] == "qoe"
+    assert sidecar["SamplingFrequencyEffective"] == pytest.approx(1000.0, abs=0.01)
+    assert sidecar["MotionChannelCount"] == len(channels)
+
+
+def test_an_export_is_whole_or_not_there(study, tmp_path):
+    with pytest.raises(UsageError):
+        export_study(study, tmp_path / "out", "spss")
+    assert not (tmp_path / "out").exists()
+    export_study(study, tmp_path / "out", "csv")
+    with pytest.raises(StudyError, match="already exists"):
+        export_study(study, tmp_path / "out", "csv")
+
+
+def test_exporting_twice_gives_the_same_bytes(study, tmp_path):
+    for form in ("csv", "xdf", "bids"):
+        for name in ("a", "b"):
+            export_study(study, tmp_path / form / name, form)
+        for path in (tmp_path / form / "a").rglob("*.*"):
+            other = tmp_path / form / "b" / path.relative_to(tmp_path / form / "a")
+            assert path.read_bytes() == other.read_bytes()
