@@ -27,6 +27,7 @@ def need(*programs: str) -> None:
     packages = {
         "Xvfb": "xvfb",
         "cyclictest": "rt-tests",
+        "ffmpeg": "ffmpeg",
         "mpv": "mpv",
         "pulseaudio": "pulseaudio",
         "pactl": "pulseaudio-utils",
@@ -37,11 +38,16 @@ def need(*programs: str) -> None:
 
 
 @contextlib.contextmanager
-def screen() -> Iterator[dict[str, str]]:
-    """Run an X server of the clip's size and yield the environment for it."""
+def screen(memory: Path | None = None) -> Iterator[dict[str, str]]:
+    """Run an X server of the clip's size and yield the environment for it.
+
+    Args:
+        memory: folder in which its pixels are to be seen, as the file Xvfb_screen0.
+    """
     reader, writer = os.pipe()
     command = ["Xvfb", "-displayfd", str(writer), "-nolisten", "tcp"]
     command += ["-screen", "0", f"{WIDTH}x{HEIGHT}x24"]
+    command += ["-fbdir", str(memory)] if memory else []
     server = subprocess.Popen(
         command, pass_fds=(writer,), stderr=subprocess.DEVNULL, start_new_session=True
     )
@@ -55,33 +61,69 @@ def screen() -> Iterator[dict[str, str]]:
         server.wait()
 
 
-@contextlib.contextmanager
-def sound_server() -> Iterator[dict[str, str]]:
-    """Run a PulseAudio null sink and yield the environment for it."""
-    with tempfile.TemporaryDirectory(prefix="hp-sound-") as folder:
+class SoundServer:
+    """A PulseAudio null sink of its own.
+
+    Attributes:
+        environment: for the programs that shall use it.
+    """
+
+    def __init__(self, folder: str) -> None:
         private = dict.fromkeys(
             ("PULSE_RUNTIME_PATH", "PULSE_STATE_PATH", "XDG_RUNTIME_DIR"), folder
         )
         socket = f"{folder}/native"
-        command = ["pulseaudio", "-n", "--daemonize=no", "--use-pid-file=no"]
-        command += ["--exit-idle-time=-1", "--disallow-exit=yes", "--realtime=no"]
-        command += ["--high-priority=no", "-L"]
-        command += [f"module-native-protocol-unix socket={socket} auth-anonymous=1"]
-        command += ["-L", "module-null-sink sink_name=null rate=48000 channels=2"]
-        server = subprocess.Popen(
-            command,
-            env={**os.environ, **private, "HOME": folder},
+        self.environment = {**private, "PULSE_SERVER": f"unix:{socket}"}
+        self._private = {**private, "HOME": folder}
+        self._command = ["pulseaudio", "-n", "--daemonize=no", "--use-pid-file=no"]
+        self._command += ["--exit-idle-time=-1", "--disallow-exit=yes"]
+        self._command += ["--realtime=no", "--high-priority=no", "-L"]
+        self._command += [
+            f"module-native-protocol-unix socket={socket} auth-anonymous=1"
+        ]
+        self._command += ["-L", "module-null-sink sink_name=null rate=48000 channels=2"]
+        self.start()
+
+    def start(self) -> None:
+        """Start it, and wait until it answers."""
+        self._process = subprocess.Popen(
+            self._command,
+            env={**os.environ, **self._private},
             stdout=subprocess.DEVNULL,
             stderr=subprocess.DEVNULL,
             start_new_session=True,
         )
-        environment = {**private, "PULSE_SERVER": f"unix:{socket}"}
+        _wait_for_sound(self.environment)
+
+    def stop(self) -> None:
+        """End it."""
+        self._process.terminate()
+        self._process.wait()
+
+    def restart(self, after_s: float) -> None:
+        """Kill it, and start it again after a while."""
+        self._process.kill()
+        self._process.wait()
+        time.sleep(after_s)
+        self.start()
+
+
+@contextlib.contextmanager
+def mortal_sound_server() -> Iterator[SoundServer]:
+    """Run a PulseAudio null sink that can be killed and started again."""
+    with tempfile.TemporaryDirectory(prefix="hp-sound-") as folder:
+        server = SoundServer(folder)
         try:
-            _wait_for_sound(environment)
-            yield environment
+            yield server
         finally:
-            server.terminate()
-            server.wait()
+            server.stop()
+
+
+@contextlib.contextmanager
+def sound_server() -> Iterator[dict[str, str]]:
+    """Run a PulseAudio null sink and yield the environment for it."""
+    with mortal_sound_server() as server:
+        yield server.environment
 
 
 def _wait_for_sound(environment: dict[str, str]) -> None:

@@ -115,13 +115,19 @@ class HealthLine(QFrame):
             ),
             _Column(
                 self.tr("Force \u2212 picture"),
-                self.tr("How much later the force comes than its picture, median"),
-                self.tr("Force \u2212 picture"),
+                self.tr(
+                    "How much later the force comes than its picture: median and "
+                    "95 % of the last 20 s. More than 15 ms early or 50 ms late is felt"
+                ),
+                self.tr("OFF +88.8, +88.8 ms"),
             ),
             _Column(
                 self.tr("Force \u2212 sound"),
-                self.tr("How much later the force comes than its sound, median"),
-                self.tr("Force \u2212 sound"),
+                self.tr(
+                    "How much later the force comes than its sound: median and "
+                    "95 % of the last 20 s. More than 15 ms early or 50 ms late is felt"
+                ),
+                self.tr("OFF +88.8, +88.8 ms"),
             ),
             _Column(
                 self.tr("Pictures"),

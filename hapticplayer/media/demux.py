@@ -2,15 +2,18 @@
 
 import os
 from collections import deque
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import Any, Generic, Self, TypeVar, cast
 
 import av.error
 from av.container import InputContainer
+from av.frame import Frame
 from av.packet import Packet
 from av.stream import Stream
+from av.video.frame import VideoFrame
 
 from hapticplayer.errors import MediaError
+from hapticplayer.media.continuity import Continuity
 from hapticplayer.media.files import COPY_AGAIN
 from hapticplayer.media.limits import MAX_DAMAGED_IN_A_ROW
 from hapticplayer.media.opening import media_errors
@@ -22,7 +25,8 @@ class PacketReader(Generic[FrameT]):
     """Decoded frames of one stream; packets that fail are counted.
 
     Attributes:
-        damaged: packets that could not be decoded so far.
+        damaged: packets that could not be decoded so far, pictures that are missing,
+            and frames that the decoder had to make up in part.
     """
 
     def __init__(
@@ -34,7 +38,15 @@ class PacketReader(Generic[FrameT]):
         self._packets: Iterator[Packet[Any]] = container.demux(stream)
         self._frames: deque[FrameT] = deque()
         self._bad_in_a_row = 0
-        self.damaged = 0
+        self._may_be_leading = False
+        self._broken = 0
+        is_video = stream.type == "video"
+        self._continuity = Continuity(stream) if is_video else None
+
+    @property
+    def damaged(self) -> int:
+        """See the class."""
+        return self._broken + (self._continuity.missing if self._continuity else 0)
 
     def seek(self, ticks: int) -> None:
         """Go to the key frame at or before `ticks` of the stream's time base.
@@ -44,6 +56,9 @@ class PacketReader(Generic[FrameT]):
         """
         self._frames.clear()
         self._bad_in_a_row = 0
+        self._may_be_leading = True
+        if self._continuity:
+            self._continuity.restart()
         with media_errors(self._path, "cannot be positioned"):
             try:
                 self._container.seek(ticks, stream=self._stream, backward=True)
@@ -61,6 +76,8 @@ class PacketReader(Generic[FrameT]):
         while not self._frames:
             with media_errors(self._path, "it cannot be decoded any further"):
                 if not self._decode_next():
+                    if self._continuity:
+                        self._continuity.end()
                     return None
         return self._frames.popleft()
 
@@ -74,6 +91,8 @@ class PacketReader(Generic[FrameT]):
             return True
         if packet is None:
             return False
+        if self._continuity:
+            self._continuity.send(packet)
         try:
             frames = packet.decode()
         except EOFError:  # the decoder was drained before
@@ -86,11 +105,25 @@ class PacketReader(Generic[FrameT]):
             return True
         if frames:
             self._bad_in_a_row = 0
+            self._note_corrupt(frames)
             self._frames.extend(cast("list[FrameT]", frames))
         return True
 
+    def _note_corrupt(self, frames: Iterable[Frame]) -> None:
+        """Count frames with holes.
+
+        After a seek, those before the first key frame lack what they refer to in
+        every file with open groups of pictures; that is no damage.
+        """
+        for frame in frames:
+            is_key = not isinstance(frame, VideoFrame) or frame.key_frame
+            self._may_be_leading = self._may_be_leading and not is_key
+            self._broken += frame.is_corrupt and not self._may_be_leading
+            if self._continuity and isinstance(frame, VideoFrame):
+                self._continuity.receive(frame)
+
     def _count_damage(self, error: Exception) -> None:
-        self.damaged += 1
+        self._broken += 1
         self._bad_in_a_row += 1
         if self._bad_in_a_row > MAX_DAMAGED_IN_A_ROW:
             raise MediaError(
@@ -108,7 +141,7 @@ class ClipDecoder(Generic[FrameT]):
 
     @property
     def damaged(self) -> int:
-        """Packets that could not be decoded so far."""
+        """Packets and frames that were not whole so far."""
         return self._reader.damaged
 
     def __enter__(self) -> Self:

@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 from av.video.frame import VideoFrame
-from av.video.reformatter import VideoReformatter
+from av.video.reformatter import Interpolation, VideoReformatter
 
 from hapticplayer.errors import MediaError
 from hapticplayer.media.clip_info import rotation_of
@@ -41,6 +41,13 @@ class Picture:
         return bgra.reshape(self.height, self.width, 4)[:, :, 2::-1].copy()
 
 
+# The fast way of swscale without scaling leaves the last two or four columns of some
+# widths (2 or 4 more than a multiple of 16) as they were in memory; the accurate way
+# writes them all and takes 1.2 ms for 720p instead of 0.35.
+_FAST = int(Interpolation.BILINEAR)
+_TO_THE_EDGE = int(Interpolation.BILINEAR | Interpolation.ACCURATE_RND)
+
+
 class PictureConverter:
     """Scales, rotates and converts to BGRA; reuses swscale's tables."""
 
@@ -60,8 +67,13 @@ class PictureConverter:
             raise MediaError(f"{width} x {height} pixels are too large for a picture")
         turns = rotation_of(frame) // 90
         size = (max(2, height & ~1), width) if turns % 2 else (width, height)
+        is_scaled = size != (frame.width, frame.height)
         bgra = self._reformatter.reformat(
-            frame, *size, "bgra", src_colorspace=untagged_matrix(frame)
+            frame,
+            *size,
+            "bgra",
+            src_colorspace=untagged_matrix(frame),
+            interpolation=_FAST if is_scaled or size[0] % 8 == 0 else _TO_THE_EDGE,
         )
         return _picture(bgra, pts_s, turns)
 

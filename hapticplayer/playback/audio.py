@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hapticplayer.clock import Clock
+from hapticplayer.model import PlaybackClock
 from hapticplayer.playback.clock import AudioReport
 
 RATE_HZ = 48_000
@@ -46,6 +47,7 @@ class AudioRing:
         self._written = 0
         self._begin = 0
         self._is_playing = False
+        self._joins: PlaybackClock | None = None
         self._is_complete = False
         self._lock = threading.Lock()
         self._reports: deque[AudioReport] = deque(maxlen=256)
@@ -79,6 +81,12 @@ class AudioRing:
     def play(self) -> None:
         """Let the callback consume samples."""
         self._is_playing = True
+
+    def join(self, clock: PlaybackClock) -> None:
+        """Play on from where a running clock will be when the next sample sounds."""
+        with self._lock:
+            self._joins = clock
+            self._is_playing = True
 
     def hold(self) -> None:
         """Silence; the position stays."""
@@ -132,6 +140,10 @@ class AudioRing:
             if not self._is_playing:
                 out.fill(0.0)
                 return
+            if self._joins is not None:
+                media_s = self._joins.media_s(dac_s)
+                self._read = max(self._read, round(media_s * self.rate_hz))
+                self._joins = None
             count = len(out)
             ready = max(0, min(count, self._written - self._read))
             rows = np.arange(self._read, self._read + ready) % self._capacity
@@ -208,6 +220,9 @@ class SoundDeviceOut:
             )
             self._stream.start()
         except (sounddevice.PortAudioError, ValueError) as problem:
+            # PortAudio lists the devices once; the next try shall see new ones
+            sounddevice._terminate()  # noqa: SLF001 - no other way
+            sounddevice._initialize()  # noqa: SLF001
             raise OSError(str(problem)) from problem
         self.name = str(sounddevice.query_devices(self._stream.device)["name"])
 

@@ -15,9 +15,11 @@ from hapticplayer.haptics.scheduling import Scheduling
 from hapticplayer.model import ForceTrack, PlaybackClock, SyncStats
 from hapticplayer.playback.log import PlaybackLog
 from hapticplayer.playback.meters import SyncMeter, TickHistory
+from hapticplayer.playback.sync_alarm import SyncAlarm
 from hapticplayer.rendering import adapted
 
 NO_DEVICE = "none"
+SYNC_LOG_PERIOD_S = 1.0
 READ_PERIOD_S = 0.05  # plots draw at 30 Hz; more often costs more than it shows
 
 
@@ -45,8 +47,12 @@ class HapticLink:
         self.history = TickHistory()
         self.video_sync = SyncMeter()
         self.audio_sync = SyncMeter()
+        self.video_alarm = SyncAlarm("picture")
+        self.audio_alarm = SyncAlarm("sound")
+        self.told: list[str] = []  # remarks for people, in order
         self._clock = clock
         self._next_read_s = 0.0
+        self._next_sync_s = 0.0
         self._is_closed = False
         self._mode = Mode.IDLE
         self._track_ids: dict[str, int] = {}
@@ -164,11 +170,43 @@ class HapticLink:
     def _read(self, process: HapticsProcess, log: PlaybackLog | None) -> None:
         records, lost = process.read_ticks()
         self.history.add(records, lost)
-        for meter in (self.video_sync, self.audio_sync):
-            if meter.is_waiting:
-                meter.compare(self.history.newest())
+        self._compare("picture", self.video_sync, self.video_alarm, log)
+        self._compare("sound", self.audio_sync, self.audio_alarm, log)
         if log:
             self._log(log, records, lost)
+            self._log_sync(log)
+
+    def _compare(
+        self, what: str, meter: SyncMeter, alarm: SyncAlarm, log: PlaybackLog | None
+    ) -> None:
+        """Measure how much later the force came, and tell when that can be felt."""
+        if not (meter.is_waiting and alarm.add(meter.compare(self.history.newest()))):
+            return
+        if alarm.is_on:
+            self.told.append(alarm.sentence())
+        if log:
+            log.line(
+                "event",
+                name="sync_alarm" if alarm.is_on else "sync_alarm_over",
+                against=what,
+                p50_ms=round(alarm.p50_ms, 3),
+                monotonic_s=self._clock.now_s(),
+            )
+
+    def _log_sync(self, log: PlaybackLog) -> None:
+        """Once a second, write how force, picture and sound lie."""
+        now_s = self._clock.now_s()
+        if now_s < self._next_sync_s:
+            return
+        self._next_sync_s = now_s + SYNC_LOG_PERIOD_S
+        video, audio = self.video_sync.recent(), self.audio_sync.recent()
+        if video or audio:
+            log.line(
+                "sync",
+                monotonic_s=now_s,
+                haptic_minus_video_ms=_described(video),
+                haptic_minus_audio_ms=_described(audio),
+            )
 
     def _log(self, log: PlaybackLog, records: NDArray[Any], lost: int) -> None:
         log.ticks(records)

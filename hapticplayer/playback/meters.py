@@ -111,19 +111,22 @@ class SyncMeter:
         """Note that something belonging to `media_s` came at `monotonic_s`."""
         self._pending.append((monotonic_s, media_s))
 
-    def compare(self, ticks: NDArray[Any]) -> None:
+    def compare(self, ticks: NDArray[Any]) -> list[float]:
         """Compare the noted events with the loop's record.
 
         Args:
             ticks: recent ticks, oldest first; events newer than the last one wait.
+
+        Returns:
+            The differences that are new, ms.
         """
         if not self._pending or not len(ticks):
-            return
+            return []
         last_s = float(ticks["monotonic_s"][-1])
         ready = [event for event in self._pending if event[0] <= last_s]
         self._pending = [event for event in self._pending if event[0] > last_s]
         if not ready:
-            return
+            return []
         at_s, media_s = np.array(ready).T
         row = np.searchsorted(ticks["monotonic_s"], at_s, side="right") - 1
         moving = (row >= 0) & np.isin(
@@ -134,7 +137,9 @@ class SyncMeter:
         played_s = ticks["media_s"][row] + elapsed_s
         difference_ms = 1e3 * (media_s[moving] - played_s)
         self._differences_ms.append(difference_ms)
-        self._recent_ms.extend(difference_ms.tolist())
+        fresh_ms: list[float] = difference_ms.tolist()
+        self._recent_ms.extend(fresh_ms)
+        return fresh_ms
 
     def recent(self) -> SyncStats | None:
         """Return the last 600 events (20 s of pictures at 30 Hz)."""

@@ -21,6 +21,7 @@ from hapticplayer.playback.feeders import AudioFeeder, VideoFeeder
 from hapticplayer.playback.haptic_link import NO_DEVICE, HapticLink
 from hapticplayer.playback.log import PlaybackLog
 from hapticplayer.playback.snapshot import Phase, Snapshot
+from hapticplayer.playback.sound_revival import LOST_AFTER_S, SoundRevival
 from hapticplayer.playback.source import Source
 
 POLL_S = 0.025
@@ -29,9 +30,14 @@ FIRST_SOUND_TIMEOUT_S = 3.0  # a sound server that wakes its device took 1.3 s
 AUDIO_LOG_PERIOD_S = 0.04
 # Painting takes 1 to 3 ms; a picture is begun so much earlier that it is on time.
 MAX_SHOW_COST_S = 0.008
+# On top of that: a force before its picture is felt three times sooner than one after
+# it, so the picture is aimed to be a little early, not the force.
+PICTURE_LEAD_S = 0.001
 SHOW_COST_SMOOTHING = 0.1
 
 SLOWEST, FASTEST = 0.5, 4.0  # of `set_speed`
+DAMAGED = "the clip is damaged: some of its pictures are missing or broken"
+
 AudioFactory = Callable[[AudioRing, Clock], AudioOut]
 
 
@@ -86,6 +92,9 @@ class Player:
         self._media = MediaClock()
         self._ring = AudioRing()
         self._audio: AudioOut | None = None
+        self._revival = SoundRevival(self._new_audio)
+        self._heard_s = 0.0
+        self._is_rejoining = False
         self._video_feeder: VideoFeeder | None = None
         self._audio_feeder: AudioFeeder | None = None
         self._log: PlaybackLog | None = None
@@ -101,6 +110,7 @@ class Player:
         self._show_cost_s = 0.0
         self._shown = 0
         self._dropped = 0
+        self._damaged = 0
         self._dropped_before = 0
 
     # --- what a front end asks for ------------------------------------------
@@ -147,24 +157,29 @@ class Player:
         if self._make_audio is None:
             return None
         try:
-            return self._make_audio(self._ring, self._clock)
+            return self._new_audio()
         except OSError as problem:
             self._event("no_sound_output", reason=str(problem))
             self.told.append("there is no sound output, so the clip plays silently")
             return None
+
+    def _new_audio(self) -> AudioOut:
+        assert self._make_audio is not None
+        return self._make_audio(self._ring, self._clock)
 
     def unload(self) -> None:
         """Stop playing and forget the source."""
         for feeder in (self._video_feeder, self._audio_feeder):
             if feeder is not None:
                 feeder.stop()
+        self._revival.cancel()
         if self._audio is not None:
             self._audio.close()
         if self._video_feeder is not None:
             self._dropped_before += self._video_feeder.dropped
         self._video_feeder = self._audio_feeder = self._audio = None
         self.source, self._preview, self.loop_s = None, None, None
-        self.phase, self.problem = Phase.EMPTY, ""
+        self.phase, self.problem, self._damaged = Phase.EMPTY, "", 0
         self._media.seek(0.0)
 
     def play(self) -> None:
@@ -295,7 +310,7 @@ class Player:
             duration_s=self.source.clip.duration_s if self.source else 0.0,
             feedback=self.feedback,
             clock=self._media.source.value,
-            audio=self._audio.name if self._audio else "",
+            audio=self._audio.name if self._audio else self._lost_audio(),
             device=self._link.device,
             device_health=str(self._link.health or ""),
             scheduling=self._link.scheduling,
@@ -306,6 +321,7 @@ class Player:
             force_minus_audio=self._link.audio_sync.recent(),
             frames_shown=self._shown,
             frames_dropped=self.frames_dropped,
+            frames_damaged=self._damaged,
             problem=self.problem,
         )
 
@@ -320,7 +336,11 @@ class Player:
         underrun_s = self._ring.underrun_samples / self._ring.rate_hz
         return {
             **self._link.summary(),
-            "frames": {"shown": self._shown, "dropped": self.frames_dropped},
+            "frames": {
+                "shown": self._shown,
+                "dropped": self.frames_dropped,
+                "damaged": self._damaged,
+            },
             "audio_underrun_s": round(underrun_s, 4),
             "clock": self._led_by.value,
         }
@@ -333,6 +353,8 @@ class Player:
         if not self._link.poll(self._log):
             self._event("device_lost", problem=self._link.problem)
             self.told.append(self._link.problem)
+        self.told += self._link.told
+        self._link.told.clear()
         self._hear()
         self._media.check(now_s)
         self._advance(now_s)
@@ -375,6 +397,12 @@ class Player:
         feeder = self._video_feeder
         if feeder is None:
             return
+        self._revive_sound(now_s)
+        if feeder.damaged > self._damaged:
+            if not self._damaged:
+                self.told.append(DAMAGED)
+            self._damaged = feeder.damaged
+            self._event("damaged_pictures", count=feeder.damaged)
         if feeder.problem is not None and not self.problem:
             self.problem = str(feeder.problem)
             self._event("damaged", problem=self.problem)
@@ -407,6 +435,35 @@ class Player:
         has_sound = self._ring.buffered_s() > PREBUFFER_S or self._ring.is_complete
         return has_picture and (has_sound or self._audio_feeder.is_at_end)
 
+    def _lost_audio(self) -> str:
+        return "lost" if self._revival.is_trying else ""
+
+    def _revive_sound(self, now_s: float) -> None:
+        """Replace an output that is lost, and let the sound join the running clock."""
+        is_silent = self.phase is Phase.PLAYING and (
+            self._media.source is ClockSource.MONOTONIC
+        )
+        if not is_silent:
+            self._heard_s = now_s
+        if (found := self._revival.take()) is not None:
+            self._audio = found
+            self._is_rejoining = self._audio_feeder is not None and is_silent
+            if self._audio_feeder is not None and is_silent:
+                media_s = self._media.media_s(now_s)
+                self._ring.load(self._media.epoch, media_s)
+                self._audio_feeder.request(self._media.epoch, media_s)
+            self._event("sound_back")
+        elif self._is_rejoining:
+            if self._ring.buffered_s() >= PREBUFFER_S or self._ring.is_complete:
+                self._is_rejoining = False
+                self._heard_s = now_s
+                self._ring.join(self._media.snapshot(now_s))
+        elif self._audio is not None and now_s > self._heard_s + LOST_AFTER_S:
+            self._event("sound_lost")
+            self._ring.hold()
+            self._revival.begin(self._audio)
+            self._audio = None
+
     def _start(self, now_s: float) -> None:
         if self._audio is None:
             self._media.start(now_s)
@@ -424,6 +481,7 @@ class Player:
 
     def _hold(self, phase: Phase) -> None:
         """Stand still; the sound that is on its way stays in the ring."""
+        self._is_rejoining = False
         now_s = self._clock.now_s()
         self._media.pause(now_s)
         position_s = self._media.media_s(now_s)
@@ -432,6 +490,7 @@ class Player:
         self.phase = phase
 
     def _go_to(self, media_s: float) -> None:
+        self._is_rejoining = False
         self._media.seek(media_s)
         self._preview, self._needs_preview = None, True
         if self._video_feeder is not None:
@@ -456,7 +515,8 @@ class Player:
         if self._preview is not None:
             self._show(self._preview)
             self._preview = None
-        media_s = clock.media_s(now_s + self._show_cost_s)
+        early_s = self._show_cost_s + PICTURE_LEAD_S
+        media_s = clock.media_s(now_s + early_s)
         feeder.set_position(media_s)
         while (picture := feeder.peek()) is not None and picture.pts_s <= media_s:
             following = feeder.peek(1)
@@ -469,7 +529,7 @@ class Player:
             feeder.pop()
         if picture is None:
             return now_s + 0.5 * POLL_S
-        return clock.monotonic_s(picture.pts_s) - self._show_cost_s
+        return clock.monotonic_s(picture.pts_s) - early_s
 
     def _show_preview(self, feeder: VideoFeeder) -> None:
         """After a seek, show where we are without waiting for the clock."""

@@ -38,4 +38,5 @@ class Snapshot:
     force_minus_audio: SyncStats | None
     frames_shown: int
     frames_dropped: int
+    frames_damaged: int
     problem: str

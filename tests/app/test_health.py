@@ -25,6 +25,7 @@ GOOD = Snapshot(
     force_minus_audio=SyncStats(100, 0.0, 0.2, 0.4),
     frames_shown=300,
     frames_dropped=0,
+    frames_damaged=0,
     problem="",
 )
 
@@ -38,8 +39,8 @@ def test_all_is_well():
         (Level.GOOD, "Simulated, active"),
         (Level.GOOD, "FIFO"),
         (Level.GOOD, "yes, 53 \u00b5s, 0 missed"),
-        (Level.GOOD, "\u22120.2 ms"),
-        (Level.GOOD, "+0.2 ms"),
+        (Level.GOOD, "\u22120.2, +0.5 ms"),
+        (Level.GOOD, "+0.2, +0.4 ms"),
         (Level.GOOD, "300 shown, 0 dropped"),
         (Level.GOOD, "audio"),
     ]
@@ -70,8 +71,16 @@ def test_all_is_well():
         ({"loop": LoopStats(10_000, 0, 20, 900, 2e3, 5e3)}, 2, Level.WATCH, "900"),
         ({"loop": LoopStats(10_000, 500, 20, 90, 2e3, 5e3)}, 2, Level.BAD, "500 miss"),
         ({"force_minus_video": None}, 3, Level.NEUTRAL, "\u2013"),
-        ({"force_minus_video": SyncStats(9, 20, 25, 30)}, 3, Level.BAD, "+25.0 ms"),
+        ({"force_minus_video": SyncStats(9, 20, 25, 30)}, 3, Level.WATCH, "+25.0, +30"),
+        ({"force_minus_video": SyncStats(9, 40, 51, 60)}, 3, Level.BAD, "OFF +51.0"),
+        (
+            {"force_minus_audio": SyncStats(9, -20, -16, 0)},
+            4,
+            Level.BAD,
+            "OFF \u221216",
+        ),
         ({"frames_dropped": 30}, 5, Level.BAD, "30 dropped"),
+        ({"frames_damaged": 2}, 5, Level.WATCH, "damaged: 2 broken"),
         ({"clock": "monotonic", "audio": ""}, 6, Level.NEUTRAL, "monotonic"),
         ({"clock": "monotonic"}, 6, Level.WATCH, "no sound"),
         ({"clock": "monotonic"}, 4, Level.NEUTRAL, "\u2013"),

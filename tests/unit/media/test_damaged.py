@@ -14,31 +14,8 @@ from hapticplayer.media import (
     read_telemetry_packets,
     write_clip,
 )
+from tests.faults.media_cases import mutated
 from tests.unit.media.conftest import clicks, numbered_pictures
-
-EXTREMES = (b"\xff\xff\xff\xff", b"\x7f\xff\xff\xff", b"\0\0\0\0")
-
-
-def mutated(content: bytes, rng: np.random.Generator) -> bytes:
-    """Damage a file in one of eight ways."""
-    damaged, kind = bytearray(content), int(rng.integers(8))
-    at, length = int(rng.integers(len(damaged))), int(rng.integers(1, 2000))
-    header = max(0, damaged.find(b"moov"))
-    reach = min(4000, len(damaged) - header - 4)
-    if kind < 3:
-        for _ in range((1, 20, 300)[kind]):
-            damaged[int(rng.integers(len(damaged)))] ^= 1 << int(rng.integers(8))
-    elif kind == 3:
-        del damaged[at:]
-    elif kind == 4:
-        damaged[at : at + length] = bytes(len(damaged[at : at + length]))
-    elif kind == 5:
-        damaged[at:at] = damaged[at : at + length]
-    else:
-        for _ in range(3):
-            spot = header + int(rng.integers(reach))
-            damaged[spot : spot + 4] = EXTREMES[int(rng.integers(3))]
-    return bytes(damaged)
 
 
 @pytest.fixture(scope="module")

@@ -5,6 +5,9 @@ import threading
 import numpy as np
 import pytest
 
+from hapticplayer.clock import SystemClock
+from hapticplayer.playback import sound_revival
+from hapticplayer.playback.clock import Source
 from hapticplayer.playback.snapshot import Phase
 
 FRAME_S = 1 / 25
@@ -186,3 +189,24 @@ def test_a_clip_that_breaks_ends_with_a_sentence(theatre, monkeypatch):
         reading.wait(0.002)
     assert "damaged" in theatre.player.problem
     assert theatre.player.phase is Phase.ENDED
+
+
+def test_a_sound_output_that_was_lost_comes_back_without_a_jump(theatre, monkeypatch):
+    monkeypatch.setattr(sound_revival, "RETRY_S", 0.001)
+    player, first = theatre.player, theatre.out
+    player.play()
+    theatre.run(0.6)
+    epoch, first.is_alive = player._media.epoch, False
+    offsets = []
+    pause = SystemClock()  # for the thread that opens the new output
+    while theatre.out is first or player._media.source is not Source.AUDIO:
+        theatre.run(theatre.STEP_S)
+        offsets.append(player.media_s() - theatre.clock.now_s())
+        pause.sleep_until(pause.now_s() + 0.001)
+        assert player.phase is Phase.PLAYING, "the clip was over before"
+    theatre.run(0.3)
+    assert player._media.source is Source.AUDIO
+    assert player._media.epoch == epoch, "the force was interrupted"
+    offsets.append(player.media_s() - theatre.clock.now_s())
+    assert max(offsets) - min(offsets) < 0.001
+    assert abs(player._media.error_s) < 0.001

@@ -1,0 +1,88 @@
+"""The clips of benchmarks/sync.py: at the same moments a flash, a beep and a push."""
+
+import subprocess
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from common import HEIGHT, RATE_HZ, WIDTH
+from numpy.typing import NDArray
+from sync_watch import BEEP_S, beep
+from sync_watch import RATE_HZ as SOUND_HZ
+
+PERIOD_S = 0.5
+FLASH_FRAMES = 3
+FORCE_N = 1.0  # the limiter lets that much through in one tick
+LATE_SOUND_S = 1.75
+PATCH_PX = 300
+
+
+def base_clip(folder: Path, seconds: float) -> Path:
+    """Write a 720p30 clip with a flash and a beep every half second."""
+    from hapticplayer.media import write_clip
+
+    path = folder / "sync.mp4"
+    if not path.exists():
+        write_clip(
+            path, _pictures(seconds), frame_rate_hz=RATE_HZ, audio=_sound(seconds)
+        )
+    return path
+
+
+def force_file(folder: Path, seconds: float) -> Path:
+    """Write the pushes that belong to it, upwards."""
+    rows = ["time_s,fx_n,fy_n,fz_n", "0,0,0,0"]
+    for at_s in _moments(seconds):
+        rows += [f"{at_s:.4f},0,{FORCE_N},0", f"{at_s + BEEP_S:.4f},0,0,0"]
+    path = folder / "force.csv"
+    path.write_text("\n".join(rows) + "\n")
+    return path
+
+
+def variant(kind: str, clip: Path) -> Path:
+    """Return a relative of the base clip: silent, vfr or late."""
+    options = {
+        "silent": ["-i", str(clip), "-c", "copy", "-an"],
+        # pictures are left out here and there, never one that begins a flash
+        "vfr": [
+            *("-i", str(clip), "-vf", "select=not(mod(n\\,15))+gt(random(1)\\,0.4)"),
+            *("-fps_mode", "vfr", "-preset", "veryfast", "-c:a", "copy"),
+        ],
+        "late": [
+            *("-i", str(clip), "-ss", str(LATE_SOUND_S), "-itsoffset"),
+            *(str(LATE_SOUND_S), "-i", str(clip), "-map", "0:v", "-map", "1:a"),
+            *("-c:v", "copy", "-c:a", "aac"),
+        ],
+    }[kind]
+    path = clip.with_stem(kind)
+    command = ["ffmpeg", "-nostdin", "-loglevel", "error", "-y", *options, str(path)]
+    subprocess.run(command, check=True)
+    return path
+
+
+def _moments(seconds: float) -> NDArray[np.float64]:
+    return np.arange(PERIOD_S, seconds - BEEP_S, PERIOD_S)
+
+
+def _sound(seconds: float) -> NDArray[np.float32]:
+    sound = np.zeros((round(seconds * SOUND_HZ), 2), dtype=np.float32)
+    tone = beep(BEEP_S)[:, None]
+    for at_s in _moments(seconds):
+        first = round(at_s * SOUND_HZ)
+        sound[first : first + len(tone)] = tone
+    return sound
+
+
+def _pictures(seconds: float) -> Iterator[NDArray[Any]]:
+    """Yield textures that move around a patch that flashes."""
+    texture = np.random.default_rng(1).integers(40, 200, (HEIGHT // 8, WIDTH // 8, 3))
+    texture = np.kron(texture, np.ones((8, 8, 1))).astype(np.uint8)
+    top, left = (HEIGHT - PATCH_PX) // 2, (WIDTH - PATCH_PX) // 2
+    per_period = round(PERIOD_S * RATE_HZ)
+    for number in range(round(seconds * RATE_HZ)):
+        picture = np.roll(texture, (2 * number, 5 * number), (0, 1))
+        is_white = number >= per_period and number % per_period < FLASH_FRAMES
+        patch = picture[top : top + PATCH_PX, left : left + PATCH_PX]
+        patch[:] = 255 if is_white else 0
+        yield picture
