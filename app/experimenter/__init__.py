@@ -1,0 +1,1 @@
+"""What an experimenter sees: where the participant is, and whether all is well."""
