@@ -30,11 +30,13 @@ def _open_window(options: argparse.Namespace) -> int:
 
     hold_signals()
     try:
+        from app.participant.application import run as run_study
         from app.player import application
     except ImportError as problem:
         sys.stderr.write(f"hapticplayer: {explain_import_error(problem)}\n")
         return 1
-    return application.run(options)
+    is_study = getattr(options, "study", None) is not None
+    return run_study(options) if is_study else application.run(options)
 
 
 if __name__ == "__main__":

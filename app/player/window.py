@@ -11,6 +11,7 @@ from PySide6.QtWidgets import (
 from app.bridge.cadence import Cadence
 from app.bridge.pump import Pump
 from app.bridge.settings import Settings
+from app.experimenter.study_menu import StudyMenu
 from app.player import choices, layout
 from app.player.actions import Actions
 from app.player.dialogs import Dialogs
@@ -28,6 +29,7 @@ from app.widgets.icons import icon
 from app.widgets.job_bar import JobBar
 from app.widgets.message_bar import MessageBar
 from hapticplayer.clock import Clock
+from hapticplayer.playback.haptic_link import NO_DEVICE
 from hapticplayer.playback.player import Player
 from hapticplayer.playback.source import Source
 
@@ -96,6 +98,11 @@ class PlayerWindow(QMainWindow):
         self.setWindowIcon(icon("hapticplayer"))
         self.setAcceptDrops(True)
         self.commands.fill(self.menuBar())
+        self.study_menu = StudyMenu(
+            self,
+            self.session.gateway.report,
+            lambda: self.session.choose_device(NO_DEVICE),
+        )
         self.stage = QStackedWidget()
         self.stage.addWidget(self.empty_page)
         self.stage.addWidget(self.surface)

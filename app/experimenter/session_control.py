@@ -1,0 +1,249 @@
+"""The operator's window: where the participant is, and what can be done about it."""
+
+from collections.abc import Callable
+
+from PySide6.QtCore import QCoreApplication, Signal
+from PySide6.QtGui import QCloseEvent
+from PySide6.QtWidgets import (
+    QGridLayout,
+    QHBoxLayout,
+    QInputDialog,
+    QLabel,
+    QLineEdit,
+    QMainWindow,
+    QMessageBox,
+    QPlainTextEdit,
+    QStackedWidget,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.experimenter.start_panel import StartPanel
+from app.player.health_line import HealthLine
+from app.player.plots_place import PlotsPlace
+from app.widgets import theme
+from app.widgets.buttons import Button, text_button
+from app.widgets.message_bar import MessageBar
+from hapticplayer.study.pages import PageKind
+from hapticplayer.study.runner import SessionRunner
+
+translate = QCoreApplication.translate
+WIDTH_PX, HEIGHT_PX = 980, 640
+
+
+class SessionControl(QMainWindow):
+    """Shows a session to the operator; blind to the condition where that is wanted.
+
+    Signals:
+        closing: a person closes the window.
+
+    Args:
+        start: the panel that is shown until a session has begun.
+        shows_force: whether live plots may be seen: they tell the condition.
+    """
+
+    closing = Signal()
+
+    def __init__(self, start: StartPanel, *, shows_force: bool) -> None:
+        super().__init__()
+        self.setWindowTitle(self.tr("Session \u2013 hapticplayer"))
+        self.resize(WIDTH_PX, HEIGHT_PX)
+        self.start = start
+        self.messages, self.health = MessageBar(), HealthLine()
+        self.plots = PlotsPlace()
+        self.plots.setVisible(shows_force)
+        if shows_force:
+            self.plots.prepare()
+        self.shows_force = shows_force
+        self._may_close = False
+        self._runner: SessionRunner | None = None
+        self._changed: Callable[[], None] = lambda: None
+        self.where, self.played = QLabel(), QLabel()
+        for label in (self.where, self.played):
+            label.setWordWrap(True)
+        self.where.setFont(theme.scaled(self.font(), 1.4, bold=True))
+        self.notes = QPlainTextEdit()
+        self.notes.setReadOnly(True)
+        self.note = QLineEdit()
+        self.note.setPlaceholderText(self.tr("A note; Enter keeps it"))
+        self.note.returnPressed.connect(self._keep_note)
+        self.buttons = self._make_buttons()
+        self._stack = QStackedWidget()
+        self._stack.addWidget(start)
+        self._stack.addWidget(self._panel())
+        self._lay_out()
+
+    def _make_buttons(self) -> dict[str, Button]:
+        made = {
+            "pause": (self.tr("Pause"), self.tr("Stop the clip; it begins again"), ""),
+            "repeat": (self.tr("Repeat"), self.tr("Play the last trial again"), ""),
+            "skip": (self.tr("Skip\u2026"), self.tr("Leave this step out"), ""),
+            "end": (self.tr("End\u2026"), self.tr("End the session for good"), ""),
+            "retry": (self.tr("Try again"), self.tr("Try to save once more"), ""),
+            "stop": (self.tr("STOP"), self.tr("Take the force away (Esc)"), "stop"),
+        }
+        buttons = {
+            name: text_button(text, tip, role)
+            for name, (text, tip, role) in made.items()
+        }
+        actions: dict[str, Callable[[SessionRunner], None]] = {
+            "pause": self._pause_or_go_on,
+            "repeat": lambda runner: runner.repeat(),
+            "skip": self._skip,
+            "end": self._end,
+            "retry": lambda runner: runner.retry(),
+            "stop": lambda runner: runner.halt("operator"),
+        }
+        for name, action in actions.items():
+            buttons[name].clicked.connect(lambda _on, action=action: self._do(action))
+        return buttons
+
+    def _panel(self) -> QWidget:
+        panel = QWidget()
+        grid = QGridLayout(panel)
+        row = QHBoxLayout()
+        for button in self.buttons.values():
+            row.addWidget(button)
+        grid.addWidget(self.where, 0, 0)
+        grid.addWidget(self.played, 1, 0)
+        grid.addLayout(row, 2, 0)
+        grid.addWidget(self.notes, 3, 0)
+        grid.addWidget(self.note, 4, 0)
+        return panel
+
+    def _lay_out(self) -> None:
+        middle = QWidget()
+        column = QVBoxLayout(middle)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.addWidget(self.messages)
+        column.addWidget(self._stack, 1)
+        column.addWidget(self.plots)
+        column.addWidget(self.health)
+        self.setCentralWidget(middle)
+
+    def follow(self, runner: SessionRunner, changed: Callable[[], None]) -> None:
+        """Show this session from now on; `changed` is called after each action."""
+        self._runner, self._changed = runner, changed
+        self._stack.setCurrentIndex(1)
+        self.refresh()
+
+    def show_message(self, text: str) -> None:
+        """Say what went wrong."""
+        self.messages.show_text(text)
+
+    def refresh(self) -> None:
+        """Show where the session is."""
+        runner = self._runner
+        if runner is None:
+            return
+        page = runner.page
+        self.where.setText(self._where_text(runner))
+        self.played.setText(self._played_text(runner))
+        is_paused = page.kind is PageKind.PAUSED
+        self.buttons["pause"].setText(
+            self.tr("Go on") if is_paused else self.tr("Pause")
+        )
+        is_stuck = page.kind is PageKind.PROBLEM
+        self.buttons["retry"].setVisible(is_stuck)
+        for name in ("pause", "repeat", "skip"):
+            self.buttons[name].setEnabled(not runner.is_over and not is_stuck)
+        self.buttons["end"].setEnabled(not runner.is_over)
+        if is_stuck and self.messages.text() != runner.problem:
+            self.messages.show_text(runner.problem)
+
+    def _where_text(self, runner: SessionRunner) -> str:
+        page = runner.page
+        text = f"{runner.plan.code} \u2013 {_kind_text(page.kind)}"
+        if page.position:
+            text += self.tr(", trial {k} of {n}").format(k=page.position, n=page.count)
+            if runner.attempt > 1:
+                text += self.tr(", attempt {n}").format(n=runner.attempt)
+        if runner.condition is not None and not runner.definition.operator_is_blind:
+            text += f" ({runner.condition.key})"
+        return text
+
+    def _played_text(self, runner: SessionRunner) -> str:
+        last = runner.last_trial
+        if last is None:
+            return self.tr("Nothing has been played yet")
+        if last.sound:
+            return self.tr("The last trial was played as it should be")
+        return self.tr("The last trial was not sound: {reasons}").format(
+            reasons=", ".join(last.reasons)
+        )
+
+    # --- what the operator does -----------------------------------------------
+
+    def _do(self, action: Callable[[SessionRunner], None]) -> None:
+        if self._runner is not None:
+            action(self._runner)
+            self._changed()
+            self.refresh()
+
+    def _pause_or_go_on(self, runner: SessionRunner) -> None:
+        if runner.page.kind is PageKind.PAUSED:
+            runner.resume()
+        else:
+            runner.pause()
+
+    def _skip(self, runner: SessionRunner) -> None:
+        reason, is_meant = QInputDialog.getText(
+            self, self.tr("Skip"), self.tr("Why is this step left out?")
+        )
+        if is_meant and reason.strip():
+            runner.skip(reason)
+
+    def _end(self, runner: SessionRunner) -> None:
+        reason, is_meant = QInputDialog.getText(
+            self,
+            self.tr("End the session"),
+            self.tr("Why does it end? All answers given so far are kept."),
+        )
+        if is_meant:
+            runner.stop(reason.strip() or "ended by the operator")
+
+    def _keep_note(self) -> None:
+        text = self.note.text().strip()
+        if text and self._runner is not None:
+            self._do(lambda runner: runner.note(text))
+            self.notes.appendPlainText(text)
+            self.note.clear()
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        """Ask first while somebody sits there; the session can be resumed."""
+        runner = self._runner
+        is_asked = not self._may_close and runner is not None and not runner.is_over
+        if is_asked and not self._is_sure():
+            event.ignore()
+            return
+        event.accept()
+        if not self._may_close:
+            self._may_close = True
+            self.closing.emit()
+
+    def close_for_good(self) -> None:
+        """Close without asking."""
+        self._may_close = True
+        self.close()
+
+    def _is_sure(self) -> bool:
+        answer = QMessageBox.question(
+            self,
+            self.tr("Close"),
+            self.tr("The session has not ended. Close, and go on with it later?"),
+        )
+        return answer is QMessageBox.StandardButton.Yes
+
+
+def _kind_text(kind: PageKind) -> str:
+    return {
+        PageKind.CONSENT: translate("SessionControl", "consent"),
+        PageKind.QUESTIONS: translate("SessionControl", "questions"),
+        PageKind.DEMONSTRATION: translate("SessionControl", "demonstration"),
+        PageKind.READY: translate("SessionControl", "ready"),
+        PageKind.PLAYING: translate("SessionControl", "playing"),
+        PageKind.PAUSED: translate("SessionControl", "paused"),
+        PageKind.PROBLEM: translate("SessionControl", "cannot be saved"),
+        PageKind.THANKS: translate("SessionControl", "finished"),
+        PageKind.STOPPED: translate("SessionControl", "ended early"),
+    }[kind]

@@ -1,0 +1,115 @@
+"""Before a session: who, in which language, and is everything in order?"""
+
+from collections.abc import Iterable
+
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QComboBox,
+    QFormLayout,
+    QHBoxLayout,
+    QLabel,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.widgets import theme
+from app.widgets.buttons import set_role, text_button
+from hapticplayer.study.preflight import Check
+
+_GOOD, _BAD = "\u25cf", "\u25a0"
+
+
+class StartPanel(QWidget):
+    """Chooses the participant and shows the checks.
+
+    Signals:
+        started: a person wants to begin.
+        clip_wanted: a person wants to hear the sound.
+
+    Args:
+        languages: of the study.
+        unfinished: codes of the sessions that can be resumed.
+    """
+
+    started = Signal()
+    clip_wanted = Signal()
+
+    def __init__(self, languages: Iterable[str], unfinished: Iterable[str]) -> None:
+        super().__init__()
+        self.who = QComboBox()
+        self.who.setAccessibleName(self.tr("Participant"))
+        self.who.addItem(self.tr("New participant"), "")
+        for code in unfinished:
+            self.who.addItem(self.tr("Go on with {code}").format(code=code), code)
+        self.language = QComboBox()
+        self.language.setAccessibleName(self.tr("Language"))
+        for language in languages:
+            self.language.addItem(language, language)
+        self.hear = text_button(
+            self.tr("Play a clip"), self.tr("Listen whether the sound is heard")
+        )
+        self.hear.clicked.connect(self.clip_wanted)
+        self.sound = QCheckBox(self.tr("The sound is heard"))
+        self.override = QCheckBox(self.tr("Begin although something is not in order"))
+        self.start = text_button(
+            self.tr("Begin"), self.tr("Show the first page to the participant")
+        )
+        set_role(self.start, "primary")
+        self.start.clicked.connect(self.started)
+        self.checks = QLabel()
+        self._lay_out()
+
+    def _lay_out(self) -> None:
+        form = QFormLayout()
+        form.addRow(self.tr("Participant"), self.who)
+        form.addRow(self.tr("Language of the pages"), self.language)
+        sound = QHBoxLayout()
+        sound.addWidget(self.hear)
+        sound.addWidget(self.sound)
+        sound.addStretch(1)
+        form.addRow(self.tr("Sound"), sound)
+        form.addRow(self.tr("Checks"), self.checks)
+        column = QVBoxLayout(self)
+        column.addLayout(form)
+        column.addWidget(self.override)
+        last = QHBoxLayout()
+        last.addStretch(1)
+        last.addWidget(self.start)
+        column.addLayout(last)
+        column.addStretch(1)
+
+    def choose(self, code: str, language: str) -> None:
+        """Preselect what the command line said."""
+        for box, value in ((self.who, code), (self.language, language)):
+            row = box.findData(value)
+            if value and row >= 0:
+                box.setCurrentIndex(row)
+
+    def show_checks(self, checks: tuple[Check, ...]) -> None:
+        """Show what was found; begin only when all is well, or somebody insists."""
+        names = self._names()
+        lines = []
+        for check in checks:
+            sign = _GOOD if check.is_good else _BAD
+            colour = theme.GOOD if check.is_good else theme.BAD
+            lines.append(
+                f"<span style='color:{colour}'>{sign}</span> "
+                f"{names[check.name]}: {check.found}"
+            )
+        text = "<br>".join(lines)
+        if text != self.checks.text():
+            self.checks.setText(text)
+        is_good = all(check.is_good for check in checks)
+        self.override.setVisible(not is_good)
+        self.start.setEnabled(is_good or self.override.isChecked())
+
+    def _names(self) -> dict[str, str]:
+        return {
+            "device": self.tr("Device"),
+            "homed": self.tr("Grip found"),
+            "scheduling": self.tr("Real-time class"),
+            "sound": self.tr("Sound"),
+            "screen": self.tr("Participant's screen"),
+            "disk": self.tr("Disk"),
+        }

@@ -1,0 +1,181 @@
+"""A small editor of a study: what most people change; the rest is in study.json."""
+
+import copy
+import json
+from pathlib import Path
+from typing import Any
+
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QComboBox,
+    QDialog,
+    QDialogButtonBox,
+    QFileDialog,
+    QFormLayout,
+    QHBoxLayout,
+    QLabel,
+    QLineEdit,
+    QScrollArea,
+    QSpinBox,
+    QTabWidget,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.widgets import theme
+from app.widgets.buttons import text_button
+from hapticplayer.errors import StudyError
+from hapticplayer.study.creation import change_definition
+from hapticplayer.study.definition import OrderMethod
+from hapticplayer.study.study_folder import Study
+
+WIDTH_PX, HEIGHT_PX = 820, 620
+_MOST = 2**31 - 1
+
+
+class StudyEditor(QDialog):
+    """Edits the definition of a study; sessions keep the one they began with.
+
+    Args:
+        study: opened.
+        parent: Qt's owner.
+    """
+
+    def __init__(self, study: Study, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.study = study
+        self._content: dict[str, Any] = json.loads(study.content)
+        self.setWindowTitle(
+            self.tr("Study \u2013 {name}").format(name=study.folder.name)
+        )
+        self.resize(WIDTH_PX, HEIGHT_PX)
+        self.texts: dict[tuple[str, ...], QLineEdit] = {}
+        self.folders: dict[str, QLineEdit] = {}
+        self.problem = QLabel()
+        self.problem.setWordWrap(True)
+        self.problem.setStyleSheet(f"color: {theme.BAD};")
+        self.problem.hide()
+        tabs = QTabWidget()
+        tabs.addTab(self._general(), self.tr("General"))
+        tabs.addTab(self._sequences(), self.tr("Sequences"))
+        tabs.addTab(self._questions(), self.tr("Questions"))
+        buttons = QDialogButtonBox(
+            QDialogButtonBox.StandardButton.Save
+            | QDialogButtonBox.StandardButton.Cancel
+        )
+        buttons.accepted.connect(self.save)
+        buttons.rejected.connect(self.reject)
+        column = QVBoxLayout(self)
+        for widget in (tabs, self.problem, buttons):
+            column.addWidget(widget)
+
+    def _general(self) -> QWidget:
+        content, page = self._content, QWidget()
+        form = QFormLayout(page)
+        self.title = QLineEdit(content["title"])
+        self.method = QComboBox()
+        for method, text in self._methods().items():
+            self.method.addItem(text, method.value)
+        self.method.setCurrentIndex(self.method.findData(content["order"]["method"]))
+        self.seed = QSpinBox()
+        self.seed.setRange(0, _MOST)
+        self.seed.setValue(min(_MOST, content["order"]["seed"]))
+        self.apart = QCheckBox(self.tr("Never the same sequence twice in a row"))
+        self.apart.setChecked(content["order"]["no_sequence_twice_in_a_row"])
+        self.blind = QCheckBox(self.tr("The operator does not see the condition"))
+        self.blind.setChecked(content["operator_is_blind"])
+        self.published = QCheckBox(
+            self.tr("Show the published wording where there is one")
+        )
+        self.published.setChecked(content["use_published"])
+        form.addRow(self.tr("Title"), self.title)
+        form.addRow(self.tr("Order"), self.method)
+        form.addRow(self.tr("Seed"), self.seed)
+        for box in (self.apart, self.blind, self.published):
+            form.addRow("", box)
+        return page
+
+    def _methods(self) -> dict[OrderMethod, str]:
+        return {
+            OrderMethod.RANDOM: self.tr("Random for each participant"),
+            OrderMethod.LATIN_SQUARE: self.tr("Latin square"),
+            OrderMethod.WILLIAMS: self.tr("Williams: balanced for what came before"),
+            OrderMethod.LIST: self.tr("From orders.csv"),
+        }
+
+    def _sequences(self) -> QWidget:
+        page = QWidget()
+        form = QFormLayout(page)
+        for entry in self._content["sequences"]:
+            line = self.folders[entry["key"]] = QLineEdit(entry["folder"])
+            browse = text_button(
+                self.tr("Browse\u2026"), self.tr("Choose the folder of a sequence")
+            )
+            browse.clicked.connect(lambda _on, line=line: self._browse(line))
+            row = QHBoxLayout()
+            row.addWidget(line, 1)
+            row.addWidget(browse)
+            form.addRow(entry["key"], row)
+        return page
+
+    def _browse(self, line: QLineEdit) -> None:
+        folder = QFileDialog.getExistingDirectory(
+            self, self.tr("Folder of a sequence"), line.text()
+        )
+        if folder:
+            line.setText(str(Path(folder)))
+
+    def _questions(self) -> QWidget:
+        page = QWidget()
+        form = QFormLayout(page)
+        for number, factor in enumerate(self._content["factors"]):
+            for language in self._content["languages"]:
+                for kind in ("text", "published"):
+                    texts = factor.get(kind) or {}
+                    line = QLineEdit(texts.get(language, ""))
+                    line.setCursorPosition(0)
+                    self.texts[str(number), kind, language] = line
+                    name = f"{factor['key']}, {language}"
+                    if kind == "published":
+                        name += self.tr(" (published)")
+                    form.addRow(name, line)
+        area = QScrollArea()
+        area.setWidgetResizable(True)
+        area.setWidget(page)
+        return area
+
+    def edited(self) -> dict[str, Any]:
+        """Return the definition as it is filled in now."""
+        content = copy.deepcopy(self._content)
+        content["title"] = self.title.text()
+        content["order"] = {
+            "method": self.method.currentData(),
+            "seed": self.seed.value(),
+            "no_sequence_twice_in_a_row": self.apart.isChecked(),
+        }
+        content["operator_is_blind"] = self.blind.isChecked()
+        content["use_published"] = self.published.isChecked()
+        for entry in content["sequences"]:
+            entry["folder"] = self.folders[entry["key"]].text()
+        for (number, kind, language), line in self.texts.items():
+            factor = content["factors"][int(number)]
+            if kind == "text":
+                factor["text"][language] = line.text()
+            elif line.text().strip():
+                factor["published"] = {
+                    **(factor["published"] or {}),
+                    language: line.text(),
+                }
+            elif factor.get("published"):
+                factor["published"].pop(language, None)
+        return content
+
+    def save(self) -> None:
+        """Keep what is filled in, unless something is wrong with it."""
+        try:
+            self.study = change_definition(self.study, self.edited())
+        except StudyError as problem:
+            self.problem.setText(str(problem))
+            self.problem.show()
+        else:
+            self.accept()

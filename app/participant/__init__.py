@@ -1,0 +1,1 @@
+"""What a participant sees: calm, large, and nothing that tells the condition."""

@@ -1,0 +1,253 @@
+"""Runs a participant: both windows, one player, and what joins them."""
+
+import argparse
+import os
+from collections.abc import Callable
+
+from PySide6.QtCore import QTimer
+from PySide6.QtGui import QGuiApplication, QScreen
+from PySide6.QtWidgets import QApplication
+
+from app.bridge.cadence import Cadence
+from app.bridge.errors import ErrorGateway
+from app.bridge.interrupts import closing_on_signals
+from app.bridge.pump import Pump
+from app.experimenter.session_control import SessionControl
+from app.experimenter.start_panel import StartPanel
+from app.participant.undisturbed import Undisturbed
+from app.participant.window import ParticipantWindow
+from app.player.application import make_application
+from app.player.video_surface import SurfaceSink, VideoSurface
+from hapticplayer.clock import Clock, SystemClock
+from hapticplayer.errors import HapticPlayerError
+from hapticplayer.playback.audio import SoundDeviceOut
+from hapticplayer.playback.player import AudioFactory, Player
+from hapticplayer.playback.source import Source
+from hapticplayer.study.preflight import Check, described, look
+from hapticplayer.study.runner import Observer, SessionRunner
+from hapticplayer.study.session_folder import State
+from hapticplayer.study.session_setup import (
+    Material,
+    check_unchanged,
+    load_material,
+    make_stage,
+    next_record,
+)
+from hapticplayer.study.study_folder import Study, begin_session, open_study
+
+PRIVATE = 0o077  # umask: the records of the device belong to the participant too
+WATCH_HZ, SLOW_HZ = 30.0, 2.0
+SOUND_CHECK_S = 4.0
+
+
+class StudySession:
+    """Both windows of one participant's session.
+
+    Args:
+        study: opened.
+        material: of the study.
+        device: name of the haptic device.
+        clock: of the machine.
+        audio: makes the sound output; None plays without sound.
+        observer: told of beginnings and ends.
+    """
+
+    def __init__(
+        self,
+        study: Study,
+        material: Material,
+        device: str,
+        clock: Clock,
+        *,
+        audio: AudioFactory | None = SoundDeviceOut,
+        observer: Observer | None = None,
+    ) -> None:
+        self.study, self.material, self.device = study, material, device
+        self.runner: SessionRunner | None = None
+        self._clock, self._observer = clock, observer
+        self.surface = VideoSurface()
+        self.player = Player(clock, SurfaceSink(self.surface), audio=audio)
+        sessions, _ = study.sessions()
+        unfinished = [s.code for s in sessions if s.state is State.UNFINISHED]
+        self.start_panel = StartPanel(study.definition.languages, unfinished)
+        self.control = SessionControl(
+            self.start_panel, shows_force=not study.definition.operator_is_blind
+        )
+        self.participant = ParticipantWindow(self.surface)
+        self.gateway = ErrorGateway(self.control.show_message, self._halt)
+        self.undisturbed = Undisturbed()
+        self._watch_turn, self._slow_turn = Cadence(WATCH_HZ), Cadence(SLOW_HZ)
+        self._checks: tuple[Check, ...] = ()
+        self._is_over = False
+        self.pump = Pump(self.player.poll, clock, self._on_gap)
+        self.start_panel.started.connect(self.begin)
+        self.start_panel.clip_wanted.connect(self._play_sound)
+        self.surface.target_changed.connect(self.player.set_size)
+        self.control.closing.connect(self.close)
+
+    def show(self, *, windowed: bool) -> None:
+        """Open both windows, the participant's on a screen of its own if there is."""
+        self.player.set_device(self.device)
+        self.control.show()
+        mine, theirs = _screens(self.control.screen())
+        self.control.setScreen(mine)
+        self.participant.setScreen(theirs)
+        if windowed:
+            self.participant.resize(theirs.availableGeometry().size() / 2)
+            self.participant.show()
+        else:
+            self.participant.setGeometry(theirs.geometry())
+            self.participant.showFullScreen()
+        self.control.raise_()
+        self.pump.start()
+
+    # --- before the session ------------------------------------------------------
+
+    def look(self) -> tuple[Check, ...]:
+        """Return the state of everything that a session needs."""
+        screen = self.participant.screen()
+        size = screen.geometry().size() * screen.devicePixelRatio()
+        return look(
+            self.player,
+            self.study.definition.checks,
+            self.study.folder,
+            {
+                "width_px": size.width(),
+                "height_px": size.height(),
+                "refresh_hz": screen.refreshRate(),
+                "screens": len(QGuiApplication.screens()),
+            },
+            is_sound_heard=self.start_panel.sound.isChecked(),
+        )
+
+    def _play_sound(self) -> None:
+        source = next(iter(self.material.sources.values()))
+        self.player.open(source, "none")
+        self.player.end_s = min(SOUND_CHECK_S, source.clip.duration_s)
+        self.player.play()
+
+    def begin(self) -> None:
+        """Begin or go on, as the panel says; what goes wrong is told there."""
+        panel = self.start_panel
+        try:
+            self.begin_session(panel.who.currentData(), panel.language.currentData())
+        except HapticPlayerError as problem:
+            self.gateway.report(problem)
+
+    def begin_session(self, code: str, language: str) -> None:
+        """Make or reopen a session and show its page.
+
+        Raises:
+            HapticPlayerError: why it cannot be; nothing is shown then.
+        """
+        checks = self.look()
+        if code:
+            session = self.study.session(code)
+            check_unchanged(session, self.material)
+        else:
+            session = begin_session(
+                self.study, language, self.material.clips, self._clock
+            )
+        record = next_record(session.folder) if self.device != "none" else None
+        self.player.set_device(self.device, record)
+        self.player.link.wait_ready()
+        name = record.name if record else ""
+        stage = make_stage(self.study, self.material, self.player, self._clock, name)
+        stage.opening = self._on_opening
+        self.runner = SessionRunner(
+            self.study, session.code, stage, self._clock, self._observer
+        )
+        is_good = all(check.is_good for check in checks)
+        self.runner.keep_checks(described(checks), overridden=not is_good)
+        self.participant.follow(self.runner)
+        self.participant.activateWindow()
+        self.control.follow(self.runner, self.participant.refresh)
+
+    def _on_opening(self, source: Source) -> None:
+        self.surface.set_clip_size(source.clip.width, source.clip.height)
+        self.control.plots.set_source(source)
+
+    # --- while it runs --------------------------------------------------------------
+
+    def _on_gap(self) -> None:
+        now_s = self._clock.now_s()
+        if self.runner is not None:
+            self.runner.poll()
+        if self._watch_turn.is_due(now_s):
+            self.gateway.poll()
+            self.participant.refresh()
+            self.control.refresh()
+            if self.runner is not None and self.control.shows_force:
+                plots, player = self.control.plots, self.player
+                plots.follow(player.media_s(), player.feedback, player.link.history)
+        if self._slow_turn.is_due(now_s):
+            self.control.health.show_snapshot(self.player.snapshot())
+            if self.runner is None:
+                self.start_panel.show_checks(self.look())
+
+    def _halt(self) -> None:
+        if self.runner is not None:
+            self.runner.halt("fault")
+        else:
+            self.player.stop_force()
+
+    def close(self) -> None:
+        """Bring the hand to rest and let go of everything; answers are on the disk."""
+        if self._is_over:
+            return
+        self._is_over = True
+        self.pump.stop()
+        self.player.close()
+        if self.runner is not None:
+            self.runner.close()
+        self.undisturbed.release()
+        self.participant.close_for_good()
+        self.control.close_for_good()
+
+
+def run(options: argparse.Namespace) -> int:
+    """Show the study's windows and return the exit status once they are closed.
+
+    Args:
+        options: of `hapticplayer study run`.
+
+    Raises:
+        HapticPlayerError: when the study cannot be run; no window is shown then.
+    """
+    before = os.umask(PRIVATE)
+    try:
+        study = open_study(options.study)
+        material = load_material(study)
+        application = make_application()
+        session = StudySession(study, material, options.device, SystemClock())
+        session.start_panel.choose(options.resume or "", options.language or "")
+        try:
+            session.show(windowed=options.windowed)
+            _run_until_closed(application, session)
+        finally:
+            session.close()
+    finally:
+        os.umask(before)
+    return 0
+
+
+def _run_until_closed(application: QApplication, session: StudySession) -> None:
+    session.gateway.install()
+
+    def close() -> None:
+        session.close()
+        application.quit()
+
+    later: Callable[[], None] = lambda: QTimer.singleShot(0, close)  # noqa: E731
+    try:
+        with closing_on_signals(later):
+            session.control.closing.connect(application.quit)
+            application.exec()
+    finally:
+        session.gateway.uninstall()
+
+
+def _screens(operator: QScreen) -> tuple[QScreen, QScreen]:
+    """Return the operator's screen, and another one for the participant if there is."""
+    others = [screen for screen in QGuiApplication.screens() if screen is not operator]
+    return operator, others[0] if others else operator

@@ -1,0 +1,131 @@
+"""The look of the participant's pages: one size that fits, read from two metres.
+
+A letter 1/22 of the picture's height is 14 mm on a 24-inch screen: capitals of 10 mm,
+1.7 times what an acuity of 0.3 needs at 2 m.
+"""
+
+from PySide6.QtCore import QSize, Qt, QTimer
+from PySide6.QtGui import QFont, QResizeEvent
+from PySide6.QtWidgets import (
+    QFrame,
+    QLabel,
+    QScrollArea,
+    QSizePolicy,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.widgets import theme
+
+LARGEST, SMALLEST = 22.0, 40.0  # letters are the height divided by these
+STEPS = 7
+_MARGIN_SHARE = 0.06
+
+STYLE = f"""
+QWidget {{ background: {theme.BACKGROUND}; color: {theme.TEXT}; }}
+QPushButton {{ background: {theme.RAISED}; border: 2px solid {theme.BORDER};
+  border-radius: 10px; padding: 0.35em 1.0em; min-height: 1.2em; }}
+QPushButton:hover {{ background: {theme.HOVER}; }}
+QPushButton:focus {{ border: 3px solid {theme.FOCUS}; }}
+QPushButton:checked {{ background: #1f5f9e; border: 3px solid {theme.FOCUS};
+  color: #ffffff; font-weight: bold; }}
+QPushButton[role="primary"] {{ background: #1f5f9e; border-color: #2f76bb; }}
+QPushButton[role="primary"]:focus {{ border: 3px solid {theme.FOCUS}; }}
+QSpinBox, QPlainTextEdit {{ background: {theme.PANEL}; border: 2px solid {theme.BORDER};
+  border-radius: 8px; padding: 4px; }}
+QSpinBox:focus, QPlainTextEdit:focus {{ border: 3px solid {theme.FOCUS}; }}
+QSpinBox::up-button, QSpinBox::down-button {{ width: 2em; }}
+QFrame[role="question"] {{ border: 2px solid transparent; border-radius: 12px; }}
+QFrame[role="current"] {{ border: 2px solid {theme.BORDER}; border-radius: 12px; }}
+QScrollArea {{ border: 0; }}
+"""
+
+
+class FittedPage(QScrollArea):
+    """A column of widgets whose letters are as large as the page allows.
+
+    What does not fit even in small letters can be scrolled: nothing is cut off.
+    """
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setFrameShape(QFrame.Shape.NoFrame)
+        self.setWidgetResizable(True)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        self._fitted_for = QSize()
+        self._size_step = 0
+        # the style gives some widgets their true height only when they are shown
+        self._settling = QTimer(self)
+        self._settling.setSingleShot(True)
+        self._settling.timeout.connect(self._shrink)
+        self.body = _Body()
+        self.column = QVBoxLayout(self.body)
+        self.setWidget(self.body)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Choose the letters anew."""
+        super().resizeEvent(event)
+        # also called when the scroll bar comes or goes, which depends on the letters
+        if self.size() != self._fitted_for:
+            self.fit()
+
+    def fit(self) -> None:
+        """Take the largest letters with which everything is in sight."""
+        room = self._fitted_for = self.size()
+        margin = round(_MARGIN_SHARE * room.width())
+        self.column.setContentsMargins(margin, margin // 3, margin, margin // 3)
+        self._size_step = 0
+        self._take_step()
+        self._shrink()
+        self._settling.start()
+
+    def _take_step(self) -> None:
+        share = LARGEST + (SMALLEST - LARGEST) * self._size_step / (STEPS - 1)
+        self.set_letters(max(9, round(self._fitted_for.height() / share)))
+
+    def _shrink(self) -> None:
+        """Take smaller letters while something is out of sight."""
+        width, height = self._fitted_for.width(), self._fitted_for.height()
+        while self.needed_px(width) > height and self._size_step < STEPS - 1:
+            self._size_step += 1
+            self._take_step()
+
+    def set_letters(self, letters_px: int) -> None:
+        """Use letters of this size."""
+        font = QFont(self.body.font())
+        font.setPixelSize(letters_px)
+        self.body.setFont(font)
+        for child in self.body.findChildren(QWidget):
+            child.setFont(font)
+        self.column.setSpacing(letters_px // 2)
+        self.column.activate()
+
+    def needed_px(self, width_px: int) -> int:
+        """Return the height that everything takes at a width."""
+        layout = self.column
+        if layout.hasHeightForWidth():
+            return layout.totalHeightForWidth(width_px)
+        return layout.totalSizeHint().height()
+
+
+class _Body(QWidget):
+    """As high as its texts are at the page's width.
+
+    Its own least height would be that of the texts in their narrowest shape.
+    """
+
+    def minimumSizeHint(self) -> QSize:
+        """Leave the height to `heightForWidth`."""
+        return QSize(0, 0)
+
+
+def paragraph(text: str, *, centred: bool = False) -> QLabel:
+    """Return a text that breaks into lines; it is never read as markup."""
+    made = QLabel(text)
+    made.setTextFormat(Qt.TextFormat.PlainText)
+    made.setWordWrap(True)
+    made.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Minimum)
+    if centred:
+        made.setAlignment(Qt.AlignmentFlag.AlignHCenter)
+    return made

@@ -1,0 +1,191 @@
+"""The pages: a text with buttons, and questions."""
+
+from collections.abc import Callable, Mapping
+from typing import Any
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QKeyEvent
+from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QWidget
+
+from app.participant.look import FittedPage, paragraph
+from app.participant.questions import (
+    QuestionRow,
+    TextRow,
+    digit_of,
+    is_typing,
+    make_row,
+)
+from app.widgets.buttons import Button, set_role
+from hapticplayer.study.pages import Page
+
+Word = Callable[[str], str]
+_ENTER = (Qt.Key.Key_Return, Qt.Key.Key_Enter)
+
+
+class TextPage(FittedPage):
+    """A text, and up to a few buttons under it.
+
+    Signals:
+        pressed: the name of the button.
+
+    Args:
+        page: what it says.
+        buttons: (name, text); the last one is what goes on.
+    """
+
+    pressed = Signal(str)
+
+    def __init__(self, page: Page, buttons: list[tuple[str, str]]) -> None:
+        super().__init__()
+        self.column.addStretch(1)
+        if page.position:
+            where = f"{page.position} / {page.count}"
+            self.column.addWidget(paragraph(where, centred=True))
+        is_short = len(page.text) < 160
+        self.text = paragraph(page.text, centred=is_short)
+        self.column.addWidget(self.text)
+        row = QHBoxLayout()
+        row.addStretch(1)
+        self.buttons: dict[str, Button] = {}
+        for name, text in buttons:
+            button = self.buttons[name] = Button(text)
+            button.clicked.connect(lambda _on, name=name: self.pressed.emit(name))
+            row.addWidget(button)
+        row.addStretch(1)
+        self.column.addLayout(row)
+        self.column.addStretch(1)
+        if buttons:
+            set_role(self.buttons[buttons[-1][0]], "primary")
+
+    def focus(self) -> None:
+        """Put the keyboard on what goes on."""
+        if self.buttons:
+            list(self.buttons.values())[-1].setFocus(Qt.FocusReason.TabFocusReason)
+
+    def values(self) -> dict[str, Any]:
+        """Return no answers."""
+        return {}
+
+
+class QuestionsPage(FittedPage):
+    """Questions one under the other.
+
+    Signals:
+        finished: a person wants to go on.
+        replay_wanted: the token of a clip, see `Page.replays`.
+
+    Args:
+        page: its questions.
+        word: gives the words of the buttons.
+        scale: ends of the five-point scale.
+        draft: what was typed before a clip was played again.
+    """
+
+    finished = Signal()
+    replay_wanted = Signal(str)
+
+    def __init__(
+        self,
+        page: Page,
+        word: Word,
+        scale: tuple[str, str],
+        draft: Mapping[str, Any],
+    ) -> None:
+        super().__init__()
+        self._word = word
+        self._current = 0
+        if page.text:
+            self.column.addWidget(paragraph(page.text))
+        if page.replays:
+            self.column.addWidget(self._replay_table(page))
+        self.rows: list[QuestionRow] = []
+        for asked in page.questions:
+            row = make_row(asked, word, scale)
+            if asked.name in draft:
+                row.set_value(draft[asked.name])
+            number = len(self.rows)
+            row.entered.connect(lambda number=number: self._go_to(number))
+            self.rows.append(row)
+            self.column.addWidget(row)
+        self.next = Button(word("next"))
+        set_role(self.next, "primary")
+        self.next.clicked.connect(self.finished)
+        last = QHBoxLayout()
+        last.addStretch(1)
+        last.addWidget(self.next)
+        self.column.addStretch(1)
+        self.column.addLayout(last)
+
+    def _replay_table(self, page: Page) -> QWidget:
+        table = QWidget()
+        grid = QGridLayout(table)
+        grid.setContentsMargins(0, 0, 0, 0)
+        for line, (heading, clips) in enumerate(page.replays):
+            grid.addWidget(QLabel(heading), line, 0)
+            for place, (text, token) in enumerate(clips, 1):
+                button = Button(f"\u25b6 {text}")
+                button.setAccessibleName(f"{heading}, {text}")
+                button.clicked.connect(
+                    lambda _on, token=token: self.replay_wanted.emit(token)
+                )
+                grid.addWidget(button, line, place)
+        return table
+
+    def set_letters(self, letters_px: int) -> None:
+        """Use letters of this size."""
+        super().set_letters(letters_px)
+        for row in self.rows:
+            if isinstance(row, TextRow):
+                row.set_letters(letters_px)
+
+    def values(self) -> dict[str, Any]:
+        """Return all answers, whatever they are."""
+        return {row.asked.name: row.value() for row in self.rows}
+
+    def focus(self) -> None:
+        """Put the keyboard on the first question."""
+        if self.rows:
+            self._go_to(0)
+            self.rows[0].focus()
+
+    def show_problem(self, name: str, text: str) -> None:
+        """Say at a question what is wrong with its answer."""
+        for row in self.rows:
+            is_it = row.asked.name == name
+            row.show_missing(text if is_it else "")
+            if is_it:
+                row.focus()
+                self.fit()
+                self.ensureWidgetVisible(row)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Answer by digits, move by arrows, go on with Enter."""
+        digit = digit_of(event)
+        if digit and self.rows and not is_typing(self.focusWidget()):
+            if self.rows[self._current].take_digit(digit):
+                self._to_next()
+        elif event.key() == Qt.Key.Key_Down:
+            self._step(1)
+        elif event.key() == Qt.Key.Key_Up:
+            self._step(-1)
+        elif event.key() in _ENTER:
+            self.finished.emit()
+        else:
+            super().keyPressEvent(event)
+
+    def _step(self, by: int) -> None:
+        number = min(max(0, self._current + by), len(self.rows) - 1)
+        self._go_to(number)
+        self.rows[number].focus()
+
+    def _to_next(self) -> None:
+        if self._current + 1 < len(self.rows):
+            self._step(1)
+        else:
+            self.next.setFocus(Qt.FocusReason.TabFocusReason)
+
+    def _go_to(self, number: int) -> None:
+        self._current = number
+        for place, row in enumerate(self.rows):
+            row.show_current(is_current=place == number)
+        self.ensureWidgetVisible(self.rows[number])

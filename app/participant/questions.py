@@ -1,0 +1,267 @@
+"""Questions for mouse, touch and keys: digits answer, Enter goes on."""
+
+from collections.abc import Callable
+from typing import Any
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QFocusEvent, QKeyEvent
+from PySide6.QtWidgets import (
+    QButtonGroup,
+    QFrame,
+    QHBoxLayout,
+    QLabel,
+    QPlainTextEdit,
+    QSpinBox,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.participant.look import paragraph
+from app.widgets import theme
+from app.widgets.buttons import Button
+from hapticplayer.study.definition import LIKERT, QuestionKind
+from hapticplayer.study.pages import Asked
+
+Word = Callable[[str], str]
+TEXT_LINES = 2
+
+
+class QuestionRow(QFrame):
+    """One question with its answer.
+
+    Signals:
+        answered: a person has chosen something.
+        entered: the keyboard is here now.
+
+    Args:
+        asked: the question.
+    """
+
+    answered = Signal()
+    entered = Signal()
+
+    def __init__(self, asked: Asked) -> None:
+        super().__init__()
+        self.asked = asked
+        self.setProperty("role", "question")
+        column = self.column = QVBoxLayout(self)
+        column.setContentsMargins(12, 6, 12, 8)
+        text = f"{asked.heading}: {asked.text}" if asked.heading else asked.text
+        self.title = paragraph(text)
+        column.addWidget(self.title)
+        self.missing = paragraph("")
+        self.missing.setStyleSheet(f"color: {theme.WARN};")
+        self.missing.hide()
+
+    def value(self) -> Any:
+        """Return the answer; None where there is none."""
+        raise NotImplementedError
+
+    def set_value(self, value: Any) -> None:
+        """Answer as before."""
+        raise NotImplementedError
+
+    def take_digit(self, _digit: int) -> bool:
+        """Answer by a key; False where a digit means nothing here."""
+        return False
+
+    def focus(self) -> None:
+        """Take the keyboard."""
+        raise NotImplementedError
+
+    def show_current(self, *, is_current: bool) -> None:
+        """Show whether the digits go here."""
+        role = "current" if is_current else "question"
+        if self.property("role") != role:
+            self.setProperty("role", role)
+            self.style().unpolish(self)
+            self.style().polish(self)
+
+    def show_missing(self, text: str) -> None:
+        """Say what is wrong with the answer; nothing where all is well."""
+        self.missing.setText(text)
+        self.missing.setVisible(bool(text))
+
+
+class ButtonsRow(QuestionRow):
+    """An answer out of a few.
+
+    Args:
+        asked: the question.
+        answers: (value, text) of the buttons.
+        ends: what stands before the first and behind the last.
+    """
+
+    def __init__(
+        self,
+        asked: Asked,
+        answers: list[tuple[Any, str]],
+        ends: tuple[str, str] = ("", ""),
+    ) -> None:
+        super().__init__(asked)
+        self._values = [value for value, _ in answers]
+        self.group = QButtonGroup(self)
+        row = QHBoxLayout()
+        self._add_end(row, ends[0])
+        for number, (_, text) in enumerate(answers):
+            button = _AnswerButton(text, self.entered.emit)
+            button.setCheckable(True)
+            button.setAccessibleName(f"{asked.text} {text}")
+            self.group.addButton(button, number)
+            row.addWidget(button, 1)
+        self._add_end(row, ends[1])
+        self.group.idClicked.connect(lambda _number: self._on_clicked())
+        self.column.addLayout(row)
+        self.column.addWidget(self.missing)
+
+    def _add_end(self, row: QHBoxLayout, text: str) -> None:
+        if text:
+            row.addWidget(QLabel(text))
+
+    def _on_clicked(self) -> None:
+        self.show_missing("")
+        self.answered.emit()
+
+    def value(self) -> Any:
+        """Return the value of the chosen button."""
+        number = self.group.checkedId()
+        return None if number < 0 else self._values[number]
+
+    def set_value(self, value: Any) -> None:
+        """Press a button."""
+        if value in self._values:
+            self.group.button(self._values.index(value)).setChecked(True)
+
+    def take_digit(self, _digit: int) -> bool:
+        """Press the button of this number."""
+        if _digit > len(self._values):
+            return False
+        button = self.group.button(_digit - 1)
+        button.setFocus(Qt.FocusReason.ShortcutFocusReason)
+        button.click()
+        return True
+
+    def focus(self) -> None:
+        """Put the keyboard on the chosen button, or the first."""
+        self.group.button(max(0, self.group.checkedId())).setFocus(
+            Qt.FocusReason.TabFocusReason
+        )
+
+
+class _AnswerButton(Button):
+    """Tells when the keyboard comes to it; Enter belongs to the page, which goes on."""
+
+    def __init__(self, text: str, entered: Callable[[], None]) -> None:
+        super().__init__(text)
+        self._entered = entered
+
+    def focusInEvent(self, event: QFocusEvent) -> None:
+        """Tell."""
+        super().focusInEvent(event)
+        self._entered()
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Leave Enter to the page."""
+        if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
+            event.ignore()
+        else:
+            super().keyPressEvent(event)
+
+
+class NumberRow(QuestionRow):
+    """A whole number, typed or stepped to."""
+
+    def __init__(self, asked: Asked) -> None:
+        super().__init__(asked)
+        self.box = QSpinBox()
+        # one below the least stands for "not answered"
+        self.box.setRange(asked.least - 1, asked.most)
+        self.box.setSpecialValueText(" ")
+        self.box.setValue(asked.least - 1)
+        self.box.setAccessibleName(asked.text)
+        self.box.valueChanged.connect(lambda _value: self.answered.emit())
+        row = QHBoxLayout()
+        row.addWidget(self.box)
+        row.addStretch(1)
+        self.column.addLayout(row)
+        self.column.addWidget(self.missing)
+
+    def value(self) -> int | None:
+        """Return the number."""
+        value = self.box.value()
+        return value if value >= self.asked.least else None
+
+    def set_value(self, value: Any) -> None:
+        """Show a number."""
+        if isinstance(value, int):
+            self.box.setValue(value)
+
+    def focus(self) -> None:
+        """Let it be typed."""
+        self.box.setFocus(Qt.FocusReason.TabFocusReason)
+        self.box.selectAll()
+
+
+class TextRow(QuestionRow):
+    """An answer in words; Tab leaves it."""
+
+    def __init__(self, asked: Asked) -> None:
+        super().__init__(asked)
+        self.box = QPlainTextEdit()
+        self.box.setTabChangesFocus(True)
+        self.box.setAccessibleName(asked.text)
+        self.box.textChanged.connect(self._on_changed)
+        self.column.addWidget(self.box)
+        self.column.addWidget(self.missing)
+
+    def _on_changed(self) -> None:
+        """Keep what is too long from being typed: nothing is cut off later."""
+        text = self.box.toPlainText()
+        if len(text) > self.asked.most:
+            self.box.setPlainText(text[: self.asked.most])
+            cursor = self.box.textCursor()
+            cursor.movePosition(cursor.MoveOperation.End)
+            self.box.setTextCursor(cursor)
+        self.answered.emit()
+
+    def set_letters(self, letters_px: int) -> None:
+        """Be some lines high."""
+        self.box.setFixedHeight(round(1.5 * TEXT_LINES * letters_px) + 12)
+
+    def value(self) -> str:
+        """Return the words."""
+        return self.box.toPlainText()
+
+    def set_value(self, value: Any) -> None:
+        """Show words."""
+        self.box.setPlainText(str(value or ""))
+
+    def focus(self) -> None:
+        """Let them be typed."""
+        self.box.setFocus(Qt.FocusReason.TabFocusReason)
+
+
+def make_row(asked: Asked, word: Word, scale: tuple[str, str]) -> QuestionRow:
+    """Return the row for a question."""
+    match asked.kind:
+        case QuestionKind.LIKERT:
+            return ButtonsRow(asked, [(n, str(n)) for n in LIKERT], scale)
+        case QuestionKind.YES_NO:
+            return ButtonsRow(asked, [(True, word("yes")), (False, word("no"))])
+        case QuestionKind.CHOICE:
+            return ButtonsRow(asked, list(asked.choices))
+        case QuestionKind.NUMBER:
+            return NumberRow(asked)
+        case QuestionKind.TEXT:
+            return TextRow(asked)
+
+
+def digit_of(event: QKeyEvent) -> int:
+    """Return which of the keys 1 to 9 was pressed; 0 for another."""
+    digit = event.key() - Qt.Key.Key_0
+    return digit if 1 <= digit <= 9 else 0
+
+
+def is_typing(widget: QWidget | None) -> bool:
+    """Whether digits belong into the widget that has the keyboard."""
+    return isinstance(widget, QSpinBox | QPlainTextEdit)

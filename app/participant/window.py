@@ -1,0 +1,209 @@
+"""The participant's screen: one page or the clip, nothing else."""
+
+from collections.abc import Callable, Mapping
+from typing import Any
+
+from PySide6.QtCore import QEvent, Qt, QTimer
+from PySide6.QtGui import QCloseEvent, QGuiApplication, QKeyEvent
+from PySide6.QtWidgets import QStackedWidget, QVBoxLayout, QWidget
+
+from app.participant.look import STYLE
+from app.participant.pages import QuestionsPage, TextPage
+from app.player.escape import EscapeEverywhere
+from app.player.video_surface import VideoSurface
+from hapticplayer.errors import StudyError
+from hapticplayer.study.pages import Page, PageKind
+from hapticplayer.study.runner import SessionRunner
+
+GUARD_MS = 400  # a key that started the last page answers nothing on this one
+_MEDIA_KEYS = range(Qt.Key.Key_VolumeDown, Qt.Key.Key_Launch0 + 1)
+
+
+class ParticipantWindow(QWidget):
+    """Shows the runner's page; whatever a person does goes to the runner.
+
+    Args:
+        surface: where clips are shown.
+    """
+
+    def __init__(self, surface: VideoSurface) -> None:
+        super().__init__()
+        self.setStyleSheet(STYLE)
+        self.setWindowTitle(" ")  # seen in task switchers
+        self.surface = surface
+        self.content: TextPage | QuestionsPage | None = None
+        self._leaving: TextPage | QuestionsPage | None = None
+        self._runner: SessionRunner | None = None
+        self._shown = -1
+        self._kind = PageKind.READY
+        self._drafts: dict[str, dict[str, Any]] = {}
+        self._may_close = False
+        self._stack = QStackedWidget()
+        self._stack.addWidget(surface)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.addWidget(self._stack)
+        self._guard = QTimer(self)
+        self._guard.setSingleShot(True)
+        self._guard.setInterval(GUARD_MS)
+        self._escape = EscapeEverywhere(lambda: self.halt("escape"), self)
+        self._escape.install()
+        application = QGuiApplication.instance()
+        if isinstance(application, QGuiApplication):
+            application.applicationStateChanged.connect(self._on_application_state)
+
+    def follow(self, runner: SessionRunner) -> None:
+        """Show this session from now on."""
+        self._runner, self._shown = runner, -1
+        self._drafts = {}
+        self.refresh()
+
+    def refresh(self) -> None:
+        """Show the runner's page if it is another one than before."""
+        if self._runner is None:
+            return
+        page = self._runner.page
+        if page.number == self._shown:
+            return
+        self._keep_draft()
+        self._shown, self._kind = page.number, page.kind
+        if page.kind is PageKind.PLAYING:
+            self._show_clip()
+        else:
+            self._show_page(page)
+
+    def _keep_draft(self) -> None:
+        if isinstance(self.content, QuestionsPage):
+            self._drafts[self.content.objectName()] = self.content.values()
+
+    def _show_clip(self) -> None:
+        self._drop_content()
+        self._stack.setCurrentWidget(self.surface)
+        self.setCursor(Qt.CursorShape.BlankCursor)
+        self.surface.setFocus()
+
+    def _show_page(self, page: Page) -> None:
+        self.unsetCursor()
+        self.surface.resize(self.size())  # pictures are decoded for this size
+        made = self._make(page)
+        self._drop_content()
+        self.content = made
+        made.setObjectName(page.step)
+        self._stack.addWidget(made)
+        self._stack.setCurrentWidget(made)
+        self._guard.start()
+        made.focus()
+
+    def _drop_content(self) -> None:
+        """Take the page away; it may be one of its own buttons that asks for it.
+
+        The stack gives it back to Python, which would delete it under that button.
+        """
+        if self.content is not None:
+            self._leaving = self.content
+            self._stack.removeWidget(self.content)
+            self.content.hide()
+            self.content.deleteLater()
+            self.content = None
+
+    def _make(self, page: Page) -> TextPage | QuestionsPage:
+        assert self._runner is not None
+        maker = self._runner.maker
+        if page.kind is PageKind.QUESTIONS:
+            draft: Mapping[str, Any] = self._drafts.get(page.step, {})
+            questions = QuestionsPage(page, maker.word, maker.scale(), draft)
+            questions.finished.connect(self._answer)
+            questions.replay_wanted.connect(self._replay)
+            return questions
+        buttons = [(name, maker.word(name)) for name in _BUTTONS.get(page.kind, ())]
+        text = TextPage(page, buttons)
+        text.pressed.connect(self._press)
+        return text
+
+    # --- what a person does ---------------------------------------------------
+
+    def _press(self, name: str) -> None:
+        runner = self._runner
+        assert runner is not None
+        actions: dict[str, Callable[[], None]] = {
+            "agree": lambda: runner.consent(given=True),
+            "decline": lambda: runner.consent(given=False),
+            "feel": runner.feel,
+            "leave": runner.leave,
+        }
+        self._do(actions.get(name, runner.go_on))
+
+    def _replay(self, token: str) -> None:
+        runner = self._runner
+        assert runner is not None
+        self._do(lambda: runner.replay(token))
+
+    def _answer(self) -> None:
+        runner, page = self._runner, self.content
+        if runner is None or not isinstance(page, QuestionsPage):
+            return
+        if self._guard.isActive():
+            return
+        try:
+            runner.answer(page.values())
+        except StudyError as problem:
+            page.show_problem(problem.where, runner.maker.word("missing"))
+            return
+        self._drafts.pop(page.objectName(), None)
+        page.setObjectName("")
+        self.refresh()
+
+    def _do(self, action: Callable[[], None]) -> None:
+        if not self._guard.isActive():
+            action()
+            self.refresh()
+
+    def halt(self, reason: str) -> None:
+        """Take the force away at once."""
+        if self._runner is not None:
+            self._runner.halt(reason)
+            self.refresh()
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """The space bar stops a clip; media keys do nothing. Esc: see `_escape`."""
+        is_playing = self._kind is PageKind.PLAYING
+        if is_playing and event.key() == Qt.Key.Key_Space:
+            self.halt("space")
+        elif event.key() in _MEDIA_KEYS:
+            event.accept()
+        else:
+            super().keyPressEvent(event)
+
+    def _on_application_state(self, state: Qt.ApplicationState) -> None:
+        """Another program has come in front: nobody watches the clip any more."""
+        is_away = state != Qt.ApplicationState.ApplicationActive
+        if is_away and self._kind is PageKind.PLAYING and self.isVisible():
+            self.halt("focus_lost")
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        """Only the program closes this window; a person who tries takes a pause."""
+        if self._may_close:
+            event.accept()
+        else:
+            event.ignore()
+            self.halt("window_closed")
+
+    def close_for_good(self) -> None:
+        """Close, whatever is shown."""
+        self._may_close = True
+        self._escape.remove()
+        self.close()
+
+    def changeEvent(self, event: QEvent) -> None:
+        """Come back from being minimised: there is nothing else to see."""
+        if event.type() == QEvent.Type.WindowStateChange and self.isMinimized():
+            self.showFullScreen()
+        super().changeEvent(event)
+
+
+_BUTTONS: dict[PageKind, tuple[str, ...]] = {
+    PageKind.CONSENT: ("decline", "agree"),
+    PageKind.DEMONSTRATION: ("feel", "next"),
+    PageKind.READY: ("start",),
+    PageKind.PAUSED: ("leave", "go_on"),
+}

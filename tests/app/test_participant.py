@@ -1,0 +1,419 @@
+"""A whole session in the real windows, by keys, by mouse, and interrupted."""
+
+import itertools
+import json
+import threading
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QLabel, QPushButton
+
+from app.participant.application import StudySession
+from app.participant.pages import QuestionsPage, TextPage
+from app.participant.questions import ButtonsRow, NumberRow
+from hapticplayer.clock import SystemClock
+from hapticplayer.study.answers import read_answers
+from hapticplayer.study.creation import change_definition, create_study
+from hapticplayer.study.journal import read_journal
+from hapticplayer.study.page_maker import PageMaker
+from hapticplayer.study.pages import PageKind
+from hapticplayer.study.session_folder import State
+from hapticplayer.study.session_setup import load_material
+from hapticplayer.study.study_folder import open_study
+
+KEYS = ("bike", "horse", "car-turning", "car-braking")
+
+
+@pytest.fixture
+def make_study(sequence, tmp_path):
+    """Make a study whose four sequences are the short clip, without requirements."""
+
+    def make(**changes):
+        study = create_study(
+            tmp_path / "study", folders={key: Path(sequence) for key in KEYS}
+        )
+        content = json.loads(study.content)
+        content["checks"].update(device=False, sound=False, disk_free_mb=1)
+        content["checks"]["scheduling"] = ["fifo", "slice", "normal"]
+        content["limits"] = {
+            "dropped_share": 1.0,
+            "sync_ms": 1e6,
+            "missed_share": 1.0,
+            "silence_s": 1e6,
+        }
+        content.update(changes)
+        return change_definition(study, content)
+
+    return make
+
+
+@pytest.fixture
+def sit(application, qtbot, wait_for):
+    """Open the windows of a session, smaller than a screen."""
+    made = []
+
+    def open_windows(study, device="none", size=(1280, 720), **begin):
+        material = load_material(study)
+        session = StudySession(study, material, device, SystemClock(), audio=None)
+        made.append(session)
+        session.show(windowed=True)
+        session.participant.resize(*size)
+        session.participant._guard.setInterval(0)
+        qtbot.waitExposed(session.participant)
+        session.begin_session(begin.get("code", ""), begin.get("language", "en"))
+        return session
+
+    before = set(threading.enumerate())
+    yield open_windows
+    for session in made:
+        session.close()
+    left = [t.name for t in threading.enumerate() if t not in before and t.is_alive()]
+    assert not left, f"threads were left behind: {left}"
+
+
+class Person:
+    """Presses keys as somebody in front of the screen would."""
+
+    def __init__(self, session, wait_for):
+        self.session, self.wait_for = session, wait_for
+
+    @property
+    def page(self):
+        return self.session.participant.content
+
+    @property
+    def runner(self):
+        return self.session.runner
+
+    def key(self, code):
+        self.wait_for(lambda: not self.session.participant._guard.isActive())
+        window = self.session.participant
+        target = window.focusWidget() or window
+        QTest.keyClick(target, code)
+
+    def wait_page(self, kind, step=None):
+        def is_there():
+            page = self.runner.page
+            shown = self.session.participant._shown == page.number
+            return shown and page.kind is kind and step in (None, page.step)
+
+        self.wait_for(is_there)
+
+    def answer_sheet(self):
+        age, gender, hand, used = self.page.rows
+        age.box.setValue(28)
+        for row, digit in ((gender, Qt.Key.Key_1), (hand, Qt.Key.Key_2)):
+            row.focus()
+            self.key(digit)
+        used.focus()
+        self.key(Qt.Key.Key_1)
+        self.key(Qt.Key.Key_Enter)
+
+    def to_trials(self):
+        self.key(Qt.Key.Key_Space)  # the button that has the keyboard: I agree
+        self.wait_page(PageKind.QUESTIONS, "sheet")
+        self.answer_sheet()
+        self.wait_page(PageKind.DEMONSTRATION)
+        self.key(Qt.Key.Key_Enter)
+        self.wait_page(PageKind.READY, "trial-01")
+
+    def trial(self, digits=(3, 2, 5, 1)):
+        self.wait_page(PageKind.READY)
+        self.key(Qt.Key.Key_Enter)
+        self.wait_page(PageKind.PLAYING)
+        self.session.player.end_s = 0.2
+        self.wait_page(PageKind.QUESTIONS)
+        for digit in digits:
+            self.key(Qt.Key(Qt.Key.Key_0 + digit))
+        self.key(Qt.Key.Key_Enter)
+
+
+def test_twelve_conditions_by_keys_alone(make_study, sit, wait_for):
+    session = sit(make_study())
+    person = Person(session, wait_for)
+    person.to_trials()
+    for _ in range(12):
+        person.trial()
+    person.wait_page(PageKind.QUESTIONS, "post-test")
+    rows = {row.asked.name: row for row in person.page.rows}
+    QTest.keyClicks(rows["tiring"].box, "no 1 2 3")
+    wait_for(lambda: not session.participant._guard.isActive())
+    person.page.next.click()
+    person.wait_page(PageKind.THANKS)
+    answers = read_answers(session.study.folder)
+    assert len(answers.ratings) == 48
+    by_factor = {r.factor: r.value for r in answers.ratings}
+    assert by_factor == {"realism": 3, "sensory": 2, "comfort": 5, "satisfaction": 1}
+    assert all(r.value is not None and r.sound for r in answers.ratings)
+    who = answers.participants[0]
+    assert (who.age, who.gender, who.handedness) == (28, "female", "left")
+    assert who.used_device_before is True
+    assert who.complete
+    assert [a.text for a in answers.open_answers] == ["no 1 2 3"]
+    trial = next(
+        r for r in session.study.session(who.code).records.intact if r.kind == "trial"
+    )
+    assert trial.content["playback"]["pictures_shown"] > 0
+
+
+def test_by_mouse_alone(make_study, sit, wait_for, qtbot):
+    session = sit(make_study())
+    person = Person(session, wait_for)
+
+    def click(button):
+        wait_for(lambda: not session.participant._guard.isActive())
+        qtbot.mouseClick(button, Qt.MouseButton.LeftButton)
+
+    click(person.page.buttons["agree"])
+    person.wait_page(PageKind.QUESTIONS, "sheet")
+    for row in person.page.rows:
+        if isinstance(row, ButtonsRow):
+            click(row.group.button(0))
+        elif isinstance(row, NumberRow):
+            up = QPoint(row.box.width() - 8, row.box.height() // 4)
+            qtbot.mouseClick(row.box, Qt.MouseButton.LeftButton, pos=up)
+    click(person.page.next)
+    person.wait_page(PageKind.DEMONSTRATION)
+    click(person.page.buttons["next"])
+    person.wait_page(PageKind.READY)
+    click(person.page.buttons["start"])
+    person.wait_page(PageKind.PLAYING)
+    session.player.end_s = 0.2
+    person.wait_page(PageKind.QUESTIONS)
+    for row in person.page.rows:
+        click(row.group.button(4))
+    click(person.page.next)
+    person.wait_page(PageKind.READY, "trial-02")
+    ratings = read_answers(session.study.folder).ratings
+    assert [r.value for r in ratings if r.value is not None] == [5] * 4
+
+
+def test_an_unanswered_question_is_named_and_nothing_goes_on(make_study, sit, wait_for):
+    person = Person(sit(make_study()), wait_for)
+    person.to_trials()
+    person.key(Qt.Key.Key_Enter)
+    person.wait_page(PageKind.PLAYING)
+    person.session.player.end_s = 0.2
+    person.wait_page(PageKind.QUESTIONS)
+    person.key(Qt.Key.Key_4)
+    person.key(Qt.Key.Key_Enter)
+    assert person.runner.page.kind is PageKind.QUESTIONS
+    shown = [row.missing.isVisible() for row in person.page.rows]
+    assert shown == [False, True, False, False]
+    assert person.page.rows[0].value() == 4
+
+
+def test_escape_stops_the_clip_and_the_trial_begins_again(make_study, sit, wait_for):
+    session = sit(make_study())
+    person = Person(session, wait_for)
+    person.to_trials()
+    for key in (Qt.Key.Key_Escape, Qt.Key.Key_Space):
+        person.key(Qt.Key.Key_Enter)
+        person.wait_page(PageKind.PLAYING)
+        QTest.keyClick(session.participant.windowHandle(), key)
+        person.wait_page(PageKind.PAUSED)
+        assert set(person.page.buttons) == {"leave", "go_on"}
+        person.key(Qt.Key.Key_Enter)
+        person.wait_page(PageKind.READY, "trial-01")
+    records = read_journal(
+        session.study.session_folder(person.runner.plan.code) / "answers.jsonl"
+    ).intact
+    reasons = [r.content["reasons"] for r in records if r.kind == "trial"]
+    assert [first for first, *_ in reasons] == ["escape", "space"]
+
+
+def test_somebody_may_leave_and_keeps_what_was_given(make_study, sit, wait_for):
+    session = sit(make_study())
+    person = Person(session, wait_for)
+    person.to_trials()
+    person.trial()
+    person.wait_page(PageKind.READY, "trial-02")
+    QTest.keyClick(session.participant.windowHandle(), Qt.Key.Key_Escape)
+    person.wait_page(PageKind.PAUSED)
+    wait_for(lambda: not session.participant._guard.isActive())
+    person.page.buttons["leave"].click()
+    person.wait_page(PageKind.STOPPED)
+    stored = session.study.session(person.runner.plan.code)
+    assert stored.state is State.STOPPED
+    ratings = read_answers(session.study.folder).ratings
+    assert sum(r.value is not None for r in ratings) == 4
+
+
+def test_closing_in_the_middle_is_asked_once(make_study, sit, wait_for, monkeypatch):
+    session, asked = sit(make_study()), []
+    answers = iter([False, True])
+    monkeypatch.setattr(
+        session.control, "_is_sure", lambda: asked.append(1) or next(answers)
+    )
+    session.control.close()
+    assert session.control.isVisible()
+    session.control.close()
+    assert len(asked) == 2
+    assert not session.control.isVisible()
+    assert not session.participant.isVisible()
+    stored = session.study.session(session.runner.plan.code)
+    assert stored.state is State.UNFINISHED
+
+
+def test_the_participant_cannot_close_the_window(make_study, sit, wait_for):
+    session = sit(make_study())
+    session.participant.close()
+    assert session.participant.isVisible()
+    assert session.runner.page.kind is PageKind.PAUSED
+
+
+def test_the_operator_repeats_skips_and_notes(make_study, sit, wait_for):
+    session = sit(make_study())
+    person, control = Person(session, wait_for), session.control
+    person.to_trials()
+    person.trial()
+    person.wait_page(PageKind.READY, "trial-02")
+    control.buttons["repeat"].click()
+    person.wait_page(PageKind.READY, "trial-01")
+    person.trial((1, 1, 1, 1))
+    person.wait_page(PageKind.READY, "trial-02")
+    control.note.setText("phone rang")
+    QTest.keyClick(control.note, Qt.Key.Key_Return)
+    wait_for(lambda: "trial 2 of 12" in control.where.text())
+    assert "as it should be" in control.played.text()
+    ratings = read_answers(session.study.folder).ratings
+    assert [r.value for r in ratings if r.value is not None] == [1] * 4
+    kinds = [
+        r.kind for r in session.study.session(person.runner.plan.code).records.intact
+    ]
+    assert kinds.count("note") == 1
+    assert kinds.count("repeat") == 1
+
+
+def test_a_blind_operator_is_told_neither_condition_nor_force(
+    make_study, sit, wait_for
+):
+    session = sit(make_study())
+    Person(session, wait_for).to_trials()
+    wait_for(lambda: "trial 1" in session.control.where.text())
+    told = " ".join(label.text() for label in session.control.findChildren(QLabel))
+    assert not any(key in told for key in (*KEYS, "realistic", "random"))
+    assert not session.control.plots.isVisible()
+
+
+def test_an_operator_who_may_see_is_told(make_study, sit, wait_for):
+    session = sit(make_study(operator_is_blind=False))
+    Person(session, wait_for).to_trials()
+    condition = session.runner.condition.key
+    wait_for(lambda: condition in session.control.where.text())
+    assert session.control.plots.isVisible()
+
+
+def test_a_session_is_resumed_in_new_windows(make_study, sit, wait_for):
+    study = make_study()
+    session = sit(study)
+    person = Person(session, wait_for)
+    person.to_trials()
+    person.trial()
+    person.wait_page(PageKind.READY, "trial-02")
+    code = person.runner.plan.code
+    session.close()
+    back = sit(open_study(study.folder), code=code)
+    person = Person(back, wait_for)
+    person.wait_page(PageKind.READY, "trial-02")
+    person.trial()
+    person.wait_page(PageKind.READY, "trial-03")
+
+
+def test_a_disk_that_is_gone_stops_the_participant_until_it_is_back(
+    make_study, sit, wait_for
+):
+    session = sit(make_study())
+    person = Person(session, wait_for)
+    person.to_trials()
+    person.key(Qt.Key.Key_Enter)
+    person.wait_page(PageKind.PLAYING)
+    session.player.end_s = 0.2
+    person.wait_page(PageKind.QUESTIONS)
+    folder = session.study.folder
+    folder.rename(folder.with_name("unplugged"))
+    for digit in (Qt.Key.Key_1, Qt.Key.Key_2, Qt.Key.Key_3, Qt.Key.Key_4):
+        person.key(digit)
+    person.key(Qt.Key.Key_Enter)
+    person.wait_page(PageKind.PROBLEM)
+    wait_for(session.control.buttons["retry"].isVisible)
+    assert "could not be saved" in session.control.messages.text()
+    folder.with_name("unplugged").rename(folder)
+    session.control.buttons["retry"].click()
+    person.wait_page(PageKind.READY, "trial-02")
+    ratings = read_answers(folder).ratings
+    assert sum(r.value is not None for r in ratings) == 4
+
+
+@pytest.mark.parametrize("size", [(1920, 1080), (1024, 768), (800, 480)])
+def test_nothing_is_cut_off_in_any_language(make_study, sit, wait_for, qapp, size):
+    session = sit(make_study(), size=size)
+    steps = [
+        (PageKind.CONSENT, "consent"),
+        (PageKind.QUESTIONS, "sheet"),
+        (PageKind.QUESTIONS, "trial-01"),
+        (PageKind.QUESTIONS, "post-test"),
+        (PageKind.PAUSED, "trial-01"),
+    ]
+    window, runner = session.participant, session.runner
+    for language, (kind, step) in itertools.product(["en", "fr", "de"], steps):
+        plan = replace(runner.plan, language=language)
+        maker = runner.maker = PageMaker(runner.definition, plan)
+        window._show_page(maker.page(kind, step, 99))
+        content = window.content
+        for _ in range(10):  # letters that are still too large are made smaller
+            qapp.processEvents()
+        assert content.column.totalMinimumSize().width() <= content.viewport().width()
+        width = content.viewport().width()
+        for label in content.body.findChildren(QLabel):
+            if not label.isHidden() and label.wordWrap():
+                needed = label.heightForWidth(label.width())
+                assert label.height() >= needed - 1, label.text()
+        for button in content.body.findChildren(QPushButton):
+            assert button.width() >= button.minimumSizeHint().width()
+            right = button.mapTo(content.body, QPoint(button.width(), 0)).x()
+            assert right <= width
+        if size[1] >= 768 and step != "post-test":
+            assert content.needed_px(width) <= content.viewport().height(), step
+            assert content.verticalScrollBar().maximum() == 0, step
+        letters_px = content.body.font().pixelSize()
+        assert letters_px >= size[1] / 40 - 1
+
+
+def test_a_very_long_question_can_be_scrolled_to(make_study, sit, wait_for):
+    study = make_study()
+    content = json.loads(study.content)
+    for factor in content["factors"]:
+        factor["text"] = dict.fromkeys(content["languages"], "How was it really? " * 40)
+    session = sit(change_definition(study, content), size=(800, 480))
+    window = session.participant
+    window._show_page(session.runner.maker.page(PageKind.QUESTIONS, "trial-01", 99))
+    page = window.content
+    assert isinstance(page, QuestionsPage)
+    page.next.setFocus()
+    page.ensureWidgetVisible(page.next)
+    wait_for(lambda: page.verticalScrollBar().maximum() > 0)
+    assert page.needed_px(page.viewport().width()) > page.viewport().height()
+
+
+def test_pages_hold_no_secret_in_any_widget(make_study, sit, wait_for):
+    session = sit(make_study())
+    person = Person(session, wait_for)
+    person.to_trials()
+    window = session.participant
+    for kind, step in (
+        (PageKind.READY, "trial-01"),
+        (PageKind.QUESTIONS, "trial-01"),
+        (PageKind.QUESTIONS, "post-test"),
+    ):
+        window._show_page(session.runner.maker.page(kind, step, 99))
+        assert isinstance(window.content, TextPage | QuestionsPage)
+        told = [window.windowTitle(), window.surface.accessibleName()]
+        for kind_of_widget in (QLabel, QPushButton):
+            for widget in window.content.findChildren(kind_of_widget):
+                told += [widget.text(), widget.toolTip(), widget.accessibleName()]
+        for secret in ("realistic", "random", "bike", "horse", "car", "clip.mp4"):
+            assert not any(secret in text for text in told), secret

@@ -1,0 +1,56 @@
+"""The editor of a study, and the menu that opens it."""
+
+import json
+
+import pytest
+
+from app.experimenter.study_editor import StudyEditor
+from hapticplayer.study.creation import create_study
+from hapticplayer.study.definition import OrderMethod
+
+
+@pytest.fixture
+def editor(application, qtbot, tmp_path):
+    made = StudyEditor(create_study(tmp_path / "s"))
+    qtbot.addWidget(made)
+    return made
+
+
+def test_nothing_changes_where_nothing_was_edited(editor):
+    assert editor.edited() == json.loads(editor.study.content)
+
+
+def test_what_is_edited_is_kept(editor):
+    editor.title.setText("My study")
+    editor.method.setCurrentIndex(editor.method.findData("williams"))
+    editor.folders["bike"].setText("rides/bike")
+    editor.texts["0", "text", "fr"].setText("Une autre question ?")
+    editor.texts["0", "published", "en"].setText("As printed")
+    editor.published.setChecked(True)
+    editor.save()
+    study = editor.study.definition
+    assert study.title == "My study"
+    assert study.order.method is OrderMethod.WILLIAMS
+    assert study.sequences[0].folder == "rides/bike"
+    assert study.factors[0].text["fr"] == "Une autre question ?"
+    assert study.wording(study.factors[0], "en") == "As printed"
+    assert editor.result() == editor.DialogCode.Accepted
+
+
+def test_what_is_wrong_is_told_and_nothing_is_kept(editor):
+    before = (editor.study.folder / "study.json").read_bytes()
+    editor.texts["1", "text", "de"].setText(" ")
+    editor.save()
+    assert "factors[1].text.de" in editor.problem.text()
+    assert (editor.study.folder / "study.json").read_bytes() == before
+    assert editor.result() != editor.DialogCode.Accepted
+
+
+def test_the_player_offers_studies(window, tmp_path, monkeypatch):
+    titles = [action.text() for action in window.menuBar().actions()]
+    assert "&Study" in titles
+    told = []
+    monkeypatch.setattr(window.study_menu, "_report", told.append)
+    monkeypatch.setattr(window.study_menu, "_ask", lambda: tmp_path)
+    window.study_menu.edit()
+    assert "study.json" in str(told[0])
