@@ -11,7 +11,7 @@ from collections.abc import Sequence
 
 from hapticplayer import __version__
 from hapticplayer.cli import commands as run
-from hapticplayer.cli import options, study
+from hapticplayer.cli import options, study, study_analysis
 from hapticplayer.cli.commands import OpenWindow
 from hapticplayer.cli.options import (
     CLIP_SCENARIOS,
@@ -73,7 +73,7 @@ def build_parser() -> argparse.ArgumentParser:
     options.add_process(commands)
     options.add_simulate(commands)
     options.add_export(commands)
-    study.add_study(commands)
+    study.add_study(commands, study_analysis.register)
     options.add_device(commands)
     options.add_doctor(commands)
     return parser

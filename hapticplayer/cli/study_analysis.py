@@ -13,6 +13,17 @@ if TYPE_CHECKING:
 _SEED = 2012
 
 
+def register(actions: Any) -> None:
+    """Add the actions to the sub-parsers of `study`, on its folders."""
+    add_analysis_commands(actions, _folders)
+
+
+def _folders() -> "StudyStore":
+    from hapticplayer.console.study_store import StudyFolders
+
+    return StudyFolders()
+
+
 def add_analysis_commands(actions: Any, store: "Callable[[], StudyStore]") -> None:
     """Add the actions to the sub-parsers of `study`.
 

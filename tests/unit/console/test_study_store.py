@@ -1,0 +1,27 @@
+"""The commands of the analysis on real folders of studies."""
+
+import json
+
+import pytest
+
+from hapticplayer import cli
+
+PAPER = {"none": (7.5, 2.1), "random": (10.2, 1.6), "realistic": (15.3, 2.6)}
+
+
+def test_simulated_participants_are_analysed_as_the_paper_reports(tmp_path, capsys):
+    study = str(tmp_path / "study")
+    simulate = ["study", "simulate", study, "--participants", "15"]
+    assert cli.main([*simulate, "--effect", "paper"]) == 0
+    capsys.readouterr()
+    assert cli.main(["study", "analyse", study, "--json"]) == 0
+    found = json.loads(capsys.readouterr().out)
+    for feedback, (mean, sd) in PAPER.items():
+        assert found["qoe"][feedback]["mean"] == pytest.approx(mean, abs=0.06)
+        assert found["qoe"][feedback]["sd"] == pytest.approx(sd, abs=0.06)
+    assert all(test["p"] < 0.05 for test in found["friedman"].values())
+
+
+def test_a_study_that_is_not_there_is_refused(tmp_path, capsys):
+    assert cli.main(["study", "analyse", str(tmp_path / "none")]) == 1
+    assert "none" in capsys.readouterr().err
