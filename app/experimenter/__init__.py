@@ -1,0 +1,1 @@
+"""What an experimenter works with: bringing recordings in."""
