@@ -9,6 +9,7 @@ fastest of three calls of `synchronize`, on one thread.
 """
 
 import argparse
+import json
 import sys
 import time
 from concurrent.futures import Executor, ProcessPoolExecutor
@@ -18,7 +19,7 @@ from typing import Any
 
 import numpy as np
 
-from benchmarks.common import save, table
+from benchmarks.common import RESULTS, save, table
 from hapticplayer.capture.sync import synchronize
 from hapticplayer.capture.sync.clips import PatClip, simulate_pats
 from hapticplayer.capture.sync.variance import FIRST_10_S, WHOLE, variance_shift
@@ -141,10 +142,14 @@ def misses(kind: str, rate_hz: int, row: dict[str, Any]) -> list[str]:
     return [f"{kind} {rate_hz} Hz: {name}" for name, good in checks.items() if not good]
 
 
-def short_rows(seeds: range, pool: Executor) -> tuple[dict[str, Any], list[str]]:
-    """Run the four kinds of 60 s clips; return figures and missed bars."""
+def short_rows(
+    seeds: range, pool: Executor, only: str
+) -> tuple[dict[str, Any], list[str]]:
+    """Run the kinds of 60 s clips; return figures and missed bars."""
     rows, failed = {}, []
     for kind, rate_hz in BARS:
+        if only not in f"{kind} {rate_hz} Hz":
+            continue
         run = partial(outcome, hard=kind == "hard", rate_hz=rate_hz)
         row = summary(list(pool.map(run, seeds, chunksize=10)))
         rows[f"{kind} {rate_hz} Hz"] = row
@@ -152,10 +157,14 @@ def short_rows(seeds: range, pool: Executor) -> tuple[dict[str, Any], list[str]]
     return rows, failed
 
 
-def long_rows(seeds: range, pool: Executor) -> tuple[dict[str, Any], list[str]]:
-    """Run both rates of 600 s clips; return figures and missed bars."""
+def long_rows(
+    seeds: range, pool: Executor, only: str
+) -> tuple[dict[str, Any], list[str]]:
+    """Run the rates of 600 s clips; return figures and missed bars."""
     rows, failed = {}, []
     for rate_hz, bar_s in LONG_BARS_S.items():
+        if only not in f"easy {rate_hz} Hz":
+            continue
         found = list(pool.map(partial(long_outcome, rate_hz=rate_hz), seeds))
         errors = np.array([one.end_error_s for one in found])
         rms_s = float(np.sqrt(np.mean(errors**2)))
@@ -172,6 +181,12 @@ def long_rows(seeds: range, pool: Executor) -> tuple[dict[str, Any], list[str]]:
     return rows, failed
 
 
+def kept(name: str) -> dict[str, Any]:
+    """Return the rows of an earlier run."""
+    path = RESULTS / f"{name}.json"
+    return dict(json.loads(path.read_text())["rows"]) if path.is_file() else {}
+
+
 def main() -> int:
     """Run, print the tables and keep them."""
     parser = argparse.ArgumentParser(description=__doc__)
@@ -179,6 +194,12 @@ def main() -> int:
     parser.add_argument("--long", type=int, default=50, help="of 600 s, each rate")
     parser.add_argument("--seed", type=int, default=100_000)
     parser.add_argument("--workers", type=int, default=1)
+    parser.add_argument(
+        "--only",
+        default="",
+        metavar="KIND",
+        help="such as 'hard 30 Hz'; the other kinds keep their last figures",
+    )
     chosen = parser.parse_args()
     missed: list[str] = []
     with ProcessPoolExecutor(chosen.workers) as pool:
@@ -188,10 +209,11 @@ def main() -> int:
         ):
             if not count:
                 continue
-            rows, failed = run(range(chosen.seed, chosen.seed + count), pool)
+            seeds = range(chosen.seed, chosen.seed + count)
+            rows, failed = run(seeds, pool, chosen.only)
             missed += failed
             show(rows)
-            save(name, {"seed": chosen.seed, "rows": rows, "missed": failed})
+            save(name, {"rows": {**(kept(name) if chosen.only else {}), **rows}})
     print("missed: " + "; ".join(missed) if missed else "all bars hold")
     return 1 if missed else 0
 
@@ -202,11 +224,12 @@ def show_short(rows: dict[str, dict[str, Any]]) -> None:
     header += ["gross", "bias ms", "sd ms", "p95 ms", "wrong unflagged", "bar"]
     header += ["right flagged", "bar", "strangers unflagged", "run ms"]
     lines = []
-    for (kind, rate_hz), row in zip(BARS, rows.values(), strict=True):
-        share, flagged = BARS[kind, rate_hz]
+    for label, row in rows.items():
+        kind, rate_hz, _ = label.split()
+        share, flagged = BARS[kind, int(rate_hz)]
         names = ["within_half_frame", "within_at_60_s", "variance_literal"]
         shares = [100 * row[name] for name in [*names, "variance_kindest"]]
-        line = [f"{kind} {rate_hz} Hz", shares[0], 100 * share, *shares[1:]]
+        line = [label, shares[0], 100 * share, *shares[1:]]
         line += [row[name] for name in ("gross", "bias_ms", "sd_ms", "p95_abs_ms")]
         line += [100 * row["wrong_unflagged"], 100 * MOST_WRONG]
         line += [100 * row["right_flagged"], 100 * flagged]

@@ -1,1 +1,1 @@
-"""What an experimenter sees: where the participant is, and whether all is well."""
+"""What an experimenter works with: recordings coming in, studies, their sessions."""

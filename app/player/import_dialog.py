@@ -15,6 +15,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.experimenter.sync_dialog import SyncDialog
 from app.player.files import file_dialog, folder_dialog, video_filter
 from app.player.session import ImportRequest
 from app.widgets import theme
@@ -45,6 +46,9 @@ class ImportDialog(QDialog):
         self.target = self._path_field(self.tr("New folder"))
         self.offset = QDoubleSpinBox()
         self.offset.setRange(-_LONGEST_OFFSET_S, _LONGEST_OFFSET_S)
+        # the lowest value stands for none: what happens then is told in its place
+        self.offset.setSpecialValueText(self.tr("by three pats"))
+        self.offset.setValue(-_LONGEST_OFFSET_S)
         self.offset.setDecimals(3)
         self.offset.setMinimumWidth(140)
         self.offset.setSuffix(self.tr(" s"))
@@ -52,6 +56,10 @@ class ImportDialog(QDialog):
         self.offset.setToolTip(
             self.tr("Media time at which the log's clock reads zero")
         )
+        self.look = text_button(
+            self.tr("&Look\u2026"), self.tr("Find the pats, see and correct the offset")
+        )
+        self.look.clicked.connect(self._look)
         self.problem = QLabel()
         self.problem.setWordWrap(True)
         self.problem.setStyleSheet(f"color: {theme.WARN};")
@@ -97,7 +105,7 @@ class ImportDialog(QDialog):
             assert isinstance(caption, QLabel)
             caption.setBuddy(field)
             if field is self.imu_log:
-                form.addRow(self.tr("&Offset"), self.offset)
+                self._add_offset(form)
         self.offset.setSizePolicy(QSizePolicy.Policy.Maximum, QSizePolicy.Policy.Fixed)
         column = QVBoxLayout(self)
         column.setContentsMargins(16, 14, 16, 14)
@@ -129,9 +137,33 @@ class ImportDialog(QDialog):
         return ImportRequest(
             video=Path(self.video.text().strip()),
             imu_log=Path(log) if log else None,
-            offset_s=self.offset.value() if log else None,
+            offset_s=self._offset_s() if log else None,
             target=Path(self.target.text().strip()),
         )
+
+    def _add_offset(self, form: QFormLayout) -> None:
+        row = QHBoxLayout()
+        row.setSpacing(8)
+        row.addWidget(self.offset)
+        row.addWidget(self.look)
+        row.addStretch(1)
+        form.addRow(self.tr("&Offset"), row)
+        caption = form.labelForField(row)
+        assert isinstance(caption, QLabel)
+        caption.setBuddy(self.offset)
+
+    def _offset_s(self) -> float | None:
+        """Return what a person has given, None for the pats."""
+        value_s = self.offset.value()
+        return None if value_s == self.offset.minimum() else value_s
+
+    def _look(self) -> None:
+        request = self.request()
+        assert request.imu_log is not None
+        dialog = SyncDialog(request.video, request.imu_log, self)
+        dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        dialog.chosen.connect(self.offset.setValue)
+        dialog.open()
 
     def accept(self) -> None:
         """Hand over what is filled in, if it can be used."""
@@ -145,7 +177,12 @@ class ImportDialog(QDialog):
         is_begun = bool(self.video.text().strip())
         self.problem.setText(obstacle if is_begun else "")
         self.ok.setEnabled(not obstacle)
-        self.offset.setEnabled(bool(self.imu_log.text().strip()))
+        request = self.request()
+        has_log = bool(self.imu_log.text().strip())
+        self.offset.setEnabled(has_log)
+        self.look.setEnabled(
+            has_log and request.video.is_file() and Path(str(request.imu_log)).is_file()
+        )
 
     def _obstacle(self) -> str:
         """Return what is still missing, "" when nothing is."""

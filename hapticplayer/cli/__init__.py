@@ -70,6 +70,7 @@ def build_parser() -> argparse.ArgumentParser:
     commands = parser.add_subparsers(title="commands", metavar="COMMAND")
     options.add_play(commands)
     options.add_import(commands)
+    options.add_sync(commands)
     options.add_process(commands)
     options.add_simulate(commands)
     options.add_export(commands)

@@ -32,6 +32,14 @@ def import_(options: argparse.Namespace, _open_window: OpenWindow | None) -> int
     return console.import_recording(options)
 
 
+def sync(options: argparse.Namespace, _open_window: OpenWindow | None) -> int:
+    """Say how a log lies to a clip."""
+    from hapticplayer import console
+    from hapticplayer.cli import sync_plot
+
+    return console.sync(options, sync_plot.draw_sync)
+
+
 def process(options: argparse.Namespace, _open_window: OpenWindow | None) -> int:
     """Say how good a recording's motion is."""
     from hapticplayer import console

@@ -33,6 +33,7 @@ MOTION_SCENARIOS = (
     "bicycle",
     "mountain-bike",
 )
+SYNC_METHODS = ("pats", "variance", "embedded", "offset")
 METHOD_NAMES = ("smoother", "ekf", "vqf", "offline-vqf", "lowpass")
 
 PLAY_DEFAULTS: dict[str, Any] = {
@@ -121,7 +122,13 @@ def add_import(commands: Any) -> None:
         "import", help="make a sequence of a video and its motion"
     )
     command.set_defaults(run=run.import_)
-    command.add_argument("video", metavar="VIDEO")
+    command.add_argument(
+        "videos",
+        metavar="VIDEO",
+        nargs="+",
+        help="with several, each becomes a folder in DIR, with the log that lies beside "
+        "it under its name (ride.mp4, ride.csv), and a summary is printed",
+    )
     command.add_argument(
         "--imu",
         metavar="LOG",
@@ -130,12 +137,7 @@ def add_import(commands: Any) -> None:
         "time_s,ax,ay,az,gx,gy,gz[,mx,my,mz] in SI, x right, y front, z up",
     )
     _add_reading(command)
-    command.add_argument(
-        "--offset",
-        type=_number,
-        metavar="S",
-        help="media time at which the log's clock reads zero (default 0)",
-    )
+    _add_sync(command, "--sync")
     command.add_argument("-o", "--output", required=True, metavar="DIR")
     command.add_argument("--title", help="default: the name of the video")
     command.add_argument(
@@ -146,6 +148,64 @@ def add_import(commands: Any) -> None:
     )
     _add_processing(command)
     command.add_argument("--json", action="store_true", help="print a report as JSON")
+
+
+def add_sync(commands: Any) -> None:
+    """Add the command `sync`."""
+    command = commands.add_parser(
+        "sync", help="say how the clock of a motion log lies to a clip"
+    )
+    command.set_defaults(run=run.sync)
+    command.add_argument(
+        "clip", metavar="CLIP", help="a video; with --check also a log"
+    )
+    command.add_argument(
+        "--imu", metavar="LOG", help="as for `import` (default: the clip's own motion)"
+    )
+    _add_reading(command)
+    _add_sync(command, "--method")
+    command.add_argument(
+        "--check",
+        action="store_true",
+        help="say whether the pats of a recording can be used, right after making it",
+    )
+    command.add_argument(
+        "--plot",
+        metavar="FILE",
+        help="draw sound and acceleration on one time line (.png or .svg)",
+    )
+    command.add_argument(
+        "--store-skew",
+        action="store_true",
+        help="keep --skew for all clips of --camera",
+    )
+    command.add_argument("--json", action="store_true", help="print the report as JSON")
+
+
+def _add_sync(command: argparse.ArgumentParser, method: str) -> None:
+    group = command.add_argument_group("synchronisation")
+    group.add_argument(
+        method,
+        dest="sync_method",
+        choices=SYNC_METHODS,
+        help="default: the offset if given, the recording's own clock if it is the "
+        "clip's, else three pats on the camera, heard and felt",
+    )
+    group.add_argument(
+        "--offset",
+        type=_number,
+        metavar="S",
+        help="media time at which the log's clock reads zero",
+    )
+    group.add_argument(
+        "--camera", metavar="NAME", help="take off the skew that is stored for it"
+    )
+    group.add_argument(
+        "--skew",
+        type=_number,
+        metavar="S",
+        help="how much later than its picture the camera's sound comes",
+    )
 
 
 def add_process(commands: Any) -> None:

@@ -29,6 +29,7 @@ if TYPE_CHECKING:
         say_aside,
         shown_progress,
     )
+    from hapticplayer.console.synchronizing import sync
 
 _HOMES = {
     "advise": "playing",
@@ -45,6 +46,7 @@ _HOMES = {
     "say_aside": "speech",
     "shown_progress": "speech",
     "simulate": "recordings",
+    "sync": "synchronizing",
     "until_s": "playing",
     "wanted_scheduling": "playing",
 }
@@ -64,6 +66,7 @@ __all__ = [
     "say_aside",
     "shown_progress",
     "simulate",
+    "sync",
     "until_s",
     "wanted_scheduling",
 ]

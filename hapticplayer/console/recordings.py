@@ -8,6 +8,7 @@ from typing import Any
 
 from hapticplayer.capture import LogChoices, parse_choices, write_template
 from hapticplayer.console.speech import interruptible, say, shown_progress
+from hapticplayer.console.sync_text import sync_text
 from hapticplayer.errors import UsageError
 from hapticplayer.model import Mapping
 from hapticplayer.sequence import build_sequence, files, open_sequence
@@ -21,6 +22,11 @@ from hapticplayer.sequence.simulated import (
     READ_AS,
     write_simulated_recording,
 )
+from hapticplayer.sequence.synchronizing import (
+    SyncChoices,
+    checked_skew,
+    stored_skews,
+)
 
 
 def demo_folder() -> Path:
@@ -30,24 +36,17 @@ def demo_folder() -> Path:
 
 
 def import_recording(options: argparse.Namespace) -> int:
-    """Import a video with its motion, showing the progress."""
-    mapping = (
-        Mapping() if options.gain is None else Mapping(gain_n_per_mps2=options.gain)
-    )
+    """Import a video with its motion, showing the progress; several with a summary."""
+    if len(options.videos) > 1:
+        from hapticplayer.console.batch import import_batch
+
+        return import_batch(options)
     with interruptible(), shown_progress() as progress:
         folder = build_sequence(
-            options.video,
+            options.videos[0],
             options.output,
             imu_log=options.imu,
-            offset_s=options.offset,
-            choices=Choices(
-                title=options.title,
-                mapping=mapping,
-                processing=chosen_processing(options),
-                seed=options.seed,
-                use_cache=options.cache,
-                log=chosen_log(options),
-            ),
+            choices=chosen_import(options),
             progress=progress,
         )
     description = open_sequence(folder).description
@@ -58,12 +57,47 @@ def import_recording(options: argparse.Namespace) -> int:
     return 0
 
 
+def chosen_import(options: argparse.Namespace) -> Choices:
+    """Return what the options of an import say."""
+    mapping = (
+        Mapping() if options.gain is None else Mapping(gain_n_per_mps2=options.gain)
+    )
+    return Choices(
+        title=options.title,
+        mapping=mapping,
+        processing=chosen_processing(options),
+        seed=options.seed,
+        use_cache=options.cache,
+        log=chosen_log(options),
+        sync=chosen_sync(options),
+    )
+
+
 def chosen_log(options: argparse.Namespace) -> LogChoices:
     """Return what the options decide about a log, kept as a template if wanted."""
     choices = parse_choices(options.read_as)
     if options.save_template is not None:
         write_template(Path(options.save_template), choices)
     return choices
+
+
+def chosen_sync(options: argparse.Namespace) -> SyncChoices:
+    """Return what the options say about the clocks."""
+    late_s = options.skew
+    if late_s is None and options.camera is not None:
+        skews = stored_skews()
+        if options.camera not in skews:
+            known = ", ".join(sorted(skews)) or "none"
+            raise UsageError(
+                f"no skew is stored for the camera {options.camera!r} (stored: {known})"
+                "; store one with sync --camera NAME --skew S --store-skew"
+            )
+        late_s = skews[options.camera]
+    return SyncChoices(
+        method=options.sync_method,
+        offset_s=options.offset,
+        sound_late_s=0.0 if late_s is None else checked_skew(late_s),
+    )
 
 
 def chosen_processing(options: argparse.Namespace) -> Processing:
@@ -90,6 +124,9 @@ def _say_imported(folder: Path, description: Dict[str, Any]) -> None:
         f"accelerometer gain {made_of['accelerometer_gain']:.4f} "
         f"({made_of['accelerometer_gain_from']})"
     )
+    found = made_of.get("synchronisation")
+    if found and found["method"] in ("pats", "variance"):
+        say(sync_text(found))
     for note in (*made_of["conditioning"], *made_of["notes"]):
         say(f"note: {note}")
     say(f"play it with: hapticplayer play {folder}")

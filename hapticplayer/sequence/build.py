@@ -15,7 +15,6 @@ from hapticplayer.clock import utc_now_iso
 from hapticplayer.errors import InputError
 from hapticplayer.media import ClipInfo, probe
 from hapticplayer.model import (
-    ClockMap,
     Feedback,
     ForceTrack,
     ImuLog,
@@ -27,6 +26,7 @@ from hapticplayer.sequence.excursion import excursion_texts, predict
 from hapticplayer.sequence.motion_cache import user_cache
 from hapticplayer.sequence.notes import notes_on_motion, notes_on_sequence
 from hapticplayer.sequence.processing import Processed, Processing, process_motion
+from hapticplayer.sequence.synchronizing import SyncChoices, synchronized
 
 _COPY_SHARE = 0.4  # of the whole work; a long clip is mostly copied and hashed
 
@@ -42,6 +42,7 @@ class Choices:
         seed: of the random feedback; None derives it from the clip's content.
         use_cache: whether a known result of gravity removal may be taken and kept.
         log: what was decided about a log that does not explain itself.
+        sync: how the log's clock is laid to the clip.
     """
 
     title: str | None = None
@@ -50,6 +51,7 @@ class Choices:
     seed: int | None = None
     use_cache: bool = True
     log: LogChoices | None = None
+    sync: SyncChoices = dataclasses.field(default_factory=SyncChoices)
 
 
 def build_sequence(
@@ -67,24 +69,28 @@ def build_sequence(
         video: the clip; its own telemetry is used unless `imu_log` is given.
         target: folder to be made; must not exist.
         imu_log: a separate log of the motion.
-        offset_s: media time of the log's time zero (t_media = t_imu + offset).
+        offset_s: media time of the log's time zero (t_media = t_imu + offset); None
+            for what `choices.sync` says.
         choices: what may be chosen.
         progress: told what is being done; stops the work by raising Cancelled.
 
     Raises:
         InputError: what is wrong, where, and what to do; nothing is left behind.
+        UsageError: when the clocks cannot be laid together without a person.
     """
     video, target = Path(video), Path(target)
     files.refuse_existing(target)
     progress(0.0, f"reading {video.name}")
     clip = probe(video)
-    log_choices = choices.log if choices else None
+    choices = choices or Choices()
     source = video if imu_log is None else Path(imu_log)
-    recording = read_recording(source, log_choices)
+    recording = read_recording(source, choices.log)
     refuse_gravity_free(recording)
+    sync = choices.sync
     if offset_s is not None:
-        shift = ClockMap(offset_s, residual_s=0.0, confidence=1.0)
-        recording = dataclasses.replace(recording, clock_map=shift)
+        sync = dataclasses.replace(sync, method="offset", offset_s=offset_s)
+    progress(0.02, "synchronising")
+    recording = synchronized(clip, recording, sync)
     return write_sequence(clip, recording, target, choices=choices, progress=progress)
 
 

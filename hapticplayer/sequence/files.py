@@ -61,6 +61,16 @@ def cache_home() -> Path:
     return Path(home).expanduser() / "hapticplayer"
 
 
+def config_home() -> Path:
+    """Return the folder for what a person has decided; it may not exist yet.
+
+    Raises:
+        RuntimeError: when nobody's home is known.
+    """
+    home = os.environ.get("XDG_CONFIG_HOME") or "~/.config"
+    return Path(home).expanduser() / "hapticplayer"
+
+
 @contextmanager
 def written_aside(target: Path) -> Iterator[Path]:
     """Yield a new folder that becomes `target` when the block ends well.
@@ -176,6 +186,23 @@ def write_json(path: Path, content: dict[str, Any]) -> None:
         writer.write("\n")
         writer.flush()
         os.fsync(writer.fileno())
+
+
+def replace_json(path: Path, content: dict[str, Any]) -> None:
+    """Write JSON in place of what there was, whole or not at all.
+
+    Raises:
+        SequenceError: when it cannot be written; the old content stays.
+    """
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryDirectory(prefix=".", dir=path.parent) as aside:
+            part = Path(aside) / path.name
+            write_json(part, content)
+            part.replace(path)
+        sync_folder(path.parent)
+    except OSError as problem:
+        raise _writing_failed(problem, path) from problem
 
 
 def read_json(path: Path) -> dict[str, Any]:

@@ -301,6 +301,8 @@ def test_interrupting_an_import_leaves_nothing(clip, tmp_path, rng):
             clip,
             "--imu",
             big,
+            "--offset",
+            "0",
             "-o",
             tmp_path / "o",
         ],
@@ -401,9 +403,8 @@ def test_time_lapse_telemetry_is_refused(shared_data, clip, tmp_path):
 def test_a_bad_log_is_refused_with_line_and_column(content, words, clip, tmp_path):
     log = tmp_path / "log.csv"
     log.write_text(content)
-    sentence = refused(
-        hapticplayer("import", clip, "--imu", log, "-o", tmp_path / "out", timeout=10)
-    )
+    arguments = ("import", clip, "--imu", log, "--offset", 0, "-o", tmp_path / "out")
+    sentence = refused(hapticplayer(*arguments, timeout=10))
     assert "log.csv" in sentence
     for word in words:
         assert word in sentence

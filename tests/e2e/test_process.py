@@ -313,7 +313,7 @@ def test_an_import_takes_the_same_choices_and_records_them(log, clip, tmp_path):
 
 def test_an_import_by_another_method_says_so(log, clip, tmp_path):
     done = hapticplayer(
-        *("import", clip, "--imu", log, "-o", tmp_path / "out"),
+        *("import", clip, "--imu", log, "--offset", 0, "-o", tmp_path / "out"),
         *("--method", "offline-vqf"),
     )
     assert done.returncode == 0, done.stderr

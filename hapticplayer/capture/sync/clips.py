@@ -21,6 +21,7 @@ AUDIO_RATE_HZ = 16_000
 SENSOR_RATE_HZ = 200
 
 _NOISE_MPS2 = np.array([0.065, 0.062, 0.095])
+_GYRO_NOISE_RADPS = 0.0009
 _STEP_MPS2 = 0.0039 * STANDARD_GRAVITY_MPS2
 _LIMIT_MPS2 = 16.0 * STANDARD_GRAVITY_MPS2
 _BEYOND_S = 4.0  # the logger runs up to this much longer at either end
@@ -262,7 +263,7 @@ def _log(
     return ImuLog(
         time_s=stamped_s[keep],
         specific_force_mps2=value[keep],
-        angular_rate_radps=np.zeros((int(keep.sum()), 3)),
+        angular_rate_radps=_GYRO_NOISE_RADPS * rng.standard_normal((keep.sum(), 3)),
         sampling=sampling,
         source="simulated pats",
     )

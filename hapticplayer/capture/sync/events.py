@@ -79,6 +79,11 @@ def sound_onsets(audio: NDArray[np.floating], rate_hz: float) -> Floats:
     return np.asarray(curve)
 
 
+def loudness(audio: NDArray[np.floating], rate_hz: float) -> Floats:
+    """Return the RMS of each millisecond (n,) in the band of pats."""
+    return np.sqrt(_band_power(audio, rate_hz))
+
+
 def _band_power(audio: NDArray[np.floating], rate_hz: float) -> Floats:
     """Return the mean square of each millisecond in the band of pats."""
     step = max(1, int(rate_hz // _BAND_RATE_HZ))

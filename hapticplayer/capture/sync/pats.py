@@ -1,5 +1,6 @@
 """Synchronises by three pats on the camera: heard in its sound, felt in the log."""
 
+import dataclasses
 import math
 from dataclasses import dataclass
 
@@ -21,6 +22,7 @@ _APART_S = 0.06  # a rival is another shift, not this one's flank
 _RIVALS = 5
 _FIT_REACH_S = 0.012
 _LEAST_END = 9.0  # evidence of pats where the other end has told where to look
+_ANY_SHIFT = (-math.inf, math.inf)
 _ENOUGH, _CHANCE = 3.5, 10.0  # fitted on simulated clips, right, wrong and mismatched
 
 
@@ -76,7 +78,7 @@ def synchronize_pats(imu: ImuLog, sound: Events) -> Synchronisation | None:
     streams = _Streams(imu, sound, shock, match, Whitener.of(imu))
     begin_s, end_s = float(sound.time_s[0]), float(sound.time_s[-1])
     if end_s - begin_s < LONG_S:
-        found = _find(streams, sound)
+        found = _find(streams, sound, _ANY_SHIFT)
         return None if found is None else _result(found, None)
     return _long(streams, begin_s, end_s)
 
@@ -87,30 +89,54 @@ def _long(streams: _Streams, begin_s: float, end_s: float) -> Synchronisation | 
         streams.sound.within(begin_s, begin_s + _END_S),
         streams.sound.within(end_s - _END_S, end_s),
     ]
-    found = [_find(streams, part) for part in ends]
+    slack_s = _DRIFT_LIMIT * (end_s - begin_s) + streams.match.sigma_s
+    ranked = [
+        candidates(part, streams.shock, streams.match, _ANY_SHIFT) for part in ends
+    ]
+    found = [
+        _found(streams, ends[0], _supported(ranked[0], ranked[1], slack_s)),
+        _found(streams, ends[1], _supported(ranked[1], ranked[0], slack_s)),
+    ]
     scores = [-math.inf if one is None else one.score for one in found]
     surer = int(np.argmax(scores))
     anchor = found[surer]
     if anchor is None or anchor.score < _ENOUGH:
-        whole = _find(streams, streams.sound.rarest(600))
+        whole = _find(streams, streams.sound.rarest(600), _ANY_SHIFT)
         if whole is not None and (anchor is None or whole.score > anchor.score):
             return _result(whole, None)
     if anchor is None:
         return None
-    slack_s = _DRIFT_LIMIT * (end_s - begin_s) + streams.match.sigma_s
     allowed_s = (anchor.shift_s - slack_s, anchor.shift_s + slack_s)
     other = _find(streams, ends[1 - surer], allowed_s)
     is_felt = other is not None and other.best.evidence >= _LEAST_END
     return _result(anchor, other if is_felt else None)
 
 
+def _supported(
+    ranked: list[Candidate], others: list[Candidate], slack_s: float
+) -> list[Candidate]:
+    """Add what the other end has for about the same shift, beyond chance."""
+    triples = [one for one in others if one.triple is not None]
+    shifts_s = np.array([one.shift_s for one in triples])
+    gains = np.array([one.evidence - _CHANCE for one in triples])
+    supported = []
+    for one in ranked:
+        near = np.abs(shifts_s - one.shift_s) <= slack_s
+        gain = max(0.0, float(gains[near].max())) if near.any() else 0.0
+        supported.append(dataclasses.replace(one, evidence=one.evidence + gain))
+    return sorted(supported, key=lambda one: -one.evidence)
+
+
 def _find(
-    streams: _Streams,
-    sound: Events,
-    allowed_s: tuple[float, float] = (-math.inf, math.inf),
+    streams: _Streams, sound: Events, allowed_s: tuple[float, float]
 ) -> _Found | None:
     """Return the best shift of a part of the sound."""
     ranked = candidates(sound, streams.shock, streams.match, allowed_s)
+    return _found(streams, sound, ranked)
+
+
+def _found(streams: _Streams, sound: Events, ranked: list[Candidate]) -> _Found | None:
+    """Return the best of some shifts, fitted."""
     best = next((one for one in ranked if one.triple is not None), None)
     if best is None or best.triple is None:
         return None

@@ -95,7 +95,7 @@ def candidates(
     sound: Events,
     shock: Events,
     match: Coincidence,
-    allowed_s: tuple[float, float] = (-np.inf, np.inf),
+    allowed_s: tuple[float, float],
 ) -> list[Candidate]:
     """Return the shifts that have anything for them, the best first.
 

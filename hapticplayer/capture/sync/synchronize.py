@@ -85,7 +85,7 @@ def synchronize(
     """
     if method == "offset":
         if known is None:
-            raise UsageError("the method offset needs the offset")
+            raise UsageError("the method offset needs one; give --offset S")
         return Synchronisation(known, "offset")
     if method == "embedded":
         return Synchronisation(known or ClockMap(), "embedded")

@@ -52,6 +52,7 @@ def test_cancelling_leaves_nothing(tmp_path, tiny_clip, log_file, fraction):
             tiny_clip.path,
             tmp_path / "ride",
             imu_log=log_file,
+            offset_s=0.0,
             progress=stop_at(fraction),
         )
     assert sorted(tmp_path.iterdir()) == before
@@ -65,7 +66,11 @@ def test_whatever_goes_wrong_leaves_nothing(tmp_path, tiny_clip, log_file, error
 
     with pytest.raises((KeyboardInterrupt, MemoryError, HapticPlayerError)):
         build_sequence(
-            tiny_clip.path, tmp_path / "ride", imu_log=log_file, progress=progress
+            tiny_clip.path,
+            tmp_path / "ride",
+            imu_log=log_file,
+            offset_s=0.0,
+            progress=progress,
         )
     assert sorted(p.name for p in tmp_path.iterdir()) == ["log.csv"]
 

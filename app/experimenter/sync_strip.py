@@ -1,0 +1,209 @@
+"""Sound and acceleration on one time line; the acceleration can be dragged."""
+
+import numpy as np
+from numpy.typing import NDArray
+from PySide6.QtCore import QPointF, QRectF, Qt, Signal
+from PySide6.QtGui import (
+    QColor,
+    QKeyEvent,
+    QMouseEvent,
+    QPainter,
+    QPaintEvent,
+    QPolygonF,
+    QWheelEvent,
+)
+from PySide6.QtWidgets import QSizePolicy, QWidget
+
+from app.widgets import theme
+
+STEP_S = 0.001
+_SOUND, _MOTION, _PAT = (QColor(colour) for colour in ("#009e73", "#56b4e9", "#e69f00"))
+_SHORTEST_S = 0.05
+_ZOOM = 1.25
+_MARGIN_PX, _LABELS_PX = 6, 20
+_TICKS = 8
+
+Curve = tuple[NDArray[np.float64], NDArray[np.float64]]
+
+
+class SyncStrip(QWidget):
+    """Two lanes over media time; the lower one is on the log's clock, shifted.
+
+    Drag moves the lower lane, the arrows move it by 1 ms (Shift: 10 ms, Ctrl: 100 ms),
+    the wheel zooms, drag with the right button moves the view.
+
+    Signals:
+        shifted: the shift that a person has chosen, s.
+    """
+
+    shifted = Signal(float)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setAccessibleName(self.tr("Sound and acceleration"))
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.setMinimumSize(320, 180)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
+        self.setCursor(Qt.CursorShape.SizeHorCursor)
+        self.shift_s = 0.0
+        self.view_s = (0.0, 1.0)
+        self._sound: Curve = (np.zeros(0), np.zeros(0))
+        self._motion: Curve = (np.zeros(0), np.zeros(0))
+        self._pats_s: tuple[float, ...] = ()
+        self._held_x: float | None = None
+
+    def show_streams(
+        self, sound: Curve, motion: Curve, pats_s: tuple[float, ...], shift_s: float
+    ) -> None:
+        """Take times and loudness in media time, times and size in log time."""
+        self._sound, self._motion, self._pats_s = sound, motion, pats_s
+        self.set_shift(shift_s)
+        self.show_whole()
+
+    def set_shift(self, shift_s: float) -> None:
+        """Move the lower lane."""
+        self.shift_s = shift_s
+        self.update()
+
+    def show_whole(self) -> None:
+        """Show the whole clip."""
+        times = self._sound[0]
+        self._show(0.0, float(times[-1]) if len(times) else 1.0)
+
+    def show_pats(self) -> None:
+        """Show the first three pats."""
+        if self._pats_s:
+            self._show(self._pats_s[0] - 0.4, self._pats_s[:3][-1] + 0.6)
+
+    def _show(self, begin_s: float, end_s: float) -> None:
+        self.view_s = (begin_s, max(end_s, begin_s + _SHORTEST_S))
+        self.update()
+
+    # --- a person's hands ------------------------------------------------------
+
+    def _s_per_px(self) -> float:
+        return (self.view_s[1] - self.view_s[0]) / max(1, self.width())
+
+    def _choose(self, shift_s: float) -> None:
+        self.set_shift(round(shift_s / STEP_S) * STEP_S)
+        self.shifted.emit(self.shift_s)
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        """Take hold of the lower lane, or of the view."""
+        self._held_x = event.position().x()
+        self._held_shift_s, self._held_view_s = self.shift_s, self.view_s
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        """Move what is held."""
+        if self._held_x is None:
+            return
+        moved_s = (event.position().x() - self._held_x) * self._s_per_px()
+        if event.buttons() & Qt.MouseButton.RightButton:
+            begin_s, end_s = self._held_view_s
+            self._show(begin_s - moved_s, end_s - moved_s)
+        else:
+            self._choose(self._held_shift_s + moved_s)
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        """Let go."""
+        self._held_x = None
+        event.accept()
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        """Zoom around the pointer."""
+        begin_s, end_s = self.view_s
+        at_s = begin_s + event.position().x() * self._s_per_px()
+        factor = _ZOOM ** (-event.angleDelta().y() / 120.0)
+        self._show(at_s - factor * (at_s - begin_s), at_s + factor * (end_s - at_s))
+        event.accept()
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Move the lower lane in small steps."""
+        direction = {Qt.Key.Key_Left: -1, Qt.Key.Key_Right: 1}.get(Qt.Key(event.key()))
+        if direction is None:
+            super().keyPressEvent(event)
+            return
+        steps = 1
+        if event.modifiers() & Qt.KeyboardModifier.ShiftModifier:
+            steps = 10
+        if event.modifiers() & Qt.KeyboardModifier.ControlModifier:
+            steps = 100
+        self._choose(self.shift_s + direction * steps * STEP_S)
+
+    # --- painting --------------------------------------------------------------
+
+    def paintEvent(self, _event: QPaintEvent) -> None:
+        """Draw both lanes, the pats and the time line."""
+        painter = QPainter(self)
+        painter.fillRect(self.rect(), QColor(theme.PANEL))
+        height = (self.height() - _LABELS_PX) / 2.0
+        lanes = [QRectF(0, k * height, self.width(), height) for k in (0, 1)]
+        self._paint_pats(painter, 2 * height)
+        motion_s, size = self._motion
+        self._paint_lane(painter, lanes[0], self._sound, _SOUND, self.tr("sound"))
+        shifted = (motion_s + self.shift_s, size)
+        self._paint_lane(painter, lanes[1], shifted, _MOTION, self.tr("acceleration"))
+        self._paint_times(painter)
+        if self.hasFocus():
+            painter.setPen(QColor(theme.FOCUS))
+            painter.drawRect(self.rect().adjusted(0, 0, -1, -1))
+        painter.end()
+
+    def _paint_lane(
+        self, painter: QPainter, lane: QRectF, curve: Curve, colour: QColor, name: str
+    ) -> None:
+        painter.setPen(QColor(theme.BORDER))
+        painter.drawLine(lane.bottomLeft(), lane.bottomRight())
+        x, y = columns(curve, self.view_s, max(1, self.width()))
+        if len(x):
+            top = max(float(y.max()), 1e-9)
+            floor, space = lane.bottom() - 2, lane.height() - 2 * _MARGIN_PX
+            points = [QPointF(x[0], floor)]
+            points += [
+                QPointF(a, floor - space * b / top) for a, b in zip(x, y, strict=True)
+            ]
+            painter.setPen(colour)
+            fill = QColor(colour)
+            fill.setAlpha(90)
+            painter.setBrush(fill)
+            painter.drawPolygon(QPolygonF([*points, QPointF(x[-1], floor)]))
+            painter.setBrush(Qt.BrushStyle.NoBrush)
+        painter.setPen(QColor(theme.DIM))
+        inner = lane.adjusted(_MARGIN_PX, _MARGIN_PX, 0, 0)
+        painter.drawText(inner, Qt.AlignmentFlag.AlignTop, name)
+
+    def _paint_pats(self, painter: QPainter, height: float) -> None:
+        painter.setPen(_PAT)
+        for at_s in self._pats_s:
+            x = (at_s - self.view_s[0]) / self._s_per_px()
+            painter.drawLine(QPointF(x, 0), QPointF(x, height))
+
+    def _paint_times(self, painter: QPainter) -> None:
+        begin_s, end_s = self.view_s
+        step_s = tick_step_s((end_s - begin_s) / _TICKS)
+        painter.setPen(QColor(theme.DIM))
+        for tick in range(int(np.ceil(begin_s / step_s)), int(end_s / step_s) + 1):
+            x = (tick * step_s - begin_s) / self._s_per_px()
+            box = QRectF(x - 40, self.height() - _LABELS_PX, 80, _LABELS_PX)
+            text = self.tr("{time} s").format(time=f"{tick * step_s:.6g}")
+            painter.drawText(box, Qt.AlignmentFlag.AlignCenter, text)
+
+
+def columns(curve: Curve, view_s: tuple[float, float], width_px: int) -> Curve:
+    """Return the largest value of each pixel column (x, value), no peak lost."""
+    time_s, value = curve
+    first, last = np.searchsorted(time_s, view_s)
+    first, last = max(0, first - 1), min(len(time_s), last + 1)
+    time_s, value = time_s[first:last], value[first:last]
+    x = (time_s - view_s[0]) / (view_s[1] - view_s[0]) * width_px
+    if len(x) <= 2 * width_px:
+        return x, value
+    starts = np.flatnonzero(np.diff(np.floor(x), prepend=-np.inf))
+    return np.floor(x[starts]), np.maximum.reduceat(value, starts)
+
+
+def tick_step_s(least_s: float) -> float:
+    """Return the shortest step of 1, 2 or 5 times a power of ten, s."""
+    power = 10.0 ** np.floor(np.log10(least_s))
+    factor = next(f for f in (1, 2, 5, 10) if f * power >= least_s * (1 - 1e-9))
+    return float(factor * power)

@@ -1,0 +1,37 @@
+"""Draws the pictures of docs/recording.md, from simulated recordings.
+
+python -m benchmarks.recording_pictures
+"""
+
+import sys
+from pathlib import Path
+
+from benchmarks.common import ROOT
+from hapticplayer.capture.sync import synchronize
+from hapticplayer.capture.sync.clips import simulate_pats
+from hapticplayer.capture.sync.synchronize import Sound
+from hapticplayer.cli.sync_plot import draw_sync
+
+PICTURES = {
+    "recording-good.png": (False, 200, 100_003, "still, 200 Hz: the pats stand out"),
+    "recording-30hz.png": (False, 30, 100_003, "the same pats, averaged to 30 Hz"),
+    "recording-hard.png": (True, 30, 100_009, "pats while walking in wind, 30 Hz"),
+}
+
+
+def main() -> int:
+    """Draw all of them in place of the old ones."""
+    for name, (hard, rate_hz, seed, title) in PICTURES.items():
+        clip = simulate_pats(seed, hard=hard, rate_hz=rate_hz)
+        found = synchronize(clip.imu, clip.audio, clip.audio_rate_hz)
+        confidence = f"confidence {found.clock_map.confidence:.2f}"
+        path = Path(ROOT) / "docs" / name
+        path.unlink(missing_ok=True)
+        sound = Sound(clip.audio, clip.audio_rate_hz)
+        draw_sync(path, sound, clip.imu, found, f"{title}; {confidence}")
+        print(path.name, confidence)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

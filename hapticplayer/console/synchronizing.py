@@ -1,0 +1,135 @@
+"""Says how a log lies to a clip, whether pats can be used, and keeps cameras' skews."""
+
+import argparse
+import json
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from hapticplayer.capture import Recording, Synchronisation, read_recording, read_sound
+from hapticplayer.capture.sync.synchronize import Sound
+from hapticplayer.console.recordings import chosen_log, chosen_sync
+from hapticplayer.console.speech import complain, interruptible, say
+from hapticplayer.console.sync_text import check_text, sync_text
+from hapticplayer.errors import InputError, MediaError, TelemetryError, UsageError
+from hapticplayer.media import ClipInfo, probe
+from hapticplayer.model import ImuLog
+from hapticplayer.sequence import files
+from hapticplayer.sequence.synchronizing import (
+    SyncChoices,
+    doubt,
+    find_sync,
+    store_skew,
+    sync_by_sound,
+)
+
+PLOT_FORMATS = (".png", ".svg")
+
+Draw = Callable[[Path, Sound, ImuLog, Synchronisation], None]
+"""Draws into a new file."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Found:
+    """What there is to check: a clip's sound, a motion, or both."""
+
+    clip: ClipInfo | None
+    recording: Recording | None
+
+
+def sync(options: argparse.Namespace, draw: Draw) -> int:
+    """Print how the clocks lie; status 2 where a person has to decide.
+
+    Args:
+        options: of `hapticplayer sync`, see hapticplayer.cli.
+        draw: used for `--plot` only.
+    """
+    if options.store_skew:
+        _store_skew(options)
+    with interruptible():
+        choices, plot = chosen_sync(options), _plot_target(options)
+        if options.check:
+            return _check(_read_either(options), options, choices)
+        clip = probe(options.clip)
+        recording = read_recording(options.imu or options.clip, chosen_log(options))
+        found = find_sync(clip, recording, choices)
+        if plot:
+            sound = read_sound(clip.path)
+            with files.file_written_aside(plot) as part:
+                draw(part, sound, recording.imu, found)
+    described = found.described()
+    say(json.dumps(described) if options.json else sync_text(described))
+    if plot and not options.json:
+        say(f"drawn: {plot}")
+    if found.is_confident:
+        return 0
+    complain(doubt(found, clip.path.name))
+    return 2
+
+
+def _store_skew(options: argparse.Namespace) -> None:
+    if options.camera is None or options.skew is None:
+        raise UsageError("--store-skew needs --camera NAME and --skew S")
+    store_skew(options.camera, options.skew)
+
+
+def _plot_target(options: argparse.Namespace) -> Path | None:
+    if options.plot is None:
+        return None
+    target = Path(options.plot)
+    if target.suffix.lower() not in PLOT_FORMATS:
+        raise UsageError(
+            f"--plot {target.name} must end in {' or '.join(PLOT_FORMATS)}"
+        )
+    files.refuse_existing(target, "file")
+    return target
+
+
+def _read_either(options: argparse.Namespace) -> _Found:
+    """Read a clip, a log, or both; what one file lacks is no error."""
+    log = chosen_log(options)
+    try:
+        clip = probe(options.clip)
+    except MediaError as problem:
+        if options.imu is not None:
+            raise
+        try:
+            return _Found(None, read_recording(options.clip, log))
+        except InputError:
+            raise problem from None
+    try:
+        return _Found(clip, read_recording(options.imu or options.clip, log))
+    except TelemetryError:
+        if options.imu is not None or not clip.has_audio:
+            raise
+        return _Found(clip, None)
+
+
+def _check(found: _Found, options: argparse.Namespace, choices: SyncChoices) -> int:
+    """Say whether the pats of what there is can be used."""
+    from hapticplayer.capture.sync.check import check_log, check_sound
+
+    clip, recording = found.clip, found.recording
+    report: dict[str, Any] = {}
+    if clip is not None and clip.has_audio:
+        report["sound"] = check_sound(read_sound(clip.path)).described()
+    if recording is not None:
+        report["motion"] = check_log(recording.imu).described()
+    usable = bool(report) and all(part["is_usable"] for part in report.values())
+    lines = [check_text(name, part) for name, part in report.items()]
+    if len(report) == 2 and clip is not None and recording is not None:
+        both = sync_by_sound(clip, recording.imu, "pats", choices.sound_late_s)
+        report["together"] = both.described()
+        lines.append(sync_text(report["together"]))
+        usable = both.is_confident
+    report["is_usable"] = usable
+    verdict = "the pats can be used" if usable else _ADVICE
+    say(json.dumps(report) if options.json else "\n".join([*lines, verdict]))
+    return 0 if usable else 2
+
+
+_ADVICE = (
+    "the pats cannot be used: stand still, pat the camera three times, half a second "
+    "apart and harder than anything else, and record again (see docs/recording.md)"
+)

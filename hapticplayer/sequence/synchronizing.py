@@ -1,0 +1,161 @@
+"""Lays a recording's clock to its clip; doubt is put to a person, never passed on."""
+
+import dataclasses
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+from hapticplayer.capture import (
+    Recording,
+    Synchronisation,
+    read_sound,
+    synchronize,
+)
+from hapticplayer.errors import InputError, UsageError
+from hapticplayer.media import ClipInfo
+from hapticplayer.model import ClockMap, ImuLog
+from hapticplayer.sequence import files
+
+SKEWS = "cameras.json"
+"""Of the user: by how much each camera's sound is later than its picture, in s."""
+
+_LARGEST_SKEW_S = 2.0
+_NEXT_BEST = 3
+
+
+@dataclass(frozen=True, slots=True)
+class SyncChoices:
+    """How the clocks are to be laid together.
+
+    Attributes:
+        method: of `capture.synchronize`; None for the offset if there is one, for the
+            recording's own clock if it knows the clip's, else for the pats.
+        offset_s: media time of the log's time zero.
+        sound_late_s: how much later than its picture the camera's sound comes.
+    """
+
+    method: str | None = None
+    offset_s: float | None = None
+    sound_late_s: float = 0.0
+
+
+def synchronized(
+    clip: ClipInfo, recording: Recording, choices: SyncChoices
+) -> Recording:
+    """Return the recording with its clock laid to the clip, and why in provenance.
+
+    Raises:
+        InputError: when there is nothing to go by.
+        UsageError: when it is not certain; says what a person can do.
+    """
+    found = find_sync(clip, recording, choices)
+    if not found.is_confident:
+        raise UsageError(doubt(found, clip.path.name))
+    return dataclasses.replace(
+        recording,
+        clock_map=found.clock_map,
+        provenance={**recording.provenance, "synchronisation": found.described()},
+    )
+
+
+def find_sync(
+    clip: ClipInfo, recording: Recording, choices: SyncChoices
+) -> Synchronisation:
+    """Return how the clocks lie, sure or not.
+
+    Raises:
+        InputError: when there is nothing to go by.
+        UsageError: for a method that lacks its argument.
+    """
+    method = choices.method or _usual_method(recording, choices)
+    known = recording.clock_map if recording.clock_map.confidence > 0.0 else None
+    if method == "embedded" and known is None:
+        raise UsageError(
+            f"{Path(recording.imu.source).name} does not know the clip's clock; "
+            "use --method pats or give --offset S"
+        )
+    if method == "offset":
+        offset_s = choices.offset_s
+        known = None if offset_s is None else ClockMap(offset_s)
+    if method in ("embedded", "offset"):
+        return synchronize(recording.imu, method=method, known=known)
+    return sync_by_sound(clip, recording.imu, method, choices.sound_late_s)
+
+
+def sync_by_sound(
+    clip: ClipInfo, imu: ImuLog, method: str, sound_late_s: float
+) -> Synchronisation:
+    """Return how a log lies to a clip by what is heard in it.
+
+    Raises:
+        InputError: when the clip has no sound, or one that tells nothing.
+    """
+    if not clip.has_audio:
+        raise InputError(
+            "it holds no sound, in which pats could be heard",
+            where=clip.path.name,
+            remedy="give --offset S, the media time at which the log's clock reads 0",
+        )
+    sound = read_sound(clip.path)
+    return synchronize(
+        imu, sound.samples, sound.rate_hz, method=method, sound_late_s=sound_late_s
+    )
+
+
+def _usual_method(recording: Recording, choices: SyncChoices) -> str:
+    if choices.offset_s is not None:
+        return "offset"
+    return "embedded" if recording.clock_map.confidence > 0.0 else "pats"
+
+
+def doubt(found: Synchronisation, clip: str) -> str:
+    """Return what is not certain and what to do, in one sentence."""
+    look = "look at `hapticplayer sync` with --plot FILE, then give --offset S"
+    if not found.pats:
+        return f"{clip}: no three pats are both heard and felt; {look}"
+    clock = found.clock_map
+    others = [f"{one.shift_s:.3f}" for one in found.rivals[:_NEXT_BEST]]
+    next_best = f", others {', '.join(others)} s" if others else ""
+    return (
+        f"{clip}: the pats are not certain (confidence {clock.confidence:.2f}): the "
+        f"best offset is {clock.offset_s:.3f} s{next_best}; {look}"
+    )
+
+
+def stored_skews(path: Path | None = None) -> dict[str, float]:
+    """Return the skew of each camera that a person has stored, in s.
+
+    Raises:
+        SequenceError: when the file is damaged.
+        InputError: when it holds what is no skew.
+    """
+    path = path or files.config_home() / SKEWS
+    if not path.is_file():
+        return {}
+    content = files.read_json(path)
+    held = content.get("sound_late_s")
+    if not isinstance(held, Mapping):
+        raise InputError("lacks the object sound_late_s", where=str(path))
+    return {str(name): checked_skew(late_s) for name, late_s in held.items()}
+
+
+def store_skew(camera: str, late_s: float, path: Path | None = None) -> None:
+    """Keep a camera's skew for its next clips."""
+    path = path or files.config_home() / SKEWS
+    skews = {**stored_skews(path), camera: checked_skew(late_s)}
+    files.replace_json(path, {"sound_late_s": skews})
+
+
+def checked_skew(late_s: object) -> float:
+    """Return a skew that a camera may have.
+
+    Raises:
+        InputError: for anything else.
+    """
+    is_number = isinstance(late_s, int | float) and not isinstance(late_s, bool)
+    if not is_number or not abs(float(late_s)) <= _LARGEST_SKEW_S:  # type: ignore[arg-type]
+        raise InputError(
+            f"{late_s!r} is no skew of sound and picture; give seconds between "
+            f"-{_LARGEST_SKEW_S:g} and {_LARGEST_SKEW_S:g}"
+        )
+    return float(late_s)  # type: ignore[arg-type]
