@@ -33,6 +33,7 @@ class Continuity:
     def __init__(self, stream: Stream) -> None:
         self.missing = 0
         self._is_one_to_one = stream.codec_context.name in _ONE_TO_ONE
+        self._is_ordered = True
         self._end = 0
         self._promised, self._length = stream.frames, stream.duration or 0
         if stream.frames > 0 and stream.duration is not None:
@@ -54,7 +55,11 @@ class Continuity:
     def receive(self, frame: VideoFrame) -> None:
         """Note a picture."""
         pts, last = frame.pts, self._last
-        if pts is None:
+        if pts is None or not self._is_ordered:
+            return
+        if last is not None and pts <= last:  # an AVI with B frames has no such times
+            self._is_ordered = False
+            self.missing = 0
             return
         self._last = pts
         if last is None:  # what comes before the first picture, nobody asked for
@@ -66,7 +71,7 @@ class Continuity:
 
     def end(self) -> None:
         """Note that nothing more comes."""
-        if self._last is None:
+        if self._last is None or not self._is_ordered:
             return
         left = self._end - self._last
         if self._step:
