@@ -6,11 +6,12 @@ RECORD is a descriptor for the simulated device. Plays the clip on the whole scr
 does meanwhile what the case says; prints the player's own summary as JSON at the end.
 """
 
+import ctypes
 import functools
 import json
 import sys
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 from PySide6.QtCore import QTimer
@@ -72,12 +73,12 @@ class Deeds:
     def _hold(self) -> Steps:
         yield from self._stand_still(_keep_the_interpreter)
 
-    def _stand_still(self, hang: functools.partial[None] | object) -> Steps:
+    def _stand_still(self, hang: Callable[[], None]) -> Steps:
         """Hang, then let a person re-arm."""
         while True:
             yield 4.0
             begin_s = time.monotonic()
-            hang()  # type: ignore[operator]
+            hang()
             yield 0.5
             self._window.session.rearm()
             yield 0.3
@@ -85,13 +86,8 @@ class Deeds:
 
 
 def _keep_the_interpreter() -> None:
-    """Compute for about FREEZE_S without ever letting another thread in."""
-    numbers, turns = list(range(200_000, 0, -1)), 1
-    begin_s = time.monotonic()
-    sorted(numbers, key=int.bit_length)
-    once_s = time.monotonic() - begin_s
-    turns = max(1, round(FREEZE_S / once_s))
-    sorted(numbers * turns, key=(-1).__mul__)
+    """Sleep without letting any other thread of the interpreter run meanwhile."""
+    ctypes.PyDLL(None).usleep(round(1e6 * FREEZE_S))
 
 
 def main() -> None:

@@ -1,5 +1,6 @@
 """Notices pictures that a damaged file has lost without a word from the decoder."""
 
+from statistics import median
 from typing import Any
 
 from av.packet import Packet
@@ -8,9 +9,11 @@ from av.video.frame import VideoFrame
 
 # Of these every packet becomes one picture with its time; VP8 and VP9 have hidden ones.
 _ONE_TO_ONE = frozenset({"h264", "hevc"})
-_EVEN_STEPS = 8  # so many equal steps at the beginning, and the rate is constant
+_FIRST_STEPS = 8  # what they are like, the rate is taken to be
 _EVEN = 0.1
-_LOST_AT_END = 1.6  # pictures
+_LONGER = 1.5
+_LOST_AT_END = 2.6  # steps between the beginning of the last picture and the end
+_LOST_EARLY = 8  # the same where too few pictures came to know the rate
 
 
 class Continuity:
@@ -30,12 +33,13 @@ class Continuity:
     def __init__(self, stream: Stream) -> None:
         self.missing = 0
         self._is_one_to_one = stream.codec_context.name in _ONE_TO_ONE
+        self._is_ordered = True
         self._end = 0
+        self._promised, self._length = stream.frames, stream.duration or 0
         if stream.frames > 0 and stream.duration is not None:
             self._end = (stream.start_time or 0) + stream.duration
-        self._step = 0
-        self._even_steps = 0
-        self._is_even = True
+        self._step = 0.0  # 0 where steps are uneven, or not known yet
+        self._first: list[int] = []
         self.restart()
 
     def restart(self) -> None:
@@ -51,7 +55,11 @@ class Continuity:
     def receive(self, frame: VideoFrame) -> None:
         """Note a picture."""
         pts, last = frame.pts, self._last
-        if pts is None:
+        if pts is None or not self._is_ordered:
+            return
+        if last is not None and pts <= last:  # an AVI with B frames has no such times
+            self._is_ordered = False
+            self.missing = 0
             return
         self._last = pts
         if last is None:  # what comes before the first picture, nobody asked for
@@ -63,16 +71,27 @@ class Continuity:
 
     def end(self) -> None:
         """Note that nothing more comes."""
-        if self._last is not None and self._step > 0:
-            left = self._end - self._last
-            self.missing += left > (1.0 + _LOST_AT_END) * self._step
+        if self._last is None or not self._is_ordered:
+            return
+        left = self._end - self._last
+        if self._step:
+            self.missing += left > _LOST_AT_END * self._step
+        elif self._promised > 1 and len(self._first) < _FIRST_STEPS:
+            usual = median(self._first or [self._length / self._promised])
+            self.missing += left > _LOST_EARLY * usual
         self._last = None
 
     def _is_longer(self, step: int) -> bool:
-        """Whether this step is longer than all before, which were even."""
-        if not self._step or abs(step - self._step) <= max(1.0, _EVEN * self._step):
-            self._step = self._step or step
-            self._even_steps += self._even_steps < _EVEN_STEPS
+        """Whether something is missing in this step, or in one of the first ones."""
+        if len(self._first) == _FIRST_STEPS:
+            return self._step > 0.0 and step > _LONGER * self._step
+        self._first.append(step)
+        if len(self._first) < _FIRST_STEPS:
             return False
-        self._is_even = self._is_even and self._even_steps == _EVEN_STEPS
-        return self._is_even and step > self._step
+        usual = median(self._first)
+        odd = [s for s in self._first if abs(s - usual) > max(1.0, _EVEN * usual)]
+        counts = [s / usual for s in odd]
+        is_hole = [c > _LONGER and abs(c - round(c)) < _EVEN for c in counts]
+        if len(odd) <= 1 and all(is_hole):
+            self._step = usual
+        return self._step > 0.0 and bool(odd)

@@ -142,7 +142,7 @@ class AudioRing:
                 return
             if self._joins is not None:
                 media_s = self._joins.media_s(dac_s)
-                self._read = max(self._read, round(media_s * self.rate_hz))
+                self._read = max(self._begin, round(media_s * self.rate_hz))
                 self._joins = None
             count = len(out)
             ready = max(0, min(count, self._written - self._read))

@@ -21,11 +21,10 @@ from hapticplayer.playback.feeders import AudioFeeder, VideoFeeder
 from hapticplayer.playback.haptic_link import NO_DEVICE, HapticLink
 from hapticplayer.playback.log import PlaybackLog
 from hapticplayer.playback.snapshot import Phase, Snapshot
-from hapticplayer.playback.sound_revival import LOST_AFTER_S, SoundRevival
+from hapticplayer.playback.sound_revival import PREBUFFER_S, SoundKeeper
 from hapticplayer.playback.source import Source
 
 POLL_S = 0.025
-PREBUFFER_S = 0.25
 FIRST_SOUND_TIMEOUT_S = 3.0  # a sound server that wakes its device took 1.3 s
 AUDIO_LOG_PERIOD_S = 0.04
 # Painting takes 1 to 3 ms; a picture is begun so much earlier that it is on time.
@@ -36,6 +35,8 @@ PICTURE_LEAD_S = 0.001
 SHOW_COST_SMOOTHING = 0.1
 
 SLOWEST, FASTEST = 0.5, 4.0  # of `set_speed`
+PICTURE_STOPS_S = 0.2
+NO_TRACK = ""  # no force; what comes after it fades in
 DAMAGED = "the clip is damaged: some of its pictures are missing or broken"
 
 AudioFactory = Callable[[AudioRing, Clock], AudioOut]
@@ -92,9 +93,7 @@ class Player:
         self._media = MediaClock()
         self._ring = AudioRing()
         self._audio: AudioOut | None = None
-        self._revival = SoundRevival(self._new_audio)
-        self._heard_s = 0.0
-        self._is_rejoining = False
+        self._keeper = SoundKeeper(self._ring, self._media, self._new_audio)
         self._video_feeder: VideoFeeder | None = None
         self._audio_feeder: AudioFeeder | None = None
         self._log: PlaybackLog | None = None
@@ -107,7 +106,8 @@ class Player:
         self._logged_audio_s = float("-inf")
         self._underruns = 0
         self._led_by = ClockSource.MONOTONIC
-        self._show_cost_s = 0.0
+        self._show_cost_s = self._pictured_s = 0.0
+        self._is_blind = False
         self._shown = 0
         self._dropped = 0
         self._damaged = 0
@@ -172,7 +172,7 @@ class Player:
         for feeder in (self._video_feeder, self._audio_feeder):
             if feeder is not None:
                 feeder.stop()
-        self._revival.cancel()
+        self._keeper.cancel()
         if self._audio is not None:
             self._audio.close()
         if self._video_feeder is not None:
@@ -310,7 +310,7 @@ class Player:
             duration_s=self.source.clip.duration_s if self.source else 0.0,
             feedback=self.feedback,
             clock=self._media.source.value,
-            audio=self._audio.name if self._audio else self._lost_audio(),
+            audio=self._audio.name if self._audio else "lost" * self._keeper.is_trying,
             device=self._link.device,
             device_health=str(self._link.health or ""),
             scheduling=self._link.scheduling,
@@ -359,8 +359,21 @@ class Player:
         self._media.check(now_s)
         self._advance(now_s)
         next_s = self._present(self._clock.now_s())
-        self._link.publish(self._media.snapshot(self._clock.now_s()), self.feedback)
+        feedback = NO_TRACK if self._has_picture_stopped(now_s) else self.feedback
+        self._link.publish(self._media.snapshot(self._clock.now_s()), feedback)
         return min(next_s, now_s + POLL_S)
+
+    def _has_picture_stopped(self, now_s: float) -> bool:
+        """Whether the decoder does not keep up; nobody shall feel what nobody sees."""
+        feeder = self._video_feeder
+        is_fed = feeder is None or feeder.is_at_end or feeder.peek() is not None
+        if is_fed or self.phase is not Phase.PLAYING:
+            self._pictured_s = now_s
+        has_stopped = now_s > self._pictured_s + PICTURE_STOPS_S
+        if has_stopped is not self._is_blind:
+            self._is_blind = has_stopped
+            self._event("picture_stopped" if has_stopped else "picture_back")
+        return has_stopped
 
     def _hear(self) -> None:
         """Follow what the sound output reports."""
@@ -397,7 +410,7 @@ class Player:
         feeder = self._video_feeder
         if feeder is None:
             return
-        self._revive_sound(now_s)
+        self._keep_sound(now_s)
         if feeder.damaged > self._damaged:
             if not self._damaged:
                 self.told.append(DAMAGED)
@@ -435,34 +448,17 @@ class Player:
         has_sound = self._ring.buffered_s() > PREBUFFER_S or self._ring.is_complete
         return has_picture and (has_sound or self._audio_feeder.is_at_end)
 
-    def _lost_audio(self) -> str:
-        return "lost" if self._revival.is_trying else ""
-
-    def _revive_sound(self, now_s: float) -> None:
-        """Replace an output that is lost, and let the sound join the running clock."""
-        is_silent = self.phase is Phase.PLAYING and (
-            self._media.source is ClockSource.MONOTONIC
+    def _keep_sound(self, now_s: float) -> None:
+        """Notice that the output is lost, and use the next one."""
+        feeder = self._audio_feeder
+        self._audio, happened = self._keeper.look(
+            now_s,
+            self._audio,
+            feeder.request if feeder else None,
+            is_playing=self.phase is Phase.PLAYING,
         )
-        if not is_silent:
-            self._heard_s = now_s
-        if (found := self._revival.take()) is not None:
-            self._audio = found
-            self._is_rejoining = self._audio_feeder is not None and is_silent
-            if self._audio_feeder is not None and is_silent:
-                media_s = self._media.media_s(now_s)
-                self._ring.load(self._media.epoch, media_s)
-                self._audio_feeder.request(self._media.epoch, media_s)
-            self._event("sound_back")
-        elif self._is_rejoining:
-            if self._ring.buffered_s() >= PREBUFFER_S or self._ring.is_complete:
-                self._is_rejoining = False
-                self._heard_s = now_s
-                self._ring.join(self._media.snapshot(now_s))
-        elif self._audio is not None and now_s > self._heard_s + LOST_AFTER_S:
-            self._event("sound_lost")
-            self._ring.hold()
-            self._revival.begin(self._audio)
-            self._audio = None
+        if happened:
+            self._event(happened)
 
     def _start(self, now_s: float) -> None:
         if self._audio is None:
@@ -481,7 +477,7 @@ class Player:
 
     def _hold(self, phase: Phase) -> None:
         """Stand still; the sound that is on its way stays in the ring."""
-        self._is_rejoining = False
+        self._keeper.rest()
         now_s = self._clock.now_s()
         self._media.pause(now_s)
         position_s = self._media.media_s(now_s)
@@ -490,7 +486,7 @@ class Player:
         self.phase = phase
 
     def _go_to(self, media_s: float) -> None:
-        self._is_rejoining = False
+        self._keeper.rest()
         self._media.seek(media_s)
         self._preview, self._needs_preview = None, True
         if self._video_feeder is not None:

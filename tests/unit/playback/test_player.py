@@ -193,6 +193,7 @@ def test_a_clip_that_breaks_ends_with_a_sentence(theatre, monkeypatch):
 
 def test_a_sound_output_that_was_lost_comes_back_without_a_jump(theatre, monkeypatch):
     monkeypatch.setattr(sound_revival, "RETRY_S", 0.001)
+    monkeypatch.setattr(sound_revival, "SETTLED_S", 0.3)
     player, first = theatre.player, theatre.out
     player.play()
     theatre.run(0.6)
@@ -210,3 +211,26 @@ def test_a_sound_output_that_was_lost_comes_back_without_a_jump(theatre, monkeyp
     offsets.append(player.media_s() - theatre.clock.now_s())
     assert max(offsets) - min(offsets) < 0.001
     assert abs(player._media.error_s) < 0.001
+
+
+def test_when_the_picture_stops_the_force_does_until_it_is_back(theatre, monkeypatch):
+    player, published = theatre.player, []
+    monkeypatch.setattr(
+        player._link, "publish", lambda _, feedback: published.append(feedback)
+    )
+    player.play()
+    theatre.run(0.5)
+    assert set(published) == {"realistic"}
+    feeder = player._video_feeder
+    with monkeypatch.context() as stall:
+        stall.setattr(feeder, "_has_work", lambda: False)
+        queued_s = 5 * FRAME_S
+        theatre.run(queued_s + 0.15)
+        assert set(published) == {"realistic"}
+        theatre.run(0.2)
+        assert published[-1] == ""
+    with feeder._wake:
+        feeder._wake.notify_all()
+    theatre.run(0.1)
+    assert published[-1] == "realistic"
+    assert player.phase is Phase.PLAYING
