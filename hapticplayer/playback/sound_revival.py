@@ -136,7 +136,7 @@ class SoundKeeper:
             self._heard_s = now_s
             if is_silent and request is not None:
                 media_s = self._media.media_s(now_s)
-                self._ring.load(self._media.epoch, media_s)
+                self._ring.load(self._media.epoch, media_s, self._media.speed)
                 request(self._media.epoch, media_s)
                 self._is_joining = True
             return found, "sound_back"
