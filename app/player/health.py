@@ -58,14 +58,18 @@ def device(snapshot: Snapshot) -> Reading:
         return Reading(Level.NEUTRAL, translate("Health", "none"))
     name = device_name(snapshot.device)
     if snapshot.device_health == Health.STARTING:
-        return Reading(Level.WATCH, f"{name}, {translate('Health', 'starting')}")
+        return Reading(Level.WATCH, _with(name, translate("Health", "starting")))
     if snapshot.device_health == Health.FAILED:
-        return Reading(Level.BAD, f"{name}, {translate('Health', 'failed')}")
+        return Reading(Level.BAD, _with(name, translate("Health", "failed")))
     if snapshot.device_health == Health.GONE:
-        return Reading(Level.BAD, f"{name}, {translate('Health', 'gone')}")
+        return Reading(Level.BAD, _with(name, translate("Health", "gone")))
     if snapshot.mode is Mode.TRIPPED:
         return Reading(Level.BAD, f"{name}, {stop_reason(snapshot.cause)}")
     return Reading(Level.GOOD, f"{name}, {mode_text(snapshot.mode)}")
+
+
+def _with(name: str, state: str) -> str:
+    return f"{name}, {state}"  # lupdate does not look into such strings
 
 
 def device_name(name: str) -> str:
