@@ -9,8 +9,17 @@ from typing import Any
 from PySide6.QtCore import QByteArray, QStandardPaths
 from PySide6.QtWidgets import QWidget
 
-_GEOMETRY = "geometry"
+from hapticplayer.errors import InputError
+
+VERSION = 1
+"""Of the file; files without one are of the days before it and read the same."""
+
+_VERSION, _GEOMETRY = "version", "geometry"
+_PRIVATE = (_GEOMETRY, "folder", "recent", "positions")
+"""What is of this machine, or tells what somebody has watched: never exported."""
+
 _MAX_BYTES = 1 << 20
+_MOST_TEXTS, _LONGEST_TEXT = 1000, 4096
 
 
 def default_path() -> Path:
@@ -21,7 +30,9 @@ def default_path() -> Path:
 
 
 class Settings:
-    """A small JSON file of names and texts; losing it costs nothing.
+    """A small JSON file of names and values; losing it costs nothing.
+
+    A file of a newer version is left as it is, and nothing is remembered.
 
     Args:
         path: the file; None remembers nothing.
@@ -30,6 +41,8 @@ class Settings:
     def __init__(self, path: Path | None) -> None:
         self._path = path
         self._values = _read(path) if path else {}
+        if _version_of(self._values) > VERSION:
+            self._path, self._values = None, {}
 
     def text(self, name: str, default: str = "") -> str:
         """Return what was kept under a name."""
@@ -41,8 +54,24 @@ class Settings:
         value = self._values.get(name, default)
         return value if isinstance(value, bool) else default
 
-    def keep(self, name: str, value: str | bool) -> None:
-        """Remember a value; written by `save`."""
+    def number(self, name: str, default: float) -> float:
+        """Return a finite number that was kept."""
+        value = self._values.get(name, default)
+        is_number = isinstance(value, int | float) and not isinstance(value, bool)
+        return float(value) if is_number and abs(value) < 1e9 else default
+
+    def texts(self, name: str) -> list[str]:
+        """Return a list of texts that was kept."""
+        value = self._values.get(name, [])
+        return _texts(value) if isinstance(value, list) else []
+
+    def table(self, name: str) -> dict[str, Any]:
+        """Return a table that was kept; what is in it is to be looked at."""
+        value = self._values.get(name, {})
+        return dict(value) if isinstance(value, dict) else {}
+
+    def keep(self, name: str, value: Any) -> None:
+        """Remember a value that JSON knows; written by `save`."""
         self._values[name] = value
 
     def keep_geometry(self, window: QWidget) -> None:
@@ -60,18 +89,75 @@ class Settings:
 
     def save(self) -> None:
         """Write the file; where that is not allowed, go on without."""
-        if self._path is None:
-            return
-        aside = self._path.with_name(f".{self._path.name}.{os.getpid()}")
-        with contextlib.suppress(OSError):
-            self._path.parent.mkdir(parents=True, exist_ok=True)
-            aside.write_text(json.dumps(self._values, indent=1), encoding="utf-8")
-            aside.replace(self._path)
+        if self._path is not None:
+            with contextlib.suppress(OSError):
+                self._path.parent.mkdir(parents=True, exist_ok=True)
+                _write(self._path, {**self._values, _VERSION: VERSION})
+
+    def export(self, path: Path) -> None:
+        """Write what is worth having on another machine.
+
+        Raises:
+            InputError: when it cannot be written.
+        """
+        kept = {k: v for k, v in self._values.items() if k not in _PRIVATE}
+        try:
+            _write(path, {**kept, _VERSION: VERSION})
+        except OSError as problem:
+            raise InputError(
+                f"cannot be written ({problem.strerror})",
+                where=str(path),
+                remedy="choose another place",
+            ) from problem
+
+    def take(self, path: Path) -> None:
+        """Take over what another machine exported; what is private here stays.
+
+        Raises:
+            InputError: when it is no such file, or of a newer version.
+        """
+        values = _read(path)
+        if _VERSION not in values:
+            raise InputError(
+                "holds no settings of this program",
+                where=str(path),
+                remedy="choose a file that was exported by it",
+            )
+        if _version_of(values) > VERSION:
+            raise InputError(
+                "is of a newer version of this program",
+                where=str(path),
+                remedy="update the program, or export again with this version",
+            )
+        self._values.update({k: v for k, v in values.items() if k not in _PRIVATE})
+
+
+def _texts(values: list[Any]) -> list[str]:
+    kept = [v for v in values if isinstance(v, str) and len(v) <= _LONGEST_TEXT]
+    return kept[:_MOST_TEXTS]
+
+
+def _version_of(values: dict[str, Any]) -> float:
+    version = values.get(_VERSION, 0)
+    return version if isinstance(version, int) else float("inf")
+
+
+def _write(path: Path, values: dict[str, Any]) -> None:
+    """Write aside and rename: a crash leaves the old file or the new one."""
+    aside = path.with_name(f".{path.name}.{os.getpid()}")
+    try:
+        with aside.open("w", encoding="utf-8") as writer:
+            json.dump(values, writer, indent=1)
+            writer.flush()
+            os.fsync(writer.fileno())
+        aside.replace(path)
+    finally:
+        aside.unlink(missing_ok=True)
 
 
 def _read(path: Path) -> dict[str, Any]:
     try:
-        if path.stat().st_size > _MAX_BYTES:
+        if not path.is_file() or path.stat().st_size > _MAX_BYTES:
             return {}
         values = json.loads(path.read_text(encoding="utf-8"))
     except (OSError, ValueError, RecursionError):

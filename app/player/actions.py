@@ -1,112 +1,80 @@
-"""Everything that can be done, with its keys, and the menus that offer it."""
+"""The actions of the player's window, made from the table of commands."""
 
 from PySide6.QtCore import QCoreApplication, Qt
-from PySide6.QtGui import QAction, QKeySequence
+from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QMainWindow, QMenu, QMenuBar
+
+from app.bridge.settings import Settings
+from app.player.keymap import COMMANDS, KEYS, keys_of, texts
 
 translate = QCoreApplication.translate
 
+_OPENING = ("open_sequence", "open_video", "import_recording", "open_demo")
+
 
 class Actions:
-    """The actions of the player's window.
+    """One action for each command, also as an attribute of its name.
 
     They belong to the window itself, so that their keys work in fullscreen, where
     the menu bar is hidden.
     """
 
-    def __init__(self, window: QMainWindow) -> None:
-        self._window = window
-        self.all: list[QAction] = []
-        make = self._make
-        self.open_sequence = make(
-            translate("Actions", "&Open sequence\u2026"), "Ctrl+O"
-        )
-        self.open_video = make(
-            translate("Actions", "Open &video\u2026"), "Ctrl+Shift+O"
-        )
-        self.import_recording = make(
-            translate("Actions", "&Import a recording\u2026"), "Ctrl+I"
-        )
-        self.open_demo = make(translate("Actions", "Open the &demo"), "Ctrl+D")
-        self.quit = make(translate("Actions", "&Quit"), "Ctrl+Q")
-        self.play = make(translate("Actions", "&Play or pause"), "Space")
-        self.back = make(translate("Actions", "5 s &back"), "Left")
-        self.forward = make(translate("Actions", "5 s &forward"), "Right")
-        self.to_start = make(translate("Actions", "To the &beginning"), "Home")
-        self.to_end = make(translate("Actions", "To the &end"), "End")
-        self.stop = make(translate("Actions", "&Stop the force"), "Esc")
+    def __init__(self, window: QMainWindow, settings: Settings) -> None:
+        self._settings = settings
+        self.by_name: dict[str, QAction] = {}
+        self.menus: dict[str, QMenu] = {}
+        named = texts()
+        for command in COMMANDS:
+            action = QAction(named[command.name], window)
+            action.setCheckable(command.is_checkable)
+            window.addAction(action)
+            self.by_name[command.name] = action
+        self.grip.setChecked(True)
         # also while another window of this program has the keyboard
         self.stop.setShortcutContext(Qt.ShortcutContext.ApplicationShortcut)
-        self.rearm = make(translate("Actions", "&Re-arm the force"), "Ctrl+R")
-        self.get_to_know = make(
-            translate("Actions", "Get to &know the forces\u2026"), "Ctrl+K"
-        )
-        self.plots = make(translate("Actions", "Live &plots"), "P")
-        self.plots.setCheckable(True)
-        self.grip = make(translate("Actions", "Simulated &grip"), "G")
-        self.grip.setCheckable(True)
-        self.grip.setChecked(True)
-        self.fullscreen = make(translate("Actions", "&Fullscreen"), "F", "F11")
-        self.shortcuts = make(translate("Actions", "&Keyboard shortcuts"), "F1")
-        self.about = make(translate("Actions", "&About"))
+        self.apply_keys()
 
-    def _make(self, text: str, *keys: str) -> QAction:
-        action = QAction(text, self._window)
-        action.setShortcuts([QKeySequence(key) for key in keys])
-        self._window.addAction(action)
-        self.all.append(action)
-        return action
+    def __getattr__(self, name: str) -> QAction:
+        try:
+            return self.__dict__["by_name"][name]  # type: ignore[no-any-return]
+        except KeyError:
+            raise AttributeError(name) from None
+
+    def apply_keys(self) -> None:
+        """Give every action the keys that the settings say."""
+        chosen = self._settings.table(KEYS)
+        for command in COMMANDS:
+            self.by_name[command.name].setShortcuts(keys_of(command, chosen))
 
     def fill(self, bar: QMenuBar) -> None:
         """Put the actions into menus."""
-        _menu(
-            bar,
-            translate("Actions", "&File"),
-            [self.open_sequence, self.open_video, self.import_recording],
-            [self.open_demo],
-            [self.quit],
-        )
-        _menu(
-            bar,
-            translate("Actions", "&Playback"),
-            [self.play, self.back, self.forward, self.to_start, self.to_end],
-            [self.stop, self.rearm],
-            [self.get_to_know],
-        )
-        _menu(
-            bar,
-            translate("Actions", "&View"),
-            [self.plots, self.grip, self.fullscreen],
-        )
-        _menu(bar, translate("Actions", "&Help"), [self.shortcuts, self.about])
+        titles = {
+            "file": translate("Actions", "&File"),
+            "playback": translate("Actions", "&Playback"),
+            "view": translate("Actions", "&View"),
+            "help": translate("Actions", "&Help"),
+        }
+        for name, title in titles.items():
+            menu = self.menus[name] = bar.addMenu(title)
+            group = 0
+            for command in (c for c in COMMANDS if c.menu == name):
+                if command.group != group:
+                    menu.addSeparator()
+                    group = command.group
+                menu.addAction(self.by_name[command.name])
+
+    def add_menu(self, menu: str, title: str, before: str) -> QMenu:
+        """Return a new menu within another, above one of its actions."""
+        made = QMenu(title, self.menus[menu])
+        self.menus[menu].insertMenu(self.by_name[before], made)
+        return made
 
     @property
     def opening(self) -> list[QAction]:
         """What begins a piece of work."""
-        return [
-            self.open_sequence,
-            self.open_video,
-            self.import_recording,
-            self.open_demo,
-        ]
+        return [self.by_name[name] for name in _OPENING]
 
     @property
     def playing(self) -> list[QAction]:
         """What needs a clip."""
-        return [
-            self.play,
-            self.back,
-            self.forward,
-            self.to_start,
-            self.to_end,
-            self.fullscreen,
-        ]
-
-
-def _menu(bar: QMenuBar, title: str, *groups: list[QAction]) -> QMenu:
-    menu = bar.addMenu(title)
-    for number, group in enumerate(groups):
-        if number:
-            menu.addSeparator()
-        menu.addActions(group)
-    return menu
+        return [self.by_name[c.name] for c in COMMANDS if c.needs_clip]

@@ -3,15 +3,17 @@
 import argparse
 import json
 import sys
+from functools import partial
 
 from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QApplication
 
 from app.bridge.interrupts import closing_on_signals
 from app.bridge.settings import Settings, default_path
+from app.player.controls import OUTPUT
+from app.player.remake import OpenWindow, dress
 from app.player.video_surface import SurfaceSink, VideoSurface
 from app.player.window import DEVICE, PlayerWindow
-from app.widgets import theme
 from app.widgets.icons import icon
 from hapticplayer.clock import SystemClock
 from hapticplayer.console import (
@@ -23,6 +25,7 @@ from hapticplayer.console import (
     wanted_scheduling,
 )
 from hapticplayer.devices import DEVICES
+from hapticplayer.playback.audio import SoundDeviceOut
 from hapticplayer.playback.haptic_link import NO_DEVICE
 from hapticplayer.playback.player import Player
 from hapticplayer.playback.source import Source, choose_feedback, open_source
@@ -46,12 +49,18 @@ def run(options: argparse.Namespace) -> int:
     source = open_source(options.source, options.force) if options.source else None
     feedback = choose_feedback(source, options.feedback) if source else None
     end_s = until_s(options, source) if source else 0.0
-    application = make_application()
     settings = Settings(default_path())
+    application = make_application(settings)
     clock, surface = SystemClock(), VideoSurface()
     device = options.device if source else _last_device(settings)
     record = record_target(options, device)
-    player = Player(clock, SurfaceSink(surface), scheduling=wanted_scheduling(options))
+    sound = partial(SoundDeviceOut, device=settings.text(OUTPUT))
+    player = Player(
+        clock,
+        SurfaceSink(surface),
+        audio=sound,
+        scheduling=wanted_scheduling(options),
+    )
     window = PlayerWindow(player, surface, clock, settings, plots=options.plots)
     try:
         # only now: the haptics process wants to hear from us within a second
@@ -67,15 +76,15 @@ def run(options: argparse.Namespace) -> int:
     return _run_until_closed(application, window, options)
 
 
-def make_application() -> QApplication:
-    """Return the one application of this process, with our look."""
+def make_application(settings: Settings | None = None) -> QApplication:
+    """Return the one application of this process, with its look and language."""
     sys.setswitchinterval(SWITCH_S)
     application = QApplication.instance() or QApplication(sys.argv[:1])
     assert isinstance(application, QApplication)
     application.setApplicationName("hapticplayer")
     application.setDesktopFileName("hapticplayer")
     application.setWindowIcon(icon("hapticplayer"))
-    theme.apply(application)
+    dress(application, settings or Settings(None))
     return application
 
 
@@ -100,28 +109,26 @@ def _begin(
     if options.start > 0.0:
         player.seek(options.start)
     player.play()
-    if options.close_at_end:
-        window.session.ended.connect(
-            lambda: QTimer.singleShot(AT_REST_MS, window.close)
-        )
 
 
 def _run_until_closed(
     application: QApplication, window: PlayerWindow, options: argparse.Namespace
 ) -> int:
-    gateway = window.session.gateway
-    gateway.install()
-
     def close() -> None:
-        window.close()
+        shown.window.close()
         application.quit()  # also out of dialogs that are still open
 
+    def close_soon() -> None:
+        QTimer.singleShot(AT_REST_MS, close)
+
+    shown = OpenWindow(window, close_soon if options.close_at_end else None)
+    shown.begin()
     try:
         with closing_on_signals(lambda: QTimer.singleShot(0, close)):
             application.exec()
     finally:
-        gateway.uninstall()
-        window.close()
+        shown.end()
+    window = shown.window
     if options.json:
         say(json.dumps(window.player.summary()))
     problem = window.player.link.record_problem

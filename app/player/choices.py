@@ -10,6 +10,7 @@ from hapticplayer.cli import DEVICE_NAMES
 from hapticplayer.devices import DEVICES
 from hapticplayer.model import Feedback
 from hapticplayer.playback.haptic_link import NO_DEVICE
+from hapticplayer.playback.replay import FROM_LOG
 from hapticplayer.playback.source import FROM_FILE
 
 translate = QCoreApplication.translate
@@ -36,6 +37,7 @@ def feedbacks(names: Iterable[str]) -> list[Choice]:
         Feedback.NONE.value: translate("Choices", "None"),
         Feedback.RANDOM.value: translate("Choices", "Random"),
         FROM_FILE: translate("Choices", "From file"),
+        FROM_LOG: translate("Choices", "From a log"),
     }
     return [Choice(name, texts.get(name, name)) for name in names]
 

@@ -3,14 +3,20 @@
 from collections.abc import Callable
 from pathlib import Path
 
-from PySide6.QtCore import QObject
-from PySide6.QtWidgets import QDialog, QWidget
+from PySide6.QtCore import QObject, Signal
+from PySide6.QtWidgets import QDialog, QFileDialog, QWidget
 
 from app.bridge.settings import Settings
 from app.player.device_page import DevicePage
-from app.player.files import file_dialog, folder_dialog, video_filter
-from app.player.help import about_dialog, shortcuts_dialog
+from app.player.files import (
+    file_dialog,
+    folder_dialog,
+    settings_filter,
+    video_filter,
+)
+from app.player.help import about_dialog
 from app.player.import_dialog import ImportDialog
+from app.player.keys_dialog import KeysDialog
 from app.player.session import ImportRequest, Session
 from hapticplayer.clock import Clock
 from hapticplayer.errors import HapticPlayerError
@@ -26,7 +32,14 @@ class Dialogs(QObject):
         window: their parent.
         session: opens what was chosen.
         settings: keeps the last folder.
+
+    Signals:
+        keys_changed: a command has other keys.
+        settings_taken: other settings came from a file.
     """
+
+    keys_changed = Signal()
+    settings_taken = Signal()
 
     def __init__(self, window: QWidget, session: Session, settings: Settings) -> None:
         super().__init__(window)
@@ -46,6 +59,14 @@ class Dialogs(QObject):
         title = self.tr("Open a video")
         dialog = file_dialog(self._window, title, self._folder(), video_filter())
         dialog.fileSelected.connect(self._open)
+        dialog.open()
+
+    def open_log(self) -> None:
+        """Choose a log of the clip that is open, to feel again what was sent."""
+        title = self.tr("Play the force of a log")
+        kinds = self.tr("Logs (*.jsonl *.json *.log);;All files (*)")
+        dialog = file_dialog(self._window, title, self._folder(), kinds)
+        dialog.fileSelected.connect(lambda path: self._session.open_log(Path(path)))
         dialog.open()
 
     def import_recording(self) -> None:
@@ -73,9 +94,27 @@ class Dialogs(QObject):
         make(self._window).open()
 
     def shortcuts(self) -> None:
-        """Show the keys of the window."""
-        actions = self._window.actions()
-        self.show(lambda parent: shortcuts_dialog(parent, actions))
+        """Show the keys of the window, and let people choose others."""
+        dialog = KeysDialog(self._settings, self._window)
+        dialog.changed.connect(self.keys_changed)
+        dialog.open()
+
+    def export_settings(self) -> None:
+        """Write the settings into a file."""
+        title = self.tr("Export the settings")
+        dialog = file_dialog(self._window, title, self._folder(), settings_filter())
+        dialog.setAcceptMode(QFileDialog.AcceptMode.AcceptSave)
+        dialog.setFileMode(QFileDialog.FileMode.AnyFile)
+        dialog.setDefaultSuffix("json")
+        dialog.fileSelected.connect(self._export)
+        dialog.open()
+
+    def import_settings(self) -> None:
+        """Take settings over from a file."""
+        title = self.tr("Import settings")
+        dialog = file_dialog(self._window, title, self._folder(), settings_filter())
+        dialog.fileSelected.connect(self._take)
+        dialog.open()
 
     def about(self) -> None:
         """Say what this program is."""
@@ -84,6 +123,21 @@ class Dialogs(QObject):
     def _open(self, path: str) -> None:
         self._settings.keep(_FOLDER, str(Path(path).parent))
         self._session.open_path(Path(path))
+
+    def _export(self, path: str) -> None:
+        try:
+            self._settings.export(Path(path))
+        except HapticPlayerError as problem:
+            self._session.gateway.report(problem)
+
+    def _take(self, path: str) -> None:
+        try:
+            self._settings.take(Path(path))
+        except HapticPlayerError as problem:
+            self._session.gateway.report(problem)
+        else:
+            self._settings.save()
+            self.settings_taken.emit()
 
     def _import(self, request: ImportRequest) -> None:
         self._settings.keep(_FOLDER, str(request.video.parent))

@@ -9,15 +9,16 @@ from app.widgets.icons import icon
 
 
 class EmptyPage(QWidget):
-    """Three ways to begin.
+    """Four ways to begin.
 
     Signals:
-        demo_clicked, open_clicked, import_clicked: the buttons.
+        demo_clicked, open_clicked, import_clicked, device_clicked: the buttons.
     """
 
     demo_clicked = Signal()
     open_clicked = Signal()
     import_clicked = Signal()
+    device_clicked = Signal()
 
     def __init__(self) -> None:
         super().__init__()
@@ -56,13 +57,20 @@ class EmptyPage(QWidget):
             self.tr("Import a recording\u2026"),
             self.tr("Make a sequence of a video and its motion"),
         )
+        self.device = text_button(
+            self.tr("Choose the device\u2026"),
+            self.tr(
+                "Which haptic device is moved; the simulated one needs no hardware"
+            ),
+        )
+        self.device.clicked.connect(self.device_clicked)
         self.demo.clicked.connect(self.demo_clicked)
         self.open.clicked.connect(self.open_clicked)
         self.import_recording.clicked.connect(self.import_clicked)
         row = QHBoxLayout()
         row.setSpacing(10)
         row.addStretch(1)
-        for button in (self.demo, self.open, self.import_recording):
+        for button in (self.demo, self.open, self.import_recording, self.device):
             row.addWidget(button)
         row.addStretch(1)
         return row

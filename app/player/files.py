@@ -15,6 +15,11 @@ def video_filter() -> str:
     )
 
 
+def settings_filter() -> str:
+    """Return the kinds of files that hold settings."""
+    return QCoreApplication.translate("Files", "Settings (*.json)")
+
+
 def file_dialog(parent: QWidget, title: str, folder: str, kinds: str) -> QFileDialog:
     """Return a dialog that chooses a file; show it with `open`."""
     dialog = QFileDialog(parent, title, folder, kinds)

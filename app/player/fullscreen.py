@@ -1,6 +1,7 @@
 """Fullscreen: the clip and nothing else, with or without a window manager."""
 
 from PySide6.QtCore import QObject, QRect, Qt, QTimer
+from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QMainWindow, QWidget
 
 from app.player.video_surface import VideoSurface
@@ -28,6 +29,7 @@ class Fullscreen(QObject):
         self._geometry_before = QRect()
         self._was_maximized = False
         self.is_on = False
+        self.screen_name = ""  # where to; "" for where the window is
         self._cursor_timer = QTimer(self)
         self._cursor_timer.setSingleShot(True)
         self._cursor_timer.setInterval(CURSOR_STAYS_MS)
@@ -45,11 +47,15 @@ class Fullscreen(QObject):
         self._hidden = [widget for widget in self._others if not widget.isHidden()]
         for widget in self._hidden:
             widget.hide()
-        screen = window.screen().geometry()
+        known = {screen.name(): screen for screen in QGuiApplication.screens()}
+        screen = known.get(self.screen_name, window.screen())
+        if screen is not window.screen():
+            window.move(screen.geometry().topLeft())
+            window.windowHandle().setScreen(screen)
         window.showFullScreen()
         # Without a window manager nobody else would make it as large as the screen.
         # Not through the widget: that would take its fullscreen state away again.
-        window.windowHandle().setGeometry(screen)
+        window.windowHandle().setGeometry(screen.geometry())
         window.activateWindow()
         self._surface.setFocus()
         self._cursor_timer.start()

@@ -9,17 +9,6 @@ from app.widgets import theme
 from app.widgets.labels import ElidedLabel
 from hapticplayer.playback.snapshot import Snapshot
 
-_STYLE = f"""
-HealthLine {{ background: {theme.PANEL}; border: 0; border-top: 1px solid {theme.BORDER}; }}
-"""
-# a sign of its own for each level: colour alone tells some people nothing
-_SIGNS = {
-    Level.NEUTRAL: ("\u25cb", theme.DIM),
-    Level.GOOD: ("\u25cf", theme.GOOD),
-    Level.WATCH: ("\u25b2", theme.WARN),
-    Level.BAD: ("\u25a0", theme.BAD),
-}
-
 _SIGN_ROOM_PX = 20
 
 
@@ -56,7 +45,7 @@ class HealthEntry(QWidget):
 
     def show_reading(self, reading: Reading) -> None:
         """Show a value; its judgement as sign, colour and word."""
-        sign, colour = _SIGNS[reading.level]
+        sign, colour = _signs()[reading.level]
         self._sign.set_text(sign, colour)
         is_alarming = reading.level >= Level.WATCH
         self._value.set_text(reading.text, colour if is_alarming else theme.TEXT)
@@ -71,7 +60,10 @@ class HealthLine(QFrame):
 
     def __init__(self) -> None:
         super().__init__()
-        self.setStyleSheet(_STYLE)
+        self.setStyleSheet(
+            f"HealthLine {{ background: {theme.PANEL}; "
+            f"border: 0; border-top: 1px solid {theme.BORDER}; }}"
+        )
         self.setAccessibleName(self.tr("Health"))
         row = QHBoxLayout(self)
         row.setContentsMargins(12, 4, 12, 5)
@@ -143,3 +135,13 @@ class HealthLine(QFrame):
                 self.tr("monotonic"),
             ),
         ]
+
+
+def _signs() -> dict[Level, tuple[str, str]]:
+    """Return a sign of its own for each level: colour alone tells some nothing."""
+    return {
+        Level.NEUTRAL: ("\u25cb", theme.DIM),
+        Level.GOOD: ("\u25cf", theme.GOOD),
+        Level.WATCH: ("\u25b2", theme.WARN),
+        Level.BAD: ("\u25a0", theme.BAD),
+    }

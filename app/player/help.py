@@ -1,41 +1,19 @@
-"""Help: the keys, and what this program is."""
+"""Help: what this program is."""
 
 from PySide6.QtCore import QCoreApplication, QSize, Qt
-from PySide6.QtGui import QAction, QKeySequence
 from PySide6.QtWidgets import (
     QDialog,
-    QGridLayout,
     QHBoxLayout,
     QLabel,
     QVBoxLayout,
     QWidget,
 )
 
-from app.widgets import theme
 from app.widgets.buttons import text_button
 from app.widgets.icons import icon
 from hapticplayer import __version__
 
 translate = QCoreApplication.translate
-
-
-def shortcuts_dialog(parent: QWidget, actions: list[QAction]) -> QDialog:
-    """Return a dialog with the keys of these actions."""
-    dialog, column = _dialog(parent, translate("Help", "Keyboard shortcuts"))
-    grid = QGridLayout()
-    grid.setHorizontalSpacing(28)
-    grid.setVerticalSpacing(6)
-    for row, action in enumerate(a for a in actions if a.shortcuts()):
-        keys = ", ".join(
-            key.toString(QKeySequence.SequenceFormat.NativeText)
-            for key in action.shortcuts()
-        )
-        name = QLabel(keys)
-        name.setStyleSheet(f"color: {theme.FOCUS};")
-        grid.addWidget(name, row, 0)
-        grid.addWidget(QLabel(action.text().replace("&", "").rstrip("\u2026")), row, 1)
-    column.addLayout(grid)
-    return _closed_by_button(dialog, column)
 
 
 def about_dialog(parent: QWidget) -> QDialog:

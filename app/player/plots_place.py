@@ -2,6 +2,7 @@
 
 from typing import TYPE_CHECKING
 
+from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QFrame, QVBoxLayout
 
 from app.player.grip_feed import grip_of
@@ -14,16 +15,23 @@ if TYPE_CHECKING:
     from app.plots.panel import PlotPanel
 
 LEAST_HEIGHT_PX = 110
-_STYLE = f"PlotsPlace {{ border: 0; border-top: 1px solid {theme.BORDER}; }}"
 
 
 class PlotsPlace(QFrame):
-    """Holds the plots; pyqtgraph is imported when they are first wanted."""
+    """Holds the plots; pyqtgraph is imported when they are first wanted.
+
+    Signals:
+        sought: a person wants to be at this time, s.
+    """
+
+    sought = Signal(float)
 
     def __init__(self) -> None:
         super().__init__()
         self.setAccessibleName(self.tr("Live plots"))
-        self.setStyleSheet(_STYLE)
+        self.setStyleSheet(
+            f"PlotsPlace {{ border: 0; border-top: 1px solid {theme.BORDER}; }}"
+        )
         self.setMinimumHeight(LEAST_HEIGHT_PX)
         self._source: Source | None = None
         self._has_grip = True
@@ -45,6 +53,7 @@ class PlotsPlace(QFrame):
             self.panel = PlotPanel()
             self.panel.set_source(self._source)
             self.panel.offer_grip(is_wanted=self._has_grip)
+            self.panel.sought.connect(self.sought)
             self._column.addWidget(self.panel)
 
     def follow(self, media_s: float, feedback: str, history: TickHistory) -> None:

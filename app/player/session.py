@@ -16,6 +16,7 @@ from hapticplayer.haptics.limiter import is_near_middle, limits_of
 from hapticplayer.haptics.process import Health
 from hapticplayer.playback.haptic_link import NO_DEVICE
 from hapticplayer.playback.player import Player
+from hapticplayer.playback.replay import with_log
 from hapticplayer.playback.snapshot import Phase
 from hapticplayer.playback.source import Source, open_source
 from hapticplayer.sequence import build_sequence
@@ -42,12 +43,14 @@ class Session(QObject):
     Signals:
         opening: another source is about to be loaded; sizes can be prepared.
         opened: another source is loaded.
+        chosen: a person opened it; it is about to play.
         changed: the phase, the stop, the device or the feedback is another.
         ended: the clip has come to its end.
     """
 
     opening = Signal(object)
     opened = Signal()
+    chosen = Signal(object)
     changed = Signal()
     ended = Signal()
 
@@ -67,6 +70,15 @@ class Session(QObject):
             self.tr("Opening {name}").format(name=path.name),
             lambda _progress: open_source(path),
         )
+
+    def open_log(self, path: Path) -> None:
+        """Play what a log says was sent, with the clip that is open."""
+        source = self.player.source
+        if source is not None:
+            self._run(
+                self.tr("Opening {name}").format(name=path.name),
+                lambda _progress: with_log(source, path),
+            )
 
     def open_demo(self) -> None:
         """Open the built-in demo; it is made on first use."""
@@ -106,6 +118,7 @@ class Session(QObject):
 
     def _play_source(self, source: Source) -> None:
         self.show_source(source)
+        self.chosen.emit(source)
         self.player.play()
 
     def show_source(self, source: Source, feedback: str | None = None) -> None:

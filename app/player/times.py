@@ -10,11 +10,12 @@ def position_text(media_s: float, duration_s: float) -> str:
     return " / ".join(time_text(value, with_hours=with_hours) for value in both)
 
 
-def time_text(media_s: float, *, with_hours: bool = False) -> str:
+def time_text(media_s: float, *, with_hours: bool = False, digits: int = 1) -> str:
     """Return a time, rounded down: the end shows only when it is reached."""
-    tenths = max(0, math.floor(10.0 * media_s + 1e-6))
-    minutes, tenths = divmod(tenths, 600)
-    seconds = f"{tenths // 10:02}.{tenths % 10}"
+    parts = 10**digits
+    count = max(0, math.floor(parts * media_s + 1e-6))
+    minutes, count = divmod(count, 60 * parts)
+    seconds = f"{count // parts:02}.{count % parts:0{digits}}"
     if not with_hours:
         return f"{minutes:02}:{seconds}"
     return f"{minutes // 60}:{minutes % 60:02}:{seconds}"

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import (
     QHBoxLayout,
     QLabel,
     QSizePolicy,
+    QSlider,
     QVBoxLayout,
     QWidget,
 )
@@ -22,11 +23,8 @@ from app.widgets.icons import control_icon
 from app.widgets.labels import ElidedLabel
 from app.widgets.seek_slider import SeekSlider
 
-_STYLE = f"""
-Transport {{ background: {theme.PANEL}; border: 0; border-top: 1px solid {theme.BORDER}; }}
-"""
-
 _COMBO_PX, _LEAST_CHARACTERS = 170, 6
+_VOLUME_PX, _LEAST_VOLUME_PX, _VOLUME_PAGE = 72, 30, 10
 _BEFORE_THE_GAP = 100  # stretch: the lists grow to their full width first
 
 
@@ -36,6 +34,7 @@ class Transport(QFrame):
     Signals:
         play_clicked, stop_clicked, fullscreen_clicked: the buttons.
         sought: a person wants to be at this time, s.
+        volume_chosen, mute_clicked: per cent, and the button beside it.
         feedback_chosen, device_chosen: the engine's name of the choice.
     """
 
@@ -43,12 +42,17 @@ class Transport(QFrame):
     stop_clicked = Signal()
     fullscreen_clicked = Signal()
     sought = Signal(float)
+    volume_chosen = Signal(int)
+    mute_clicked = Signal()
     feedback_chosen = Signal(str)
     device_chosen = Signal(str)
 
     def __init__(self) -> None:
         super().__init__()
-        self.setStyleSheet(_STYLE)
+        self.setStyleSheet(
+            f"Transport {{ background: {theme.PANEL}; "
+            f"border: 0; border-top: 1px solid {theme.BORDER}; }}"
+        )
         self._duration_s = 0.0
         self.slider = SeekSlider()
         self.slider.setAccessibleName(self.tr("Position"))
@@ -61,6 +65,12 @@ class Transport(QFrame):
         self.stop.clicked.connect(self.stop_clicked)
         self.time = ElidedLabel()
         self.time.setAccessibleName(self.tr("Time"))
+        self.speed = QLabel()
+        self.speed.setToolTip(self.tr("Speed; Backspace for normal speed"))
+        self.speed.hide()
+        self.mute = tool_button("volume", "", "")
+        self.mute.clicked.connect(self.mute_clicked)
+        self.volume = self._volume_slider()
         self.feedback = self._combo(
             self.tr("Feedback"), self.tr("Which force goes with the clip")
         )
@@ -82,6 +92,7 @@ class Transport(QFrame):
         self._lay_out()
         self.show_playing(is_playing=False)
         self.show_stopped(is_stopped=False)
+        self.show_volume(100, is_muted=False)
         self.set_duration(0.0)
 
     def _lay_out(self) -> None:
@@ -96,7 +107,11 @@ class Transport(QFrame):
         row.addWidget(self.play)
         row.addWidget(self.stop)
         row.addWidget(self.time)
+        row.addWidget(self.speed)
         row.addStretch(1)
+        row.addWidget(self.mute)
+        row.addWidget(self.volume)
+        row.addSpacing(6)
         for combo in (self.feedback, self.device):
             row.addWidget(_caption(combo))
             row.addWidget(combo, _BEFORE_THE_GAP)
@@ -126,6 +141,36 @@ class Transport(QFrame):
         combo.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         return combo
 
+    def _volume_slider(self) -> QSlider:
+        slider = QSlider(Qt.Orientation.Horizontal)
+        slider.setRange(0, 100)
+        slider.setPageStep(_VOLUME_PAGE)
+        slider.setMinimumWidth(_LEAST_VOLUME_PX)
+        slider.setMaximumWidth(_VOLUME_PX)
+        slider.setAccessibleName(self.tr("Volume"))
+        slider.setToolTip(self.tr("Volume (9 and 0)"))
+        slider.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+        slider.valueChanged.connect(self.volume_chosen)
+        return slider
+
+    def show_volume(self, percent: int, *, is_muted: bool) -> None:
+        """Show how loud it is."""
+        self.volume.blockSignals(True)
+        self.volume.setValue(percent)
+        self.volume.blockSignals(False)
+        is_silent = is_muted or percent == 0
+        self.mute.setIcon(
+            control_icon("muted" if is_silent else "volume", ICON_PX, theme.TEXT)
+        )
+        name = self.tr("Sound on") if is_muted else self.tr("Mute")
+        self.mute.setAccessibleName(name)
+        self.mute.setToolTip(self.tr("{name} (M)").format(name=name))
+
+    def show_speed(self, speed: float) -> None:
+        """Show the speed, where it is not the normal one."""
+        self.speed.setText(f"{speed:.2f}\u00d7")
+        self.speed.setVisible(abs(speed - 1.0) > 1e-3)
+
     def set_duration(self, duration_s: float) -> None:
         """Say how long the clip is; without one there is nothing to control."""
         self._duration_s = duration_s
@@ -150,14 +195,18 @@ class Transport(QFrame):
     def show_playing(self, *, is_playing: bool) -> None:
         """Offer to pause or to play."""
         name = self.tr("Pause") if is_playing else self.tr("Play")
-        self.play.setIcon(control_icon("pause" if is_playing else "play", ICON_PX))
+        self.play.setIcon(
+            control_icon("pause" if is_playing else "play", ICON_PX, theme.TEXT)
+        )
         self.play.setAccessibleName(name)
         self.play.setToolTip(self.tr("{name} (Space)").format(name=name))
 
     def show_stopped(self, *, is_stopped: bool) -> None:
         """Offer to stop the force, or to bring it back after a stop."""
         self.stop.setText(self._stop_text(is_stopped=is_stopped))
-        self.stop.setIcon(control_icon("rearm" if is_stopped else "stop", ICON_PX))
+        self.stop.setIcon(
+            control_icon("rearm" if is_stopped else "stop", ICON_PX, "#ffffff")
+        )
         set_role(self.stop, "rearm" if is_stopped else "stop")
         self.stop.setToolTip(
             self.tr("The force was stopped: let it come back (Ctrl+R)")
@@ -204,7 +253,6 @@ def _fill(combo: QComboBox, offered: Iterable[Choice]) -> None:
 
 
 def _caption(combo: QComboBox) -> QWidget:
-    label = QLabel(combo.accessibleName())
-    label.setStyleSheet(f"color: {theme.DIM};")
-    label.setBuddy(combo)
+    label = ElidedLabel(combo.accessibleName(), theme.DIM)
+    label.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
     return label

@@ -14,13 +14,16 @@ from app.bridge.settings import Settings
 from app.experimenter.study_menu import StudyMenu
 from app.player import choices, layout
 from app.player.actions import Actions
+from app.player.desktop import Desktop
 from app.player.dialogs import Dialogs
 from app.player.display import Display
 from app.player.empty_page import EmptyPage
 from app.player.escape import EscapeEverywhere
+from app.player.extras import Extras
 from app.player.files import dropped_path
 from app.player.fullscreen import Fullscreen
 from app.player.health_line import HealthLine
+from app.player.look_menus import LookMenus
 from app.player.plots_place import PlotsPlace
 from app.player.session import SKIP_S, Session
 from app.player.transport import Transport
@@ -63,18 +66,28 @@ class PlayerWindow(QMainWindow):
     ) -> None:
         super().__init__()
         self.player, self.surface = player, surface
-        self._clock, self._settings = clock, settings
+        self.clock, self.settings = clock, settings
         self._is_over = False
         self.session = Session(player, self.show_message)
         self.dialogs = Dialogs(self, self.session, settings)
         self.messages, self.job_bar = MessageBar(), JobBar()
         self.empty_page, self.plots = EmptyPage(), PlotsPlace()
         self.transport, self.health = Transport(), HealthLine()
-        self.commands = Actions(self)
+        self.commands = Actions(self, settings)
         self._lay_out()
         parts = (self.transport, self.plots, self.health)
         self.fullscreen = Fullscreen(self, surface, [self.menuBar(), *parts])
         self._display = Display(self, self.session, clock, parts)
+        self.extras = Extras(
+            self.session,
+            settings,
+            self.commands,
+            self.transport,
+            surface,
+            self.fullscreen,
+        )
+        self.desktop = Desktop(player, self)
+        self.looks = LookMenus(self.commands, settings)
         self.pump = Pump(player.poll, clock, self._on_gap, self)
         self._watch_turn = Cadence(WATCH_HZ)
         self._escape = EscapeEverywhere(self.stop, self)
@@ -82,7 +95,7 @@ class PlayerWindow(QMainWindow):
         self._settled.setSingleShot(True)
         self._settled.setInterval(SETTLED_MS)
         self._connect()
-        self._settings.restore_geometry(self, WIDTH_PX, HEIGHT_PX)
+        self.settings.restore_geometry(self, WIDTH_PX, HEIGHT_PX)
         self.transport.set_devices(choices.devices())
         room_px = self.screen().availableGeometry().height()
         self.show_plots(are_wanted=plots and room_px >= LEAST_SCREEN_PX)
@@ -123,11 +136,13 @@ class PlayerWindow(QMainWindow):
         transport.stop_clicked.connect(session.stop_or_rearm)
         transport.fullscreen_clicked.connect(self.toggle_fullscreen)
         transport.sought.connect(self.player.seek)
+        self.plots.sought.connect(self.player.seek)
         transport.feedback_chosen.connect(session.choose_feedback)
         transport.device_chosen.connect(self._on_device_chosen)
         page.demo_clicked.connect(session.open_demo)
         page.open_clicked.connect(self.dialogs.open_sequence)
         page.import_clicked.connect(self.dialogs.import_recording)
+        page.device_clicked.connect(transport.device.showPopup)
         self._connect_commands()
 
     def _connect_commands(self) -> None:
@@ -146,11 +161,16 @@ class PlayerWindow(QMainWindow):
             (commands.stop, self.stop),
             (commands.rearm, session.rearm),
             (commands.fullscreen, self.toggle_fullscreen),
-            (commands.get_to_know, lambda: self.dialogs.get_to_know(self._clock)),
+            (commands.get_to_know, lambda: self.dialogs.get_to_know(self.clock)),
             (commands.shortcuts, self.dialogs.shortcuts),
             (commands.about, self.dialogs.about),
+            (commands.open_log, self.dialogs.open_log),
+            (commands.export_settings, self.dialogs.export_settings),
+            (commands.import_settings, self.dialogs.import_settings),
         ):
             action.triggered.connect(slot)
+        self.dialogs.keys_changed.connect(commands.apply_keys)
+        self.dialogs.settings_taken.connect(self._on_settings_taken)
         commands.plots.toggled.connect(lambda on: self.show_plots(are_wanted=on))
         commands.grip.toggled.connect(lambda on: self.plots.show_grip(is_wanted=on))
 
@@ -192,7 +212,11 @@ class PlayerWindow(QMainWindow):
     def _on_device_chosen(self, name: str) -> None:
         self.messages.hide()
         self.session.choose_device(name)
-        self._settings.keep(DEVICE, self.player.link.device)
+        self.settings.keep(DEVICE, self.player.link.device)
+
+    def _on_settings_taken(self) -> None:
+        self.commands.apply_keys()
+        self.extras.take_settings()
 
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:
         """Take files and folders."""
@@ -209,13 +233,14 @@ class PlayerWindow(QMainWindow):
     # --- what the session tells ----------------------------------------------
 
     def _on_gap(self) -> None:
-        if not self._watch_turn.is_due(self._clock.now_s()):
+        if not self._watch_turn.is_due(self.clock.now_s()):
             return
         self.session.watch()
         if not self.fullscreen.is_on:
             state = self.session.jobs.state()
-            self.job_bar.show_state(state, self._clock.now_s())
+            self.job_bar.show_state(state, self.clock.now_s())
         self._display.refresh()
+        self.extras.refresh(self.clock.now_s())
 
     def _on_opening(self, source: Source) -> None:
         self.messages.hide()
@@ -249,6 +274,8 @@ class PlayerWindow(QMainWindow):
         self.transport.show_stopped(is_stopped=self.session.is_stopped)
         self.transport.select_feedback(self.player.feedback)
         self._show_device(self.player.link.device)
+        self.extras.show_force()
+        self.desktop.follow()
         self._display.refresh_soon()
 
     def _show_device(self, name: str) -> None:
@@ -264,17 +291,25 @@ class PlayerWindow(QMainWindow):
 
     def _keep_geometry(self) -> None:
         if not self.fullscreen.is_on:
-            self._settings.keep_geometry(self)
+            self.settings.keep_geometry(self)
 
     def closeEvent(self, event: QCloseEvent) -> None:
         """Bring the hand to rest, and everything to an end."""
         event.accept()
         if self._is_over:
             return
+        self.hand_over()
+        self.session.close()
+
+    def hand_over(self) -> None:
+        """Let go of everything but the player, which another window may take over."""
         self._is_over = True
+        self.fullscreen.leave()
         self.pump.stop()
         self._settled.stop()
         self._escape.remove()
         self._keep_geometry()
-        self._settings.save()
-        self.session.close()
+        self.extras.close()
+        self.desktop.close()
+        self.settings.save()
+        self.session.jobs.close()

@@ -18,19 +18,23 @@ from app.plots.grip_scene import Activity, Grip
 from app.widgets import theme
 from hapticplayer.model.device import Vector
 
-# What was planned is white and thin, the centring Okabe and Ito's purple.
-PLANNED, CENTRING = theme.TEXT, "#cc79a7"
-COLOURS = {
-    Activity.OFF: theme.DIM,
-    Activity.CHANGING: theme.WARN,
-    Activity.ACTIVE: theme.GOOD,
-    Activity.STOPPED: theme.BAD,
-}
-_BALL, _SHADOW, _TRAIL = QColor("#cdd5de"), QColor(0, 0, 0, 150), QColor(theme.ACCENT)
+# What was planned is thin and as light as a text, the centring Okabe and Ito's purple.
+CENTRING = "#cc79a7"
+_BALL, _SHADOW = QColor("#cdd5de"), QColor(0, 0, 0, 150)
 _SHAFT_SHARE, _HEAD_SHARE = 0.035, 0.085  # half widths, of the workspace's radius
 _HEAD_LENGTHS = 2.2  # of the head, in its half widths
 _THIN = 0.45  # of planned and centring beside the force
 _CAP_RAD = math.radians(24.0)
+
+
+def colours() -> dict[Activity, str]:
+    """Return the colour of the force by what is done with it."""
+    return {
+        Activity.OFF: theme.DIM,
+        Activity.CHANGING: theme.WARN,
+        Activity.ACTIVE: theme.GOOD,
+        Activity.STOPPED: theme.BAD,
+    }
 
 
 def paint_moving(
@@ -41,8 +45,8 @@ def paint_moving(
     _paint_shadow(painter, view, position_m)
     _paint_trail(painter, view, grip)
     arrows = [
-        (grip.arrow_m(grip.planned_n), QColor(PLANNED), _THIN),
-        (grip.arrow_m(grip.force_n), QColor(COLOURS[grip.activity]), 1.0),
+        (grip.arrow_m(grip.planned_n), QColor(theme.TEXT), _THIN),
+        (grip.arrow_m(grip.force_n), QColor(colours()[grip.activity]), 1.0),
         (grip.arrow_m(grip.centring_n), QColor(CENTRING), _THIN),
     ]
     shown = [(arrow, colour, share) for arrow, colour, share in arrows if arrow]
@@ -118,7 +122,7 @@ def _paint_trail(painter: QPainter, view: Projection, grip: Grip) -> None:
     points = [QPointF(*view.px(point)) for point in grip.trail_m]
     for number in range(1, len(points)):
         share = number / len(points)
-        colour = QColor(_TRAIL)
+        colour = QColor(theme.ACCENT)
         colour.setAlphaF(share * share)
         painter.setPen(QPen(colour, 1.0 + share))
         painter.drawLine(points[number - 1], points[number])

@@ -25,8 +25,6 @@ from hapticplayer.model.device import Vector
 translate = QCoreApplication.translate
 
 LEAST_FOR_WORDS_PX = 130.0  # of the shorter side; a smaller picture names no axes
-_FLOOR, _GRID = QColor("#20262d"), QColor("#343c46")
-_ARC_BEHIND, _ARC_BEFORE = QColor("#3d4650"), QColor("#6d7985")
 _GAP_PX = 4.0
 
 
@@ -97,8 +95,8 @@ def _begun(layer: QPixmap, font: QFont) -> QPainter:
 def _paint_floor(painter: QPainter, view: Projection) -> None:
     """Draw what makes heights visible, together with the grip's shadow."""
     height_m = -view.radius_m
-    painter.setPen(QPen(_GRID, 1.0))
-    painter.setBrush(_FLOOR)
+    painter.setPen(QPen(QColor(theme.GRID), 1.0))
+    painter.setBrush(QColor(theme.FLOOR))
     painter.drawPolygon(
         polygon(view, scene.floor_disc(view.radius_m, (0.0, height_m, 0.0)))
     )
@@ -113,14 +111,14 @@ def _paint_sphere(painter: QPainter, view: Projection) -> None:
     shade.setColorAt(0.0, QColor(120, 150, 185, 8))
     shade.setColorAt(0.75, QColor(120, 150, 185, 22))
     shade.setColorAt(1.0, QColor(120, 150, 185, 62))
-    painter.setPen(QPen(_ARC_BEHIND, 1.0))
+    painter.setPen(QPen(QColor(theme.BORDER), 1.0))
     painter.setBrush(shade)
     painter.drawEllipse(middle, radius_px, radius_px)
 
 
 def _paint_arcs(painter: QPainter, view: Projection, *, are_in_front: bool) -> None:
     """Draw the half of the great circles that is before or behind the rest."""
-    colour = _ARC_BEFORE if are_in_front else _ARC_BEHIND
+    colour = QColor(theme.ZERO if are_in_front else theme.BORDER)
     painter.setPen(QPen(colour, 1.0))
     for circle in scene.great_circles(view.radius_m):
         run: list[Vector] = []

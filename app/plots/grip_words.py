@@ -7,7 +7,7 @@ from PySide6.QtCore import QCoreApplication, QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter
 
 from app.plots.grip_camera import Projection
-from app.plots.grip_moving import CENTRING, COLOURS, arrow_tip, zone_colour
+from app.plots.grip_moving import CENTRING, arrow_tip, colours, zone_colour
 from app.plots.grip_scene import LEAST_SHOWN_N, Activity, Grip
 from app.widgets import theme
 
@@ -23,15 +23,13 @@ _SIGNS = {
 _NEAR, _AT_THE_EDGE = "\u25b2", "\u25a0"
 _MARGIN_PX = 8.0
 _BESIDE_PX = 12.0
-_PLATE = QColor(theme.PANEL)
-_PLATE.setAlpha(225)
 
 
 def paint_words(painter: QPainter, view: Projection, grip: Grip) -> None:
     """Write excursion and forces; without a grip why there is none, in the middle."""
     room = _inside(view)
     if grip.position_m is None:
-        colour = COLOURS[grip.activity]
+        colour = colours()[grip.activity]
         _write(painter, room, Qt.AlignmentFlag.AlignCenter, grip.state, colour)
         return
     corner = Qt.AlignmentFlag.AlignBottom | Qt.AlignmentFlag.AlignLeft
@@ -50,7 +48,7 @@ def paint_words(painter: QPainter, view: Projection, grip: Grip) -> None:
 
 def headline(grip: Grip) -> str:
     """Return title and state as rich text of one line, or more where it is narrow."""
-    sign, colour = _SIGNS[grip.activity], COLOURS[grip.activity]
+    sign, colour = _SIGNS[grip.activity], colours()[grip.activity]
     title = f"<b>{html.escape(grip.title)}</b>"
     if grip.position_m is None:  # the picture says it, where there is room for it
         return title
@@ -130,5 +128,7 @@ def _write(
 
 def _paint_plate(painter: QPainter, plate: QRectF) -> None:
     painter.setPen(Qt.PenStyle.NoPen)
-    painter.setBrush(_PLATE)
+    ground = QColor(theme.PANEL)
+    ground.setAlpha(225)
+    painter.setBrush(ground)
     painter.drawRoundedRect(plate, 3.0, 3.0)

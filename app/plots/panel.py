@@ -1,6 +1,6 @@
 """Acceleration and force around the playhead, and the grip in space, side by side."""
 
-from PySide6.QtCore import QCoreApplication, Qt
+from PySide6.QtCore import QCoreApplication, Qt, Signal
 from PySide6.QtWidgets import (
     QHBoxLayout,
     QLabel,
@@ -14,7 +14,9 @@ from app.plots.grip_scene import Grip
 from app.plots.grip_view import GripView
 from app.plots.grip_words import headline
 from app.plots.playhead_plot import PlayheadPlot
+from app.plots.save_view import SaveButton
 from app.plots.series import EMPTY, Page, Trail, cut, half_range, sampled, thin
+from app.plots.view_span import ViewSpan
 from app.widgets import theme
 from hapticplayer.playback.meters import TickHistory
 from hapticplayer.playback.source import Source
@@ -31,9 +33,9 @@ _SHARES = (400, 400, 300)  # of the width: acceleration, force, grip
 class AccelerationPlot(PlayheadPlot):
     """The camera's motion without gravity, in the frame of who carried it."""
 
-    def __init__(self) -> None:
+    def __init__(self, span: ViewSpan | None = None) -> None:
         super().__init__(
-            translate("PlotPanel", "Acceleration around the playhead"), (1.0,)
+            translate("PlotPanel", "Acceleration around the playhead"), (1.0,), span
         )
         self._source: Source | None = None
 
@@ -65,9 +67,9 @@ class AccelerationPlot(PlayheadPlot):
 class ForcePlot(PlayheadPlot):
     """The planned force, thin, and over it what was sent to the device, thick."""
 
-    def __init__(self) -> None:
+    def __init__(self, span: ViewSpan | None = None) -> None:
         super().__init__(
-            translate("PlotPanel", "Force around the playhead"), (1.0, 2.0)
+            translate("PlotPanel", "Force around the playhead"), (1.0, 2.0), span
         )
         self._source: Source | None = None
         self._feedback = ""
@@ -96,7 +98,9 @@ class ForcePlot(PlayheadPlot):
         if history is not self._history:
             self._history, self._trail = history, Trail()
         self._trail.add(history.since(self._trail.last_tick_s))
-        self.set_lines(_SENT, self._trail.page())
+        self.set_lines(
+            _SENT, thin(cut(*self._trail.page(), *self.span.around(media_s)))
+        )
         self.set_playhead(media_s)
 
     def _planned(self, first_s: float, last_s: float) -> Page:
@@ -108,13 +112,24 @@ class ForcePlot(PlayheadPlot):
 
 
 class PlotPanel(QWidget):
-    """Both plots with their titles and legends, and the grip; each can be made wider."""
+    """Both plots with their titles and legends, and the grip; each can be made wider.
+
+    Signals:
+        sought: a person wants to be at this time, s.
+    """
+
+    sought = Signal(float)
 
     def __init__(self) -> None:
         super().__init__()
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
-        self.acceleration = AccelerationPlot()
-        self.force = ForcePlot()
+        self.span = ViewSpan()
+        self.acceleration = AccelerationPlot(self.span)
+        self.force = ForcePlot(self.span)
+        self.acceleration.sought.connect(self.sought)
+        self.force.sought.connect(self.sought)
+        self._last: tuple[float, str, TickHistory] | None = None
+        self.span.changed.connect(self._on_span)
         self.grip = GripView()
         self._grip_title = _headline(headline(self.grip.grip))
         self._grip_box = _boxed(self._grip_title, self.grip)
@@ -163,8 +178,16 @@ class PlotPanel(QWidget):
 
     def follow(self, media_s: float, feedback: str, history: TickHistory) -> None:
         """Draw what lies around a media time."""
+        self._last = (media_s, feedback, history)
         self.acceleration.follow(media_s)
         self.force.follow(media_s, feedback, history)
+
+    def _on_span(self) -> None:
+        """Draw again: other seconds are wanted."""
+        if self._last is not None:
+            self.acceleration.forget_page()
+            self.force.forget_page()
+            self.follow(*self._last)
 
     def show_grip(self, grip: Grip) -> None:
         """Show where the grip is and what acts on it."""
@@ -185,7 +208,7 @@ def _titled(
         for name, colour in zip(axes, theme.AXIS_COLOURS, strict=True)
     )
     tail = f"&nbsp;&nbsp; <span style='color:{theme.DIM}'>{note}</span>" if note else ""
-    return _boxed(_headline(f"<b>{title}</b>{entries}{tail}"), plot)
+    return _boxed(_headline(f"<b>{title}</b>{entries}{tail}"), plot, SaveButton(plot))
 
 
 def _headline(text: str) -> QLabel:
@@ -197,13 +220,15 @@ def _headline(text: str) -> QLabel:
     return made
 
 
-def _boxed(title: QWidget, content: QWidget) -> QWidget:
+def _boxed(title: QWidget, content: QWidget, tool: QWidget | None = None) -> QWidget:
     """Return something to look at under its title."""
     box = QWidget()
     box.setStyleSheet(f"background: {theme.PANEL};")
     line = QHBoxLayout()
     line.setContentsMargins(10, 6, 6, 0)
-    line.addWidget(title)
+    line.addWidget(title, 1)
+    if tool is not None:
+        line.addWidget(tool)
     column = QVBoxLayout(box)
     column.setContentsMargins(0, 0, 0, 0)
     column.setSpacing(0)

@@ -11,17 +11,20 @@ from typing import Any
 
 os.environ.setdefault("PYQTGRAPH_QT_LIB", "PySide6")
 
+import numpy as np
 import pyqtgraph as pg
-from PySide6.QtCore import QRectF, Qt
+from PySide6.QtCore import QEvent, QRectF, Qt, Signal
 from PySide6.QtGui import QColor, QPainter, QResizeEvent
 
-from app.plots.series import HALF_WINDOW_S, PAGE_MARGIN_S, Page
+from app.plots.plot_pointer import PlotPointer
+from app.plots.series import EMPTY, PAGE_MARGIN_S, Page, cut
+from app.plots.view_span import ViewSpan
 from app.widgets import theme
 
-_TICK_S = 2.0
+_TICKS_S = (0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 15.0)
+_TICKS = 5  # about, in a view
 _AXIS_WIDTH_PX = 46
 _LABELS_PX = 18
-_GRID, _ZERO, _PLAYHEAD = QColor("#30373f"), QColor("#59636f"), QColor(theme.TEXT)
 
 
 _EVERYWHERE = QRectF(-1e7, -1e7, 2e7, 2e7)
@@ -44,12 +47,17 @@ class PlayheadPlot(pg.PlotWidget):
     Args:
         name: for screen readers.
         widths_px: pen width of each group of three lines; later ones lie on top.
+        span: which seconds are shown; shared by plots that go together.
     """
 
-    def __init__(self, name: str, widths_px: tuple[float, ...]) -> None:
+    sought = Signal(float)
+    """A person wants to be at this time, s."""
+
+    def __init__(
+        self, name: str, widths_px: tuple[float, ...], span: ViewSpan | None = None
+    ) -> None:
         super().__init__(background=theme.PANEL)
         self.setAccessibleName(name)
-        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self.setFrameShape(pg.QtWidgets.QFrame.Shape.NoFrame)
         self.setMinimumSize(120, 80)
         # everything moves, and the times are no items of the scene
@@ -57,10 +65,12 @@ class PlayheadPlot(pg.PlotWidget):
         self.setCacheMode(self.CacheModeFlag.CacheNone)
         self._notice = ""
         self._media_s = 0.0
+        self.span = span or ViewSpan()
         self._page_s = (math.inf, -math.inf)
         self._view: Any = self.getPlotItem().getViewBox()
         self._set_up_item(self.getPlotItem())
         self._groups = [self._make_group(width) for width in widths_px]
+        self.pointer = PlotPointer(self)
         self.set_playhead(0.0)
 
     def _set_up_item(self, item: Any) -> None:
@@ -105,7 +115,7 @@ class PlayheadPlot(pg.PlotWidget):
 
     def new_page(self, media_s: float) -> tuple[float, float] | None:
         """Return the span to draw anew, None while the present page covers the view."""
-        first_s, last_s = media_s - HALF_WINDOW_S, media_s + HALF_WINDOW_S
+        first_s, last_s = self.span.around(media_s)
         if self._page_s[0] <= first_s and last_s <= self._page_s[1]:
             return None
         self._page_s = (first_s - PAGE_MARGIN_S, last_s + PAGE_MARGIN_S)
@@ -118,9 +128,7 @@ class PlayheadPlot(pg.PlotWidget):
     def set_playhead(self, media_s: float) -> None:
         """Move the middle of the view to a media time."""
         self._media_s = media_s
-        self._view.setXRange(
-            media_s - HALF_WINDOW_S, media_s + HALF_WINDOW_S, padding=0
-        )
+        self._view.setXRange(*self.span.around(media_s), padding=0)
         self._view.updateMatrix()  # now, not in the middle of painting
 
     def drawBackground(self, painter: QPainter, rect: QRectF) -> None:  # noqa: N802
@@ -131,9 +139,9 @@ class PlayheadPlot(pg.PlotWidget):
         box: QRectF = self._view.sceneBoundingRect()
         # filled rectangles: a line of the painter takes 60 us, these take 5
         for tick_s in self._ticks():
-            painter.fillRect(_upright(box, self._x(box, tick_s)), _GRID)
+            painter.fillRect(_upright(box, self._x(box, tick_s)), QColor(theme.GRID))
         middle = QRectF(box.left(), round(box.center().y()), box.width(), 1)
-        painter.fillRect(middle, _ZERO)
+        painter.fillRect(middle, QColor(theme.ZERO))
         painter.restore()
 
     def drawForeground(self, painter: QPainter, _rect: QRectF) -> None:  # noqa: N802
@@ -149,18 +157,66 @@ class PlayheadPlot(pg.PlotWidget):
                 painter.drawText(row, Qt.AlignmentFlag.AlignCenter, clock_text(tick_s))
         if self._notice:
             painter.drawText(box, Qt.AlignmentFlag.AlignCenter, self._notice)
-        else:
-            painter.fillRect(_upright(box, round(box.center().x())), _PLAYHEAD)
+        elif box.left() <= (head := self._x(box, self._media_s)) <= box.right():
+            painter.fillRect(_upright(box, head), QColor(theme.TEXT))
+        self.pointer.paint(painter, box)
         painter.restore()
 
     def _ticks(self) -> list[float]:
-        first = math.ceil((self._media_s - HALF_WINDOW_S) / _TICK_S)
-        last = math.floor((self._media_s + HALF_WINDOW_S) / _TICK_S)
-        return [k * _TICK_S for k in range(max(0, first), last + 1)]
+        first_s, last_s = self.span.around(self._media_s)
+        step_s = next(
+            (s for s in _TICKS_S if s * _TICKS >= last_s - first_s), _TICKS_S[-1]
+        )
+        first, last = math.ceil(first_s / step_s), math.floor(last_s / step_s)
+        return [k * step_s for k in range(max(0, first), last + 1)]
 
     def _x(self, box: QRectF, media_s: float) -> float:
-        share = (media_s - self._media_s) / (2 * HALF_WINDOW_S)
-        return round(box.center().x() + share * box.width())
+        first_s, last_s = self.span.around(self._media_s)
+        return round(
+            box.left() + (media_s - first_s) / (last_s - first_s) * box.width()
+        )
+
+    def time_at(self, x_px: float) -> float:
+        """Return the media time at a place of the widget."""
+        box: QRectF = self._view.sceneBoundingRect()
+        first_s, last_s = self.span.around(self._media_s)
+        return first_s + (x_px - box.left()) / max(1.0, box.width()) * (
+            last_s - first_s
+        )
+
+    def values_at(self, media_s: float) -> list[list[float]]:
+        """Return x, y, z of each group at a time; nothing where it has no line."""
+        found = []
+        for group in self._groups:
+            times_s = group[0].getData()[0]
+            if times_s is None or not len(times_s):
+                continue
+            if times_s[0] <= media_s <= times_s[-1]:
+                lines = (curve.getData()[1] for curve in group)
+                found.append([float(np.interp(media_s, times_s, y)) for y in lines])
+        return found
+
+    def pages(self) -> list[Page]:
+        """Return what is in view of each group."""
+        pages = []
+        for group in self._groups:
+            times_s = group[0].getData()[0]
+            if times_s is None or not len(times_s):
+                pages.append(EMPTY)
+                continue
+            values = np.stack([curve.getData()[1] for curve in group], axis=1)
+            pages.append(cut(times_s, values, *self.span.around(self._media_s)))
+        return pages
+
+    def viewportEvent(self, event: QEvent) -> bool:
+        """Give the pointer its events first."""
+        is_taken = hasattr(self, "pointer") and self.pointer.takes(event)
+        return is_taken or bool(super().viewportEvent(event))
+
+    def event(self, event: QEvent) -> bool:
+        """Give the keys of the view to it, before the window's shortcuts."""
+        is_taken = hasattr(self, "pointer") and self.pointer.takes_key(event)
+        return is_taken or bool(super().event(event))
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Keep the transform ahead of the painting."""
@@ -175,7 +231,11 @@ def _upright(box: QRectF, x: float) -> QRectF:
 
 
 def clock_text(media_s: float) -> str:
-    """Return a time of whole seconds as m:ss or h:mm:ss."""
-    minutes, seconds = divmod(round(media_s), 60)
+    """Return a time as m:ss or h:mm:ss, with a tenth where it has one."""
+    tenths = round(10 * media_s)
+    minutes, tenths = divmod(tenths, 600)
     hours, minutes = divmod(minutes, 60)
-    return f"{hours}:{minutes:02}:{seconds:02}" if hours else f"{minutes}:{seconds:02}"
+    rest = f".{tenths % 10}" if tenths % 10 else ""
+    clock = f"{minutes:02}" if hours else f"{minutes}"
+    whole = f"{clock}:{tenths // 10:02}{rest}"
+    return f"{hours}:{whole}" if hours else whole

@@ -15,6 +15,7 @@ from hapticplayer.model import ForceTrack
 Floats = NDArray[np.float64]
 
 HALF_WINDOW_S = 4.0
+SHORTEST_HALF_S, LONGEST_HALF_S = 0.5, 30.0  # by zooming
 PAGE_MARGIN_S = 2.0
 MOST_POINTS = 800
 TRACK_RATE_HZ = 200.0  # of the recordings; finer than a pixel after thinning
@@ -111,7 +112,7 @@ class Trail:
         # a pause steps back by what the loop had extrapolated: no jump
         jumps = np.flatnonzero(np.abs(step_s) > JUMP_S)
         start = int(jumps[-1]) + 1 if len(jumps) else 0
-        oldest_s = time_s[-1] - HALF_WINDOW_S - _TRAIL_MARGIN_S
+        oldest_s = time_s[-1] - LONGEST_HALF_S - _TRAIL_MARGIN_S
         start = max(start, int(np.searchsorted(time_s[start:], oldest_s)) + start)
         keep = _spaced(time_s, max(start, known), last_kept=known - 1 >= start)
         rows = np.concatenate([np.arange(start, known), keep]).astype(np.intp)

@@ -4,6 +4,7 @@ from PySide6.QtCore import QEvent, QSize, Qt
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QPushButton, QWidget
 
+from app.widgets import theme
 from app.widgets.icons import control_icon
 
 ICON_PX = 20
@@ -49,7 +50,7 @@ def tool_button(picture: str, name: str, tip: str) -> Button:
     """Return a button with a drawing; its name is for screen readers."""
     button = Button()
     set_role(button, "tool")
-    button.setIcon(control_icon(picture, ICON_PX))
+    button.setIcon(control_icon(picture, ICON_PX, theme.TEXT))
     button.setIconSize(QSize(ICON_PX, ICON_PX))
     button.setFixedSize(QSize(ICON_PX + 20, ICON_PX + 14))
     button.setAccessibleName(name)

@@ -4,10 +4,11 @@ from functools import cache
 from pathlib import Path
 
 from PySide6.QtCore import QSize, Qt
-from PySide6.QtGui import QIcon, QPainter, QPixmap
+from PySide6.QtGui import QColor, QIcon, QPainter, QPixmap
 
 FOLDER = Path(__file__).resolve().parents[2] / "resources" / "icons"
 _OFF_OPACITY = 0.35
+_ONLY_ITS_SHAPE = QPainter.CompositionMode.CompositionMode_SourceIn
 _RATIOS = (1.0, 1.25, 1.5, 2.0, 3.0)  # of screens
 
 
@@ -18,14 +19,17 @@ def icon(name: str) -> QIcon:
 
 
 @cache
-def control_icon(name: str, size_px: int) -> QIcon:
-    """Return an icon of one size that fades when its control is disabled.
+def control_icon(name: str, size_px: int, colour: str) -> QIcon:
+    """Return an icon of one size and colour that fades when its control is disabled.
 
     Qt's own way of greying leaves a light drawing as light as it was.
     """
     made = QIcon()
     for ratio in _RATIOS:
         drawing = icon(name).pixmap(QSize(size_px, size_px), ratio)
+        with QPainter(drawing) as painter:
+            painter.setCompositionMode(_ONLY_ITS_SHAPE)
+            painter.fillRect(drawing.rect(), QColor(colour))
         made.addPixmap(drawing, QIcon.Mode.Normal)
         made.addPixmap(_faded(drawing), QIcon.Mode.Disabled)
     return made

@@ -8,9 +8,6 @@ from app.widgets import theme
 from app.widgets.buttons import text_button
 from app.widgets.labels import ElidedLabel
 
-_STYLE = f"""
-JobBar {{ background: {theme.PANEL}; border: 0; border-bottom: 1px solid {theme.BORDER}; }}
-"""
 _PARTS = 1000
 _AT_ONCE_S = 0.3
 
@@ -22,7 +19,10 @@ class JobBar(QFrame):
 
     def __init__(self) -> None:
         super().__init__()
-        self.setStyleSheet(_STYLE)
+        self.setStyleSheet(
+            f"JobBar {{ background: {theme.PANEL}; "
+            f"border: 0; border-bottom: 1px solid {theme.BORDER}; }}"
+        )
         self._since_s: float | None = None
         self._label = ElidedLabel()
         self._bar = QProgressBar()

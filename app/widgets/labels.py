@@ -13,14 +13,14 @@ class ElidedLabel(QWidget):
     def __init__(
         self,
         text: str = "",
-        colour: str = theme.TEXT,
+        colour: str = "",
         parent: QWidget | None = None,
         *,
         elide: Qt.TextElideMode = Qt.TextElideMode.ElideRight,
     ) -> None:
         super().__init__(parent)
         self._text = text
-        self._colour = QColor(colour)
+        self._colour = QColor(colour or theme.TEXT)
         self._elide = elide
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
 

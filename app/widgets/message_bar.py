@@ -7,9 +7,6 @@ from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QSizePolicy
 from app.widgets import theme
 from app.widgets.buttons import text_button
 
-_STYLE = f"""
-MessageBar {{ background: #4a1d22; border: 0; border-bottom: 1px solid {theme.BAD}; }}
-"""
 _LONGEST = 600
 
 
@@ -18,7 +15,10 @@ class MessageBar(QFrame):
 
     def __init__(self) -> None:
         super().__init__()
-        self.setStyleSheet(_STYLE)
+        self.setStyleSheet(
+            f"MessageBar {{ background: {theme.ALARM}; "
+            f"border: 0; border-bottom: 1px solid {theme.BAD}; }}"
+        )
         self._sign = QLabel("\u25a0")  # the same sign as "bad" in the health line
         self._sign.setStyleSheet(f"color: {theme.BAD};")
         self._text = QLabel()

@@ -1,14 +1,23 @@
 """The bar under the picture: where the clip is, and where it shall go."""
 
-from PySide6.QtCore import QPointF, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QPen
+from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
+from PySide6.QtGui import (
+    QColor,
+    QImage,
+    QKeyEvent,
+    QMouseEvent,
+    QPainter,
+    QPaintEvent,
+    QPen,
+)
 from PySide6.QtWidgets import QAbstractSlider, QSizePolicy, QSlider, QWidget
 
 from app.widgets import theme
 
-_HEIGHT_PX = 26
+_HEIGHT_PX = 32
 _GROOVE_PX = 6.0
 _HANDLE_PX = 8.0
+_HEAT_PX, _MARK_PX = 5.0, 2.0
 _STEP_MS, _PAGE_MS = 1_000, 10_000
 
 
@@ -22,6 +31,9 @@ class SeekSlider(QSlider):
     sought = Signal(float)
     """A person wants to be at this time, s."""
 
+    hovered = Signal(float)
+    """The pointer is at this time, s; negative when it has left."""
+
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setOrientation(Qt.Orientation.Horizontal)
@@ -30,11 +42,25 @@ class SeekSlider(QSlider):
         self.setSingleStep(_STEP_MS)
         self.setPageStep(_PAGE_MS)
         self._painted_px = -1
+        self._heat: QImage | None = None
+        self._marks_s: tuple[float, ...] = ()
+        self.setMouseTracking(True)
 
     def set_duration(self, duration_s: float) -> None:
         """Say how long the clip is, s."""
         self.setRange(0, max(0, round(1e3 * duration_s)))
         self.setEnabled(duration_s > 0.0)
+
+    def set_heat(self, heat: QImage | None) -> None:
+        """Show a strip under the bar, one row of pixels over the whole clip."""
+        self._heat = heat
+        self.update()
+
+    def set_marks(self, marks_s: tuple[float, ...]) -> None:
+        """Show where a loop begins and ends."""
+        if marks_s != self._marks_s:
+            self._marks_s = marks_s
+            self.update()
 
     def follow(self, media_s: float) -> None:
         """Show where the clip is, unless a person holds the handle."""
@@ -67,6 +93,13 @@ class SeekSlider(QSlider):
         """Scrub."""
         if self.isSliderDown():
             self._go(event.position().x())
+        if self.maximum() > 0:
+            self.hovered.emit(1e-3 * self._value_at(event.position().x()))
+
+    def leaveEvent(self, event: QEvent) -> None:
+        """Tell that nobody points at a time any more."""
+        self.hovered.emit(-1.0)
+        super().leaveEvent(event)
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         """Let go."""
@@ -81,31 +114,50 @@ class SeekSlider(QSlider):
             self.sought.emit(1e-3 * self.value())
 
     def _go(self, x_px: float) -> None:
-        span_px = max(1.0, self.width() - 2 * _HANDLE_PX)
-        share = min(1.0, max(0.0, (x_px - _HANDLE_PX) / span_px))
-        value = round(share * self.maximum())
+        value = self._value_at(x_px)
         if value != self.value():
             self.setValue(value)
             self.sought.emit(1e-3 * value)
 
-    def _handle_x(self) -> float:
-        share = self.value() / self.maximum() if self.maximum() else 0.0
+    def _value_at(self, x_px: float) -> int:
+        span_px = max(1.0, self.width() - 2 * _HANDLE_PX)
+        share = min(1.0, max(0.0, (x_px - _HANDLE_PX) / span_px))
+        return round(share * self.maximum())
+
+    def x_of(self, media_s: float) -> float:
+        """Return where a time lies, px."""
+        share = 1e3 * media_s / self.maximum() if self.maximum() else 0.0
         return _HANDLE_PX + share * (self.width() - 2 * _HANDLE_PX)
+
+    def _handle_x(self) -> float:
+        return self.x_of(1e-3 * self.value())
 
     def paintEvent(self, _event: QPaintEvent) -> None:
         """Draw the groove, what has been played, and the handle."""
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.setPen(Qt.PenStyle.NoPen)
-        x, middle = self._handle_x(), self.height() / 2
+        x, middle = self._handle_x(), self.height() / 2 - _HEAT_PX / 2
         self._painted_px = round(x)
         groove = QRectF(_HANDLE_PX, middle - _GROOVE_PX / 2, 0, _GROOVE_PX)
         for right, colour in ((self.width() - _HANDLE_PX, theme.BORDER), (x, None)):
             groove.setRight(right)
             painter.setBrush(QColor(colour or theme.ACCENT))
             painter.drawRoundedRect(groove, _GROOVE_PX / 2, _GROOVE_PX / 2)
+        self._paint_extras(painter)
+        painter.setPen(Qt.PenStyle.NoPen)
         if self.isEnabled():
             painter.setBrush(QColor(theme.TEXT))
             if self.hasFocus():
                 painter.setPen(QPen(QColor(theme.ACCENT), 3))
             painter.drawEllipse(QPointF(x, middle), _HANDLE_PX - 1, _HANDLE_PX - 1)
+
+    def _paint_extras(self, painter: QPainter) -> None:
+        """Draw the strip under the groove, and the marks of a loop through both."""
+        span_px, bottom = self.width() - 2 * _HANDLE_PX, self.height() - 1.0
+        if self._heat is not None:
+            strip = QRectF(_HANDLE_PX, bottom - _HEAT_PX, span_px, _HEAT_PX)
+            painter.drawImage(strip, self._heat)
+        painter.setBrush(QColor(theme.WARN))
+        for mark_s in self._marks_s:
+            painter.drawRect(QRectF(self.x_of(mark_s) - 1, 2, _MARK_PX, bottom - 2))

@@ -1,33 +1,76 @@
-"""How everything looks: dark, calm, and at least 4.5 to 1 in contrast."""
+"""How everything looks: calm, and at least 4.5 to 1 in contrast; dark, light or strong."""
 
+from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor, QFont, QPalette
 from PySide6.QtWidgets import QApplication
 
 from app.widgets.icons import FOLDER
 
-BACKGROUND = "#14171b"
-PANEL = "#1b1f25"
-RAISED = "#282e36"
-HOVER = "#343c46"
-BORDER = "#3a434e"
-TEXT = "#e8ebef"
-DIM = "#a9b3bf"
-DISABLED = "#7d8794"
-ACCENT = "#4aa8ff"
-FOCUS = "#8ccaff"
-GOOD = "#56c98d"
-WARN = "#f2b84b"
-BAD = "#ff7b72"
+DARK, LIGHT, CONTRAST, SYSTEM = "dark", "light", "contrast", "system"
+LOOKS = {
+    DARK: {
+        "BACKGROUND": "#14171b", "PANEL": "#1b1f25", "RAISED": "#282e36",
+        "HOVER": "#343c46", "BORDER": "#3a434e", "TEXT": "#e8ebef", "DIM": "#a9b3bf",
+        "DISABLED": "#7d8794", "ACCENT": "#4aa8ff", "FOCUS": "#8ccaff",
+        "GOOD": "#56c98d", "WARN": "#f2b84b", "BAD": "#ff7b72", "ALARM": "#4a1d22",
+        "PRIMARY": "#1f5f9e", "PRIMARY_TEXT": "#ffffff", "CHOSEN": "#2f76bb",
+        "GRID": "#30373f", "ZERO": "#59636f", "FLOOR": "#20262d",
+    },
+    LIGHT: {
+        "BACKGROUND": "#f3f4f6", "PANEL": "#ffffff", "RAISED": "#eceef1",
+        "HOVER": "#dfe3e8", "BORDER": "#8d96a1", "TEXT": "#16191d", "DIM": "#4b5560",
+        "DISABLED": "#767f8a", "ACCENT": "#1565c0", "FOCUS": "#0b57b0",
+        "GOOD": "#0f7a45", "WARN": "#8a5a00", "BAD": "#b3261e", "ALARM": "#fde7e7",
+        "PRIMARY": "#1f5f9e", "PRIMARY_TEXT": "#ffffff", "CHOSEN": "#2f76bb",
+        "GRID": "#e3e6ea", "ZERO": "#9aa3ad", "FLOOR": "#eef0f3",
+    },
+    CONTRAST: {
+        "BACKGROUND": "#000000", "PANEL": "#000000", "RAISED": "#000000",
+        "HOVER": "#303030", "BORDER": "#ffffff", "TEXT": "#ffffff", "DIM": "#ffffff",
+        "DISABLED": "#b0b0b0", "ACCENT": "#ffff00", "FOCUS": "#ffff00",
+        "GOOD": "#40ff90", "WARN": "#ffd500", "BAD": "#ff9090", "ALARM": "#500000",
+        "PRIMARY": "#003f8f", "PRIMARY_TEXT": "#ffffff", "CHOSEN": "#0050c0",
+        "GRID": "#404040", "ZERO": "#a0a0a0", "FLOOR": "#101010",
+    },
+}  # fmt: skip
+
+# named here for readers and checkers; `use` gives them their values
+BACKGROUND = PANEL = RAISED = HOVER = BORDER = ""
+TEXT = DIM = DISABLED = ACCENT = FOCUS = ""
+GOOD = WARN = BAD = ALARM = PRIMARY = ""
+PRIMARY_TEXT = CHOSEN = GRID = ZERO = FLOOR = ""
 STOP = "#c2303c"
 STOP_HOVER = "#d64450"
 
-# Okabe and Ito: told apart with every kind of colour vision, and of different lightness.
-AXIS_COLOURS = ("#e69f00", "#56b4e9", "#009e73")
+# Okabe and Ito: told apart with every kind of colour vision, and of different
+# lightness; darker on light ground, in the same order of hue.
+AXES = {
+    DARK: ("#e69f00", "#56b4e9", "#009e73"),
+    LIGHT: ("#a86800", "#0072b2", "#006b4e"),
+    CONTRAST: ("#ffb000", "#66c2ff", "#00d69a"),
+}
+AXIS_COLOURS = AXES[DARK]
+name = DARK
+"""Of the look that is in use; its colours are names of this module."""
+
+
+def use(look: str) -> None:
+    """Take the colours of a look; what is shown already has to be made anew."""
+    global name  # noqa: PLW0603 - there is one look, as there is one application
+    name = look if look in LOOKS else DARK
+    globals().update(LOOKS[name], AXIS_COLOURS=AXES[name])
+
+
+use(DARK)
 
 _SMALLEST_PT = 10.0
 _ICONS = FOLDER.as_posix()
 
-_STYLE = f"""
+
+def style_sheet() -> str:
+    """Return the look of Qt's own widgets."""
+    arrow = "down-dark" if name == LIGHT else "down"
+    return f"""
 QMainWindow, QDialog {{ background: {BACKGROUND}; }}
 QDialog {{ border: 1px solid {BORDER}; }}
 QToolTip {{ background: {RAISED}; color: {TEXT}; border: 1px solid {BORDER};
@@ -52,9 +95,11 @@ QDoubleSpinBox QLineEdit, QDoubleSpinBox QLineEdit:focus,
 QDoubleSpinBox QLineEdit:disabled {{
   border: 0; padding: 0 6px; min-height: 0; background: transparent; }}
 QDoubleSpinBox {{ min-height: 28px; }}
-QPushButton[role="primary"] {{ background: #1f5f9e; border-color: #2f76bb; }}
-QPushButton[role="primary"]:hover {{ background: #276cb1; }}
-QPushButton[role="primary"]:disabled {{ background: {PANEL}; border-color: {BORDER}; }}
+QPushButton[role="primary"] {{ background: {PRIMARY}; border-color: {CHOSEN};
+  color: {PRIMARY_TEXT}; }}
+QPushButton[role="primary"]:hover {{ background: {CHOSEN}; }}
+QPushButton[role="primary"]:disabled {{ background: {PANEL}; border-color: {BORDER};
+  color: {DISABLED}; }}
 QPushButton[role="stop"] {{ background: {STOP}; border-color: {STOP};
   color: #ffffff; font-weight: bold; }}
 QPushButton[role="stop"]:hover {{ background: {STOP_HOVER}; }}
@@ -65,27 +110,38 @@ QPushButton[role="stop"]:focus, QPushButton[role="rearm"]:focus,
 QPushButton[role="primary"]:focus {{ border: 2px solid {FOCUS}; }}
 QPushButton[role="tool"] {{ padding: 4px; }}
 QPushButton[role="tool"]:focus {{ padding: 3px; }}
+QPushButton[role="small"] {{ padding: 0; min-height: 0; background: transparent; }}
+QPushButton[role="small"]:focus {{ padding: 0; }}
 QComboBox::drop-down {{ border: 0; width: 22px; }}
-QComboBox::down-arrow {{ image: url({_ICONS}/down.svg); width: 12px; height: 12px; }}
+QComboBox::down-arrow {{ image: url({_ICONS}/{arrow}.svg); width: 12px; height: 12px; }}
 QComboBox::down-arrow:disabled {{ image: none; }}
 QComboBox QAbstractItemView {{ background: {PANEL}; border: 1px solid {BORDER};
   selection-background-color: {HOVER}; selection-color: {TEXT}; outline: 0; }}
 QProgressBar {{ background: {RAISED}; border: 1px solid {BORDER}; border-radius: 4px;
   text-align: center; min-height: 18px; }}
-QProgressBar::chunk {{ background: #2f76bb; border-radius: 3px; }}
+QProgressBar::chunk {{ background: {CHOSEN}; border-radius: 3px; }}
 QSplitter::handle {{ background: {BORDER}; }}
 QSplitter::handle:hover {{ background: {ACCENT}; }}
 """
 
 
-def apply(application: QApplication) -> None:
-    """Give the application its look."""
+def wanted(application: QApplication, chosen: str) -> str:
+    """Return the look for what a person has chosen; the desktop's own for SYSTEM."""
+    if chosen in LOOKS:
+        return chosen
+    is_light = application.styleHints().colorScheme() is Qt.ColorScheme.Light
+    return LIGHT if is_light else DARK
+
+
+def apply(application: QApplication, chosen: str = DARK) -> None:
+    """Give the application a look."""
+    use(wanted(application, chosen))
     application.setStyle("Fusion")
     application.setPalette(palette())
     font = QFont(application.font())
     font.setPointSizeF(max(_SMALLEST_PT, font.pointSizeF()))
     application.setFont(fixed_digits(font))
-    application.setStyleSheet(_STYLE)
+    application.setStyleSheet(style_sheet())
 
 
 def palette() -> QPalette:
@@ -99,11 +155,11 @@ def palette() -> QPalette:
         roles.Text: TEXT,
         roles.Button: RAISED,
         roles.ButtonText: TEXT,
-        roles.BrightText: "#ffffff",
+        roles.BrightText: TEXT,
         roles.ToolTipBase: RAISED,
         roles.ToolTipText: TEXT,
         roles.PlaceholderText: DIM,
-        roles.Highlight: "#2f76bb",
+        roles.Highlight: CHOSEN,
         roles.HighlightedText: "#ffffff",
         roles.Link: FOCUS,
     }

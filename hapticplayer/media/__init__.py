@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from hapticplayer.media.encode import write_clip
     from hapticplayer.media.opening import open_media
     from hapticplayer.media.pictures import Picture
+    from hapticplayer.media.small_pictures import Thumbnail, thumbnails
     from hapticplayer.media.stretch import AudioStretcher
     from hapticplayer.media.telemetry import (
         TelemetryPacket,
@@ -30,12 +31,14 @@ _HOMES = {
     "DecodedFrame": "video",
     "Picture": "pictures",
     "TelemetryPacket": "telemetry",
+    "Thumbnail": "small_pictures",
     "VideoDecoder": "video",
     "add_telemetry": "telemetry_writer",
     "data_track_names": "telemetry",
     "open_media": "opening",
     "probe": "clip_info",
     "read_telemetry_packets": "telemetry",
+    "thumbnails": "small_pictures",
     "write_clip": "encode",
 }
 
@@ -47,12 +50,14 @@ __all__ = [
     "DecodedFrame",
     "Picture",
     "TelemetryPacket",
+    "Thumbnail",
     "VideoDecoder",
     "add_telemetry",
     "data_track_names",
     "open_media",
     "probe",
     "read_telemetry_packets",
+    "thumbnails",
     "write_clip",
 ]
 

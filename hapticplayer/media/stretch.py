@@ -41,7 +41,7 @@ class AudioStretcher:
         if block is None:
             self.is_over = True
             return self._flush()
-        made = []
+        made: list[AudioBlock] = []
         if self._graph is None or abs(block.media_s - self._next_s) > _GAP_S:
             made = self._flush()
             self._begin(block.media_s)

@@ -146,7 +146,6 @@ class Player:
         self._audio = self._open_audio() if source.clip.has_audio else None
         if self._audio is not None:
             self._audio_feeder = AudioFeeder(source.clip.path, self._ring)
-            self._audio_feeder.set_speed(self._media.speed)
         self.phase = Phase.PAUSED
         self._go_to(0.0)
         for feeder in (self._video_feeder, self._audio_feeder):
@@ -198,10 +197,7 @@ class Player:
 
     def toggle(self) -> None:
         """Play or pause."""
-        if self.is_playing:
-            self.pause()
-        else:
-            self.play()
+        (self.pause if self.is_playing else self.play)()
 
     def seek(self, media_s: float) -> None:
         """Go to a position and go on as before."""
@@ -234,9 +230,12 @@ class Player:
             self.media_s(),
         )
         self._event("speed", speed=self._media.speed)
-        if self._audio_feeder is not None:
-            self._audio_feeder.set_speed(self._media.speed)
         self.seek(position_s)
+
+    def set_sink(self, sink: FrameSink) -> None:
+        """Present the pictures somewhere else, beginning with the present one."""
+        self._sink = sink
+        self.seek(self.media_s())
 
     def set_volume(self, share: float) -> None:
         """Set the loudness: 0 is silent, 1 as recorded; its cube is the amplitude."""
@@ -497,6 +496,7 @@ class Player:
         """Let the sound stand at a position of the clock's new epoch."""
         self._ring.load(self._media.epoch, media_s, self._media.speed)
         if self._audio_feeder is not None:
+            self._audio_feeder.set_speed(self._media.speed)
             self._audio_feeder.request(self._media.epoch, media_s)
 
     def _present(self, now_s: float) -> float:

@@ -12,6 +12,7 @@ from hapticplayer.media import ClipInfo, probe
 from hapticplayer.model import Feedback, ForceTrack, MotionTrack
 from hapticplayer.rendering import no_feedback
 from hapticplayer.sequence import open_sequence
+from hapticplayer.sequence.store import DESCRIPTION
 
 FROM_FILE = "file"
 """Name of the feedback that `--force FILE` adds."""
@@ -42,13 +43,14 @@ def open_source(path: str | Path, force: str | Path | None = None) -> Source:
     """Return what lies at a path: the folder of a sequence, or a video.
 
     Args:
-        path: folder or file.
+        path: folder or file; the description in a sequence's folder means the folder.
         force: CSV with rows `time_s,fx_n,fy_n,fz_n`, held between rows.
 
     Raises:
         InputError: what is wrong, where, and what to do.
     """
     path = Path(path)
+    path = path.parent if path.name == DESCRIPTION else path
     source = _from_sequence(path) if path.is_dir() else _from_video(path)
     if force is None:
         return source

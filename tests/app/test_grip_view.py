@@ -12,7 +12,7 @@ from PySide6.QtTest import QTest
 
 from app.player.grip_feed import grip_of
 from app.plots.grip_camera import Camera, Projection
-from app.plots.grip_moving import CENTRING, COLOURS, PLANNED
+from app.plots.grip_moving import CENTRING, colours
 from app.plots.grip_painter import GripPainter
 from app.plots.grip_scene import (
     Activity,
@@ -270,7 +270,7 @@ def luminance(name: str) -> float:
     return float(linear @ (0.2126, 0.7152, 0.0722))
 
 
-@pytest.mark.parametrize("name", [*COLOURS.values(), CENTRING, PLANNED])
+@pytest.mark.parametrize("name", [*colours().values(), CENTRING, theme.TEXT])
 def test_every_colour_of_arrows_and_words_stands_out(name):
     contrast = (luminance(name) + 0.05) / (luminance(theme.PANEL) + 0.05)
     assert contrast > 4.5

@@ -130,18 +130,34 @@ def luminance(colour: str) -> float:
     return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
 
 
+_PAIRS = (
+    ("TEXT", "RAISED", 4.5),
+    ("TEXT", "BACKGROUND", 4.5),
+    ("TEXT", "ALARM", 4.5),
+    ("DIM", "PANEL", 4.5),
+    ("GOOD", "PANEL", 4.5),
+    ("WARN", "PANEL", 4.5),
+    ("BAD", "PANEL", 4.5),
+    ("PRIMARY_TEXT", "PRIMARY", 4.5),
+    ("FOCUS", "PANEL", 3.0),
+)
+
+
 @pytest.mark.parametrize(
     ("text", "ground", "least"),
     [
-        (theme.TEXT, theme.RAISED, 4.5),
-        (theme.DIM, theme.PANEL, 4.5),
+        *(
+            (look[text], look[ground], least)
+            for look in theme.LOOKS.values()
+            for text, ground, least in _PAIRS
+        ),
+        *(
+            (colour, theme.LOOKS[look]["PANEL"], 3.0)
+            for look, colours in theme.AXES.items()
+            for colour in colours
+        ),
         ("#ffffff", theme.STOP, 4.5),
         ("#ffffff", "#8a5a00", 4.5),
-        (theme.GOOD, theme.PANEL, 4.5),
-        (theme.WARN, theme.PANEL, 4.5),
-        (theme.BAD, theme.PANEL, 4.5),
-        (theme.FOCUS, theme.PANEL, 3.0),
-        *((colour, theme.PANEL, 3.0) for colour in theme.AXIS_COLOURS),
     ],
 )
 def test_contrast_is_enough_to_read(text, ground, least):

@@ -1,0 +1,86 @@
+"""Keeps the screen awake while a clip plays, through the session's D-Bus.
+
+Every service lets go of an inhibition when its caller leaves the bus. So each one is
+asked over a connection of its own, which is closed when the clip stands: nothing can
+be held for ever, whatever becomes of this program.
+"""
+
+import itertools
+from typing import NamedTuple
+
+from PySide6.QtCore import QObject
+from PySide6.QtDBus import QDBusConnection, QDBusMessage, QDBusPendingCallWatcher
+
+APPLICATION = "hapticplayer"
+_numbers = itertools.count(1)
+
+
+class _Service(NamedTuple):
+    """One that may be there; a desktop has one or both of them."""
+
+    name: str
+    path: str
+
+
+SERVICES = (
+    _Service("org.freedesktop.ScreenSaver", "/org/freedesktop/ScreenSaver"),
+    _Service(
+        "org.freedesktop.PowerManagement.Inhibit",
+        "/org/freedesktop/PowerManagement/Inhibit",
+    ),
+)
+
+
+class IdleInhibitor(QObject):
+    """Inhibits while it is wanted; without a bus it does nothing.
+
+    Args:
+        address: of the bus; "" for the session's own.
+        parent: Qt's owner.
+    """
+
+    def __init__(self, address: str = "", parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._address = address
+        self._connection = ""
+        self._answers: list[QDBusPendingCallWatcher] = []
+        self.held_by: set[str] = set()
+
+    def set_wanted(self, reason: str) -> None:
+        """Hold the screen awake for a reason; "" lets it sleep again."""
+        if reason and not self._connection:
+            self._ask(reason)
+        elif not reason:
+            self.release()
+
+    def release(self) -> None:
+        """Let the screen sleep again."""
+        if self._connection:
+            self._answers.clear()
+            self.held_by.clear()
+            QDBusConnection.disconnectFromBus(self._connection)
+            self._connection = ""
+
+    def _ask(self, reason: str) -> None:
+        self._connection = f"{APPLICATION}-idle-{next(_numbers)}"
+        bus = self._connect()
+        if not bus.isConnected():
+            return  # no desktop: nothing would fall asleep
+        for service in SERVICES:
+            message = QDBusMessage.createMethodCall(*service, service.name, "Inhibit")
+            message.setArguments([APPLICATION, reason])
+            message.setAutoStartService(False)
+            watcher = QDBusPendingCallWatcher(bus.asyncCall(message), self)
+            watcher.finished.connect(lambda w, s=service: self._on_answer(s, w))
+            self._answers.append(watcher)
+
+    def _connect(self) -> QDBusConnection:
+        if self._address:
+            return QDBusConnection.connectToBus(self._address, self._connection)
+        return QDBusConnection.connectToBus(
+            QDBusConnection.BusType.SessionBus, self._connection
+        )
+
+    def _on_answer(self, service: _Service, watcher: QDBusPendingCallWatcher) -> None:
+        if watcher in self._answers and not watcher.isError():
+            self.held_by.add(service.name)

@@ -1,0 +1,39 @@
+"""The languages of the window, through Qt's translation system."""
+
+from pathlib import Path
+
+from PySide6.QtCore import QCoreApplication, QLibraryInfo, QLocale, QTranslator
+
+FOLDER = Path(__file__).resolve().parents[2] / "resources" / "i18n"
+ENGLISH, SYSTEM = "en", "system"
+NAMES = {ENGLISH: "English", "de": "Deutsch", "fr": "Fran\u00e7ais"}
+"""Each in itself: who looks for a language reads no other."""
+
+_installed: list[QTranslator] = []
+
+
+def wanted(chosen: str) -> str:
+    """Return the language for what a person has chosen; the system's for SYSTEM."""
+    if chosen in NAMES:
+        return chosen
+    ours = (name.split("-")[0] for name in QLocale.system().uiLanguages())
+    return next((name for name in ours if name in NAMES), ENGLISH)
+
+
+def install(application: QCoreApplication, chosen: str) -> str:
+    """Speak a language from now on; what is shown already has to be made anew.
+
+    Returns:
+        The language that is spoken.
+    """
+    while _installed:
+        application.removeTranslator(_installed.pop())
+    language = wanted(chosen)
+    QLocale.setDefault(QLocale(language))
+    of_qt = QLibraryInfo.path(QLibraryInfo.LibraryPath.TranslationsPath)
+    for file in (Path(of_qt) / f"qtbase_{language}.qm", FOLDER / f"{language}.qm"):
+        translator = QTranslator(application)
+        if file.is_file() and translator.load(str(file)):
+            application.installTranslator(translator)
+            _installed.append(translator)
+    return language

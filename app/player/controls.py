@@ -1,0 +1,131 @@
+"""Speed, loop, single pictures, volume and output: what the keys do with the player."""
+
+from functools import partial
+
+from PySide6.QtCore import QObject, Signal
+
+from app.bridge.settings import Settings
+from app.player.times import time_text
+from hapticplayer.playback.audio import SoundDeviceOut, sound_outputs
+from hapticplayer.playback.player import FASTEST, SLOWEST, Player
+
+VOLUME, MUTED, OUTPUT = "volume", "muted", "sound_output"
+"""Names in the settings."""
+
+VOLUME_STEP, WHOLE = 5, 100
+SPEED_STEP = 1.1  # as in mpv
+
+
+class Controls(QObject):
+    """Drives the player for the person at the window, and says what has changed.
+
+    Signals:
+        told: a short text to show on the picture.
+        changed: volume, speed or loop is another.
+    """
+
+    told = Signal(str)
+    changed = Signal()
+
+    def __init__(self, player: Player, settings: Settings) -> None:
+        super().__init__()
+        self._player = player
+        self._settings = settings
+        self._loop_from_s: float | None = None
+        self.output = settings.text(OUTPUT)
+        self.take_settings()
+
+    def take_settings(self) -> None:
+        """Do as the settings say."""
+        volume = self._settings.number(VOLUME, WHOLE)
+        self.volume_percent = round(min(max(volume, 0.0), WHOLE))
+        self.is_muted = self._settings.flag(MUTED, default=False)
+        if self._settings.text(OUTPUT) != self.output:
+            self.choose_output(self._settings.text(OUTPUT))
+        self._apply_volume()
+
+    # --- sound ---------------------------------------------------------------
+
+    def set_volume(self, percent: int) -> None:
+        """Set the volume; making it louder ends the silence."""
+        self.volume_percent = min(max(percent, 0), WHOLE)
+        self.is_muted = False
+        self._apply_volume()
+
+    def turn(self, steps: int) -> None:
+        """Make it louder (+) or quieter (-)."""
+        self.set_volume(self.volume_percent + steps * VOLUME_STEP)
+        self.told.emit(self.tr("Volume {n} %").format(n=self.volume_percent))
+
+    def mute(self, *, is_wanted: bool) -> None:
+        """Silence, or the sound as it was."""
+        self.is_muted = is_wanted
+        self._apply_volume()
+        text = self.tr("Muted") if is_wanted else self.tr("Sound on")
+        self.told.emit(text)
+
+    def _apply_volume(self) -> None:
+        percent = 0 if self.is_muted else self.volume_percent
+        self._player.set_volume(percent / WHOLE)
+        self._settings.keep(VOLUME, self.volume_percent)
+        self._settings.keep(MUTED, self.is_muted)
+        self.changed.emit()
+
+    def outputs(self) -> list[str]:
+        """Return the outputs that can be chosen, and the chosen one if it is away."""
+        names = sound_outputs()
+        is_away = self.output and self.output not in names
+        return [*names, self.output] if is_away else names
+
+    def choose_output(self, name: str) -> None:
+        """Play through another output; "" for the default one."""
+        self.output = name
+        self._settings.keep(OUTPUT, name)
+        self._player.set_sound_output(partial(SoundDeviceOut, device=name))
+
+    # --- time ----------------------------------------------------------------
+
+    def change_speed(self, steps: int) -> None:
+        """Play faster (+) or slower (-), in steps of a tenth; 0 for normal speed."""
+        speed = self._player.speed * SPEED_STEP**steps if steps else 1.0
+        self.set_speed(1.0 if abs(speed - 1.0) < 0.01 else speed)
+
+    def set_speed(self, speed: float) -> None:
+        """Play at a speed, within what the player can do."""
+        self._player.set_speed(min(max(speed, SLOWEST), FASTEST))
+        self.told.emit(self.tr("Speed {x:.2f}").format(x=self._player.speed))
+        self.changed.emit()
+
+    def loop(self) -> None:
+        """Begin a loop here, end it here, or play on: one after the other."""
+        player, here_s = self._player, self._player.media_s()
+        if player.loop_s is not None:
+            player.loop_s, self._loop_from_s = None, None
+            self.told.emit(self.tr("Loop off"))
+        elif self._loop_from_s is None or here_s <= self._loop_from_s:
+            self._loop_from_s = here_s
+            text = self.tr("Loop from {a}")
+            self.told.emit(text.format(a=time_text(here_s)))
+        else:
+            player.loop_s = (self._loop_from_s, here_s)
+            text = self.tr("Loop from {a} to {b}")
+            a, b = (time_text(value) for value in player.loop_s)
+            self.told.emit(text.format(a=a, b=b))
+        self.changed.emit()
+
+    def forget_loop(self) -> None:
+        """Another clip has no loop yet."""
+        self._loop_from_s = None
+        self.changed.emit()
+
+    @property
+    def marks_s(self) -> tuple[float, ...]:
+        """Where the loop begins and ends, as far as that is known."""
+        if self._player.loop_s is not None:
+            return self._player.loop_s
+        return () if self._loop_from_s is None else (self._loop_from_s,)
+
+    def step(self, pictures: int) -> None:
+        """Show the next picture (+1) or the one before (-1), standing still."""
+        self._player.step(pictures)
+        self.told.emit(time_text(self._player.media_s(), digits=3))

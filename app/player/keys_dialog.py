@@ -1,0 +1,171 @@
+"""The keys of the window: what they do, and other keys for it."""
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QKeySequence
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QDialog,
+    QHBoxLayout,
+    QHeaderView,
+    QKeySequenceEdit,
+    QLabel,
+    QTableWidget,
+    QTableWidgetItem,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.bridge.settings import Settings
+from app.player.keymap import BY_NAME, COMMANDS, KEYS, Command, keys_of, owner_of, texts
+from app.widgets.buttons import text_button
+
+_WIDTH_PX, _HEIGHT_PX = 520, 560
+_NAME = Qt.ItemDataRole.UserRole
+
+
+class KeysDialog(QDialog):
+    """Lists every command with its keys; a key that is pressed below is given to it.
+
+    Signals:
+        changed: a command has other keys.
+    """
+
+    changed = Signal()
+
+    def __init__(self, settings: Settings, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setWindowTitle(self.tr("Keyboard"))
+        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        self._settings = settings
+        self.table = self._make_table()
+        self.key = QKeySequenceEdit()
+        self.key.setMaximumSequenceLength(1)
+        self.key.setAccessibleName(self.tr("New key"))
+        self.key.setToolTip(self.tr("Press the key that the chosen command shall have"))
+        for inner in self.key.findChildren(QWidget):
+            inner.setAccessibleName(self.key.accessibleName())
+        self.assign = text_button(
+            self.tr("Use this key"), self.tr("Give the key to the chosen command")
+        )
+        self.reset = text_button(
+            self.tr("Reset"), self.tr("Give the chosen command its first keys again")
+        )
+        self.reset_all = text_button(
+            self.tr("Reset all"), self.tr("Give every command its first keys again")
+        )
+        self.close_button = text_button(self.tr("Close"), "")
+        self.note = QLabel()
+        self.note.setWordWrap(True)
+        self._lay_out()
+        self.assign.clicked.connect(self._on_assign)
+        self.reset.clicked.connect(self._on_reset)
+        self.reset_all.clicked.connect(self._on_reset_all)
+        self.close_button.clicked.connect(self.accept)
+        self.table.itemSelectionChanged.connect(self._on_chosen)
+        self.refresh()
+        self.table.selectRow(0)
+        self.resize(_WIDTH_PX, _HEIGHT_PX)
+
+    def _make_table(self) -> QTableWidget:
+        table = QTableWidget(len(COMMANDS), 2)
+        table.setAccessibleName(self.tr("Commands and their keys"))
+        table.setHorizontalHeaderLabels([self.tr("Command"), self.tr("Keys")])
+        table.verticalHeader().hide()
+        header = table.horizontalHeader()
+        header.setSectionResizeMode(0, QHeaderView.ResizeMode.Stretch)
+        header.setSectionResizeMode(1, QHeaderView.ResizeMode.ResizeToContents)
+        table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
+        table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
+        table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+        table.setTabKeyNavigation(False)
+        table.setShowGrid(False)
+        return table
+
+    def _lay_out(self) -> None:
+        column = QVBoxLayout(self)
+        column.setContentsMargins(18, 16, 18, 14)
+        column.setSpacing(10)
+        column.addWidget(self.table, 1)
+        row = QHBoxLayout()
+        row.addWidget(self.key, 1)
+        row.addWidget(self.assign)
+        row.addWidget(self.reset)
+        column.addLayout(row)
+        column.addWidget(self.note)
+        last = QHBoxLayout()
+        last.addWidget(self.reset_all)
+        last.addStretch(1)
+        last.addWidget(self.close_button)
+        column.addLayout(last)
+
+    def refresh(self) -> None:
+        """Show the keys as they are."""
+        chosen = self._settings.table(KEYS)
+        for row, command in enumerate(COMMANDS):
+            name = QTableWidgetItem(plain(command))
+            name.setData(_NAME, command.name)
+            self.table.setItem(row, 0, name)
+            keys = ", ".join(key_text(key) for key in keys_of(command, chosen))
+            self.table.setItem(row, 1, QTableWidgetItem(keys))
+
+    def choose(self, name: str) -> None:
+        """Choose a command by its name."""
+        self.table.selectRow([command.name for command in COMMANDS].index(name))
+
+    def _chosen(self) -> Command:
+        item = self.table.item(max(0, self.table.currentRow()), 0)
+        assert item is not None
+        return BY_NAME[item.data(_NAME)]
+
+    def _on_chosen(self) -> None:
+        is_free = not self._chosen().is_fixed
+        for widget in (self.key, self.assign, self.reset):
+            widget.setEnabled(is_free)
+        self.note.setText(
+            "" if is_free else self.tr("This key always stops the force; it stays")
+        )
+
+    def _on_assign(self) -> None:
+        key, command = self.key.keySequence(), self._chosen()
+        chosen = self._settings.table(KEYS)
+        if key.isEmpty():
+            self.note.setText(self.tr("Press a key in the field first"))
+            return
+        owner = owner_of(key, chosen)
+        if owner is not None and owner is not command:
+            text = self.tr("{key} is taken by \u201c{command}\u201d")
+            self.note.setText(text.format(key=key_text(key), command=plain(owner)))
+            return
+        self._keep({**chosen, command.name: [key.toString()]})
+
+    def _on_reset(self) -> None:
+        command, chosen = self._chosen(), self._settings.table(KEYS)
+        chosen.pop(command.name, None)
+        for key in keys_of(command, chosen):
+            owner = owner_of(key, {**chosen, command.name: []})
+            if owner is not None:
+                text = self.tr("{key} is taken by \u201c{command}\u201d")
+                self.note.setText(text.format(key=key_text(key), command=plain(owner)))
+                return
+        self._keep(chosen)
+
+    def _on_reset_all(self) -> None:
+        self._keep({})
+
+    def _keep(self, chosen: dict[str, object]) -> None:
+        self._settings.keep(KEYS, chosen)
+        self._settings.save()
+        self.key.clear()
+        self.note.clear()
+        self.refresh()
+        self.changed.emit()
+
+
+def plain(command: Command) -> str:
+    """Return what a command is called where it is not in a menu."""
+    return texts()[command.name].replace("&", "").rstrip("\u2026")
+
+
+def key_text(key: QKeySequence) -> str:
+    """Return a key as people of this platform and language write it."""
+    return key.toString(QKeySequence.SequenceFormat.NativeText)

@@ -1,0 +1,111 @@
+"""The statistics on the picture: everything the player knows about itself."""
+
+import math
+from typing import Any
+
+from PySide6.QtCore import QCoreApplication
+from PySide6.QtGui import QFontDatabase
+from PySide6.QtWidgets import QWidget
+
+from app.player.health import device
+from app.player.times import position_text
+from app.widgets.toast import OnPicture
+from hapticplayer.model import SyncStats
+from hapticplayer.playback.player import Player
+
+translate = QCoreApplication.translate
+
+REFRESH_HZ = 4.0
+_DASH = "\u2013"
+
+
+class Statistics(OnPicture):
+    """Figures over the picture, in columns; costs nothing while hidden."""
+
+    def __init__(self, over: QWidget) -> None:
+        super().__init__(over)
+        self.setFont(QFontDatabase.systemFont(QFontDatabase.SystemFont.FixedFont))
+
+    def refresh(self, player: Player) -> None:
+        """Show the figures of now."""
+        rows = figures(player)
+        wide = max(len(name) for name, _ in rows)
+        self.show_text("\n".join(f"{name:<{wide}}  {text}" for name, text in rows))
+
+
+def figures(player: Player) -> list[tuple[str, str]]:
+    """Return (name, value) of everything that is known."""
+    snapshot, clip = player.snapshot(), player.source.clip if player.source else None
+    loop = snapshot.loop
+    rows = [
+        (
+            translate("Statistics", "Clip"),
+            f"{clip.width} x {clip.height}, {clip.frame_rate_hz:.3f} Hz"
+            if clip
+            else _DASH,
+        ),
+        (
+            translate("Statistics", "Position"),
+            position_text(snapshot.media_s, snapshot.duration_s),
+        ),
+        (translate("Statistics", "Speed"), f"{player.speed:.2f}"),
+        (
+            translate("Statistics", "Pictures"),
+            translate("Statistics", "{shown} shown, {dropped} dropped").format(
+                shown=snapshot.frames_shown, dropped=snapshot.frames_dropped
+            ),
+        ),
+        (translate("Statistics", "Clock"), f"{snapshot.clock}  {snapshot.audio}"),
+        (translate("Statistics", "Device"), device(snapshot).text),
+        (translate("Statistics", "Feedback"), snapshot.feedback or _DASH),
+        (translate("Statistics", "Scheduling"), snapshot.scheduling or _DASH),
+        (
+            translate("Statistics", "Late, \u00b5s"),
+            f"p50 {loop.lateness_p50_us:.0f}  p99 {loop.lateness_p99_us:.0f}  "
+            f"p99.9 {loop.lateness_p999_us:.0f}  max {loop.lateness_max_us:.0f}"
+            if loop
+            else _DASH,
+        ),
+        (
+            translate("Statistics", "Ticks"),
+            translate("Statistics", "{n} in 10 s, {missed} missed").format(
+                n=loop.ticks, missed=loop.missed
+            )
+            if loop
+            else _DASH,
+        ),
+        (
+            translate("Statistics", "Force \u2212 picture, ms"),
+            _sync(snapshot.force_minus_video),
+        ),
+        (
+            translate("Statistics", "Force \u2212 sound, ms"),
+            _sync(snapshot.force_minus_audio),
+        ),
+    ]
+    return rows + _tick(player.link.history.latest())
+
+
+def _tick(latest: Any) -> list[tuple[str, str]]:
+    """Return what the newest tick says about force and grip."""
+    if latest is None:
+        return []
+    position_mm = [1e3 * value for value in latest["position_m"].tolist()]
+    names = (
+        (translate("Statistics", "Planned, N"), latest["planned_n"].tolist()),
+        (translate("Statistics", "Sent, N"), latest["force_n"].tolist()),
+        (translate("Statistics", "Centring, N"), latest["centring_n"].tolist()),
+        (translate("Statistics", "Grip, mm"), position_mm),
+    )
+    return [(name, _vector(values)) for name, values in names]
+
+
+def _vector(values: list[float]) -> str:
+    parts = "  ".join(f"{value:+7.2f}" for value in values)
+    return f"{parts}  |{math.hypot(*values):6.2f}|"
+
+
+def _sync(stats: SyncStats | None) -> str:
+    if stats is None:
+        return _DASH
+    return f"p05 {stats.p05_ms:+.2f}  p50 {stats.p50_ms:+.2f}  p95 {stats.p95_ms:+.2f}"

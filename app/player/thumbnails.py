@@ -1,0 +1,148 @@
+"""The picture under the pointer on the seek bar."""
+
+from bisect import bisect_right
+from pathlib import Path
+
+from PySide6.QtCore import QObject, QPoint, Qt
+from PySide6.QtGui import QImage, QPixmap
+from PySide6.QtWidgets import QLabel, QVBoxLayout, QWidget
+
+from app.bridge.child import in_child
+from app.bridge.jobs import Job
+from app.player.times import time_text
+from app.widgets.seek_slider import SeekSlider
+from hapticplayer.media import Thumbnail, thumbnails
+from hapticplayer.playback.haptic_link import NO_DEVICE
+from hapticplayer.playback.player import Player
+
+HEIGHT_PX = 90
+COUNT, LEAST_STEP_S = 60, 1.0
+_GAP_PX = 6
+_STYLE = """
+QWidget#thumbnail { background: #0c0e11; border: 1px solid #59636f; border-radius: 4px; }
+QLabel { color: #ffffff; }
+"""
+
+
+class ThumbnailTip(QWidget):
+    """A small picture and its time, above the seek bar."""
+
+    def __init__(self, over: QWidget) -> None:
+        super().__init__(over)
+        self.setObjectName("thumbnail")
+        self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
+        self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
+        self.setStyleSheet(_STYLE)
+        self.picture, self.time = QLabel(), QLabel()
+        self.time.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(4, 4, 4, 2)
+        column.setSpacing(2)
+        column.addWidget(self.picture)
+        column.addWidget(self.time)
+        self._over = over
+        self.hide()
+
+    def show_at(self, middle: QPoint, text: str, picture: QPixmap | None) -> None:
+        """Show it with the middle of its lower edge at a point of its parent."""
+        self.time.setText(text)
+        self.picture.setVisible(picture is not None)
+        if picture is not None:
+            self.picture.setPixmap(picture)
+        self.adjustSize()
+        room_px = self._over.width() - self.width()
+        left = min(max(0, middle.x() - self.width() // 2), max(0, room_px))
+        self.move(left, middle.y() - self.height() - _GAP_PX)
+        self.show()
+        self.raise_()
+
+
+class Thumbnails(QObject):
+    """Decodes them when somebody first points at the seek bar, in another process.
+
+    While a real device is moved nothing is decoded: only the time is shown.
+
+    Args:
+        slider: pointed at.
+        over: the window that the tip lies on.
+        player: what is open in it.
+    """
+
+    def __init__(self, slider: SeekSlider, over: QWidget, player: Player) -> None:
+        super().__init__(over)
+        self._slider, self._player = slider, player
+        self.tip, self._over = ThumbnailTip(over), over
+        self._path: Path | None = None
+        self._job: Job[list[Thumbnail]] | None = None
+        self._made: list[tuple[float, QPixmap]] = []
+        slider.hovered.connect(self._on_hovered)
+
+    @property
+    def is_busy(self) -> bool:
+        """Whether pictures are being decoded."""
+        return self._job is not None
+
+    def forget(self) -> None:
+        """Another clip is open."""
+        self._cancel()
+        self._path, self._made = None, []
+        self.tip.hide()
+
+    def poll(self) -> None:
+        """Take over what has been decoded; what failed is simply not shown."""
+        job = self._job
+        if job is not None and job.is_done:
+            self._job = None
+            self._made = [(t.media_s, _pixmap(t)) for t in job.result or []]
+
+    def close(self) -> None:
+        """End what runs."""
+        job = self._job
+        self._cancel()
+        if job is not None:
+            job.join()
+
+    def _cancel(self) -> None:
+        if self._job is not None:
+            self._job.cancel()
+            self._job = None
+
+    def _on_hovered(self, media_s: float) -> None:
+        if media_s < 0.0:
+            self.tip.hide()
+            return
+        self._begin()
+        at = QPoint(round(self._slider.x_of(media_s)), 0)
+        middle = self._slider.mapTo(self._over, at)
+        self.tip.show_at(middle, time_text(media_s), self._picture(media_s))
+
+    def _picture(self, media_s: float) -> QPixmap | None:
+        row = bisect_right([time_s for time_s, _ in self._made], media_s) - 1
+        return self._made[max(0, row)][1] if self._made else None
+
+    def _begin(self) -> None:
+        source = self._player.source
+        if source is None or self._path == source.clip.path or self._is_felt():
+            return
+        self._path = path = source.clip.path
+        duration_s = source.clip.duration_s
+        count = max(1, min(COUNT, int(duration_s / LEAST_STEP_S)))
+        times_s = [duration_s * k / count for k in range(count)]
+        self._job = Job(
+            "thumbnails",
+            lambda progress: in_child(
+                thumbnails, path, times_s, HEIGHT_PX, progress=progress
+            ),
+        )
+        self._job.start()
+
+    def _is_felt(self) -> bool:
+        is_real = self._player.link.device not in (NO_DEVICE, "simulated")
+        return is_real and self._player.is_playing
+
+
+def _pixmap(made: Thumbnail) -> QPixmap:
+    image = QImage(
+        made.rgb, made.width, made.height, 3 * made.width, QImage.Format.Format_RGB888
+    )
+    return QPixmap.fromImage(image)

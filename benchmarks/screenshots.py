@@ -1,0 +1,122 @@
+"""A picture of every page in every language, in every look, without a screen.
+
+    python -m benchmarks.screenshots -o FOLDER [--languages en de] [--looks dark light]
+
+The clip stands at one moment and nothing moves, so that two runs are alike.
+"""
+
+import argparse
+import os
+import sys
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+os.environ["QT_QPA_PLATFORM"] = "offscreen"
+
+from PySide6.QtCore import QEventLoop, QTimer
+from PySide6.QtWidgets import QApplication, QWidget
+
+from app.bridge import languages
+from app.bridge.settings import Settings
+from app.player.application import make_application
+from app.player.help import about_dialog
+from app.player.import_dialog import ImportDialog
+from app.player.keys_dialog import KeysDialog
+from app.player.look_menus import LANGUAGE, LOOK
+from app.player.remake import dress
+from app.player.video_surface import SurfaceSink, VideoSurface
+from app.player.window import PlayerWindow
+from app.widgets import theme
+from hapticplayer.clock import SystemClock
+from hapticplayer.playback.player import Player
+from hapticplayer.playback.source import Source, open_source
+from hapticplayer.sequence.demo import demo_folder
+
+WIDTH_PX, HEIGHT_PX = 1280, 800
+AT_S = 4.0  # of the demo: both plots have something to show
+SETTLE_MS = 900  # decoding one picture, starting the simulated device, plots
+
+
+def main() -> int:
+    """Make the pictures that are asked for, and print their names."""
+    options = _options()
+    options.output.mkdir(parents=True, exist_ok=True)
+    application = make_application()
+    source = open_source(demo_folder(progress=lambda _share, _step: None))
+    for language in options.languages:
+        for look in options.looks:
+            settings = Settings(None)
+            settings.keep(LANGUAGE, language)
+            settings.keep(LOOK, look)
+            dress(application, settings)
+            for name, widget in _pages(application, settings, source):
+                path = options.output / f"{name}-{language}-{look}.png"
+                widget.grab().save(str(path))
+                print(path)
+    return 0
+
+
+def _options() -> argparse.Namespace:
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("-o", "--output", type=Path, required=True)
+    spoken, looks = list(languages.NAMES), list(theme.LOOKS)
+    parser.add_argument("--languages", nargs="+", choices=spoken, default=spoken)
+    parser.add_argument("--looks", nargs="+", choices=looks, default=looks)
+    return parser.parse_args()
+
+
+def _pages(
+    application: QApplication, settings: Settings, source: Source
+) -> Iterator[tuple[str, QWidget]]:
+    """Yield (name, widget) of each page; each is closed before the next."""
+    surface = VideoSurface()
+    player = Player(SystemClock(), SurfaceSink(surface), device="simulated", audio=None)
+    window = PlayerWindow(player, surface, SystemClock(), settings)
+    window.resize(WIDTH_PX, HEIGHT_PX)
+    window.show()
+    _wait(application)
+    yield "welcome", window
+    window.session.show_source(source)
+    player.seek(AT_S)
+    _wait(application)
+    yield "player", window
+    window.extras.statistics.setVisible(True)
+    window.show_message(str(FileNotFoundError(2, "No such file", "ride.mp4")))
+    _wait(application)
+    yield "statistics-and-message", window
+    window.extras.statistics.hide()
+    window.messages.hide()
+    for name, make in _dialogs(window, settings):
+        dialog = make()
+        dialog.show()
+        _wait(application, 50)
+        yield name, dialog
+        dialog.close()
+    for name in ("file", "playback", "view", "help"):
+        menu = window.commands.menus[name]
+        menu.popup(window.pos())
+        _wait(application, 50)
+        yield f"menu-{name}", menu
+        menu.close()
+    window.close()
+
+
+def _dialogs(
+    window: PlayerWindow, settings: Settings
+) -> list[tuple[str, Callable[[], QWidget]]]:
+    return [
+        ("import", lambda: ImportDialog("", window)),
+        ("keyboard", lambda: KeysDialog(settings, window)),
+        ("about", lambda: about_dialog(window)),
+    ]
+
+
+def _wait(application: QApplication, for_ms: int = SETTLE_MS) -> None:
+    loop = QEventLoop()
+    QTimer.singleShot(for_ms, loop.quit)
+    loop.exec()
+    application.processEvents()
+
+
+if __name__ == "__main__":
+    sys.exit(main())

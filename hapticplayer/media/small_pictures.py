@@ -1,0 +1,65 @@
+"""Small pictures of a clip at regular times, for a seek bar or a library."""
+
+import os
+from collections.abc import Callable
+from typing import NamedTuple
+
+import numpy as np
+
+from hapticplayer.errors import MediaError
+from hapticplayer.media.video import VideoDecoder
+
+MOST = 400
+
+
+class Thumbnail(NamedTuple):
+    """One small picture.
+
+    Attributes:
+        media_s: of the picture.
+        width: px.
+        height: px.
+        rgb: width * height * 3 bytes, top row first.
+    """
+
+    media_s: float
+    width: int
+    height: int
+    rgb: bytes
+
+
+def thumbnails(
+    path: str | os.PathLike[str],
+    times_s: list[float],
+    height_px: int,
+    *,
+    progress: Callable[[float, str], None],
+) -> list[Thumbnail]:
+    """Return the picture that is shown at each time; those that are broken are left out.
+
+    Args:
+        path: a clip.
+        times_s: in growing order; at most `MOST`.
+        height_px: of the pictures; their width follows.
+        progress: called before each picture; raises Cancelled to stop.
+
+    Raises:
+        MediaError: when the clip cannot be opened.
+    """
+    made: list[Thumbnail] = []
+    with VideoDecoder(path) as decoder:
+        width_px = max(2, round(height_px * decoder.width / decoder.height))
+        for number, media_s in enumerate(times_s[:MOST]):
+            progress(number / len(times_s), "")
+            try:
+                decoder.seek(media_s)
+                frame = decoder.next_frame()
+                if frame is None:
+                    continue
+                rgb = decoder.convert(frame, width_px, height_px).as_rgb()
+            except MediaError:
+                continue
+            height, width = rgb.shape[:2]
+            pixels = np.ascontiguousarray(rgb).tobytes()
+            made.append(Thumbnail(frame.pts_s, width, height, pixels))
+    return made

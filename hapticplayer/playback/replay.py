@@ -1,0 +1,124 @@
+"""Feel again what was sent: the force lines of a playback log as a force track."""
+
+import json
+import math
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from hapticplayer.capture.limits import MAX_FORCE_N
+from hapticplayer.errors import InputError
+from hapticplayer.model import ForceTrack
+from hapticplayer.playback.source import Source
+
+FROM_LOG = "log"
+"""Name of the feedback that a log adds."""
+
+MAX_LINES = 20_000_000
+"""Five hours of force at 1 kHz; a larger log is no log of one session."""
+
+MAX_LINE = 65_536
+_SAME_DURATION_S = 0.1
+_REMEDY = "choose a log that `play --log` wrote"
+
+
+def with_log(source: Source, path: Path) -> Source:
+    """Return the source with the force of a log as another feedback, which plays.
+
+    Where the log passes a time twice, because somebody sought, the last pass counts.
+
+    Raises:
+        InputError: when the log is none, or belongs to another clip.
+    """
+    header, track = read_force_log(path)
+    clip, wanted = source.clip, header.get("duration_s")
+    is_near = isinstance(wanted, int | float) and (
+        abs(wanted - clip.duration_s) <= _SAME_DURATION_S
+    )
+    if header.get("clip") != clip.path.name or not is_near:
+        raise InputError(
+            f"belongs to the clip {str(header.get('clip'))[:200]!r}, not to "
+            f"{clip.path.name!r}",
+            where=str(path),
+            remedy="open its sequence first, then the log",
+        )
+    return replace(source, tracks={FROM_LOG: track, **source.tracks}, feedback=FROM_LOG)
+
+
+def read_force_log(path: Path) -> tuple[dict[str, Any], ForceTrack]:
+    """Return the header of a log and what was sent to the device, over media time.
+
+    Raises:
+        InputError: what is wrong, in which line.
+    """
+    header: dict[str, Any] = {}
+    rows: list[tuple[float, float, float, float]] = []
+    try:
+        if not path.is_file():
+            raise InputError("is not a file", where=str(path), remedy=_REMEDY)
+        with path.open(encoding="utf-8") as reader:
+            for number in range(1, MAX_LINES + 2):
+                text = reader.readline(MAX_LINE)
+                if not text:
+                    break
+                line = _parsed(text, path, number)
+                if number == 1:
+                    header = _header(line, path)
+                elif line.get("kind") == "force":
+                    rows.append(_force(line, path, number))
+    except (OSError, UnicodeDecodeError) as problem:
+        raise InputError(
+            f"cannot be read ({problem})", where=str(path), remedy=_REMEDY
+        ) from problem
+    if not rows:
+        raise InputError("holds no force", where=str(path), remedy=_REMEDY)
+    times_s, values = _last_pass(np.array(rows))
+    return header, ForceTrack(times_s, values, provenance={"log": path.name})
+
+
+def _last_pass(rows: np.ndarray[Any, np.dtype[np.float64]]) -> tuple[Any, Any]:
+    """Return times (N,) that increase and forces (N, 3): of each time the last row."""
+    times_s = np.round(rows[:, 0], 4)  # a pause repeats one time with its jitter
+    _, from_the_end = np.unique(times_s[::-1], return_index=True)
+    kept = len(times_s) - 1 - from_the_end
+    return times_s[kept], rows[kept, 1:].astype(np.float32)
+
+
+def _parsed(text: str, path: Path, number: int) -> dict[str, Any]:
+    try:
+        line = json.loads(text)
+    except (ValueError, RecursionError) as problem:
+        raise InputError(
+            "is no JSON", where=f"{path}, line {number}", remedy=_REMEDY
+        ) from problem
+    if not isinstance(line, dict):
+        raise InputError("is no log", where=f"{path}, line {number}", remedy=_REMEDY)
+    return line
+
+
+def _header(line: dict[str, Any], path: Path) -> dict[str, Any]:
+    if line.get("kind") != "header":
+        raise InputError("begins without a header", where=str(path), remedy=_REMEDY)
+    return line
+
+
+def _force(
+    line: dict[str, Any], path: Path, number: int
+) -> tuple[float, float, float, float]:
+    try:
+        media_s = float(line["media_s"])
+        x, y, z = (float(value) for value in line["force_n"])
+    except (KeyError, TypeError, ValueError) as problem:
+        raise InputError(
+            f"has no force ({problem})", where=f"{path}, line {number}", remedy=_REMEDY
+        ) from problem
+    amount = max(abs(x), abs(y), abs(z))
+    if not (math.isfinite(media_s) and amount <= MAX_FORCE_N):
+        raise InputError(
+            "is not finite or too large",
+            where=f"{path}, line {number}",
+            remedy=_REMEDY,
+        )
+    return media_s, x, y, z

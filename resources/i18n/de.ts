@@ -1,0 +1,1167 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de" sourcelanguage="en">
+<context>
+    <name>Actions</name>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>&amp;Playback</source>
+        <translation>&amp;Wiedergabe</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hilfe</translation>
+    </message>
+    <message>
+        <source>&amp;Open sequence…</source>
+        <translation>Sequenz ö&amp;ffnen …</translation>
+    </message>
+    <message>
+        <source>Open &amp;video…</source>
+        <translation>&amp;Video öffnen …</translation>
+    </message>
+    <message>
+        <source>&amp;Import a recording…</source>
+        <translation>Aufnahme &amp;importieren …</translation>
+    </message>
+    <message>
+        <source>Open the &amp;demo</source>
+        <translation>&amp;Demo öffnen</translation>
+    </message>
+    <message>
+        <source>Play a &amp;log…</source>
+        <translation>&amp;Protokoll abspielen …</translation>
+    </message>
+    <message>
+        <source>E&amp;xport the settings…</source>
+        <translation>Einstellungen e&amp;xportieren …</translation>
+    </message>
+    <message>
+        <source>I&amp;mport settings…</source>
+        <translation>Einstellungen i&amp;mportieren …</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Beenden</translation>
+    </message>
+    <message>
+        <source>&amp;Play or pause</source>
+        <translation>&amp;Abspielen oder anhalten</translation>
+    </message>
+    <message>
+        <source>5 s &amp;back</source>
+        <translation>5 s &amp;zurück</translation>
+    </message>
+    <message>
+        <source>5 s &amp;forward</source>
+        <translation>5 s &amp;vor</translation>
+    </message>
+    <message>
+        <source>1 min back</source>
+        <translation>1 min zurück</translation>
+    </message>
+    <message>
+        <source>1 min forward</source>
+        <translation>1 min vor</translation>
+    </message>
+    <message>
+        <source>To the b&amp;eginning</source>
+        <translation>Zum An&amp;fang</translation>
+    </message>
+    <message>
+        <source>To the e&amp;nd</source>
+        <translation>Zum &amp;Ende</translation>
+    </message>
+    <message>
+        <source>Next picture</source>
+        <translation>Nächstes Bild</translation>
+    </message>
+    <message>
+        <source>Previous picture</source>
+        <translation>Voriges Bild</translation>
+    </message>
+    <message>
+        <source>&amp;Loop: from here, to here, off</source>
+        <translation>&amp;Schleife: von hier, bis hier, aus</translation>
+    </message>
+    <message>
+        <source>Slower</source>
+        <translation>Langsamer</translation>
+    </message>
+    <message>
+        <source>Faster</source>
+        <translation>Schneller</translation>
+    </message>
+    <message>
+        <source>Normal speed</source>
+        <translation>Normale Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Quieter</source>
+        <translation>Leiser</translation>
+    </message>
+    <message>
+        <source>Louder</source>
+        <translation>Lauter</translation>
+    </message>
+    <message>
+        <source>&amp;Mute</source>
+        <translation>Stu&amp;mm</translation>
+    </message>
+    <message>
+        <source>&amp;Stop the force</source>
+        <translation>Kraft &amp;stoppen</translation>
+    </message>
+    <message>
+        <source>&amp;Re-arm the force</source>
+        <translation>Kraft f&amp;reigeben</translation>
+    </message>
+    <message>
+        <source>Live &amp;plots</source>
+        <translation>&amp;Kurven</translation>
+    </message>
+    <message>
+        <source>Simulated &amp;grip</source>
+        <translation>Simulierter &amp;Griff</translation>
+    </message>
+    <message>
+        <source>&amp;Statistics</source>
+        <translation>&amp;Statistik</translation>
+    </message>
+    <message>
+        <source>&amp;Fullscreen</source>
+        <translation>&amp;Vollbild</translation>
+    </message>
+    <message>
+        <source>&amp;Keyboard…</source>
+        <translation>&amp;Tastatur …</translation>
+    </message>
+    <message>
+        <source>&amp;About</source>
+        <translation>Ü&amp;ber</translation>
+    </message>
+</context>
+<context>
+    <name>Choices</name>
+    <message>
+        <source>Realistic</source>
+        <translation>Realistisch</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keine</translation>
+    </message>
+    <message>
+        <source>Random</source>
+        <translation>Zufällig</translation>
+    </message>
+    <message>
+        <source>From file</source>
+        <translation>Aus Datei</translation>
+    </message>
+    <message>
+        <source>From a log</source>
+        <translation>Aus Protokoll</translation>
+    </message>
+</context>
+<context>
+    <name>ChooseMenus</name>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>&amp;Zuletzt geöffnet</translation>
+    </message>
+    <message>
+        <source>Sound &amp;output</source>
+        <translation>&amp;Tonausgabe</translation>
+    </message>
+    <message>
+        <source>As the system says</source>
+        <translation>Wie vom System vorgegeben</translation>
+    </message>
+    <message>
+        <source>Fullscreen &amp;on</source>
+        <translation>Vollbild &amp;auf</translation>
+    </message>
+    <message>
+        <source>The window&apos;s screen</source>
+        <translation>Bildschirm des Fensters</translation>
+    </message>
+</context>
+<context>
+    <name>Controls</name>
+    <message>
+        <source>Volume {n} %</source>
+        <translation>Lautstärke {n} %</translation>
+    </message>
+    <message>
+        <source>Muted</source>
+        <translation>Stumm</translation>
+    </message>
+    <message>
+        <source>Sound on</source>
+        <translation>Ton an</translation>
+    </message>
+    <message>
+        <source>Speed {x:.2f}</source>
+        <translation>Geschwindigkeit {x:.2f}</translation>
+    </message>
+    <message>
+        <source>Loop off</source>
+        <translation>Schleife aus</translation>
+    </message>
+    <message>
+        <source>Loop from {a}</source>
+        <translation>Schleife ab {a}</translation>
+    </message>
+    <message>
+        <source>Loop from {a} to {b}</source>
+        <translation>Schleife von {a} bis {b}</translation>
+    </message>
+</context>
+<context>
+    <name>Desktop</name>
+    <message>
+        <source>plays a clip</source>
+        <translation>spielt einen Clip</translation>
+    </message>
+</context>
+<context>
+    <name>Dialogs</name>
+    <message>
+        <source>Open the folder of a sequence</source>
+        <translation>Ordner einer Sequenz öffnen</translation>
+    </message>
+    <message>
+        <source>Open a video</source>
+        <translation>Video öffnen</translation>
+    </message>
+    <message>
+        <source>Play the force of a log</source>
+        <translation>Die Kraft eines Protokolls abspielen</translation>
+    </message>
+    <message>
+        <source>Logs (*.jsonl *.json *.log);;All files (*)</source>
+        <translation>Protokolle (*.jsonl *.json *.log);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Export the settings</source>
+        <translation>Einstellungen exportieren</translation>
+    </message>
+    <message>
+        <source>Import settings</source>
+        <translation>Einstellungen importieren</translation>
+    </message>
+</context>
+<context>
+    <name>EmptyPage</name>
+    <message>
+        <source>Feel the motion of what you watch</source>
+        <translation>Spüren, was man sieht</translation>
+    </message>
+    <message>
+        <source>Open a sequence or a video, or drop one here. A video alone plays without force; import it with its motion to feel it.</source>
+        <translation>Öffnen Sie eine Sequenz oder ein Video, oder ziehen Sie es hierher. Ein Video allein läuft ohne Kraft; importieren Sie es mit seiner Bewegung, um sie zu spüren.</translation>
+    </message>
+    <message>
+        <source>Play the demo</source>
+        <translation>Demo abspielen</translation>
+    </message>
+    <message>
+        <source>A simulated ride; made on first use</source>
+        <translation>Eine simulierte Fahrt; beim ersten Mal erzeugt</translation>
+    </message>
+    <message>
+        <source>Open a sequence…</source>
+        <translation>Sequenz öffnen …</translation>
+    </message>
+    <message>
+        <source>The folder of a sequence</source>
+        <translation>Der Ordner einer Sequenz</translation>
+    </message>
+    <message>
+        <source>Import a recording…</source>
+        <translation>Aufnahme importieren …</translation>
+    </message>
+    <message>
+        <source>Make a sequence of a video and its motion</source>
+        <translation>Aus Video und Bewegung eine Sequenz machen</translation>
+    </message>
+    <message>
+        <source>Choose the device…</source>
+        <translation>Gerät wählen …</translation>
+    </message>
+    <message>
+        <source>Which haptic device is moved; the simulated one needs no hardware</source>
+        <translation>Welches haptische Gerät bewegt wird; das simulierte braucht keine Hardware</translation>
+    </message>
+</context>
+<context>
+    <name>ErrorGateway</name>
+    <message>
+        <source>Something went wrong inside the program ({kind}: {text}); the force was stopped and the playback paused. Details are on the terminal.</source>
+        <translation>Im Programm ist etwas schiefgegangen ({kind}: {text}); die Kraft wurde gestoppt und die Wiedergabe angehalten. Einzelheiten stehen im Terminal.</translation>
+    </message>
+</context>
+<context>
+    <name>Extras</name>
+    <message>
+        <source>Goes on at {time}; Home for the beginning</source>
+        <translation>Weiter bei {time}; Pos1 für den Anfang</translation>
+    </message>
+</context>
+<context>
+    <name>Files</name>
+    <message>
+        <source>Videos (*.mp4 *.mov *.mkv *.avi *.webm *.m4v *.360 *.MP4 *.MOV *.LRV);;All files (*)</source>
+        <translation>Videos (*.mp4 *.mov *.mkv *.avi *.webm *.m4v *.360 *.MP4 *.MOV *.LRV);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Settings (*.json)</source>
+        <translation>Einstellungen (*.json)</translation>
+    </message>
+</context>
+<context>
+    <name>GripView</name>
+    <message>
+        <source>No device: choose {name} to see what would be felt</source>
+        <translation>Kein Gerät: mit „{name}“ sieht man, was zu spüren wäre</translation>
+    </message>
+    <message>
+        <source>The device has failed</source>
+        <translation>Das Gerät ist ausgefallen</translation>
+    </message>
+    <message>
+        <source>The haptics process has ended</source>
+        <translation>Der Haptikprozess ist beendet</translation>
+    </message>
+    <message>
+        <source>Starting</source>
+        <translation>Startet</translation>
+    </message>
+    <message>
+        <source>The position is not known</source>
+        <translation>Die Position ist unbekannt</translation>
+    </message>
+    <message>
+        <source>Simulated grip</source>
+        <translation>Simulierter Griff</translation>
+    </message>
+    <message>
+        <source>Grip</source>
+        <translation>Griff</translation>
+    </message>
+    <message>
+        <source>Force is off</source>
+        <translation>Kraft ist aus</translation>
+    </message>
+    <message>
+        <source>Force is {what}</source>
+        <translation>Kraft: {what}</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>up</source>
+        <translation>oben</translation>
+    </message>
+    <message>
+        <source>towards you</source>
+        <translation>zu Ihnen</translation>
+    </message>
+    <message>
+        <source>Thick arrow: the force on the hand. Thin white arrow: the planned force. Purple arrow: the share that keeps the grip inside.
+Drag or use the arrow keys to look from elsewhere, the wheel or + and − to come nearer, a double click or 0 to go back.</source>
+        <translation>Dicker Pfeil: die Kraft auf die Hand. Dünner Pfeil: die geplante Kraft. Violetter Pfeil: der Anteil, der den Griff innen hält.
+Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, Doppelklick oder 0 stellt sie zurück.</translation>
+    </message>
+    <message>
+        <source>No device</source>
+        <translation>Kein Gerät</translation>
+    </message>
+    <message>
+        <source>force {force}, grip {out} from the centre</source>
+        <translation>Kraft {force}, Griff {out} von der Mitte</translation>
+    </message>
+    <message>
+        <source>{force:.1f} N</source>
+        <translation>{force:.1f} N</translation>
+    </message>
+    <message>
+        <source>centring {force:.1f} N</source>
+        <translation>Zentrierung {force:.1f} N</translation>
+    </message>
+    <message>
+        <source>{out:.0f} mm of {most:.0f}</source>
+        <translation>{out:.0f} mm von {most:.0f}</translation>
+    </message>
+</context>
+<context>
+    <name>Health</name>
+    <message>
+        <source>none</source>
+        <translation>keins</translation>
+    </message>
+    <message>
+        <source>starting</source>
+        <translation>startet</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>ausgefallen</translation>
+    </message>
+    <message>
+        <source>gone</source>
+        <translation>beendet</translation>
+    </message>
+    <message>
+        <source>Simulated</source>
+        <translation>Simuliert</translation>
+    </message>
+    <message>
+        <source>Falcon</source>
+        <translation>Falcon</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keine</translation>
+    </message>
+    <message>
+        <source>at rest</source>
+        <translation>in Ruhe</translation>
+    </message>
+    <message>
+        <source>fading in</source>
+        <translation>blendet ein</translation>
+    </message>
+    <message>
+        <source>active</source>
+        <translation>aktiv</translation>
+    </message>
+    <message>
+        <source>fading out</source>
+        <translation>blendet aus</translation>
+    </message>
+    <message>
+        <source>STOPPED</source>
+        <translation>GESTOPPT</translation>
+    </message>
+    <message>
+        <source>the window hung</source>
+        <translation>das Fenster hing</translation>
+    </message>
+    <message>
+        <source>the player ended</source>
+        <translation>der Player endete</translation>
+    </message>
+    <message>
+        <source>the track is broken</source>
+        <translation>die Spur ist defekt</translation>
+    </message>
+    <message>
+        <source>button on the grip</source>
+        <translation>Knopf am Griff</translation>
+    </message>
+    <message>
+        <source>unplugged</source>
+        <translation>abgezogen</translation>
+    </message>
+    <message>
+        <source>the device does not answer</source>
+        <translation>das Gerät antwortet nicht</translation>
+    </message>
+    <message>
+        <source>the device answers nonsense</source>
+        <translation>das Gerät antwortet Unsinn</translation>
+    </message>
+    <message>
+        <source>the computer stood still</source>
+        <translation>der Rechner stand still</translation>
+    </message>
+    <message>
+        <source>the grip was let go</source>
+        <translation>der Griff wurde losgelassen</translation>
+    </message>
+    <message>
+        <source>the grip is at its edge</source>
+        <translation>der Griff ist am Rand</translation>
+    </message>
+    <message>
+        <source>FIFO</source>
+        <translation>FIFO</translation>
+    </message>
+    <message>
+        <source>slice</source>
+        <translation>Scheibe</translation>
+    </message>
+    <message>
+        <source>normal</source>
+        <translation>normal</translation>
+    </message>
+    <message>
+        <source>no, {us:.0f} µs, {missed} missed</source>
+        <translation>nein, {us:.0f} µs, {missed} verpasst</translation>
+    </message>
+    <message>
+        <source>yes, {us:.0f} µs, {missed} missed</source>
+        <translation>ja, {us:.0f} µs, {missed} verpasst</translation>
+    </message>
+    <message>
+        <source>{ms:+.1f} ms</source>
+        <translation>{ms:+.1f} ms</translation>
+    </message>
+    <message>
+        <source>{shown} shown, {dropped} dropped</source>
+        <translation>{shown} gezeigt, {dropped} weg</translation>
+    </message>
+    <message>
+        <source>audio</source>
+        <translation>Ton</translation>
+    </message>
+    <message>
+        <source>no sound</source>
+        <translation>kein Ton</translation>
+    </message>
+    <message>
+        <source>monotonic</source>
+        <translation>monoton</translation>
+    </message>
+    <message>
+        <source>no data</source>
+        <translation>keine Daten</translation>
+    </message>
+    <message>
+        <source>good</source>
+        <translation>gut</translation>
+    </message>
+    <message>
+        <source>watch</source>
+        <translation>beachten</translation>
+    </message>
+    <message>
+        <source>bad</source>
+        <translation>schlecht</translation>
+    </message>
+</context>
+<context>
+    <name>HealthLine</name>
+    <message>
+        <source>Health</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>The haptic device and what it does</source>
+        <translation>Das haptische Gerät und was es tut</translation>
+    </message>
+    <message>
+        <source>Simulated, fading out</source>
+        <translation>Simuliert, blendet aus</translation>
+    </message>
+    <message>
+        <source>Scheduling</source>
+        <translation>Planung</translation>
+    </message>
+    <message>
+        <source>Class of the 1 kHz loop: FIFO is best, slice nearly as good, normal lets it be late by milliseconds</source>
+        <translation>Klasse der 1-kHz-Schleife: FIFO ist am besten, Scheibe fast so gut, normal lässt sie Millisekunden zu spät kommen</translation>
+    </message>
+    <message>
+        <source>Real-time</source>
+        <translation>Echtzeit</translation>
+    </message>
+    <message>
+        <source>99 % of the loop&apos;s wake-ups in the last 10 s were no later than this; missed are periods that were skipped. When more than 1 % are, the force is held to 3 N</source>
+        <translation>99 % der Takte der letzten 10 s kamen nicht später als so; verpasste wurden übersprungen. Sind es mehr als 1 %, bleibt die Kraft unter 3 N</translation>
+    </message>
+    <message>
+        <source>yes, 888 µs, 88 missed</source>
+        <translation>ja, 888 µs, 88 verpasst</translation>
+    </message>
+    <message>
+        <source>Force − picture</source>
+        <translation>Kraft − Bild</translation>
+    </message>
+    <message>
+        <source>How much later the force comes than its picture, median</source>
+        <translation>Um wie viel die Kraft später kommt als ihr Bild, Median</translation>
+    </message>
+    <message>
+        <source>Force − sound</source>
+        <translation>Kraft − Ton</translation>
+    </message>
+    <message>
+        <source>How much later the force comes than its sound, median</source>
+        <translation>Um wie viel die Kraft später kommt als ihr Ton, Median</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>Shown in time, and dropped because they came too late</source>
+        <translation>Rechtzeitig gezeigt, und weggelassen, weil sie zu spät kamen</translation>
+    </message>
+    <message>
+        <source>88888 shown, 88 dropped</source>
+        <translation>88888 gezeigt, 88 weg</translation>
+    </message>
+    <message>
+        <source>Clock</source>
+        <translation>Uhr</translation>
+    </message>
+    <message>
+        <source>What leads: the sound that is heard, or the machine&apos;s monotonic clock where there is no sound</source>
+        <translation>Was führt: der hörbare Ton, oder die monotone Uhr des Rechners, wo es keinen Ton gibt</translation>
+    </message>
+    <message>
+        <source>monotonic</source>
+        <translation>monoton</translation>
+    </message>
+</context>
+<context>
+    <name>Help</name>
+    <message>
+        <source>About hapticplayer</source>
+        <translation>Über hapticplayer</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;hapticplayer {version}&lt;/b&gt;&lt;p&gt;Plays a video and lets you feel the motion of whoever recorded it.&lt;/p&gt;&lt;p&gt;After Danieau et al., Enhancing audiovisual experience with haptic feedback (2012).&lt;br&gt;MIT licence.&lt;/p&gt;</source>
+        <translation>&lt;b&gt;hapticplayer {version}&lt;/b&gt;&lt;p&gt;Spielt ein Video und lässt die Bewegung dessen spüren, der es aufgenommen hat.&lt;/p&gt;&lt;p&gt;Nach Danieau et al., Enhancing audiovisual experience with haptic feedback (2012).&lt;br&gt;MIT-Lizenz.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+</context>
+<context>
+    <name>ImportDialog</name>
+    <message>
+        <source>Import a recording</source>
+        <translation>Aufnahme importieren</translation>
+    </message>
+    <message>
+        <source>Video</source>
+        <translation>Video</translation>
+    </message>
+    <message>
+        <source>Motion log</source>
+        <translation>Bewegungsprotokoll</translation>
+    </message>
+    <message>
+        <source>inside the video</source>
+        <translation>im Video</translation>
+    </message>
+    <message>
+        <source>New folder</source>
+        <translation>Neuer Ordner</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>Versatz</translation>
+    </message>
+    <message>
+        <source>Media time at which the log&apos;s clock reads zero</source>
+        <translation>Zeit im Clip, zu der die Uhr des Protokolls null zeigt</translation>
+    </message>
+    <message>
+        <source>A sequence is a folder with the clip, its motion and the force that belongs to it. Cameras such as GoPro keep their motion inside the video; otherwise give the log of a motion sensor.</source>
+        <translation>Eine Sequenz ist ein Ordner mit dem Clip, seiner Bewegung und der Kraft dazu. Kameras wie GoPro bewahren die Bewegung im Video auf; sonst geben Sie das Protokoll eines Bewegungssensors an.</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Wählen …</translation>
+    </message>
+    <message>
+        <source>&amp;Video</source>
+        <translation>&amp;Video</translation>
+    </message>
+    <message>
+        <source>Motion &amp;log (CSV)</source>
+        <translation>Bewegungs&amp;protokoll (CSV)</translation>
+    </message>
+    <message>
+        <source>New &amp;folder</source>
+        <translation>Neuer &amp;Ordner</translation>
+    </message>
+    <message>
+        <source>&amp;Offset</source>
+        <translation>Ver&amp;satz</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importieren</translation>
+    </message>
+    <message>
+        <source>Make the sequence and open it</source>
+        <translation>Die Sequenz erzeugen und öffnen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Import nothing</source>
+        <translation>Nichts importieren</translation>
+    </message>
+    <message>
+        <source>Choose a video that exists.</source>
+        <translation>Wählen Sie ein vorhandenes Video.</translation>
+    </message>
+    <message>
+        <source>The motion log does not exist.</source>
+        <translation>Das Bewegungsprotokoll gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>Choose where the new folder shall be.</source>
+        <translation>Wählen Sie, wo der neue Ordner liegen soll.</translation>
+    </message>
+    <message>
+        <source>The new folder exists already; give another name.</source>
+        <translation>Den Ordner gibt es schon; wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>Choose a video</source>
+        <translation>Video wählen</translation>
+    </message>
+    <message>
+        <source>Motion logs (*.csv);;All files (*)</source>
+        <translation>Bewegungsprotokolle (*.csv);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Choose a motion log</source>
+        <translation>Bewegungsprotokoll wählen</translation>
+    </message>
+    <message>
+        <source>Where shall the new folder be made?</source>
+        <translation>Wo soll der neue Ordner entstehen?</translation>
+    </message>
+</context>
+<context>
+    <name>JobBar</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Stop this work; nothing is left behind</source>
+        <translation>Diese Arbeit beenden; nichts bleibt zurück</translation>
+    </message>
+</context>
+<context>
+    <name>KeysDialog</name>
+    <message>
+        <source>Keyboard</source>
+        <translation>Tastatur</translation>
+    </message>
+    <message>
+        <source>New key</source>
+        <translation>Neue Taste</translation>
+    </message>
+    <message>
+        <source>Press the key that the chosen command shall have</source>
+        <translation>Drücken Sie die Taste für den gewählten Befehl</translation>
+    </message>
+    <message>
+        <source>Use this key</source>
+        <translation>Taste übernehmen</translation>
+    </message>
+    <message>
+        <source>Give the key to the chosen command</source>
+        <translation>Dem gewählten Befehl diese Taste geben</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Give the chosen command its first keys again</source>
+        <translation>Dem gewählten Befehl seine ersten Tasten zurückgeben</translation>
+    </message>
+    <message>
+        <source>Reset all</source>
+        <translation>Alle zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Give every command its first keys again</source>
+        <translation>Jedem Befehl seine ersten Tasten zurückgeben</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Commands and their keys</source>
+        <translation>Befehle und ihre Tasten</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>Befehl</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Tasten</translation>
+    </message>
+    <message>
+        <source>This key always stops the force; it stays</source>
+        <translation>Diese Taste stoppt immer die Kraft; sie bleibt</translation>
+    </message>
+    <message>
+        <source>Press a key in the field first</source>
+        <translation>Drücken Sie zuerst eine Taste im Feld</translation>
+    </message>
+    <message>
+        <source>{key} is taken by “{command}”</source>
+        <translation>{key} gehört schon zu „{command}“</translation>
+    </message>
+</context>
+<context>
+    <name>LookMenus</name>
+    <message>
+        <source>&amp;Look</source>
+        <translation>&amp;Aussehen</translation>
+    </message>
+    <message>
+        <source>As the desktop</source>
+        <translation>Wie die Arbeitsfläche</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Dunkel</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Hell</translation>
+    </message>
+    <message>
+        <source>High contrast</source>
+        <translation>Hoher Kontrast</translation>
+    </message>
+    <message>
+        <source>Lan&amp;guage</source>
+        <translation>&amp;Sprache (Language)</translation>
+    </message>
+</context>
+<context>
+    <name>MessageBar</name>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Hide this message</source>
+        <translation>Diese Meldung ausblenden</translation>
+    </message>
+</context>
+<context>
+    <name>PlayerWindow</name>
+    <message>
+        <source>hapticplayer</source>
+        <translation>hapticplayer</translation>
+    </message>
+</context>
+<context>
+    <name>PlotPanel</name>
+    <message>
+        <source>Acceleration around the playhead</source>
+        <translation>Beschleunigung um die Abspielstelle</translation>
+    </message>
+    <message>
+        <source>This clip has no motion data</source>
+        <translation>Dieser Clip hat keine Bewegungsdaten</translation>
+    </message>
+    <message>
+        <source>Force around the playhead</source>
+        <translation>Kraft um die Abspielstelle</translation>
+    </message>
+    <message>
+        <source>Acceleration, m/s²</source>
+        <translation>Beschleunigung, m/s²</translation>
+    </message>
+    <message>
+        <source>x right</source>
+        <translation>x rechts</translation>
+    </message>
+    <message>
+        <source>y front</source>
+        <translation>y vorn</translation>
+    </message>
+    <message>
+        <source>z up</source>
+        <translation>z oben</translation>
+    </message>
+    <message>
+        <source>Force, N</source>
+        <translation>Kraft, N</translation>
+    </message>
+    <message>
+        <source>y up</source>
+        <translation>y oben</translation>
+    </message>
+    <message>
+        <source>z to you</source>
+        <translation>z zu Ihnen</translation>
+    </message>
+    <message>
+        <source>thin: planned</source>
+        <translation>dünn: geplant</translation>
+    </message>
+    <message>
+        <source>Click: go there. Drag: move. Wheel or + and −: zoom. Double click or Enter: as before</source>
+        <translation>Klick: dorthin. Ziehen: verschieben. Rad oder + und −: Zoom. Doppelklick oder Eingabe: wie zuvor</translation>
+    </message>
+    <message>
+        <source>Save this view: {plot}</source>
+        <translation>Diese Ansicht speichern: {plot}</translation>
+    </message>
+    <message>
+        <source>Save this view as PNG, SVG or CSV</source>
+        <translation>Diese Ansicht als PNG, SVG oder CSV speichern</translation>
+    </message>
+    <message>
+        <source>Picture (*.png);;Drawing (*.svg);;Numbers (*.csv)</source>
+        <translation>Bild (*.png);;Zeichnung (*.svg);;Zahlen (*.csv)</translation>
+    </message>
+    <message>
+        <source>{name}: choose a name that ends in {kinds}</source>
+        <translation>{name}: wählen Sie einen Namen, der auf {kinds} endet</translation>
+    </message>
+</context>
+<context>
+    <name>PlotsPlace</name>
+    <message>
+        <source>Live plots</source>
+        <translation>Kurven</translation>
+    </message>
+</context>
+<context>
+    <name>RecentMenu</name>
+    <message>
+        <source>Forget all</source>
+        <translation>Alles vergessen</translation>
+    </message>
+</context>
+<context>
+    <name>Session</name>
+    <message>
+        <source>Opening {name}</source>
+        <translation>{name} wird geöffnet</translation>
+    </message>
+    <message>
+        <source>Preparing the demo</source>
+        <translation>Die Demo wird vorbereitet</translation>
+    </message>
+    <message>
+        <source>Importing {name}</source>
+        <translation>{name} wird importiert</translation>
+    </message>
+    <message>
+        <source>Something else is being done; wait for it or cancel it</source>
+        <translation>Es läuft schon etwas; warten Sie, oder brechen Sie es ab</translation>
+    </message>
+    <message>
+        <source>Bring the grip to the middle first, then re-arm again</source>
+        <translation>Bringen Sie den Griff erst in die Mitte und geben Sie dann wieder frei</translation>
+    </message>
+    <message>
+        <source>The haptics process has ended; choose the device again</source>
+        <translation>Der Haptikprozess ist beendet; wählen Sie das Gerät noch einmal</translation>
+    </message>
+</context>
+<context>
+    <name>Statistics</name>
+    <message>
+        <source>Clip</source>
+        <translation>Clip</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>{shown} shown, {dropped} dropped</source>
+        <translation>{shown} gezeigt, {dropped} weg</translation>
+    </message>
+    <message>
+        <source>Clock</source>
+        <translation>Uhr</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>Feedback</source>
+        <translation>Feedback</translation>
+    </message>
+    <message>
+        <source>Scheduling</source>
+        <translation>Planung</translation>
+    </message>
+    <message>
+        <source>Late, µs</source>
+        <translation>Verspätung, µs</translation>
+    </message>
+    <message>
+        <source>Ticks</source>
+        <translation>Takte</translation>
+    </message>
+    <message>
+        <source>{n} in 10 s, {missed} missed</source>
+        <translation>{n} in 10 s, {missed} verpasst</translation>
+    </message>
+    <message>
+        <source>Force − picture, ms</source>
+        <translation>Kraft − Bild, ms</translation>
+    </message>
+    <message>
+        <source>Force − sound, ms</source>
+        <translation>Kraft − Ton, ms</translation>
+    </message>
+    <message>
+        <source>Planned, N</source>
+        <translation>Geplant, N</translation>
+    </message>
+    <message>
+        <source>Sent, N</source>
+        <translation>Gesendet, N</translation>
+    </message>
+    <message>
+        <source>Centring, N</source>
+        <translation>Zentrierung, N</translation>
+    </message>
+    <message>
+        <source>Grip, mm</source>
+        <translation>Griff, mm</translation>
+    </message>
+</context>
+<context>
+    <name>Transport</name>
+    <message>
+        <source>Position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>Position in the clip: click or drag</source>
+        <translation>Stelle im Clip: klicken oder ziehen</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Speed; Backspace for normal speed</source>
+        <translation>Geschwindigkeit; Rücktaste für normale</translation>
+    </message>
+    <message>
+        <source>Feedback</source>
+        <translation>Feedback</translation>
+    </message>
+    <message>
+        <source>Which force goes with the clip</source>
+        <translation>Welche Kraft zum Clip gehört</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>Which haptic device is moved</source>
+        <translation>Welches haptische Gerät bewegt wird</translation>
+    </message>
+    <message>
+        <source>Fullscreen</source>
+        <translation>Vollbild</translation>
+    </message>
+    <message>
+        <source>Show the clip and nothing else (F)</source>
+        <translation>Nur den Clip zeigen (F)</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Lautstärke</translation>
+    </message>
+    <message>
+        <source>Volume (9 and 0)</source>
+        <translation>Lautstärke (9 und 0)</translation>
+    </message>
+    <message>
+        <source>Sound on</source>
+        <translation>Ton an</translation>
+    </message>
+    <message>
+        <source>Mute</source>
+        <translation>Stumm</translation>
+    </message>
+    <message>
+        <source>{name} (M)</source>
+        <translation>{name} (M)</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Abspielen</translation>
+    </message>
+    <message>
+        <source>{name} (Space)</source>
+        <translation>{name} (Leertaste)</translation>
+    </message>
+    <message>
+        <source>The force was stopped: let it come back (Ctrl+R)</source>
+        <translation>Die Kraft wurde gestoppt: wieder freigeben (Strg+R)</translation>
+    </message>
+    <message>
+        <source>Take the force away at once and pause (Esc)</source>
+        <translation>Die Kraft sofort wegnehmen und anhalten (Esc)</translation>
+    </message>
+    <message>
+        <source>Re-arm the force</source>
+        <translation>Kraft freigeben</translation>
+    </message>
+    <message>
+        <source>Stop the force</source>
+        <translation>Kraft stoppen</translation>
+    </message>
+    <message>
+        <source>Re-arm</source>
+        <translation>Freigeben</translation>
+    </message>
+    <message>
+        <source>STOP</source>
+        <translation>STOPP</translation>
+    </message>
+</context>
+<context>
+    <name>VideoSurface</name>
+    <message>
+        <source>Picture</source>
+        <translation>Bild</translation>
+    </message>
+</context>
+</TS>

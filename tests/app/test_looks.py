@@ -1,0 +1,180 @@
+"""Looks and languages: the window is made anew around the same player."""
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+from xml.etree import ElementTree as ET
+
+import pytest
+from PySide6.QtWidgets import (
+    QAbstractButton,
+    QAbstractSlider,
+    QAbstractSpinBox,
+    QComboBox,
+    QLineEdit,
+    QWidget,
+)
+
+from app.bridge import languages
+from app.player.import_dialog import ImportDialog
+from app.player.keys_dialog import KeysDialog
+from app.player.remake import OpenWindow, dress
+from app.widgets import theme
+from hapticplayer.playback.snapshot import Phase
+
+ROOT = Path(__file__).resolve().parents[2]
+OTHERS = [code for code in languages.NAMES if code != languages.ENGLISH]
+
+
+@pytest.fixture
+def dressed(application, settings):
+    """Set look and language; English and dark again afterwards."""
+
+    def set_to(**values) -> None:
+        for name, value in values.items():
+            settings.keep(name, value)
+        dress(application, settings)
+
+    yield set_to
+    set_to(language=languages.ENGLISH, look=theme.DARK)
+
+
+@pytest.fixture
+def shown(make_window, source, dressed, wait_for):
+    window = make_window()
+    window.session.show_source(source)
+    made = OpenWindow(window)
+    made.begin()
+    yield made
+    made.end()
+
+
+def test_another_language_keeps_clip_and_place(shown, wait_for):
+    shown.window.player.seek(1.0)
+    player, before = shown.window.player, shown.window
+    menu = shown.window.looks.languages
+    menu.fill()
+    next(a for a in menu._menu.actions() if a.data() == "de").trigger()
+    assert shown.window is not before
+    assert shown.window.player is player
+    assert player.media_s() == pytest.approx(1.0)
+    assert shown.window.transport.play.accessibleName() == "Abspielen"
+    wait_for(lambda: shown.window.surface._picture is not None)
+    shown.window.transport.play.click()
+    wait_for(lambda: player.phase is Phase.PLAYING)
+
+
+@pytest.mark.parametrize("look", list(theme.LOOKS))
+def test_another_look_colours_everything(shown, look, wait_for):
+    shown.window.settings.keep("look", look)
+    shown.window.looks.changed.emit()
+    wait_for(shown.window.isVisible)
+    panel = shown.window.transport.grab().toImage().pixelColor(2, 30).name()
+    assert panel == theme.LOOKS[look]["PANEL"]
+
+
+def test_english_again_after_german(shown):
+    for code, word in (("de", "Abspielen"), ("fr", "Lire"), ("en", "Play")):
+        shown.window.settings.keep("language", code)
+        shown.remake()
+        assert shown.window.transport.play.accessibleName() == word
+
+
+def controls_without_a_name(window: QWidget) -> list[str]:
+    kinds = (
+        QAbstractButton,
+        QAbstractSlider,
+        QAbstractSpinBox,
+        QComboBox,
+        QLineEdit,
+    )
+    return [
+        f"{type(w).__name__} in {type(w.parent()).__name__}"
+        for w in window.findChildren(QWidget)
+        if isinstance(w, kinds)
+        and w.focusPolicy().value
+        and not (w.accessibleName() or getattr(w, "text", str)() or w.toolTip())
+        and not w.objectName().startswith("qt_")
+    ]
+
+
+@pytest.mark.parametrize("language", list(languages.NAMES))
+def test_every_control_has_a_name_in_every_language(
+    make_window, dressed, source, language, settings, qtbot
+):
+    dressed(language=language)
+    window = make_window()
+    window.session.show_source(source)
+    dialogs = [ImportDialog("", window), KeysDialog(settings, window)]
+    assert controls_without_a_name(window) == []
+    for dialog in dialogs:
+        qtbot.addWidget(dialog)
+        assert controls_without_a_name(dialog) == []
+    assert all(action.text() for action in window.commands.by_name.values())
+
+
+@pytest.mark.parametrize("language", list(languages.NAMES))
+def test_no_text_is_cut_off(make_window, dressed, source, language):
+    dressed(language=language)
+    window = make_window()
+    window.session.show_source(source)
+    window.resize(1280, 800)
+    for button in window.findChildren(QAbstractButton):
+        if button.isVisible() and button.text():
+            wide = button.fontMetrics().horizontalAdvance(button.text())
+            assert wide <= button.width() - 8, button.text()
+
+
+def messages(code: str) -> list[ET.Element]:
+    tree = ET.parse(ROOT / "resources" / "i18n" / f"{code}.ts")
+    return list(tree.iter("message"))
+
+
+@pytest.mark.parametrize("code", OTHERS)
+def test_every_text_is_translated(code):
+    todo = [
+        m.findtext("source")
+        for m in messages(code)
+        if m.find("translation").get("type") == "unfinished"
+        or not m.findtext("translation")
+    ]
+    assert todo == []
+
+
+@pytest.mark.parametrize("code", OTHERS)
+def test_a_translation_keeps_places_for_values_and_mnemonics(code):
+    import re
+
+    for m in messages(code):
+        source, text = m.findtext("source"), m.findtext("translation")
+        fields = re.compile(r"\{[a-z_0-9]*")
+        assert sorted(fields.findall(source)) == sorted(fields.findall(text)), source
+        assert bool(re.search(r"&\w", source)) == bool(re.search(r"&\w", text)), source
+
+
+def test_the_files_hold_every_text_of_the_program(tmp_path):
+    """lupdate finds nothing that the .ts files do not have."""
+    lupdate = Path(sys.executable).parent / "pyside6-lupdate"
+    if not lupdate.exists():
+        pytest.skip("pyside6-lupdate is not installed")
+    files = [str(path) for path in sorted((ROOT / "app").rglob("*.py"))]
+    target = tmp_path / "now.ts"
+    done = subprocess.run(
+        [lupdate, *files, "-ts", target],
+        capture_output=True,
+        check=True,
+        env={**os.environ, "LC_ALL": "C.UTF-8"},
+    )
+    assert done.returncode == 0
+
+    def known(path) -> set[tuple[str, str]]:
+        return {
+            (c.findtext("name"), m.findtext("source"))
+            for c in ET.parse(path).iter("context")
+            for m in c.iter("message")
+        }
+
+    now = known(target)
+    for code in OTHERS:
+        assert known(ROOT / "resources" / "i18n" / f"{code}.ts") == now
