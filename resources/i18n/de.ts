@@ -124,6 +124,10 @@
         <translation>Kraft f&amp;reigeben</translation>
     </message>
     <message>
+        <source>Get to &amp;know the forces…</source>
+        <translation>Die Kräfte &amp;kennenlernen…</translation>
+    </message>
+    <message>
         <source>Live &amp;plots</source>
         <translation>&amp;Kurven</translation>
     </message>
@@ -146,6 +150,45 @@
     <message>
         <source>&amp;About</source>
         <translation>Ü&amp;ber</translation>
+    </message>
+</context>
+<context>
+    <name>AnalysisPage</name>
+    <message>
+        <source>Report</source>
+        <translation>Bericht</translation>
+    </message>
+    <message>
+        <source>&amp;Analyse</source>
+        <translation>&amp;Auswerten</translation>
+    </message>
+    <message>
+        <source>Compute statistics and figures anew</source>
+        <translation>Statistik und Abbildungen neu berechnen</translation>
+    </message>
+    <message>
+        <source>&amp;Save report…</source>
+        <translation>Bericht &amp;speichern…</translation>
+    </message>
+    <message>
+        <source>Write report, figures and numbers into a new folder</source>
+        <translation>Bericht, Abbildungen und Zahlen in einen neuen Ordner schreiben</translation>
+    </message>
+    <message>
+        <source>Analysing</source>
+        <translation>Auswertung läuft</translation>
+    </message>
+    <message>
+        <source>Writing the report</source>
+        <translation>Bericht wird geschrieben</translation>
+    </message>
+    <message>
+        <source>Saved in {0}</source>
+        <translation>Gespeichert in {0}</translation>
+    </message>
+    <message>
+        <source>Where shall the folder of the report be made?</source>
+        <translation>Wo soll der Ordner des Berichts angelegt werden?</translation>
     </message>
 </context>
 <context>
@@ -233,6 +276,97 @@
     </message>
 </context>
 <context>
+    <name>DevicePage</name>
+    <message>
+        <source>Pull the grip out as far as it goes, then push it in until it locks</source>
+        <translation>Den Griff ganz herausziehen, dann hineinschieben, bis er einrastet</translation>
+    </message>
+    <message>
+        <source>To the right</source>
+        <translation>Nach rechts</translation>
+    </message>
+    <message>
+        <source>To the left</source>
+        <translation>Nach links</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Nach oben</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Nach unten</translation>
+    </message>
+    <message>
+        <source>Towards you</source>
+        <translation>Zu Ihnen hin</translation>
+    </message>
+    <message>
+        <source>Away from you</source>
+        <translation>Von Ihnen weg</translation>
+    </message>
+    <message>
+        <source>Vibration</source>
+        <translation>Vibration</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Starten</translation>
+    </message>
+    <message>
+        <source>Feel every direction, gentle first</source>
+        <translation>Jede Richtung spüren, zuerst sanft</translation>
+    </message>
+    <message>
+        <source>STOP</source>
+        <translation>STOPP</translation>
+    </message>
+    <message>
+        <source>Take the force away at once (Esc)</source>
+        <translation>Die Kraft sofort wegnehmen (Esc)</translation>
+    </message>
+    <message>
+        <source>Hold the grip loosely. You will feel every direction three times, gentle first. Esc, STOP or a button on the grip ends it at once.</source>
+        <translation>Halten Sie den Griff locker. Sie spüren jede Richtung dreimal, zuerst sanft. Esc, STOPP oder eine Taste am Griff beendet es sofort.</translation>
+    </message>
+    <message>
+        <source>Stopped.</source>
+        <translation>Angehalten.</translation>
+    </message>
+    <message>
+        <source>Get to know the forces: {name}</source>
+        <translation>Die Kräfte kennenlernen: {name}</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Give the device back</source>
+        <translation>Das Gerät zurückgeben</translation>
+    </message>
+    <message>
+        <source>Rest</source>
+        <translation>Ruhe</translation>
+    </message>
+    <message>
+        <source>Starting</source>
+        <translation>Startet</translation>
+    </message>
+    <message>
+        <source>These were all the forces that you can meet.</source>
+        <translation>Das waren alle Kräfte, die Ihnen begegnen können.</translation>
+    </message>
+    <message>
+        <source>The haptics process has ended.</source>
+        <translation>Der Haptikprozess ist zu Ende.</translation>
+    </message>
+</context>
+<context>
     <name>Dialogs</name>
     <message>
         <source>Open the folder of a sequence</source>
@@ -249,6 +383,10 @@
     <message>
         <source>Logs (*.jsonl *.json *.log);;All files (*)</source>
         <translation>Protokolle (*.jsonl *.json *.log);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Choose a device first, then get to know its forces</source>
+        <translation>Wählen Sie zuerst ein Gerät, dann lernen Sie seine Kräfte kennen</translation>
     </message>
     <message>
         <source>Export the settings</source>
@@ -423,12 +561,24 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>beendet</translation>
     </message>
     <message>
+        <source>pull the grip out, then push it in</source>
+        <translation>Griff herausziehen, dann hineinschieben</translation>
+    </message>
+    <message>
         <source>Simulated</source>
         <translation>Simuliert</translation>
     </message>
     <message>
         <source>Falcon</source>
         <translation>Falcon</translation>
+    </message>
+    <message>
+        <source>Falcon on simulated USB</source>
+        <translation>Falcon an simuliertem USB</translation>
+    </message>
+    <message>
+        <source>Game pad</source>
+        <translation>Gamepad</translation>
     </message>
     <message>
         <source>None</source>
@@ -515,12 +665,20 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>ja, {us:.0f} µs, {missed} verpasst</translation>
     </message>
     <message>
-        <source>{ms:+.1f} ms</source>
-        <translation>{ms:+.1f} ms</translation>
+        <source>OFF {p50:+.1f}, {p95:+.1f} ms</source>
+        <translation>VERSETZT {p50:+.1f}, {p95:+.1f} ms</translation>
+    </message>
+    <message>
+        <source>{p50:+.1f}, {p95:+.1f} ms</source>
+        <translation>{p50:+.1f}, {p95:+.1f} ms</translation>
     </message>
     <message>
         <source>{shown} shown, {dropped} dropped</source>
         <translation>{shown} gezeigt, {dropped} weg</translation>
+    </message>
+    <message>
+        <source>damaged: {damaged} broken, {dropped} dropped</source>
+        <translation>beschädigt: {damaged} defekt, {dropped} verworfen</translation>
     </message>
     <message>
         <source>audio</source>
@@ -594,16 +752,20 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>Kraft − Bild</translation>
     </message>
     <message>
-        <source>How much later the force comes than its picture, median</source>
-        <translation>Um wie viel die Kraft später kommt als ihr Bild, Median</translation>
+        <source>How much later the force comes than its picture: median and 95 % of the last 20 s. More than 15 ms early or 50 ms late is felt</source>
+        <translation>Wie viel später die Kraft kommt als ihr Bild: Median und 95 % der letzten 20 s. Mehr als 15 ms zu früh oder 50 ms zu spät spürt man</translation>
+    </message>
+    <message>
+        <source>OFF +88.8, +88.8 ms</source>
+        <translation>VERSETZT +88,8, +88,8 ms</translation>
+    </message>
+    <message>
+        <source>How much later the force comes than its sound: median and 95 % of the last 20 s. More than 15 ms early or 50 ms late is felt</source>
+        <translation>Wie viel später die Kraft kommt als ihr Ton: Median und 95 % der letzten 20 s. Mehr als 15 ms zu früh oder 50 ms zu spät spürt man</translation>
     </message>
     <message>
         <source>Force − sound</source>
         <translation>Kraft − Ton</translation>
-    </message>
-    <message>
-        <source>How much later the force comes than its sound, median</source>
-        <translation>Um wie viel die Kraft später kommt als ihr Ton, Median</translation>
     </message>
     <message>
         <source>Pictures</source>
@@ -668,6 +830,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>Neuer Ordner</translation>
     </message>
     <message>
+        <source>by three pats</source>
+        <translation>durch drei Klopfer</translation>
+    </message>
+    <message>
         <source> s</source>
         <translation> s</translation>
     </message>
@@ -678,6 +844,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     <message>
         <source>Media time at which the log&apos;s clock reads zero</source>
         <translation>Zeit im Clip, zu der die Uhr des Protokolls null zeigt</translation>
+    </message>
+    <message>
+        <source>&amp;Look…</source>
+        <translation>An&amp;sehen…</translation>
+    </message>
+    <message>
+        <source>Find the pats, see and correct the offset</source>
+        <translation>Die Klopfer finden, den Versatz ansehen und berichtigen</translation>
     </message>
     <message>
         <source>A sequence is a folder with the clip, its motion and the force that belongs to it. Cameras such as GoPro keep their motion inside the video; otherwise give the log of a motion sensor.</source>
@@ -984,6 +1158,224 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     </message>
 </context>
 <context>
+    <name>SessionControl</name>
+    <message>
+        <source>Session – hapticplayer</source>
+        <translation>Sitzung – hapticplayer</translation>
+    </message>
+    <message>
+        <source>A note; Enter keeps it</source>
+        <translation>Eine Notiz; Eingabe behält sie</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Stop the clip; it begins again</source>
+        <translation>Den Clip anhalten; er beginnt von vorn</translation>
+    </message>
+    <message>
+        <source>Repeat</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>Play the last trial again</source>
+        <translation>Den letzten Durchgang noch einmal spielen</translation>
+    </message>
+    <message>
+        <source>Skip…</source>
+        <translation>Überspringen…</translation>
+    </message>
+    <message>
+        <source>Leave this step out</source>
+        <translation>Diesen Schritt auslassen</translation>
+    </message>
+    <message>
+        <source>End…</source>
+        <translation>Beenden…</translation>
+    </message>
+    <message>
+        <source>End the session for good</source>
+        <translation>Die Sitzung endgültig beenden</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Noch einmal</translation>
+    </message>
+    <message>
+        <source>Try to save once more</source>
+        <translation>Noch einmal zu speichern versuchen</translation>
+    </message>
+    <message>
+        <source>STOP</source>
+        <translation>STOPP</translation>
+    </message>
+    <message>
+        <source>Take the force away (Esc)</source>
+        <translation>Die Kraft wegnehmen (Esc)</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>, trial {k} of {n}</source>
+        <translation>, Durchgang {k} von {n}</translation>
+    </message>
+    <message>
+        <source>, attempt {n}</source>
+        <translation>, Versuch {n}</translation>
+    </message>
+    <message>
+        <source>Nothing has been played yet</source>
+        <translation>Es wurde noch nichts gespielt</translation>
+    </message>
+    <message>
+        <source>The last trial was played as it should be</source>
+        <translation>Der letzte Durchgang lief, wie er soll</translation>
+    </message>
+    <message>
+        <source>The last trial was not sound: {reasons}</source>
+        <translation>Der letzte Durchgang war nicht einwandfrei: {reasons}</translation>
+    </message>
+    <message>
+        <source>Skip</source>
+        <translation>Überspringen</translation>
+    </message>
+    <message>
+        <source>Why is this step left out?</source>
+        <translation>Warum wird dieser Schritt ausgelassen?</translation>
+    </message>
+    <message>
+        <source>End the session</source>
+        <translation>Die Sitzung beenden</translation>
+    </message>
+    <message>
+        <source>Why does it end? All answers given so far are kept.</source>
+        <translation>Warum endet sie? Alle bisherigen Antworten bleiben erhalten.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>The session has not ended. Close, and go on with it later?</source>
+        <translation>Die Sitzung ist nicht zu Ende. Schließen und später fortsetzen?</translation>
+    </message>
+    <message>
+        <source>consent</source>
+        <translation>Einwilligung</translation>
+    </message>
+    <message>
+        <source>questions</source>
+        <translation>Fragen</translation>
+    </message>
+    <message>
+        <source>demonstration</source>
+        <translation>Vorführung</translation>
+    </message>
+    <message>
+        <source>ready</source>
+        <translation>bereit</translation>
+    </message>
+    <message>
+        <source>playing</source>
+        <translation>spielt</translation>
+    </message>
+    <message>
+        <source>paused</source>
+        <translation>angehalten</translation>
+    </message>
+    <message>
+        <source>cannot be saved</source>
+        <translation>kann nicht gespeichert werden</translation>
+    </message>
+    <message>
+        <source>finished</source>
+        <translation>fertig</translation>
+    </message>
+    <message>
+        <source>ended early</source>
+        <translation>vorzeitig beendet</translation>
+    </message>
+</context>
+<context>
+    <name>StartPanel</name>
+    <message>
+        <source>Participant</source>
+        <translation>Teilnehmende Person</translation>
+    </message>
+    <message>
+        <source>New participant</source>
+        <translation>Neue Person</translation>
+    </message>
+    <message>
+        <source>Go on with {code}</source>
+        <translation>Mit {code} fortfahren</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Sprache</translation>
+    </message>
+    <message>
+        <source>Play a clip</source>
+        <translation>Einen Clip spielen</translation>
+    </message>
+    <message>
+        <source>Listen whether the sound is heard</source>
+        <translation>Hören, ob der Ton ankommt</translation>
+    </message>
+    <message>
+        <source>The sound is heard</source>
+        <translation>Der Ton ist zu hören</translation>
+    </message>
+    <message>
+        <source>Begin although something is not in order</source>
+        <translation>Beginnen, obwohl nicht alles in Ordnung ist</translation>
+    </message>
+    <message>
+        <source>Begin</source>
+        <translation>Beginnen</translation>
+    </message>
+    <message>
+        <source>Show the first page to the participant</source>
+        <translation>Der Person die erste Seite zeigen</translation>
+    </message>
+    <message>
+        <source>Language of the pages</source>
+        <translation>Sprache der Seiten</translation>
+    </message>
+    <message>
+        <source>Sound</source>
+        <translation>Ton</translation>
+    </message>
+    <message>
+        <source>Checks</source>
+        <translation>Prüfungen</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>Grip found</source>
+        <translation>Griff gefunden</translation>
+    </message>
+    <message>
+        <source>Real-time class</source>
+        <translation>Echtzeitklasse</translation>
+    </message>
+    <message>
+        <source>Participant&apos;s screen</source>
+        <translation>Bildschirm der Person</translation>
+    </message>
+    <message>
+        <source>Disk</source>
+        <translation>Datenträger</translation>
+    </message>
+</context>
+<context>
     <name>Statistics</name>
     <message>
         <source>Clip</source>
@@ -1056,6 +1448,206 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     <message>
         <source>Grip, mm</source>
         <translation>Griff, mm</translation>
+    </message>
+</context>
+<context>
+    <name>StudyEditor</name>
+    <message>
+        <source>Study – {name}</source>
+        <translation>Studie – {name}</translation>
+    </message>
+    <message>
+        <source>General</source>
+        <translation>Allgemein</translation>
+    </message>
+    <message>
+        <source>Sequences</source>
+        <translation>Sequenzen</translation>
+    </message>
+    <message>
+        <source>Questions</source>
+        <translation>Fragen</translation>
+    </message>
+    <message>
+        <source>Never the same sequence twice in a row</source>
+        <translation>Nie zweimal nacheinander dieselbe Sequenz</translation>
+    </message>
+    <message>
+        <source>The operator does not see the condition</source>
+        <translation>Die Leitung sieht die Bedingung nicht</translation>
+    </message>
+    <message>
+        <source>Show the published wording where there is one</source>
+        <translation>Den veröffentlichten Wortlaut zeigen, wo es ihn gibt</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Titel</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>Reihenfolge</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Startwert</translation>
+    </message>
+    <message>
+        <source>Random for each participant</source>
+        <translation>Zufällig für jede Person</translation>
+    </message>
+    <message>
+        <source>Latin square</source>
+        <translation>Lateinisches Quadrat</translation>
+    </message>
+    <message>
+        <source>Williams: balanced for what came before</source>
+        <translation>Williams: ausgeglichen nach dem Vorangegangenen</translation>
+    </message>
+    <message>
+        <source>From orders.csv</source>
+        <translation>Aus orders.csv</translation>
+    </message>
+    <message>
+        <source>Browse…</source>
+        <translation>Durchsuchen…</translation>
+    </message>
+    <message>
+        <source>Choose the folder of a sequence</source>
+        <translation>Den Ordner einer Sequenz wählen</translation>
+    </message>
+    <message>
+        <source>Folder of a sequence</source>
+        <translation>Ordner einer Sequenz</translation>
+    </message>
+    <message>
+        <source> (published)</source>
+        <translation> (veröffentlicht)</translation>
+    </message>
+</context>
+<context>
+    <name>StudyMenu</name>
+    <message>
+        <source>&amp;Study</source>
+        <translation>&amp;Studie</translation>
+    </message>
+    <message>
+        <source>&amp;New study…</source>
+        <translation>&amp;Neue Studie…</translation>
+    </message>
+    <message>
+        <source>&amp;Edit study…</source>
+        <translation>Studie &amp;bearbeiten…</translation>
+    </message>
+    <message>
+        <source>&amp;Run a participant…</source>
+        <translation>&amp;Person durchführen lassen…</translation>
+    </message>
+    <message>
+        <source>New study</source>
+        <translation>Neue Studie</translation>
+    </message>
+    <message>
+        <source>Template</source>
+        <translation>Vorlage</translation>
+    </message>
+    <message>
+        <source>Folder of a study</source>
+        <translation>Ordner einer Studie</translation>
+    </message>
+</context>
+<context>
+    <name>SyncDialog</name>
+    <message>
+        <source>Synchronise sound and motion</source>
+        <translation>Ton und Bewegung abgleichen</translation>
+    </message>
+    <message>
+        <source>Looking for the pats…</source>
+        <translation>Die Klopfer werden gesucht…</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>Versatz</translation>
+    </message>
+    <message>
+        <source>&amp;Whole clip</source>
+        <translation>&amp;Ganzer Clip</translation>
+    </message>
+    <message>
+        <source>Show the whole clip</source>
+        <translation>Den ganzen Clip zeigen</translation>
+    </message>
+    <message>
+        <source>The &amp;pats</source>
+        <translation>Die &amp;Klopfer</translation>
+    </message>
+    <message>
+        <source>Show the pats closely</source>
+        <translation>Die Klopfer aus der Nähe zeigen</translation>
+    </message>
+    <message>
+        <source>Use this offset</source>
+        <translation>Diesen Versatz verwenden</translation>
+    </message>
+    <message>
+        <source>Import with this offset</source>
+        <translation>Mit diesem Versatz importieren</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Leave the offset as it was</source>
+        <translation>Den Versatz lassen, wie er war</translation>
+    </message>
+    <message>
+        <source>&amp;Offset</source>
+        <translation>&amp;Versatz</translation>
+    </message>
+    <message>
+        <source>Drag the acceleration until it lies under the sound; the arrow keys move it by 1 ms, with Shift by 10 ms, with Ctrl by 100 ms. The wheel zooms.</source>
+        <translation>Ziehen Sie die Beschleunigung unter den Ton; die Pfeiltasten bewegen sie um 1 ms, mit Umschalt um 10 ms, mit Strg um 100 ms. Das Rad vergrößert.</translation>
+    </message>
+    <message>
+        <source>{camera}: {rate} Hz, {duration} s</source>
+        <translation>{camera}: {rate} Hz, {duration} s</translation>
+    </message>
+    <message>
+        <source>The pats were found (confidence {confidence}, residual {ms} ms).</source>
+        <translation>Die Klopfer wurden gefunden (Sicherheit {confidence}, Rest {ms} ms).</translation>
+    </message>
+    <message>
+        <source>The pats are not certain (confidence {confidence}). Look whether the same events lie under each other, and drag them if not.</source>
+        <translation>Die Klopfer sind nicht sicher (Sicherheit {confidence}). Sehen Sie nach, ob gleiche Ereignisse untereinander liegen, und verschieben Sie sie sonst.</translation>
+    </message>
+    <message>
+        <source>No three pats are both heard and felt; drag by hand.</source>
+        <translation>Keine drei Klopfer sind zugleich zu hören und zu spüren; verschieben Sie von Hand.</translation>
+    </message>
+</context>
+<context>
+    <name>SyncStrip</name>
+    <message>
+        <source>Sound and acceleration</source>
+        <translation>Ton und Beschleunigung</translation>
+    </message>
+    <message>
+        <source>sound</source>
+        <translation>Ton</translation>
+    </message>
+    <message>
+        <source>acceleration</source>
+        <translation>Beschleunigung</translation>
+    </message>
+    <message>
+        <source>{time} s</source>
+        <translation>{time} s</translation>
     </message>
 </context>
 <context>

@@ -124,6 +124,10 @@
         <translation>&amp;Réarmer la force</translation>
     </message>
     <message>
+        <source>Get to &amp;know the forces…</source>
+        <translation>&amp;Découvrir les forces…</translation>
+    </message>
+    <message>
         <source>Live &amp;plots</source>
         <translation>&amp;Courbes</translation>
     </message>
@@ -146,6 +150,45 @@
     <message>
         <source>&amp;About</source>
         <translation>À &amp;propos</translation>
+    </message>
+</context>
+<context>
+    <name>AnalysisPage</name>
+    <message>
+        <source>Report</source>
+        <translation>Rapport</translation>
+    </message>
+    <message>
+        <source>&amp;Analyse</source>
+        <translation>&amp;Analyser</translation>
+    </message>
+    <message>
+        <source>Compute statistics and figures anew</source>
+        <translation>Recalculer les statistiques et les figures</translation>
+    </message>
+    <message>
+        <source>&amp;Save report…</source>
+        <translation>Enregi&amp;strer le rapport…</translation>
+    </message>
+    <message>
+        <source>Write report, figures and numbers into a new folder</source>
+        <translation>Écrire le rapport, les figures et les nombres dans un nouveau dossier</translation>
+    </message>
+    <message>
+        <source>Analysing</source>
+        <translation>Analyse en cours</translation>
+    </message>
+    <message>
+        <source>Writing the report</source>
+        <translation>Écriture du rapport</translation>
+    </message>
+    <message>
+        <source>Saved in {0}</source>
+        <translation>Enregistré dans {0}</translation>
+    </message>
+    <message>
+        <source>Where shall the folder of the report be made?</source>
+        <translation>Où créer le dossier du rapport ?</translation>
     </message>
 </context>
 <context>
@@ -233,6 +276,97 @@
     </message>
 </context>
 <context>
+    <name>DevicePage</name>
+    <message>
+        <source>Pull the grip out as far as it goes, then push it in until it locks</source>
+        <translation>Tirez la poignée à fond, puis enfoncez-la jusqu’au blocage</translation>
+    </message>
+    <message>
+        <source>To the right</source>
+        <translation>Vers la droite</translation>
+    </message>
+    <message>
+        <source>To the left</source>
+        <translation>Vers la gauche</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Vers le haut</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Vers le bas</translation>
+    </message>
+    <message>
+        <source>Towards you</source>
+        <translation>Vers vous</translation>
+    </message>
+    <message>
+        <source>Away from you</source>
+        <translation>Loin de vous</translation>
+    </message>
+    <message>
+        <source>Vibration</source>
+        <translation>Vibration</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Démarrer</translation>
+    </message>
+    <message>
+        <source>Feel every direction, gentle first</source>
+        <translation>Sentir chaque direction, doucement d’abord</translation>
+    </message>
+    <message>
+        <source>STOP</source>
+        <translation>STOP</translation>
+    </message>
+    <message>
+        <source>Take the force away at once (Esc)</source>
+        <translation>Retirer la force immédiatement (Échap)</translation>
+    </message>
+    <message>
+        <source>Hold the grip loosely. You will feel every direction three times, gentle first. Esc, STOP or a button on the grip ends it at once.</source>
+        <translation>Tenez la poignée sans serrer. Vous sentirez chaque direction trois fois, doucement d’abord. Échap, STOP ou un bouton de la poignée y met fin aussitôt.</translation>
+    </message>
+    <message>
+        <source>Stopped.</source>
+        <translation>Arrêté.</translation>
+    </message>
+    <message>
+        <source>Get to know the forces: {name}</source>
+        <translation>Découvrir les forces : {name}</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Progression</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>Give the device back</source>
+        <translation>Rendre l’appareil</translation>
+    </message>
+    <message>
+        <source>Rest</source>
+        <translation>Repos</translation>
+    </message>
+    <message>
+        <source>Starting</source>
+        <translation>Démarrage</translation>
+    </message>
+    <message>
+        <source>These were all the forces that you can meet.</source>
+        <translation>Ce sont toutes les forces que vous pouvez rencontrer.</translation>
+    </message>
+    <message>
+        <source>The haptics process has ended.</source>
+        <translation>Le processus haptique s’est terminé.</translation>
+    </message>
+</context>
+<context>
     <name>Dialogs</name>
     <message>
         <source>Open the folder of a sequence</source>
@@ -249,6 +383,10 @@
     <message>
         <source>Logs (*.jsonl *.json *.log);;All files (*)</source>
         <translation>Journaux (*.jsonl *.json *.log);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Choose a device first, then get to know its forces</source>
+        <translation>Choisissez d’abord un appareil, puis découvrez ses forces</translation>
     </message>
     <message>
         <source>Export the settings</source>
@@ -423,12 +561,24 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>terminé</translation>
     </message>
     <message>
+        <source>pull the grip out, then push it in</source>
+        <translation>tirez la poignée, puis enfoncez-la</translation>
+    </message>
+    <message>
         <source>Simulated</source>
         <translation>Simulé</translation>
     </message>
     <message>
         <source>Falcon</source>
         <translation>Falcon</translation>
+    </message>
+    <message>
+        <source>Falcon on simulated USB</source>
+        <translation>Falcon sur USB simulé</translation>
+    </message>
+    <message>
+        <source>Game pad</source>
+        <translation>Manette</translation>
     </message>
     <message>
         <source>None</source>
@@ -515,12 +665,20 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>oui, {us:.0f} µs, {missed} manqués</translation>
     </message>
     <message>
-        <source>{ms:+.1f} ms</source>
-        <translation>{ms:+.1f} ms</translation>
+        <source>OFF {p50:+.1f}, {p95:+.1f} ms</source>
+        <translation>DÉCALÉ {p50:+.1f}, {p95:+.1f} ms</translation>
+    </message>
+    <message>
+        <source>{p50:+.1f}, {p95:+.1f} ms</source>
+        <translation>{p50:+.1f}, {p95:+.1f} ms</translation>
     </message>
     <message>
         <source>{shown} shown, {dropped} dropped</source>
         <translation>{shown} vues, {dropped} sautées</translation>
+    </message>
+    <message>
+        <source>damaged: {damaged} broken, {dropped} dropped</source>
+        <translation>endommagé : {damaged} illisibles, {dropped} perdues</translation>
     </message>
     <message>
         <source>audio</source>
@@ -594,16 +752,20 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>Force − image</translation>
     </message>
     <message>
-        <source>How much later the force comes than its picture, median</source>
-        <translation>De combien la force suit son image, médiane</translation>
+        <source>How much later the force comes than its picture: median and 95 % of the last 20 s. More than 15 ms early or 50 ms late is felt</source>
+        <translation>Retard de la force sur son image : médiane et 95 % des 20 dernières secondes. Plus de 15 ms d’avance ou 50 ms de retard se sentent</translation>
+    </message>
+    <message>
+        <source>OFF +88.8, +88.8 ms</source>
+        <translation>DÉCALÉ +88,8, +88,8 ms</translation>
+    </message>
+    <message>
+        <source>How much later the force comes than its sound: median and 95 % of the last 20 s. More than 15 ms early or 50 ms late is felt</source>
+        <translation>Retard de la force sur son son : médiane et 95 % des 20 dernières secondes. Plus de 15 ms d’avance ou 50 ms de retard se sentent</translation>
     </message>
     <message>
         <source>Force − sound</source>
         <translation>Force − son</translation>
-    </message>
-    <message>
-        <source>How much later the force comes than its sound, median</source>
-        <translation>De combien la force suit son son, médiane</translation>
     </message>
     <message>
         <source>Pictures</source>
@@ -668,6 +830,10 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>Nouveau dossier</translation>
     </message>
     <message>
+        <source>by three pats</source>
+        <translation>par trois tapes</translation>
+    </message>
+    <message>
         <source> s</source>
         <translation> s</translation>
     </message>
@@ -678,6 +844,14 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     <message>
         <source>Media time at which the log&apos;s clock reads zero</source>
         <translation>Temps de la vidéo où l’horloge du journal marque zéro</translation>
+    </message>
+    <message>
+        <source>&amp;Look…</source>
+        <translation>&amp;Voir…</translation>
+    </message>
+    <message>
+        <source>Find the pats, see and correct the offset</source>
+        <translation>Trouver les tapes, voir et corriger le décalage</translation>
     </message>
     <message>
         <source>A sequence is a folder with the clip, its motion and the force that belongs to it. Cameras such as GoPro keep their motion inside the video; otherwise give the log of a motion sensor.</source>
@@ -984,6 +1158,224 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
 </context>
 <context>
+    <name>SessionControl</name>
+    <message>
+        <source>Session – hapticplayer</source>
+        <translation>Séance – hapticplayer</translation>
+    </message>
+    <message>
+        <source>A note; Enter keeps it</source>
+        <translation>Une note ; Entrée la conserve</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Stop the clip; it begins again</source>
+        <translation>Arrêter le clip ; il recommencera</translation>
+    </message>
+    <message>
+        <source>Repeat</source>
+        <translation>Répéter</translation>
+    </message>
+    <message>
+        <source>Play the last trial again</source>
+        <translation>Rejouer le dernier essai</translation>
+    </message>
+    <message>
+        <source>Skip…</source>
+        <translation>Passer…</translation>
+    </message>
+    <message>
+        <source>Leave this step out</source>
+        <translation>Omettre cette étape</translation>
+    </message>
+    <message>
+        <source>End…</source>
+        <translation>Terminer…</translation>
+    </message>
+    <message>
+        <source>End the session for good</source>
+        <translation>Terminer la séance définitivement</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Réessayer</translation>
+    </message>
+    <message>
+        <source>Try to save once more</source>
+        <translation>Essayer encore d’enregistrer</translation>
+    </message>
+    <message>
+        <source>STOP</source>
+        <translation>STOP</translation>
+    </message>
+    <message>
+        <source>Take the force away (Esc)</source>
+        <translation>Retirer la force (Échap)</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>Continuer</translation>
+    </message>
+    <message>
+        <source>, trial {k} of {n}</source>
+        <translation>, essai {k} sur {n}</translation>
+    </message>
+    <message>
+        <source>, attempt {n}</source>
+        <translation>, tentative {n}</translation>
+    </message>
+    <message>
+        <source>Nothing has been played yet</source>
+        <translation>Rien n’a encore été joué</translation>
+    </message>
+    <message>
+        <source>The last trial was played as it should be</source>
+        <translation>Le dernier essai s’est déroulé correctement</translation>
+    </message>
+    <message>
+        <source>The last trial was not sound: {reasons}</source>
+        <translation>Le dernier essai n’est pas valable : {reasons}</translation>
+    </message>
+    <message>
+        <source>Skip</source>
+        <translation>Passer</translation>
+    </message>
+    <message>
+        <source>Why is this step left out?</source>
+        <translation>Pourquoi omettre cette étape ?</translation>
+    </message>
+    <message>
+        <source>End the session</source>
+        <translation>Terminer la séance</translation>
+    </message>
+    <message>
+        <source>Why does it end? All answers given so far are kept.</source>
+        <translation>Pourquoi se termine-t-elle ? Toutes les réponses données sont conservées.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>The session has not ended. Close, and go on with it later?</source>
+        <translation>La séance n’est pas terminée. Fermer et la reprendre plus tard ?</translation>
+    </message>
+    <message>
+        <source>consent</source>
+        <translation>consentement</translation>
+    </message>
+    <message>
+        <source>questions</source>
+        <translation>questions</translation>
+    </message>
+    <message>
+        <source>demonstration</source>
+        <translation>démonstration</translation>
+    </message>
+    <message>
+        <source>ready</source>
+        <translation>prêt</translation>
+    </message>
+    <message>
+        <source>playing</source>
+        <translation>lecture</translation>
+    </message>
+    <message>
+        <source>paused</source>
+        <translation>en pause</translation>
+    </message>
+    <message>
+        <source>cannot be saved</source>
+        <translation>enregistrement impossible</translation>
+    </message>
+    <message>
+        <source>finished</source>
+        <translation>terminé</translation>
+    </message>
+    <message>
+        <source>ended early</source>
+        <translation>terminé avant la fin</translation>
+    </message>
+</context>
+<context>
+    <name>StartPanel</name>
+    <message>
+        <source>Participant</source>
+        <translation>Participant</translation>
+    </message>
+    <message>
+        <source>New participant</source>
+        <translation>Nouveau participant</translation>
+    </message>
+    <message>
+        <source>Go on with {code}</source>
+        <translation>Continuer avec {code}</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Langue</translation>
+    </message>
+    <message>
+        <source>Play a clip</source>
+        <translation>Jouer un clip</translation>
+    </message>
+    <message>
+        <source>Listen whether the sound is heard</source>
+        <translation>Vérifier que le son s’entend</translation>
+    </message>
+    <message>
+        <source>The sound is heard</source>
+        <translation>Le son s’entend</translation>
+    </message>
+    <message>
+        <source>Begin although something is not in order</source>
+        <translation>Commencer bien que tout ne soit pas en ordre</translation>
+    </message>
+    <message>
+        <source>Begin</source>
+        <translation>Commencer</translation>
+    </message>
+    <message>
+        <source>Show the first page to the participant</source>
+        <translation>Montrer la première page au participant</translation>
+    </message>
+    <message>
+        <source>Language of the pages</source>
+        <translation>Langue des pages</translation>
+    </message>
+    <message>
+        <source>Sound</source>
+        <translation>Son</translation>
+    </message>
+    <message>
+        <source>Checks</source>
+        <translation>Vérifications</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Appareil</translation>
+    </message>
+    <message>
+        <source>Grip found</source>
+        <translation>Poignée repérée</translation>
+    </message>
+    <message>
+        <source>Real-time class</source>
+        <translation>Classe temps réel</translation>
+    </message>
+    <message>
+        <source>Participant&apos;s screen</source>
+        <translation>Écran du participant</translation>
+    </message>
+    <message>
+        <source>Disk</source>
+        <translation>Disque</translation>
+    </message>
+</context>
+<context>
     <name>Statistics</name>
     <message>
         <source>Clip</source>
@@ -1056,6 +1448,206 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     <message>
         <source>Grip, mm</source>
         <translation>Poignée, mm</translation>
+    </message>
+</context>
+<context>
+    <name>StudyEditor</name>
+    <message>
+        <source>Study – {name}</source>
+        <translation>Étude – {name}</translation>
+    </message>
+    <message>
+        <source>General</source>
+        <translation>Général</translation>
+    </message>
+    <message>
+        <source>Sequences</source>
+        <translation>Séquences</translation>
+    </message>
+    <message>
+        <source>Questions</source>
+        <translation>Questions</translation>
+    </message>
+    <message>
+        <source>Never the same sequence twice in a row</source>
+        <translation>Jamais deux fois de suite la même séquence</translation>
+    </message>
+    <message>
+        <source>The operator does not see the condition</source>
+        <translation>L’opérateur ne voit pas la condition</translation>
+    </message>
+    <message>
+        <source>Show the published wording where there is one</source>
+        <translation>Montrer le texte publié s’il existe</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Titre</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>Ordre</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Graine</translation>
+    </message>
+    <message>
+        <source>Random for each participant</source>
+        <translation>Aléatoire pour chaque participant</translation>
+    </message>
+    <message>
+        <source>Latin square</source>
+        <translation>Carré latin</translation>
+    </message>
+    <message>
+        <source>Williams: balanced for what came before</source>
+        <translation>Williams : équilibré selon ce qui précède</translation>
+    </message>
+    <message>
+        <source>From orders.csv</source>
+        <translation>D’après orders.csv</translation>
+    </message>
+    <message>
+        <source>Browse…</source>
+        <translation>Parcourir…</translation>
+    </message>
+    <message>
+        <source>Choose the folder of a sequence</source>
+        <translation>Choisir le dossier d’une séquence</translation>
+    </message>
+    <message>
+        <source>Folder of a sequence</source>
+        <translation>Dossier d’une séquence</translation>
+    </message>
+    <message>
+        <source> (published)</source>
+        <translation> (publié)</translation>
+    </message>
+</context>
+<context>
+    <name>StudyMenu</name>
+    <message>
+        <source>&amp;Study</source>
+        <translation>É&amp;tude</translation>
+    </message>
+    <message>
+        <source>&amp;New study…</source>
+        <translation>&amp;Nouvelle étude…</translation>
+    </message>
+    <message>
+        <source>&amp;Edit study…</source>
+        <translation>&amp;Modifier une étude…</translation>
+    </message>
+    <message>
+        <source>&amp;Run a participant…</source>
+        <translation>&amp;Faire passer un participant…</translation>
+    </message>
+    <message>
+        <source>New study</source>
+        <translation>Nouvelle étude</translation>
+    </message>
+    <message>
+        <source>Template</source>
+        <translation>Modèle</translation>
+    </message>
+    <message>
+        <source>Folder of a study</source>
+        <translation>Dossier d’une étude</translation>
+    </message>
+</context>
+<context>
+    <name>SyncDialog</name>
+    <message>
+        <source>Synchronise sound and motion</source>
+        <translation>Synchroniser le son et le mouvement</translation>
+    </message>
+    <message>
+        <source>Looking for the pats…</source>
+        <translation>Recherche des tapes…</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>Décalage</translation>
+    </message>
+    <message>
+        <source>&amp;Whole clip</source>
+        <translation>Clip &amp;entier</translation>
+    </message>
+    <message>
+        <source>Show the whole clip</source>
+        <translation>Montrer le clip entier</translation>
+    </message>
+    <message>
+        <source>The &amp;pats</source>
+        <translation>Les &amp;tapes</translation>
+    </message>
+    <message>
+        <source>Show the pats closely</source>
+        <translation>Montrer les tapes de près</translation>
+    </message>
+    <message>
+        <source>Use this offset</source>
+        <translation>Utiliser ce décalage</translation>
+    </message>
+    <message>
+        <source>Import with this offset</source>
+        <translation>Importer avec ce décalage</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Leave the offset as it was</source>
+        <translation>Laisser le décalage tel quel</translation>
+    </message>
+    <message>
+        <source>&amp;Offset</source>
+        <translation>&amp;Décalage</translation>
+    </message>
+    <message>
+        <source>Drag the acceleration until it lies under the sound; the arrow keys move it by 1 ms, with Shift by 10 ms, with Ctrl by 100 ms. The wheel zooms.</source>
+        <translation>Faites glisser l’accélération jusqu’à ce qu’elle soit sous le son ; les flèches la déplacent de 1 ms, avec Maj de 10 ms, avec Ctrl de 100 ms. La molette agrandit.</translation>
+    </message>
+    <message>
+        <source>{camera}: {rate} Hz, {duration} s</source>
+        <translation>{camera} : {rate} Hz, {duration} s</translation>
+    </message>
+    <message>
+        <source>The pats were found (confidence {confidence}, residual {ms} ms).</source>
+        <translation>Les tapes ont été trouvées (confiance {confidence}, résidu {ms} ms).</translation>
+    </message>
+    <message>
+        <source>The pats are not certain (confidence {confidence}). Look whether the same events lie under each other, and drag them if not.</source>
+        <translation>Les tapes ne sont pas sûres (confiance {confidence}). Vérifiez que les mêmes événements se superposent, sinon faites-les glisser.</translation>
+    </message>
+    <message>
+        <source>No three pats are both heard and felt; drag by hand.</source>
+        <translation>Aucune série de trois tapes n’est à la fois entendue et sentie ; faites glisser à la main.</translation>
+    </message>
+</context>
+<context>
+    <name>SyncStrip</name>
+    <message>
+        <source>Sound and acceleration</source>
+        <translation>Son et accélération</translation>
+    </message>
+    <message>
+        <source>sound</source>
+        <translation>son</translation>
+    </message>
+    <message>
+        <source>acceleration</source>
+        <translation>accélération</translation>
+    </message>
+    <message>
+        <source>{time} s</source>
+        <translation>{time} s</translation>
     </message>
 </context>
 <context>
