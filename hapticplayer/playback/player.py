@@ -8,31 +8,24 @@ force with it.
 
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any
 
 from hapticplayer.clock import Clock
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.scheduling import Scheduling
-from hapticplayer.media import Picture
 from hapticplayer.playback.audio import AudioOut, AudioRing, SoundDeviceOut
 from hapticplayer.playback.clock import AudioReport, MediaClock
 from hapticplayer.playback.clock import Source as ClockSource
 from hapticplayer.playback.feeders import AudioFeeder, VideoFeeder
 from hapticplayer.playback.haptic_link import NO_DEVICE, HapticLink
 from hapticplayer.playback.log import PlaybackLog
+from hapticplayer.playback.screen import POLL_S, FrameSink, NullSink, Screen
 from hapticplayer.playback.snapshot import Phase, Snapshot
 from hapticplayer.playback.sound_revival import PREBUFFER_S, SoundKeeper
 from hapticplayer.playback.source import Source
 
-POLL_S = 0.025
 FIRST_SOUND_TIMEOUT_S = 3.0  # a sound server that wakes its device took 1.3 s
 AUDIO_LOG_PERIOD_S = 0.04
-# Painting takes 1 to 3 ms; a picture is begun so much earlier that it is on time.
-MAX_SHOW_COST_S = 0.008
-# On top of that: a force before its picture is felt three times sooner than one after
-# it, so the picture is aimed to be a little early, not the force.
-PICTURE_LEAD_S = 0.001
-SHOW_COST_SMOOTHING = 0.1
 
 SLOWEST, FASTEST = 0.5, 4.0  # of `set_speed`
 PICTURE_STOPS_S = 0.2
@@ -40,21 +33,6 @@ NO_TRACK = ""  # no force; what comes after it fades in
 DAMAGED = "the clip is damaged: some of its pictures are missing or broken"
 
 AudioFactory = Callable[[AudioRing, Clock], AudioOut]
-
-
-class FrameSink(Protocol):
-    """Where pictures go."""
-
-    def show(self, picture: Picture) -> None:
-        """Present a picture now; returns when it is on the screen."""
-        ...
-
-
-class NullSink:
-    """Presents to nobody."""
-
-    def show(self, picture: Picture) -> None:
-        """Accept the picture."""
 
 
 class Player:
@@ -87,7 +65,7 @@ class Player:
         self.end_s = 0.0
         self.loop_s: tuple[float, float] | None = None  # played again and again
         self._clock = clock
-        self._sink = sink or NullSink()
+        self._screen = Screen(clock, sink or NullSink(), self._note_picture)
         self._make_audio = audio
         self._scheduling = scheduling
         self._media = MediaClock()
@@ -99,17 +77,12 @@ class Player:
         self._log: PlaybackLog | None = None
         self._link = HapticLink(clock, device, scheduling)
         self._size_px = (0, 0)
-        self._picture_s = 0.0  # of what is shown
-        self._preview: Picture | None = None
-        self._needs_preview = False
         self._first_sound_by_s = 0.0
         self._logged_audio_s = float("-inf")
         self._underruns = 0
         self._led_by = ClockSource.MONOTONIC
-        self._show_cost_s = self._pictured_s = 0.0
+        self._pictured_s = 0.0
         self._is_blind = False
-        self._shown = 0
-        self._dropped = 0
         self._damaged = 0
         self._dropped_before = 0
 
@@ -177,7 +150,8 @@ class Player:
         if self._video_feeder is not None:
             self._dropped_before += self._video_feeder.dropped
         self._video_feeder = self._audio_feeder = self._audio = None
-        self.source, self._preview, self.loop_s = None, None, None
+        self.source, self.loop_s = None, None
+        self._screen.forget()
         self.phase, self.problem, self._damaged = Phase.EMPTY, "", 0
         self._media.seek(0.0)
 
@@ -216,12 +190,13 @@ class Player:
         self.pause()
         if frames < 0:
             half_s = 0.5 / (source.clip.frame_rate_hz or 30.0)
-            self.seek(self._picture_s - half_s)
-            self._picture_s = max(0.0, self._picture_s - half_s)
+            picture_s = self._screen.picture_s - half_s
+            self.seek(picture_s)
+            self._screen.picture_s = max(0.0, picture_s)
         elif (picture := feeder.pop()) is not None:
             self._media.seek(picture.pts_s)
             self._follow_clock(picture.pts_s)
-            self._show_still(picture)
+            self._screen.show_still(picture)
 
     def set_speed(self, speed: float) -> None:
         """Play faster or slower from here on; the sound keeps its pitch."""
@@ -234,7 +209,7 @@ class Player:
 
     def set_sink(self, sink: FrameSink) -> None:
         """Present the pictures somewhere else, beginning with the present one."""
-        self._sink = sink
+        self._screen.sink = sink
         self.seek(self.media_s())
 
     def set_volume(self, share: float) -> None:
@@ -318,7 +293,7 @@ class Player:
             loop=self._link.history.recent_stats(),
             force_minus_video=self._link.video_sync.recent(),
             force_minus_audio=self._link.audio_sync.recent(),
-            frames_shown=self._shown,
+            frames_shown=self._screen.shown,
             frames_dropped=self.frames_dropped,
             frames_damaged=self._damaged,
             problem=self.problem,
@@ -328,7 +303,11 @@ class Player:
     def frames_dropped(self) -> int:
         """Pictures that came too late to be shown."""
         feeder = self._video_feeder
-        return self._dropped_before + self._dropped + (feeder.dropped if feeder else 0)
+        return (
+            self._dropped_before
+            + self._screen.dropped
+            + (feeder.dropped if feeder else 0)
+        )
 
     def summary(self) -> dict[str, Any]:
         """Return what the log ends with."""
@@ -336,7 +315,7 @@ class Player:
         return {
             **self._link.summary(),
             "frames": {
-                "shown": self._shown,
+                "shown": self._screen.shown,
                 "dropped": self.frames_dropped,
                 "damaged": self._damaged,
             },
@@ -487,7 +466,7 @@ class Player:
     def _go_to(self, media_s: float) -> None:
         self._keeper.rest()
         self._media.seek(media_s)
-        self._preview, self._needs_preview = None, True
+        self._screen.renew()
         if self._video_feeder is not None:
             self._video_feeder.request(self._media.epoch, media_s)
         self._follow_clock(media_s)
@@ -504,50 +483,13 @@ class Player:
         feeder = self._video_feeder
         if feeder is None:
             return now_s + POLL_S
-        clock = self._media.snapshot(now_s)
-        if not (self._media.is_running and now_s >= clock.monotonic0_s):
-            self._show_preview(feeder)
-            return clock.monotonic0_s if self._media.is_running else now_s + POLL_S
-        if self._preview is not None:
-            self._show(self._preview)
-            self._preview = None
-        early_s = self._show_cost_s + PICTURE_LEAD_S
-        media_s = clock.media_s(now_s + early_s)
-        feeder.set_position(media_s)
-        while (picture := feeder.peek()) is not None and picture.pts_s <= media_s:
-            following = feeder.peek(1)
-            if following is not None and following.pts_s <= media_s:
-                self._dropped += 1
-            else:
-                self._show(picture)
-            # not before: the decoder that this wakes would fight for the interpreter
-            # while the picture is painted (p95 3.4 ms late instead of 1.3)
-            feeder.pop()
-        if picture is None:
-            return now_s + 0.5 * POLL_S
-        return clock.monotonic_s(picture.pts_s) - early_s
+        clock = self._media.snapshot(now_s) if self._media.is_running else None
+        return self._screen.present(now_s, feeder, clock)
 
-    def _show_preview(self, feeder: VideoFeeder) -> None:
-        """After a seek, show where we are without waiting for the clock."""
-        if self._needs_preview and (picture := feeder.pop()) is not None:
-            self._show_still(picture)
-
-    def _show_still(self, picture: Picture) -> None:
-        self._needs_preview, self._preview = False, picture
-        self._picture_s = picture.pts_s
-        self._sink.show(picture)
-
-    def _show(self, picture: Picture) -> None:
-        begun_s = self._clock.now_s()
-        self._sink.show(picture)
-        shown_s = self._clock.now_s()
-        cost_s = min(shown_s - begun_s, MAX_SHOW_COST_S)
-        self._show_cost_s += SHOW_COST_SMOOTHING * (cost_s - self._show_cost_s)
-        self._shown += 1
-        self._picture_s = picture.pts_s
-        self._link.video_sync.event(shown_s, picture.pts_s)
+    def _note_picture(self, shown_s: float, pts_s: float) -> None:
+        self._link.video_sync.event(shown_s, pts_s)
         if self._log:
-            self._log.line("frame", monotonic_s=shown_s, media_s=picture.pts_s)
+            self._log.line("frame", monotonic_s=shown_s, media_s=pts_s)
 
     def _event(self, name: str, **fields: Any) -> None:
         if self._log:
