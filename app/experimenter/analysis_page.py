@@ -15,10 +15,13 @@ from app.widgets.buttons import text_button
 from app.widgets.job_bar import JobBar
 from app.widgets.labels import ElidedLabel
 from hapticplayer.clock import Clock
-from hapticplayer.study.analysis import Analysis, analyse
-from hapticplayer.study.analysis.contents import contents
 from hapticplayer.study.analysis.figures import DPI, pngs
 from hapticplayer.study.analysis.html import body
+from hapticplayer.study.analysis.parts import (
+    StudyAnalysis,
+    analyse_study,
+    parts_of,
+)
 from hapticplayer.study.analysis.report import write_report
 from hapticplayer.study.answers import Answers
 
@@ -38,7 +41,7 @@ caption {{ font-weight: bold; }}
 class _Report:
     """What a job hands over: text and pictures, ready to be shown."""
 
-    analysis: Analysis
+    analysis: StudyAnalysis
     html: str
     pictures: dict[str, bytes]
 
@@ -128,12 +131,13 @@ class AnalysisPage(QWidget):
     def _work(self, progress: Progress) -> _Report:
         progress(0.0, "reading the answers")
         answers = self._read()
-        found = analyse(
+        found = analyse_study(
             answers, progress=lambda fraction, step: progress(0.7 * fraction, step)
         )
         progress(0.7, "drawing the figures")
-        pictures = pngs(found)
-        html = body(contents(found), lambda name: _SCHEME + name)
+        parts = parts_of(found)
+        pictures = pngs(parts.draw())
+        html = body(parts.blocks, lambda name: _SCHEME + name)
         return _Report(found, html, pictures)
 
     def _show(self, report: _Report) -> None:

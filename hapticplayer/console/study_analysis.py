@@ -10,9 +10,10 @@ from hapticplayer.console.speech import interruptible, say, shown_progress
 from hapticplayer.errors import UsageError
 from hapticplayer.sequence import files
 from hapticplayer.study.analysis import Analysis, Choices, MissingPolicy, Resampling
-from hapticplayer.study.analysis import analyse as analyse_answers
+from hapticplayer.study.analysis.consistency import ConsistencyAnalysis
 from hapticplayer.study.analysis.contents import number, p_value
 from hapticplayer.study.analysis.effects import effect_named, paper_effect
+from hapticplayer.study.analysis.parts import StudyAnalysis, analyse_study, parts_of
 from hapticplayer.study.analysis.power import (
     Draw,
     Goal,
@@ -29,7 +30,6 @@ from hapticplayer.study.analysis.simulation import (
     simulated_answers,
     write_simulated,
 )
-from hapticplayer.study.analysis.summary import summary
 from hapticplayer.study.answers import Answers
 
 _MOST_SEQUENCES = 20
@@ -56,7 +56,7 @@ def analyse(options: argparse.Namespace, store: StudyStore) -> int:
         MissingPolicy(options.missing), options.with_unsound, Resampling(options.seed)
     )
     with interruptible(), shown_progress() as progress:
-        found = analyse_answers(
+        found = analyse_study(
             store.read(options.study), choices, lambda f, step: progress(0.5 * f, step)
         )
         if options.output is not None:
@@ -67,7 +67,8 @@ def analyse(options: argparse.Namespace, store: StudyStore) -> int:
                 title,
                 lambda f, step: progress(0.5 + 0.5 * f, step),
             )
-    say(_json(summary(found)) if options.json else _analysis_text(found))
+    numbers = parts_of(found).numbers
+    say(_json(numbers) if options.json else _analysis_text(found, numbers))
     if options.output is not None and not options.json:
         say(f"\nreport: {options.output / 'report.html'}")
     return 0
@@ -134,9 +135,28 @@ def _json(report: dict[str, Any]) -> str:
     return json.dumps(report, ensure_ascii=False, allow_nan=False)
 
 
-def _analysis_text(found: Analysis) -> str:
-    report = summary(found)
-    lines = [f"{report['missing']['participants']} participants"]
+def _analysis_text(found: StudyAnalysis, report: dict[str, Any]) -> str:
+    lines = (
+        _curve_lines(found)
+        if isinstance(found, ConsistencyAnalysis)
+        else _test_lines(found)
+    )
+    people = f"{report['missing']['participants']} participants"
+    return "\n".join([people, *lines, *(f"note: {n}" for n in report["warnings"])])
+
+
+def _curve_lines(found: ConsistencyAnalysis) -> list[str]:
+    return [
+        f"  {axis} {sequence}: "
+        + ", ".join(f"{name} {number(v)}" for name, v in curve.values.items())
+        for axis, one in found.axes.items()
+        for sequence, curve in one.curves.items()
+        if curve is not None
+    ]
+
+
+def _test_lines(found: Analysis) -> list[str]:
+    lines = []
     for name, one in found.measures.items():
         means = ", ".join(
             f"{key} {number(part.mean)} (SD {number(part.sd)})"
@@ -153,7 +173,7 @@ def _analysis_text(found: Analysis) -> str:
             f"{p_value(pair.wilcoxon.p_holm)}, r {number(pair.wilcoxon.rank_biserial)}"
             for pair in one.pairs
         ]
-    return "\n".join(lines + [f"note: {text}" for text in report["warnings"]])
+    return lines
 
 
 def _power_text(found: Power, measure: str, source: str) -> str:

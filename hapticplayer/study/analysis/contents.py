@@ -3,7 +3,7 @@
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 
-from hapticplayer.study.analysis.analysis import Analysis, MeasureAnalysis
+from hapticplayer.study.analysis.analysis import Analysis, Choices, MeasureAnalysis
 from hapticplayer.study.analysis.describing import Summary
 from hapticplayer.study.analysis.scores import QOE
 from hapticplayer.study.analysis.summary import missing, pair_name, provenance
@@ -63,8 +63,13 @@ def contents(analysis: Analysis) -> Iterator[Block]:
     yield Heading("What the tests assume")
     for name, text in ASSUMPTIONS:
         yield Words(text, name)
+    yield from made_with(analysis.choices)
+
+
+def made_with(choices: Choices) -> Iterator[Block]:
+    """Yield what is needed to make the report again."""
     yield Heading("How this was made")
-    made = provenance(analysis)
+    made = provenance(choices)
     versions = ", ".join(f"{k} {v}" for k, v in made["versions"].items())
     yield Words(
         f"{made['program']}; {versions}. Seed {made['seed']}, {made['resamples']} "

@@ -82,10 +82,10 @@ def save(figure: "Figure", path: Path) -> None:
         figure.savefig(path, dpi=DPI, metadata=metadata)
 
 
-def pngs(analysis: Analysis) -> dict[str, bytes]:
-    """Return the figures as PNG by name."""
+def pngs(drawn: dict[str, "Figure"]) -> dict[str, bytes]:
+    """Return figures as PNG by name."""
     found = {}
-    for name, figure in figures(analysis).items():
+    for name, figure in drawn.items():
         out = io.BytesIO()
         with settings():
             figure.savefig(out, dpi=DPI, format="png", metadata={"Software": None})

@@ -8,7 +8,12 @@ from collections.abc import Callable
 from typing import Any
 
 from hapticplayer import __version__
-from hapticplayer.study.analysis.analysis import Analysis, MeasureAnalysis, Pair
+from hapticplayer.study.analysis.analysis import (
+    Analysis,
+    Choices,
+    MeasureAnalysis,
+    Pair,
+)
 from hapticplayer.study.analysis.scores import QOE
 from hapticplayer.study.analysis.words import warnings_of
 
@@ -41,7 +46,7 @@ def summary(analysis: Analysis) -> dict[str, Any]:
         "conditions": each(lambda one: one.conditions),
         "missing": missing(analysis),
         "warnings": warnings_of(analysis),
-        "provenance": provenance(analysis),
+        "provenance": provenance(analysis.choices),
     }
 
 
@@ -68,9 +73,8 @@ def missing(analysis: Analysis) -> dict[str, Any]:
     }
 
 
-def provenance(analysis: Analysis) -> dict[str, Any]:
+def provenance(choices: Choices) -> dict[str, Any]:
     """Return what the numbers were made with; the same again gives the same numbers."""
-    choices = analysis.choices
     versions = {name: importlib.metadata.version(name) for name in _LIBRARIES}
     return {
         "program": f"hapticplayer {__version__}",

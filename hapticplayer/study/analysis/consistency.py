@@ -1,0 +1,278 @@
+"""When a changed force is felt as consistent: shares by level, and curves.
+
+A curve is of the group: answers of all participants are counted together, and its
+spread holds both the noise of one person and the differences between persons. Intervals
+are percentile bootstrap intervals over participants, each with all answers. Levels of
+gain are taken as ratios (natural logarithm), as loudness and force are judged.
+"""
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+from scipy import stats
+
+from hapticplayer.errors import InputError
+from hapticplayer.model.arrays import Floats
+from hapticplayer.study.analysis.analysis import Choices, Progress
+from hapticplayer.study.analysis.psychometric import Fits, deviance, fit, shape_of
+from hapticplayer.study.analysis.resampling import CONFIDENCE
+from hapticplayer.study.answers import Answers, Judgement
+
+ALL = "all"
+Axis = Literal["delay_s", "gain"]
+Interval = tuple[float, float]
+_MOST_FITS = 1999
+_FEW_PARTICIPANTS = 2
+
+
+@dataclass(frozen=True, slots=True)
+class Share:
+    """Answers at one level.
+
+    Attributes:
+        delay_s: by which the force came later, s.
+        gain: of the force.
+        yes: answers "consistent".
+        asked: all answers.
+        share: yes of asked; None without answers.
+        interval: of Wilson, 95 %, as if answers were independent.
+    """
+
+    delay_s: float
+    gain: float
+    yes: int
+    asked: int
+    share: float | None
+    interval: Interval | None
+
+
+@dataclass(frozen=True, slots=True)
+class Curve:
+    """A fitted curve; criteria in s or as a gain, intervals of 95 %.
+
+    Attributes:
+        fits: one curve, in s or the logarithm of the gain.
+        values: "lower", "upper", "centre", "window", "spread", "lapse", "peak"; what the
+            shape does not have is left out. Of gains the window is upper / lower and
+            the spread a factor.
+        intervals: of the same, by bootstrap.
+        deviance: from the levels' own shares.
+        p_fit: share of curves drawn from the fitted one that deviate as much.
+        is_flat: the shares of the levels do not differ (G test, 5 %).
+    """
+
+    fits: Fits
+    values: dict[str, float]
+    intervals: dict[str, Interval]
+    deviance: float
+    p_fit: float
+    is_flat: bool
+
+
+@dataclass(frozen=True, slots=True)
+class AxisAnalysis:
+    """Levels of one kind of change.
+
+    Attributes:
+        axis: what was changed.
+        levels: in ascending order.
+        by_person: shares (P, L) of each participant, NaN without answers.
+        shares: by sequence, "all" first.
+        curves: by sequence, "all" first; None where there are too few levels.
+    """
+
+    axis: Axis
+    levels: Floats
+    by_person: Floats
+    shares: dict[str, tuple[Share, ...]]
+    curves: dict[str, Curve | None]
+
+
+@dataclass(frozen=True, slots=True)
+class ConsistencyAnalysis:
+    """A study of consistency in numbers.
+
+    Attributes:
+        participants: codes.
+        choices: that were made.
+        axes: "delay_s", "gain", as far as they were changed.
+        mixed: levels where both were changed; they are on no curve.
+        planned, missing, unsound: answers; the unsound ones are missing too.
+        feedbacks: whose answers are counted together.
+        remarks: of the store.
+    """
+
+    participants: tuple[str, ...]
+    choices: Choices
+    axes: dict[Axis, AxisAnalysis]
+    mixed: tuple[Share, ...]
+    planned: int
+    missing: int
+    unsound: int
+    feedbacks: tuple[str, ...]
+    remarks: tuple[str, ...]
+
+
+def analyse_consistency(
+    answers: Answers,
+    choices: Choices | None = None,
+    progress: Progress = lambda _fraction, _step: None,
+) -> ConsistencyAnalysis:
+    """Return everything that is reported of a study of consistency.
+
+    Raises:
+        InputError: when there is no judgement that counts.
+    """
+    choices = choices or Choices()
+    counted = [
+        one
+        for one in answers.judgements
+        if one.consistent is not None and (one.sound or choices.with_unsound)
+    ]
+    if not counted:
+        raise InputError("there is no judgement that could be analysed")
+    axes: dict[Axis, AxisAnalysis] = {}
+    for place, axis in enumerate(("delay_s", "gain")):
+        progress(place / 2.0, f"fitting {axis}")
+        on_axis = [one for one in counted if _is_on(one, axis)]
+        if len({getattr(one, axis) for one in on_axis}) > 1:
+            axes[axis] = _axis(axis, on_axis, answers, choices)
+    mixed = [one for one in counted if one.delay_s != 0.0 and one.gain != 1.0]
+    return ConsistencyAnalysis(
+        tuple(person.code for person in answers.participants),
+        choices,
+        axes,
+        _shares(mixed),
+        len(answers.judgements),
+        len(answers.judgements) - len(counted),
+        0 if choices.with_unsound else sum(not j.sound for j in answers.judgements),
+        answers.feedbacks,
+        answers.remarks,
+    )
+
+
+def position(axis: Axis, level: Floats) -> Floats:
+    """Return where levels are on a curve: no change is 0."""
+    with np.errstate(divide="ignore"):
+        return np.asarray(level if axis == "delay_s" else np.log(level))
+
+
+def _is_on(one: Judgement, axis: Axis) -> bool:
+    return one.gain == 1.0 if axis == "delay_s" else one.delay_s == 0.0
+
+
+def _shares(judged: Iterable[Judgement]) -> tuple[Share, ...]:
+    counts: dict[tuple[float, float], list[int]] = {}
+    for one in judged:
+        counted = counts.setdefault((one.delay_s, one.gain), [0, 0])
+        counted[0] += bool(one.consistent)
+        counted[1] += 1
+    return tuple(_share(*level, *counts[level]) for level in sorted(counts))
+
+
+def _share(delay_s: float, gain: float, yes: int, asked: int) -> Share:
+    found = stats.binomtest(yes, asked).proportion_ci(CONFIDENCE, "wilson")
+    between = (float(found.low), float(found.high))
+    return Share(delay_s, gain, yes, asked, yes / asked, between)
+
+
+def _axis(
+    axis: Axis, judged: list[Judgement], answers: Answers, choices: Choices
+) -> AxisAnalysis:
+    levels = np.unique([getattr(one, axis) for one in judged])
+    parts = {ALL: judged}
+    if len(answers.sequences) > 1:
+        for name in answers.sequences:
+            parts[name] = [one for one in judged if one.sequence == name]
+    codes = [person.code for person in answers.participants]
+    counts = {name: _counts(axis, part, codes, levels) for name, part in parts.items()}
+    yes, asked = counts[ALL]
+    return AxisAnalysis(
+        axis,
+        levels,
+        np.where(asked > 0, yes / np.maximum(asked, 1), np.nan),
+        {name: _shares(part) for name, part in parts.items()},
+        {
+            name: _curve(axis, levels, *counted, choices, f"{axis}/{name}")
+            for name, counted in counts.items()
+        },
+    )
+
+
+def _counts(
+    axis: Axis, judged: list[Judgement], codes: list[str], levels: Floats
+) -> tuple[Floats, Floats]:
+    """Return answers (P, L) that were yes, and all."""
+    rows = {code: row for row, code in enumerate(codes)}
+    yes, asked = np.zeros((2, len(codes), len(levels)))
+    for one in judged:
+        cell = rows[one.participant], np.searchsorted(levels, getattr(one, axis))
+        asked[cell] += 1.0
+        yes[cell] += bool(one.consistent)
+    return yes, asked
+
+
+def _curve(
+    axis: Axis, levels: Floats, yes: Floats, asked: Floats, choices: Choices, label: str
+) -> Curve | None:
+    used = asked.sum(axis=0) > 0
+    x, yes, asked = position(axis, levels[used]), yes[:, used], asked[:, used]
+    if np.isfinite(x).sum() < 2 or len(x) < shape_of(x).least_levels:
+        return None
+    shape, rng = shape_of(x), choices.resampling.generator(f"curve/{label}")
+    total_yes, total = yes.sum(axis=0)[None], asked.sum(axis=0)[None]
+    found = fit(x, total_yes, total, shape)
+    count = min(choices.resampling.count, _MOST_FITS)
+    p = found.shares(x).clip(0.0, 1.0)
+    size = (count, len(x))
+    drawn_yes = rng.binomial(total.astype(int), p, size).astype(float)
+    drawn_asked = np.broadcast_to(total, size)
+    drawn = fit(x, drawn_yes, drawn_asked, shape)
+    apart = float(deviance(total_yes, total, found)[0])
+    hits = int((deviance(drawn_yes, drawn_asked, drawn) >= apart).sum())
+    people = asked.sum(axis=1) > 0
+    if people.sum() >= _FEW_PARTICIPANTS:
+        n = int(people.sum())
+        weights = rng.multinomial(n, np.full(n, 1.0 / n), count).astype(float)
+        drawn = fit(x, weights @ yes[people], weights @ asked[people], shape)
+    return Curve(
+        found,
+        {name: float(value[0]) for name, value in _values(axis, found).items()},
+        _intervals(_values(axis, drawn)),
+        apart,
+        (hits + 1) / (count + 1),
+        _is_flat(total_yes[0], total[0]),
+    )
+
+
+def _values(axis: Axis, fits: Fits) -> dict[str, Floats]:
+    back: Callable[[Floats], Floats] = np.exp if axis == "gain" else np.asarray
+    lower, upper = fits.lower, fits.upper
+    told = {"lower": back(lower), "upper": back(upper)}
+    if np.isfinite(lower).all() and np.isfinite(upper).all():
+        told |= {"centre": back((lower + upper) / 2.0), "window": back(upper - lower)}
+        half = (upper - lower) / (2.0 * fits.spread)
+        inside = 2.0 * stats.norm.cdf(half) - 1.0
+        told["peak"] = fits.lapse / 2.0 + (1.0 - fits.lapse) * inside
+    else:
+        known = "lower" if np.isfinite(lower).all() else "upper"
+        told = {known: told[known]}
+    return {**told, "spread": back(fits.spread), "lapse": fits.lapse}
+
+
+def _intervals(values: dict[str, Floats]) -> dict[str, Interval]:
+    tail = (1.0 - CONFIDENCE) / 2.0
+    return {
+        name: (float(np.quantile(v, tail)), float(np.quantile(v, 1.0 - tail)))
+        for name, v in values.items()
+    }
+
+
+def _is_flat(yes: Floats, asked: Floats) -> bool:
+    table = np.array([yes, asked - yes])
+    if (table.sum(axis=1) == 0.0).any():
+        return True
+    found = stats.chi2_contingency(table, lambda_="log-likelihood")
+    return bool(found.pvalue >= 1.0 - CONFIDENCE)
