@@ -23,6 +23,7 @@ from hapticplayer.study.answers import Answers, Judgement
 ALL = "all"
 Axis = Literal["delay_s", "gain"]
 Interval = tuple[float, float]
+_AXES: tuple[Axis, ...] = ("delay_s", "gain")
 _MOST_FITS = 1999
 _FEW_PARTICIPANTS = 2
 
@@ -134,7 +135,7 @@ def analyse_consistency(
     if not counted:
         raise InputError("there is no judgement that could be analysed")
     axes: dict[Axis, AxisAnalysis] = {}
-    for place, axis in enumerate(("delay_s", "gain")):
+    for place, axis in enumerate(_AXES):
         progress(place / 2.0, f"fitting {axis}")
         on_axis = [one for one in counted if _is_on(one, axis)]
         if len({getattr(one, axis) for one in on_axis}) > 1:

@@ -47,7 +47,7 @@ def summary(analysis: ConsistencyAnalysis) -> dict[str, Any]:
     """Return everything that was found; what is not defined is None."""
     return {
         "consistency": {axis: _axis(one) for axis, one in analysis.axes.items()},
-        "mixed_levels": [dataclasses.asdict(one) for one in analysis.mixed],
+        "mixed_levels": [_plain_share(one) for one in analysis.mixed],
         "missing": {
             "participants": len(analysis.participants),
             "answers_planned": analysis.planned,
@@ -114,11 +114,14 @@ def figures(analysis: ConsistencyAnalysis) -> dict[str, "Figure"]:
 
 def _axis(one: AxisAnalysis) -> dict[str, Any]:
     return {
-        "levels": {
-            k: [dataclasses.asdict(s) for s in v] for k, v in one.shares.items()
-        },
+        "levels": {k: [_plain_share(s) for s in v] for k, v in one.shares.items()},
         "curves": {k: _plain_curve(c) for k, c in one.curves.items()},
     }
+
+
+def _plain_share(one: Share) -> dict[str, Any]:
+    between = list(one.interval) if one.interval else None
+    return {**dataclasses.asdict(one), "interval": between}
 
 
 def _plain_curve(curve: Curve | None) -> dict[str, Any] | None:
@@ -196,8 +199,16 @@ def _draw_shares(panel: "Axes", one: AxisAnalysis) -> None:
     middle = np.array([share.share for share in shares], dtype=float)
     ends = np.array([share.interval for share in shares], dtype=float)
     apart = np.abs(ends.T - middle).clip(0.0)
-    style = {"color": _INK, "fmt": "o", "capsize": 3, "label": "all, 95 %"}
-    panel.errorbar(at, middle, apart, zorder=4, **style)
+    panel.errorbar(
+        at,
+        middle,
+        apart,
+        fmt="o",
+        color=_INK,
+        capsize=3,
+        label="all, 95 %",
+        zorder=4,
+    )
 
 
 def _draw_curve(panel: "Axes", one: AxisAnalysis, curve: Curve) -> None:

@@ -198,6 +198,7 @@ class _Space:
             ]
         )
         spreads = np.log(self._range * np.array([0.03, 0.08, 0.2, 0.5]))
+        rows: list[tuple[float, ...]]
         if not self._has_window:
             rows = [(e, s, _LAPSE_START) for e in edges for s in spreads]
         else:
