@@ -1,5 +1,6 @@
 """Questions for mouse, touch and keys: digits answer, Enter goes on."""
 
+from abc import abstractmethod
 from collections.abc import Callable
 from typing import Any
 
@@ -53,21 +54,21 @@ class QuestionRow(QFrame):
         self.missing.setStyleSheet(f"color: {theme.WARN};")
         self.missing.hide()
 
+    @abstractmethod
     def value(self) -> Any:
         """Return the answer; None where there is none."""
-        raise NotImplementedError
 
+    @abstractmethod
     def set_value(self, value: Any) -> None:
         """Answer as before."""
-        raise NotImplementedError
 
     def take_digit(self, _digit: int) -> bool:
         """Answer by a key; False where a digit means nothing here."""
         return False
 
+    @abstractmethod
     def focus(self) -> None:
         """Take the keyboard."""
-        raise NotImplementedError
 
     def show_current(self, *, is_current: bool) -> None:
         """Show whether the digits go here."""
