@@ -82,7 +82,7 @@ def parse_packets(packets: Sequence[Packet]) -> tuple[list[Payload], int]:
         for device in root.find_all("DEVC")
         if _identity(device) == _identity(camera)
     ]
-    return payloads, sum(_is_cut(root) for _, root in parsed)
+    return payloads, sum(root.is_cut for _, root in parsed)
 
 
 def _devices(root: Entry, key: str) -> Iterator[Entry]:
@@ -95,7 +95,3 @@ def _identity(device: Entry) -> bytes:
     """Return what tells the camera from the drone that carries it."""
     entry = device.find("DVID")
     return b"" if entry is None else bytes(entry.payload)
-
-
-def _is_cut(entry: Entry) -> bool:
-    return entry.is_cut or any(_is_cut(child) for child in entry.children)

@@ -1,12 +1,14 @@
 """Collects one sensor's samples and time marks out of GPMF payloads."""
 
+import itertools
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from hapticplayer.capture.gpmf import Entry, numbers_of, text_of
+from hapticplayer.capture.gpmf import Entry, first_number_of, numbers_of, text_of
 from hapticplayer.capture.limits import MAX_SAMPLES
 from hapticplayer.errors import TelemetryError
 from hapticplayer.model.arrays import Floats
@@ -67,19 +69,28 @@ def collect(payloads: Sequence[Payload], key: str) -> SensorStream | None:
     Raises:
         TelemetryError: when the scale is unusable or there are too many samples.
     """
-    rows = list(_rows(payloads, key))
+    rows: list[_Row] = []
+    parts: list[Floats] = []
+    # decoded together where the metadata is the same, which in a camera's file it is
+    for _, alike in itertools.groupby(_rows(payloads, key), _form):
+        group = list(alike)
+        values = _scaled(group, key)
+        width = parts[0].shape[1] if parts else values.shape[1]
+        if len(values) and width and values.shape[1] == width:
+            rows += (row for row in group if row.samples)
+            parts.append(values)
     if not rows:
         return None
-    counts = np.array([len(row.values) for row in rows], dtype=np.int64)
+    counts = np.array([row.samples for row in rows], dtype=np.int64)
     if counts.sum() > MAX_SAMPLES:
         raise TelemetryError(f"{key} has {counts.sum()} samples, more than is read")
     return SensorStream(
-        values=np.concatenate([row.values for row in rows]),
-        first_index=_first_index(counts, [row.total for row in rows]),
+        values=parts[0] if len(parts) == 1 else np.concatenate(parts),
+        first_index=_first_index(counts, [_number(r, "TSMP") for r in rows]),
         counts=counts,
         start_s=np.array([row.payload.start_s for row in rows]),
         duration_s=np.array([row.payload.duration_s for row in rows]),
-        stamp_us=np.array([row.stamp_us for row in rows]),
+        stamp_us=np.array([_number(r, "STMP") for r in rows]),
         first=rows[0].stream,
     )
 
@@ -88,44 +99,47 @@ def first_stamp_us(payloads: Sequence[Payload], keys: Sequence[str]) -> float | 
     """Return the camera's time of frame 0: the first stamp of a per-frame stream."""
     for key in keys:
         for row in _rows(payloads[:1], key):
-            if np.isfinite(row.stamp_us):
-                return row.stamp_us
+            if row.samples and np.isfinite(stamp_us := _number(row, "STMP")):
+                return stamp_us
     return None
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class _Row:
+class _Row(NamedTuple):
+    """The samples of one payload, not decoded yet."""
+
     payload: Payload
     stream: Entry
-    values: Floats
-    total: float
-    stamp_us: float
+    entry: Entry
+
+    @property
+    def samples(self) -> int:
+        size = self.entry.struct_bytes
+        return len(self.entry.payload) // size if size else 0
 
 
 def _rows(payloads: Sequence[Payload], key: str) -> Iterator[_Row]:
-    width = 0
     for payload in payloads:
-        stream = _stream_of(payload.device, key)
-        entry = None if stream is None else stream.find(key)
-        if stream is None or entry is None:
-            continue
-        values = _scaled(entry, stream, key)
-        width = width or values.shape[1]
-        if len(values) and width and values.shape[1] == width:
-            total, stamp_us = _number(stream, "TSMP"), _number(stream, "STMP")
-            yield _Row(payload, stream, values, total, stamp_us)
+        for stream in payload.device.find_all("STRM"):
+            entry = stream.find(key)
+            if entry is not None:
+                yield _Row(payload, stream, entry)
+                break
 
 
-def _stream_of(device: Entry, key: str) -> Entry | None:
-    for stream in device.find_all("STRM"):
-        if stream.find(key) is not None:
-            return stream
-    return None
+def _form(row: _Row) -> tuple[object, ...]:
+    """Return all that tells how the bytes of the samples are to be read."""
+    form: list[object] = [row.entry.kind, row.entry.struct_bytes]
+    for key in ("TYPE", "SCAL"):
+        entry = row.stream.find(key)
+        form.append(entry and (entry.kind, entry.struct_bytes, bytes(entry.payload)))
+    return tuple(form)
 
 
-def _scaled(entry: Entry, stream: Entry, key: str) -> Floats:
+def _scaled(rows: Sequence[_Row], key: str) -> Floats:
     """Divide by SCAL, which has one value for all axes or one for each."""
-    values = numbers_of(entry, text_of(stream.find("TYPE")))
+    stream, entry = rows[0].stream, rows[0].entry
+    joined = entry._replace(payload=b"".join(row.entry.payload for row in rows))
+    values = numbers_of(joined, text_of(stream.find("TYPE")))
     scale_entry = stream.find("SCAL")
     if scale_entry is None or not values.size:
         return values
@@ -133,13 +147,12 @@ def _scaled(entry: Entry, stream: Entry, key: str) -> Floats:
     is_fitting = scale.size in {1, values.shape[1]}
     if not is_fitting or not np.isfinite(scale).all() or (scale == 0.0).any():
         raise TelemetryError(f"the scale of {key} is damaged ({scale[:3].tolist()})")
-    return np.asarray(values / scale)
+    values /= scale
+    return values
 
 
-def _number(stream: Entry, key: str) -> float:
-    entry = stream.find(key)
-    values = np.zeros(0) if entry is None else numbers_of(entry).ravel()
-    return float(values[0]) if values.size else float("nan")
+def _number(row: _Row, key: str) -> float:
+    return first_number_of(row.stream.find(key))
 
 
 def _first_index(counts: NDArray[np.int64], totals: list[float]) -> NDArray[np.int64]:

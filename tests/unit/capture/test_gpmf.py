@@ -6,7 +6,13 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from hapticplayer.capture.gpmf import Entry, numbers_of, parse, text_of
+from hapticplayer.capture.gpmf import (
+    Entry,
+    first_number_of,
+    numbers_of,
+    parse,
+    text_of,
+)
 from hapticplayer.errors import TelemetryError
 from tests.unit.capture.conftest import device, klv, nested, sensor, shorts, text
 
@@ -148,3 +154,30 @@ def test_damaged_payloads_are_read_or_refused(
     for damaged in (bytes(payload), bytes(payload[:length])):
         with contextlib.suppress(TelemetryError):
             walk(parse(damaged))
+
+
+@pytest.mark.parametrize(
+    ("kind", "value", "expected"),
+    [
+        ("b", "ff", -1.0),
+        ("B", "ff", 255.0),
+        ("s", "fffe", -2.0),
+        ("S", "fffe", 65534.0),
+        ("l", "80000000", -(2.0**31)),
+        ("L", "80000000", 2.0**31),
+        ("j", "ffffffff00000000", -(2.0**32)),
+        ("J", "0000000100000001", 2.0**32 + 1.0),
+        ("f", "3fc00000", 1.5),
+        ("d", "3ff8000000000000", 1.5),
+        ("q", "00018000", 1.5),
+        ("Q", "0000000180000000", 1.5),
+        ("c", "41414141", float("nan")),
+    ],
+)
+def test_first_number_is_that_of_its_type(
+    kind: str, value: str, expected: float
+) -> None:
+    content = bytes.fromhex(value)
+    one = only(klv("STMP", kind, content * 2, len(content)))
+    assert first_number_of(one) == pytest.approx(expected, nan_ok=True)
+    assert np.isnan(first_number_of(only(klv("STMP", kind, b"", len(content)))))
