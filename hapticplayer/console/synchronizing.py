@@ -112,6 +112,13 @@ def _check(found: _Found, options: argparse.Namespace, choices: SyncChoices) -> 
 
     clip, recording = found.clip, found.recording
     report: dict[str, Any] = {}
+    if clip and recording and recording.clock_map.confidence > 0.0:
+        report = {"is_usable": True, "needs_pats": False}
+        text = (
+            f"{recording.camera} keeps its motion on the clip's clock: no pats needed"
+        )
+        say(json.dumps(report) if options.json else text)
+        return 0
     if clip is not None and clip.has_audio:
         report["sound"] = check_sound(read_sound(clip.path)).described()
     if recording is not None:

@@ -117,6 +117,15 @@ def test_check_of_clip_and_log_together_and_of_a_mute_one(ride):
     refused(hapticplayer("sync", "--check", folder / "mute.mp4"))
 
 
+def test_a_camera_that_keeps_its_motion_needs_no_pats(shared_data):
+    clip = shared_data / "capture" / "gopro" / "karma.mp4"
+    done = hapticplayer("sync", "--check", clip)
+    assert done.returncode == 0
+    assert "no pats needed" in done.stdout
+    # a drone: no pats, and by its sound alone nobody could tell
+    assert "--offset" in refused(hapticplayer("sync", clip, "--method", "pats"), 2)
+
+
 def test_a_stored_skew_is_taken_off_for_its_camera_only(ride, tmp_path):
     folder, _ = ride
     home = {"XDG_CONFIG_HOME": str(tmp_path)}

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg import solve_toeplitz
-from scipy.ndimage import maximum_filter1d
+from scipy.ndimage import maximum_filter1d, median_filter
 from scipy.signal import butter, lfilter, sosfilt
 
 from hapticplayer.model import ImuLog
@@ -27,6 +27,9 @@ _SEPARATION_S = 0.06
 _MOST_PER_S = 3.0
 _MOST = 6000
 _AR_ORDER = 6
+_BLOCK_S = 0.5
+_AROUND_BLOCKS = 7
+_WEIGHT = 0.5  # half way between strength and contrast: still before, loud after
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -76,12 +79,29 @@ def sound_onsets(audio: NDArray[np.floating], rate_hz: float) -> Floats:
     ratio = np.log((after + 1e-14) / (before + floor))
     curve = np.sqrt(rise) * np.maximum(ratio, 0.0)
     curve[: _BEFORE[1]] = 0.0
-    return np.asarray(curve)
+    return _against_surroundings(curve, CURVE_HZ)
 
 
 def loudness(audio: NDArray[np.floating], rate_hz: float) -> Floats:
     """Return the RMS of each millisecond (n,) in the band of pats."""
     return np.sqrt(_band_power(audio, rate_hz))
+
+
+def _against_surroundings(size: Floats, rate_hz: float) -> Floats:
+    """Return sizes (n,) divided by a power of what is usual around them.
+
+    Usual is the median over 3.5 s of means over 0.5 s, which knocks do not move, and
+    at least a fifth of what is usual in the whole.
+    """
+    block = max(1, round(_BLOCK_S * rate_hz))
+    count = len(size) // block
+    if count < 2 * _AROUND_BLOCKS:
+        return size
+    means = size[: count * block].reshape(count, block).mean(axis=1)
+    usual = median_filter(means, _AROUND_BLOCKS, mode="nearest")
+    usual = np.maximum(usual, 0.2 * np.median(usual) + 1e-12)
+    at = (np.arange(len(size)) + 0.5) / block - 0.5
+    return np.asarray(size / np.interp(at, np.arange(count), usual) ** _WEIGHT)
 
 
 def _band_power(audio: NDArray[np.floating], rate_hz: float) -> Floats:
@@ -125,7 +145,7 @@ def shocks(imu: ImuLog) -> Floats:
     steps_s = np.diff(imu.time_s, prepend=imu.time_s[0])
     after_gap = np.flatnonzero(steps_s > 1.8 * np.median(steps_s))
     square[np.unique(after_gap[:, None] + np.arange(2)) % len(square)] *= 0.25
-    return np.sqrt(square)
+    return _against_surroundings(np.sqrt(square), imu.rate_hz)
 
 
 def innovation_filter(signal: Floats) -> Floats:
