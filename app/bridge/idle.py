@@ -6,6 +6,8 @@ be held for ever, whatever becomes of this program.
 """
 
 import itertools
+import os
+from pathlib import Path
 from typing import NamedTuple
 
 from PySide6.QtCore import QObject
@@ -31,6 +33,18 @@ SERVICES = (
 )
 
 
+def has_session_bus() -> bool:
+    """Whether there is a bus to connect to.
+
+    Without one libdbus would start a program that makes one, and wait for it, on the
+    thread that beats the heart of the force.
+    """
+    if os.environ.get("DBUS_SESSION_BUS_ADDRESS"):
+        return True
+    folder = os.environ.get("XDG_RUNTIME_DIR")
+    return folder is not None and (Path(folder) / "bus").is_socket()
+
+
 class IdleInhibitor(QObject):
     """Inhibits while it is wanted; without a bus it does nothing.
 
@@ -48,7 +62,7 @@ class IdleInhibitor(QObject):
 
     def set_wanted(self, reason: str) -> None:
         """Hold the screen awake for a reason; "" lets it sleep again."""
-        if reason and not self._connection:
+        if reason and not self._connection and (self._address or has_session_bus()):
             self._ask(reason)
         elif not reason:
             self.release()

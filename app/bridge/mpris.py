@@ -14,6 +14,7 @@ from PySide6.QtDBus import (
     QDBusObjectPath,
 )
 
+from app.bridge.idle import has_session_bus
 from hapticplayer.playback.player import FASTEST, SLOWEST, Player
 
 NAME = "org.mpris.MediaPlayer2.hapticplayer"
@@ -49,15 +50,16 @@ class Mpris(QObject):
         super().__init__()
         self.player = player
         self.raise_window, self.close_window = raise_window, close
-        self._bus = bus or QDBusConnection.sessionBus()
+        self._bus = bus
         self._adaptors = (_Root(self), _Player(self))
         self._told: dict[str, Any] = {}
         self.is_on = False
 
     def switch(self, *, is_on: bool) -> None:
         """Appear on the bus, or vanish from it."""
-        if is_on == self.is_on or not self._bus.isConnected():
+        if is_on == self.is_on or not self._is_there():
             return
+        assert self._bus is not None
         if is_on:
             self.is_on = self._bus.registerObject(
                 PATH, self, QDBusConnection.RegisterOption.ExportAdaptors
@@ -67,9 +69,15 @@ class Mpris(QObject):
             self._bus.unregisterObject(PATH)
             self.is_on = False
 
+    def _is_there(self) -> bool:
+        """Whether there is a bus; it is looked for when it is first needed."""
+        if self._bus is None and has_session_bus():
+            self._bus = QDBusConnection.sessionBus()
+        return self._bus is not None and self._bus.isConnected()
+
     def tell(self) -> None:
         """Tell the desktop what has changed since the last call."""
-        if not self.is_on:
+        if not self.is_on or self._bus is None:
             return
         now = {
             "PlaybackStatus": self.status(),

@@ -192,3 +192,18 @@ def test_it_vanishes_from_the_bus_for_a_study(mpris, bus):
     assert bus.interface().isServiceRegistered(NAME).value()
     mpris.switch(is_on=False)
     assert not bus.interface().isServiceRegistered(NAME).value()
+
+
+def test_where_there_is_no_bus_none_is_started(playing, monkeypatch, tmp_path):
+    monkeypatch.delenv("DBUS_SESSION_BUS_ADDRESS", raising=False)
+    monkeypatch.setenv("XDG_RUNTIME_DIR", str(tmp_path))
+    asked = []
+    monkeypatch.setattr(QDBusConnection, "connectToBus", lambda *a: asked.append(a))
+    monkeypatch.setattr(QDBusConnection, "sessionBus", lambda: asked.append("bus"))
+    inhibitor = IdleInhibitor()
+    inhibitor.set_wanted("plays a clip")
+    made = Mpris(playing.player, playing.raise_, playing.close)
+    made.switch(is_on=True)
+    made.tell()
+    assert asked == []
+    assert not made.is_on
