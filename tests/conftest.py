@@ -1,6 +1,7 @@
 """Fixtures that all tests share: seeded data with closed-form truth, real files."""
 
 import os
+import signal
 from pathlib import Path
 
 import numpy as np
@@ -12,6 +13,8 @@ from hapticplayer.model import quaternions as quat
 
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 os.environ["HAPTICPLAYER_CACHE"] = "off"  # no test shall depend on an earlier run
+# a run in the background ignores Ctrl-C, and so would every program that a test starts
+signal.signal(signal.SIGINT, signal.default_int_handler)
 
 SHARED_DATA = Path(__file__).resolve().parents[2] / "shared" / "data"
 

@@ -106,7 +106,7 @@ def test_a_shifted_and_scaled_force_is_the_same_force_later(reconstruction):
     force = np.sin(times)[:, None] * [1.0, -2.0, 0.5]
     track = ForceTrack(times, force, reconstruction)
     shifted = altered(track, 0.3, 0.5)
-    at_s = np.linspace(0.313, 1.897, 97)
+    at_s = 0.3 + (np.arange(150) + 0.4) * 0.01  # never where a held value changes
     assert shifted.at(at_s) == pytest.approx(0.5 * track.at(at_s - 0.3), abs=1e-6)
     early = altered(track, -0.4, 1.0)
     assert early.at(at_s - 0.4) == pytest.approx(track.at(at_s), abs=1e-6)
