@@ -1,10 +1,7 @@
 """Entry: `python -m hapticplayer.devices.falcon.simulated_usb`."""
 
-import argparse
 import gc
-import math
 import os
-import signal
 import socket
 import sys
 import threading
@@ -18,36 +15,23 @@ from hapticplayer.devices.falcon.simulated_usb.mechanics import (
     SimulatedMechanics,
 )
 from hapticplayer.devices.falcon.simulated_usb.server import Server, serve_acts
-from hapticplayer.devices.simulated.parameters import HANDS, Electronics, Mechanism
+from hapticplayer.devices.simulated.options import (
+    device_parser,
+    outlive_the_player,
+    simulation_of,
+)
 from hapticplayer.devices.simulated.record import Recorder
-from hapticplayer.devices.simulated.simulation import Simulation
 
 
 def main(argv: list[str] | None = None) -> int:
     """Be a Falcon on USB until all others have closed their end of the line."""
-    parser = argparse.ArgumentParser(prog="hapticplayer.devices.falcon.simulated_usb")
-    parser.add_argument("--line", type=int, required=True, help="descriptor")
-    parser.add_argument("--control", type=int, help="descriptor, for faults only")
-    parser.add_argument("--record", type=int, help="descriptor of a file or memfd")
-    parser.add_argument("--hand", choices=HANDS, default="relaxed")
-    parser.add_argument("--grip-mass-kg", type=float, help="of the free grip, sideways")
-    parser.add_argument("--hold-s", type=float, default=math.inf)
-    parser.add_argument("--delay-s", type=float, default=0.0)
+    parser = device_parser("hapticplayer.devices.falcon.simulated_usb")
     parser.add_argument("--running", action="store_true", help="with its firmware")
     parser.add_argument("--unhomed", action="store_true", help="its owner will home it")
     options = parser.parse_args(argv)
 
-    # the device does not go because somebody wants the player to go
-    for number in (signal.SIGINT, signal.SIGHUP, signal.SIGTERM):
-        signal.signal(number, signal.SIG_IGN)
-    mechanism = Mechanism()
-    if options.grip_mass_kg is not None:
-        mechanism = mechanism.with_lateral_mass(options.grip_mass_kg)
-    simulation = Simulation(
-        HANDS[options.hand],
-        mechanism=mechanism,
-        electronics=Electronics(options.hold_s, options.delay_s),
-    )
+    outlive_the_player()
+    simulation = simulation_of(options)
     mechanics = SimulatedMechanics(simulation)
     if options.record is not None:
         mechanics = RecordedMechanics(simulation, Recorder(options.record))
