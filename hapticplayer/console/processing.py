@@ -35,7 +35,7 @@ def process(options: argparse.Namespace, draw: Draw) -> int:
         options: of `hapticplayer process`, see hapticplayer.cli.
         draw: used for `--plot` only.
     """
-    plot = _plot_target(options)
+    plot = plot_target(options)
     processing = chosen_processing(options)
     with interruptible(), shown_progress() as progress:
         progress(0.0, f"reading {Path(options.recording).name}")
@@ -55,7 +55,7 @@ def process(options: argparse.Namespace, draw: Draw) -> int:
     return 0
 
 
-def _plot_target(options: argparse.Namespace) -> Path | None:
+def plot_target(options: argparse.Namespace) -> Path | None:
     """Return the file to draw, checked before the long work begins."""
     if options.plot is None:
         return None

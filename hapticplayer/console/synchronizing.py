@@ -9,6 +9,7 @@ from typing import Any
 
 from hapticplayer.capture import Recording, Synchronisation, read_recording, read_sound
 from hapticplayer.capture.sync.synchronize import Sound
+from hapticplayer.console.processing import plot_target
 from hapticplayer.console.recordings import chosen_log, chosen_sync
 from hapticplayer.console.speech import complain, interruptible, say
 from hapticplayer.console.sync_text import check_text, sync_text
@@ -48,7 +49,7 @@ def sync(options: argparse.Namespace, draw: Draw) -> int:
     if options.store_skew:
         _store_skew(options)
     with interruptible():
-        choices, plot = chosen_sync(options), _plot_target(options)
+        choices, plot = chosen_sync(options), plot_target(options)
         if options.check:
             return _check(_read_either(options), options, choices)
         clip = probe(options.clip)
@@ -72,18 +73,6 @@ def _store_skew(options: argparse.Namespace) -> None:
     if options.camera is None or options.skew is None:
         raise UsageError("--store-skew needs --camera NAME and --skew S")
     store_skew(options.camera, options.skew)
-
-
-def _plot_target(options: argparse.Namespace) -> Path | None:
-    if options.plot is None:
-        return None
-    target = Path(options.plot)
-    if target.suffix.lower() not in PLOT_FORMATS:
-        raise UsageError(
-            f"--plot {target.name} must end in {' or '.join(PLOT_FORMATS)}"
-        )
-    files.refuse_existing(target, "file")
-    return target
 
 
 def _read_either(options: argparse.Namespace) -> _Found:
