@@ -19,8 +19,7 @@ from numpy.typing import NDArray
 from recordings import TruthRecording
 
 from hapticplayer.model import ImuLog, Sampling
-from hapticplayer.motion.smoother import block, travel
-from hapticplayer.motion.smoother.linearise import around
+from hapticplayer.motion.smoother import block, stages, travel
 
 Floats = NDArray[np.float64]
 TRIMMED_S = 10.0
@@ -48,15 +47,14 @@ class Choice:
 def recorded() -> Iterator[Choice]:
     """Note what the last solution of a recording was found with."""
     choice = Choice(np.zeros(1), np.ones(1))
-    with_travel = travel.with_travel
+    linearised = stages.linearised
 
-    def noted(problem: Any, nodes: Any, frames: Any, sigma_mps: float) -> Any:
-        choice.time_s = np.append(0.0, np.cumsum(problem.duration_s))
-        weight = 2.0 * problem.bound_weight / around(problem.duration_s)
-        choice.bound_mps, choice.travel_mps = weight**-0.5, sigma_mps
-        return with_travel(problem, nodes, frames, sigma_mps)
+    def noted(nodes: Any, vertical: Floats, known: Any, p: Any) -> Any:
+        choice.time_s = np.append(0.0, np.cumsum(nodes.duration_s))
+        choice.bound_mps, choice.travel_mps = known.bound_mps, known.travel_sigma_mps
+        return linearised(nodes, vertical, known, p)
 
-    with mock.patch.object(travel, "with_travel", noted):
+    with mock.patch.object(stages, "linearised", noted):
         yield choice
 
 

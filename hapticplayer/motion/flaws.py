@@ -115,7 +115,8 @@ def _clipped(values: Floats, sensor: SensorRange) -> Flags:
     mask, full_scale = saturated_mask(values, sensor)
     if full_scale is None:
         return np.zeros(len(values), np.bool_)
-    return np.asarray(mask.any(axis=1))
+    x, y, z = mask.T
+    return np.asarray(x | y | z)
 
 
 def _unbridged(missing: Flags, step_s: Floats) -> Floats:

@@ -70,13 +70,14 @@ def saturated_mask(values: Floats, sensor: SensorRange) -> tuple[Flags, float | 
         full_scale: the known range within 4 % of the rail, else the largest rail
             that was found; None when nothing is clipped.
     """
-    mask = np.zeros(values.shape, dtype=np.bool_)
+    # by axis: numpy is slow along axes of three
+    columns = np.ascontiguousarray(values.T)
+    mask = np.zeros(columns.shape, dtype=np.bool_)
     if not len(values):
-        return mask, None
-    columns = np.ascontiguousarray(values.T)  # numpy is slow along axes of three
+        return mask.T, None
     tops = np.stack([columns.max(axis=1), -columns.min(axis=1)])
     if tops.max() < sensor.least:
-        return mask, None
+        return mask.T, None
     rails = np.zeros((2, 3))
     for side, sign in enumerate((1.0, -1.0)):
         for axis in range(3):
@@ -84,36 +85,37 @@ def saturated_mask(values: Floats, sensor: SensorRange) -> tuple[Flags, float | 
             if top >= sensor.least and _is_rail(columns[axis], sign, top, sensor):
                 rails[side, axis] = top
     if not rails.any():
-        return mask, None
+        return mask.T, None
     _add_siblings(rails, tops)
     for side, sign in enumerate((1.0, -1.0)):
         for axis in range(3):
             if rails[side, axis] > 0.0:
                 rail = (1.0 - MARKED) * rails[side, axis]
-                mask[:, axis] |= sign * values[:, axis] >= rail
+                mask[axis] |= sign * columns[axis] >= rail
     largest = float(rails.max())
-    return mask, _known(largest, sensor) or largest
+    return mask.T, _known(largest, sensor) or largest
 
 
 def _is_rail(values: Floats, sign: float, top: float, sensor: SensorRange) -> bool:
     """Return whether samples pile up at `top`, in runs, with few just below."""
-    level = sign * (1.0 - ON_RAIL) * top
-    on_rail = np.count_nonzero(values >= level if sign > 0.0 else values <= level)
+    level, below = (sign * (1.0 - share) * top for share in (ON_RAIL, BELOW_RAIL))
+    on_rail = values >= level if sign > 0.0 else values <= level
+    count = int(np.count_nonzero(on_rail))
     # what lies there most of the time is a steady motion, not a peak cut off
-    if not MIN_RUN <= on_rail <= MAX_SHARE * len(values):
+    if not MIN_RUN <= count <= MAX_SHARE * len(values):
         return False
-    values = sign * values
-    near = values[values >= (1.0 - BELOW_RAIL) * top]
-    count = int(np.count_nonzero(near >= (1.0 - ON_RAIL) * top))
+    near = int(np.count_nonzero(values >= below if sign > 0.0 else values <= below))
     is_known = _known(top, sensor) is not None
-    if count < MIN_RUN or count < MIN_CONTRAST[is_known] * (len(near) - count):
+    if count < MIN_CONTRAST[is_known] * (near - count):
         return False
-    runs = _run_lengths(values >= (1.0 - ON_RAIL) * top)
-    # a logger that repeats slow samples makes a run of every value
-    long = runs[runs >= MIN_RUN * _typical_repeat(values)]
+    runs = _run_lengths(on_rail)
+    runs = runs[runs >= MIN_RUN]
+    if len(runs):
+        # a logger that repeats slow samples makes a run of every value
+        runs = runs[runs >= MIN_RUN * _typical_repeat(values)]
     if is_known:
-        return len(long) >= 1
-    return len(long) >= MIN_RUNS and float(np.mean(long)) <= MAX_MEAN_RUN
+        return len(runs) >= 1
+    return len(runs) >= MIN_RUNS and float(np.mean(runs)) <= MAX_MEAN_RUN
 
 
 def _run_lengths(flags: Flags) -> NDArray[np.intp]:
@@ -123,7 +125,11 @@ def _run_lengths(flags: Flags) -> NDArray[np.intp]:
 
 def _typical_repeat(values: Floats) -> float:
     """Return the median number of times that a value is repeated in a row."""
-    changes = np.flatnonzero(np.diff(values) != 0.0)
+    changed = values[1:] != values[:-1]
+    in_a_row = np.count_nonzero(changed[1:] & changed[:-1])
+    if 2 * in_a_row > np.count_nonzero(changed):
+        return 1.0
+    changes = np.flatnonzero(changed)
     return float(np.median(np.diff(changes))) if len(changes) > 1 else 1.0
 
 

@@ -94,10 +94,13 @@ def find_still(imu: ImuLog, interval_s: float | None = None) -> StillSpans:
         return none
     used = count * per_bin
     turning = _spread(imu.angular_rate_radps[:used], count)
-    if not _may_be_still(turning[1]):
+    calm = turning[1] < _BINS * MAX_RATE_STD_RADPS**2
+    if not _may_be_still(calm):
         return none
-    rate = _Bins.of(*turning)
-    force = _Bins.of(*_spread(imu.specific_force_mps2[:used], count))
+    pushed = _spread(imu.specific_force_mps2[:used], count)
+    if not _may_be_still(calm & (pushed[1] < _BINS * MAX_FORCE_STD_MPS2**2)):
+        return none
+    rate, force = _Bins.of(*turning), _Bins.of(*pushed)
     ends_s = imu.time_s[per_bin - 1 : used : per_bin]
     span_s = ends_s[_BINS - 1 :] - imu.time_s[:used:per_bin][: count - _BINS + 1]
     starts = np.flatnonzero(
@@ -176,13 +179,12 @@ def _spread(values: Floats, count: int) -> tuple[Floats, Floats]:
     return means, np.maximum(squares - np.square(means).sum(axis=0), 0.0)
 
 
-def _may_be_still(variance: Floats) -> bool:
+def _may_be_still(calm: NDArray[np.bool_]) -> bool:
     """Whether any window has only bins that are calm enough for it to be still.
 
     What varies inside the bins is part of what varies in the window, so most of a
     recording in motion needs no closer look.
     """
-    calm = variance < _BINS * MAX_RATE_STD_RADPS**2
     return bool((calm[:-3] & calm[1:-2] & calm[2:-1] & calm[3:]).any())
 
 

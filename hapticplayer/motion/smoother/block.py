@@ -33,7 +33,7 @@ from hapticplayer.motion.smoother.calibrated import (
 from hapticplayer.motion.smoother.linearise import Knowledge, velocity_bound
 from hapticplayer.motion.smoother.parameters import SmootherParameters
 from hapticplayer.motion.smoother.rest import Rest
-from hapticplayer.motion.smoother.strapdown import Samples, coarse
+from hapticplayer.motion.smoother.strapdown import Samples
 from hapticplayer.motion.smoother.uncertainty import tilt_variance
 
 # Weight of a calibration that is not to be changed.
@@ -118,7 +118,7 @@ def smooth(
         return _smoothed(samples, rest, p, with_sigma=with_sigma)
     still = standing.in_parts(rest, parts, count)
     few = replace(p, node_samples=1)
-    done = _smoothed(coarse(samples, parts), still, few, with_sigma=with_sigma)
+    done = _smoothed(stages.coarse(samples, parts), still, few, with_sigma=with_sigma)
     place = (parts, count)
     averaged = samples.averaged
     sigma = done.sigma_rad[:, None]
@@ -172,7 +172,7 @@ class _Block:
         if self._fine:
             self._open(samples, self._per_window)
         else:
-            self._open(coarse(samples, 2 * self._per_window), 1)
+            self._open(stages.coarse(samples, 2 * self._per_window), 1)
         vertical = nd.rough_vertical(self._nodes, p.rough_s)
         self._bound = np.full(vertical.shape[1], p.velocity_start_mps)
         self._trusted = np.zeros(len(self._nodes.duration_s))
@@ -319,12 +319,14 @@ class _Block:
 
     def _linearised(self, vertical: Floats, columns: int) -> Problem:
         known = Knowledge(
-            self._bound, self._trusted, self._calibration[:columns], *self._expected
+            self._bound,
+            self._trusted,
+            self._calibration[:columns],
+            *self._expected,
+            self._travel_sigma_mps,
         )
         self._frames, problem = stages.linearised(self._nodes, vertical, known, self._p)
-        return travel.with_travel(
-            problem, self._nodes, self._frames, self._travel_sigma_mps
-        )
+        return problem
 
     def _settled(self, tilt: Floats) -> Floats:
         """Return the tilt with hardly anything left of the specific force at rest.

@@ -37,10 +37,9 @@ class Problem:
 
     Attributes:
         duration_s: (K,).
-        tilt: (2, 1 + C, K): the known change of the vertical, r, and the change per
-            unit of calibration.
-        impulse: (3, 1 + C, K): the same of the velocity, m/s, in the level frames;
-            gravity is taken off the vertical one.
+        rows: (K, 5, 1 + C) what changes from node to node: the known part, then that
+            per unit of calibration. First the vertical's x and y, that is r; then
+            the velocity, m/s, in the level frames, gravity taken off.
         tilt_weight: (K,) 1 / variance of w_s.
         velocity_weight: (K,) 1 / variance of w_v.
         bound_weight: (K + 1,) 1 / variance of w_b.
@@ -50,14 +49,23 @@ class Problem:
     """
 
     duration_s: Floats
-    tilt: Floats
-    impulse: Floats
+    rows: Floats
     tilt_weight: Floats
     velocity_weight: Floats
     bound_weight: Floats
     rest_weight: Floats
     prior: Floats
     prior_weight: Floats
+
+    @property
+    def tilt(self) -> Floats:
+        """Change of the vertical, (2, 1 + C, K), a view."""
+        return self.rows[:, :2].transpose(1, 2, 0)
+
+    @property
+    def impulse(self) -> Floats:
+        """Change of the velocity, (3, 1 + C, K), a view."""
+        return self.rows[:, 2:].transpose(1, 2, 0)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -118,17 +126,12 @@ def tighter(problem: Problem, solution: Solution, factor: float) -> Problem:
 
     The gyro matrix is kept as it was found.
     """
+    rows = problem.rows[..., : 1 + BIASES_ONLY].copy()
     found = solution.calibration[BIASES_ONLY:]
-
-    def fixed(columns: Floats) -> Floats:
-        kept = columns[:, : 1 + BIASES_ONLY].copy()
-        kept[:, 0] += np.matmul(found, columns[:, 1 + BIASES_ONLY :])
-        return kept
-
+    rows[..., 0] += problem.rows[..., 1 + BIASES_ONLY :] @ found
     return replace(
         problem,
-        tilt=fixed(problem.tilt),
-        impulse=fixed(problem.impulse),
+        rows=rows,
         bound_weight=problem.bound_weight * factor**2,
         prior=problem.prior[:BIASES_ONLY],
         prior_weight=problem.prior_weight[:BIASES_ONLY],

@@ -4,7 +4,7 @@ Each takes and returns what its counterpart in numpy does; tables that the loops
 come along in PackedWindows and PackedNodes.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -32,6 +32,7 @@ from hapticplayer.motion.smoother.strapdown import (
     Windows,
     calm_chunks,
 )
+from hapticplayer.motion.smoother.travel import TRAVEL, travel_prior
 
 # Of half of g times the durations, and the weights of tilt, velocity and rest, what
 # the vertical velocity knows.
@@ -52,6 +53,7 @@ class PackedNodes(Nodes):
     """Nodes with the tables that they are views of; see `kernels.gather`."""
 
     starts: Complexes
+    ends: Complexes
     table: Floats
     levers: Floats
 
@@ -112,6 +114,39 @@ def integrate(
     )
 
 
+def coarse(samples: Samples, per_window: int) -> Samples:
+    """Return means over windows; see `strapdown.coarse`."""
+    if per_window == 1:
+        return samples
+    total = -(-len(samples) // per_window)
+    spent, force, rate = (
+        np.zeros((3, total)),
+        np.zeros((total, 3)),
+        np.zeros((total, 3)),
+    )
+    kernels.coarse(
+        _ready(samples.step_s),
+        _ready(samples.specific_force_mps2),
+        _ready(samples.angular_rate_radps),
+        _ready(samples.lost_s),
+        _ready(samples.doubt_s),
+        per_window,
+        spent,
+        force,
+        rate,
+    )
+    return replace(
+        samples,
+        step_s=spent[0],
+        specific_force_mps2=force,
+        angular_rate_radps=rate,
+        averaged=True,
+        lost_s=spent[1],
+        doubt_s=spent[2],
+        usual_step_s=per_window * samples.interval_s,
+    )
+
+
 def gather(
     windows: PackedWindows, per_node: int, *, with_scale: bool = True
 ) -> PackedNodes:
@@ -138,6 +173,7 @@ def gather(
         lost_s=columns[kernels.AT_LOST],
         doubt_s=columns[kernels.AT_DOUBT],
         starts=starts,
+        ends=at,
         table=table,
         levers=levers,
     )
@@ -148,8 +184,8 @@ def linearised(
 ) -> tuple[Pair, Problem]:
     """Return level frames and the problem in them; see `linearise.linearised`."""
     count, columns = len(nodes.table), 1 + len(known.applied)
-    frames = np.empty((count + 1, 2), complex)
-    tilt, impulse = np.zeros((count, 2, columns)), np.zeros((count, 3, columns))
+    columns += TRAVEL if known.travel_sigma_mps else 0
+    frames, rows = np.empty((count + 1, 2), complex), np.zeros((count, 5, columns))
     weights, bound_weight = np.empty((2, count)), np.zeros(count + 1)
     noises = np.array(
         [
@@ -166,19 +202,21 @@ def linearised(
         _ready(vertical),
         nodes.table,
         nodes.levers,
+        nodes.ends,
         _ready(known.bound_mps),
         noises,
+        1 + len(known.applied),
         frames,
-        tilt,
-        impulse,
+        rows,
         weights,
         bound_weight,
     )
     prior, prior_weight = expected(known, p)
+    if known.travel_sigma_mps:
+        prior, prior_weight = travel_prior(prior, prior_weight, known.travel_sigma_mps)
     problem = Problem(
         duration_s=nodes.duration_s,
-        tilt=tilt.transpose(1, 2, 0),
-        impulse=impulse.transpose(1, 2, 0),
+        rows=rows,
         tilt_weight=weights[0],
         velocity_weight=weights[1],
         bound_weight=bound_weight,
@@ -191,17 +229,16 @@ def linearised(
 
 def minimise(problem: Problem) -> Solution:
     """Return tilt, velocity and calibration; see `calibrated.minimise`."""
-    count, columns = len(problem.duration_s), problem.tilt.shape[1]
-    # what changes by row: tilt x, y, then velocity z, x, y
-    rows = np.empty((count, 5, columns))
-    rows[:, :2] = problem.tilt.transpose(2, 0, 1)
-    rows[:, 3:] = problem.impulse[:2].transpose(2, 0, 1)
-    rows[:, 2] = problem.impulse[2].T
-    weights = np.empty((5, count))
-    weights[:2], weights[2:] = problem.tilt_weight, problem.velocity_weight
-    nodes, left = _solved(rows, weights, problem)
-    rows *= weights.T[:, :, None]
-    normal = rows.reshape(-1, columns).T @ left.reshape(-1, columns)
+    count, _, columns = problem.rows.shape
+    nodes, left = _solved(problem)
+    weighted = np.empty(problem.rows.shape)
+    np.multiply(
+        problem.rows[:, :2], problem.tilt_weight[:, None, None], weighted[:, :2]
+    )
+    np.multiply(
+        problem.rows[:, 2:], problem.velocity_weight[:, None, None], weighted[:, 2:]
+    )
+    normal = weighted.reshape(-1, columns).T @ left.reshape(-1, columns)
     calibration, information = best_calibration(problem, normal)
     states = nodes.reshape(count + 1, 4, columns)  # tilt x, y, velocity x, y
     found = (states[..., 0] + states[..., 1:] @ calibration).T
@@ -216,22 +253,24 @@ def minimise(problem: Problem) -> Solution:
     )
 
 
-def _solved(rows: Floats, weights: Floats, problem: Problem) -> tuple[Floats, Floats]:
+def _solved(problem: Problem) -> tuple[Floats, Floats]:
     """Return horizontal states of the nodes, and what all leave of the rows."""
-    count, _, columns = rows.shape
+    count, _, columns = problem.rows.shape
     half = 0.5 * STANDARD_GRAVITY_MPS2 * problem.duration_s
-    known = np.stack([half, weights[0], weights[2], problem.rest_weight])
-    bound_weight, left = _ready(problem.bound_weight), np.empty(rows.shape)
-    flat = rows.reshape(count, -1), left.reshape(count, -1)
+    known = np.stack(
+        [half, problem.tilt_weight, problem.velocity_weight, problem.rest_weight]
+    )
+    bound_weight, left = _ready(problem.bound_weight), np.empty(problem.rows.shape)
+    flat = problem.rows.reshape(count, -1), left.reshape(count, -1)
     upright = np.zeros((2 * count + 2, columns))
     nodes, band = np.zeros((2 * count + 2, 2 * columns)), np.zeros((2 * count + 2, 4))
     # upwards nothing falls, and a tilt that is held at zero takes no part
     band[::2, 0] = 1.0
     alone = known * _UPRIGHT
-    solved = solver_kernel.solve(*flat, 2 * columns, alone, bound_weight, band, upright)
+    solved = solver_kernel.solve(*flat, 4 * columns, alone, bound_weight, band, upright)
     band[:] = 0.0
     if not solved or not solver_kernel.solve(
-        *flat, 3 * columns, known, bound_weight, band, nodes
+        *flat, 2 * columns, known, bound_weight, band, nodes
     ):
         raise inseparable()
     return nodes, left

@@ -289,18 +289,56 @@ def gather(
         nodes[k, 4] = max(nodes[k, 4] - mean_power, 0.0)
 
 
+@compiled(NOTHING, IN1, IN2, IN2, IN1, IN1, INT, OUT2, OUT2, OUT2)
+def coarse(
+    step: Any,
+    force: Any,
+    rate: Any,
+    lost: Any,
+    doubt: Any,
+    per_window: int,
+    spent: Any,
+    mean_force: Any,
+    mean_rate: Any,
+) -> None:
+    """See `strapdown.coarse`; what is written is zero before.
+
+    Args:
+        step, force, rate, lost, doubt: of the samples.
+        per_window: samples.
+        spent: (3, windows) sums of step, lost, doubt.
+        mean_force, mean_rate: (windows, 3).
+    """
+    count = len(step)
+    for w in range(len(mean_force)):
+        first = w * per_window
+        for k in range(first, min(first + per_window, count)):
+            dt = step[k]
+            spent[0, w] += dt
+            spent[1, w] += lost[k]
+            spent[2, w] += doubt[k]
+            for i in range(3):
+                mean_force[w, i] += dt * force[k, i]
+                mean_rate[w, i] += dt * rate[k, i]
+        if spent[0, w] > 0.0:
+            for i in range(3):
+                mean_force[w, i] /= spent[0, w]
+                mean_rate[w, i] /= spent[0, w]
+
+
 @compiled(
-    *(NOTHING, IN2, IN2, IN4, IN1, IN1, OUT_PAIRS, OUT3, OUT3, OUT2, OUT1),
+    *(NOTHING, IN2, IN2, IN4, PAIRS, IN1, IN1, INT, OUT_PAIRS, OUT3, OUT2, OUT1),
 )
 def linearise(
     vertical: Any,
     nodes: Any,
     levers: Any,
+    ends: Any,
     bound: Any,
     noises: Any,
+    columns: int,
     frames: Any,
-    tilt: Any,
-    speed: Any,
+    rows: Any,
     weights: Any,
     bound_weight: Any,
 ) -> None:
@@ -309,12 +347,13 @@ def linearise(
     Args:
         vertical: (3, K + 1).
         nodes, levers: from `gather`.
+        ends: (K + 1, 2) orientations at the nodes.
         bound: (K + 1,) of the velocity.
         noises: gravity; then squared the rate noise, rotation error, lost rate, force
             noise, force error and doubtful force.
+        columns: with those of `travel` there are more.
         frames: (K + 1, 2) level.
-        tilt: (K, 2, 1 + C).
-        speed: (K, 3, 1 + C) the impulse in the level frames.
+        rows: (K, 5, columns or more), see `Problem`.
         weights: (2, K) of tilt and velocity.
         bound_weight: (K + 1,).
     """
@@ -333,13 +372,13 @@ def linearise(
             x, y, z = a, b, c
             q0, q1 = _unit(s0, s1)
             frames[k, 0], frames[k, 1] = q0, q1
-    for k in range(len(tilt)):
+    for k in range(len(rows)):
         q0, q1 = frames[k, 0], frames[k, 1]
         v = _rotate(q0, q1, nodes[k, 0], nodes[k, 1], nodes[k, 2])
         for i in range(3):
-            speed[k, i, 0] = v[i]
-            speed[k, i, 7] = -v[i]
-        speed[k, 2, 0] -= noises[0] * nodes[k, 3]
+            rows[k, 2 + i, 0] = v[i]
+            rows[k, 2 + i, 7] = -v[i]
+        rows[k, 4, 0] -= noises[0] * nodes[k, 3]
         v = _rotate(
             frames[k + 1, 0],
             frames[k + 1, 1],
@@ -347,7 +386,7 @@ def linearise(
             vertical[1, k],
             vertical[2, k],
         )
-        tilt[k, 0, 0], tilt[k, 1, 0] = v[0], v[1]
+        rows[k, 0, 0], rows[k, 1, 0] = v[0], v[1]
         for j in range(3):
             for c in range(levers.shape[3]):
                 v = _rotate(
@@ -357,10 +396,20 @@ def linearise(
                 if c == 0:
                     at = 1 + j
                     for i in range(3):
-                        speed[k, i, 4 + j] = -v[i]
+                        rows[k, 2 + i, 4 + j] = -v[i]
                 # a rotation w of frame I moves the vertical z by w x z = (w_y, -w_x)
-                if at < tilt.shape[2]:
-                    tilt[k, 0, at], tilt[k, 1, at] = v[1], -v[0]
+                if at < columns:
+                    rows[k, 0, at], rows[k, 1, at] = v[1], -v[0]
+        if columns < rows.shape[2]:
+            q0, q1 = _multiply(q0, q1, ends[k, 0], ends[k, 1])
+            s0, s1 = frames[k + 1, 0], frames[k + 1, 1]
+            s0, s1 = _multiply(s0, s1, ends[k + 1, 0], ends[k + 1, 1])
+            for j in range(3):
+                x, y, z = 1.0 * (j == 0), 1.0 * (j == 1), 1.0 * (j == 2)
+                v = _rotate(q0, q1, x, y, z)
+                u = _rotate(s0, s1, x, y, z)
+                for i in range(3):
+                    rows[k, 2 + i, columns + j] = v[i] - u[i]
         duration, lost, turned = nodes[k, 3], nodes[k, 5], nodes[k, 7]
         variance = noises[1] * duration + noises[2] * turned * turned
         weights[0, k] = 1.0 / (variance + noises[3] * lost * lost)

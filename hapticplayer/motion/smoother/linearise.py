@@ -20,6 +20,7 @@ from hapticplayer.motion.smoother.calibrated import (
 )
 from hapticplayer.motion.smoother.nodes import Nodes
 from hapticplayer.motion.smoother.parameters import SmootherParameters
+from hapticplayer.motion.smoother.travel import with_travel
 
 # A sample whose specific force is in doubt may be wrong by as much.
 DOUBTFUL_MPS2 = 5.0
@@ -37,6 +38,7 @@ class Knowledge:
         applied: (C,) calibration that is in the nodes already.
         bias_radps: (3,) where the gyro's bias is expected, in all.
         bias_sigma_radps: how well.
+        travel_sigma_mps: see `travel`; 0 where there is no need for it.
     """
 
     bound_mps: Floats
@@ -44,6 +46,7 @@ class Knowledge:
     applied: Floats
     bias_radps: Floats
     bias_sigma_radps: float
+    travel_sigma_mps: float
 
 
 def linearised(
@@ -57,7 +60,8 @@ def linearised(
     duration_s, columns = nodes.duration_s, len(known.applied)
     C = rot.matrices((frames[0][:-1], frames[1][:-1]))
     turn = np.einsum("ijn,jkn->ikn", C, nodes.bias_turn_s)
-    tilt = np.zeros((2, 1 + columns, len(duration_s)))
+    rows = np.zeros((len(duration_s), 5, 1 + columns))
+    tilt, impulse = rows[:, :2].transpose(1, 2, 0), rows[:, 2:].transpose(1, 2, 0)
     carried = rot.rotate((frames[0][1:], frames[1][1:]), vertical[:, :-1])
     tilt[:, 0] = carried[:2]
     # a rotation w of frame I moves the vertical z by w x z = (w_y, -w_x)
@@ -66,16 +70,14 @@ def linearised(
     if columns > BIASES_ONLY:
         scale = np.einsum("ijn,jqn->iqn", C[:2], nodes.scale_turn_rad)
         by[0, GYRO_MATRIX], by[1, GYRO_MATRIX] = scale[1], -scale[0]
-    impulse = np.zeros((3, 1 + columns, len(duration_s)))
     impulse[:, 0] = np.einsum("ijn,jn->in", C, nodes.impulse_mps)
     impulse[:, 1 + FORCE_SCALE] = -impulse[:, 0]
     impulse[2, 0] -= STANDARD_GRAVITY_MPS2 * duration_s
     impulse[:, 1:][:, FORCE_BIAS] = -turn
     prior, prior_weight = expected(known, p)
-    return Problem(
+    problem = Problem(
         duration_s=duration_s,
-        tilt=tilt,
-        impulse=impulse,
+        rows=rows,
         tilt_weight=1.0 / _tilt_noise(nodes, p),
         velocity_weight=1.0 / _velocity_noise(nodes, known.bound_mps, p),
         bound_weight=around(duration_s) / (2.0 * known.bound_mps**2),
@@ -83,10 +85,14 @@ def linearised(
         prior=prior,
         prior_weight=prior_weight,
     )
+    return with_travel(problem, nodes, frames, known.travel_sigma_mps)
 
 
 def expected(known: Knowledge, p: SmootherParameters) -> tuple[Floats, Floats]:
-    """Return where the calibration is expected, and 1 / variance of that, (C,)."""
+    """Return where the calibration is expected, and 1 / variance of that, (C,).
+
+    Without what `travel` adds.
+    """
     prior = -known.applied
     prior[FORCE_BIAS] = prior[FORCE_SCALE] = 0.0
     prior[GYRO_BIAS] += known.bias_radps

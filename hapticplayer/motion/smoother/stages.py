@@ -37,6 +37,13 @@ def opened(
     return windows, nd.gather(windows, grid[1], with_scale=with_scale)
 
 
+def coarse(samples: Samples, per_window: int) -> Samples:
+    """Return means over windows; see `strapdown.coarse`."""
+    fast = compiled.fast()
+    found: Samples = (strapdown if fast is None else fast).coarse(samples, per_window)
+    return found
+
+
 def linearised(
     nodes: Nodes, vertical: Floats, known: Knowledge, p: SmootherParameters
 ) -> tuple[Pair, Problem]:

@@ -29,7 +29,8 @@ _ANY_MPS, _NO_MPS = 10.0, 0.01
 # RMS speed from which there may be one: an arm that sways is slower. From the other on
 # nothing is held against it.
 _SWAYING_MPS, _GOING_MPS = 0.5, 0.8
-_COLUMNS = 3
+# Columns of u.
+TRAVEL = 3
 
 
 def with_travel(
@@ -48,14 +49,20 @@ def with_travel(
     if not sigma_mps:
         return problem
     turned = np.diff(rot.matrices(rot.multiply(frames, nodes.at)), axis=2)
-    tilt = np.zeros((2, _COLUMNS, turned.shape[2]))
-    weight = np.full(_COLUMNS, sigma_mps**-2.0)
-    return replace(
-        problem,
-        tilt=np.concatenate([problem.tilt, tilt], axis=1),
-        impulse=np.concatenate([problem.impulse, -turned], axis=1),
-        prior=np.append(problem.prior, np.zeros(_COLUMNS)),
-        prior_weight=np.append(problem.prior_weight, weight),
+    rows = np.zeros((turned.shape[2], 5, problem.rows.shape[2] + TRAVEL))
+    rows[..., :-TRAVEL] = problem.rows
+    rows[:, 2:, -TRAVEL:] = -turned.transpose(2, 0, 1)
+    prior, weight = travel_prior(problem.prior, problem.prior_weight, sigma_mps)
+    return replace(problem, rows=rows, prior=prior, prior_weight=weight)
+
+
+def travel_prior(
+    prior: Floats, weight: Floats, sigma_mps: float
+) -> tuple[Floats, Floats]:
+    """Return what is expected, and how surely, with the three columns of u."""
+    return (
+        np.concatenate([prior, np.zeros(TRAVEL)]),
+        np.concatenate([weight, np.full(TRAVEL, sigma_mps**-2.0)]),
     )
 
 

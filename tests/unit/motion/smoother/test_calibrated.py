@@ -15,6 +15,11 @@ from hapticplayer.motion.smoother.calibrated import (
 )
 
 
+def packed(tilt, impulse):
+    """Return the rows of a Problem from (2, 1 + C, K) and (3, 1 + C, K)."""
+    return np.concatenate([tilt, impulse]).transpose(2, 0, 1).copy()
+
+
 def random_problem(rng, intervals, columns, spread=1.0):
     """Return a problem whose weights vary by e^spread about sensible ones."""
 
@@ -22,10 +27,12 @@ def random_problem(rng, intervals, columns, spread=1.0):
         return typical * np.exp(spread * rng.standard_normal(count))
 
     resting = rng.random(intervals) < 0.3
+    duration_s = rng.uniform(0.1, 1.0, intervals)
+    tilt = 0.01 * rng.standard_normal((2, 1 + columns, intervals))
+    impulse = rng.standard_normal((3, 1 + columns, intervals))
     return Problem(
-        duration_s=rng.uniform(0.1, 1.0, intervals),
-        tilt=0.01 * rng.standard_normal((2, 1 + columns, intervals)),
-        impulse=rng.standard_normal((3, 1 + columns, intervals)),
+        duration_s=duration_s,
+        rows=packed(tilt, impulse),
         tilt_weight=weights(1e5, intervals),
         velocity_weight=weights(1e3, intervals),
         bound_weight=weights(0.1, intervals + 1),

@@ -8,7 +8,7 @@ from hapticplayer.capture import MOTION_SCENES, simulate_motion
 from hapticplayer.model import STANDARD_GRAVITY_MPS2 as G
 from hapticplayer.model import ImuLog
 from hapticplayer.motion import remove_gravity
-from hapticplayer.motion.smoother import travel
+from hapticplayer.motion.smoother import stages, travel
 from hapticplayer.motion.smoother.calibrated import minimise
 from hapticplayer.motion.smoother.nodes import gather, level_frames
 from hapticplayer.motion.smoother.strapdown import integrate
@@ -67,14 +67,14 @@ def test_what_lasts_as_long_as_a_bend_is_not_levelled_away(rng, monkeypatch):
 def test_the_velocity_found_is_that_of_the_car(rng, monkeypatch):
     found = []
 
-    def noted(problem, nodes, frames, sigma_mps):
-        whole = with_travel(problem, nodes, frames, sigma_mps)
-        if sigma_mps:
-            found.append(minimise(whole).calibration[-3:])
-        return whole
+    def noted(nodes, vertical, known, p):
+        frames, problem = linearised(nodes, vertical, known, p)
+        if known.travel_sigma_mps:
+            found.append(minimise(problem).calibration[-3:])
+        return frames, problem
 
-    with_travel = travel.with_travel
-    monkeypatch.setattr(travel, "with_travel", noted)
+    linearised = stages.linearised
+    monkeypatch.setattr(stages, "linearised", noted)
     remove_gravity(in_a_car(rng))
     assert found[-1] == pytest.approx([0.0, SPEED_MPS, 0.0], abs=0.5)
 

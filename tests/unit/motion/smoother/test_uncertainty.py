@@ -8,7 +8,7 @@ import pytest
 from hapticplayer.model import STANDARD_GRAVITY_MPS2 as G
 from hapticplayer.motion.smoother.calibrated import Problem, minimise
 from hapticplayer.motion.smoother.uncertainty import noise_variance, tilt_variance
-from tests.unit.motion.smoother.test_calibrated import Dense
+from tests.unit.motion.smoother.test_calibrated import Dense, packed
 
 STEP_S = 0.5
 
@@ -39,8 +39,7 @@ def steady_problem(intervals, bound_mps, hole=None, hole_s=10.0):
     around[[0, -1]] *= 0.5
     return Problem(
         duration_s=duration,
-        tilt=tilt,
-        impulse=impulse,
+        rows=packed(tilt, impulse),
         tilt_weight=1.0 / tilt_noise,
         velocity_weight=1.0 / velocity_noise,
         bound_weight=around / (2.0 * bound_mps**2),
