@@ -197,7 +197,7 @@ class _Block:
         if not again and not self._expect_more():
             return False
         self._bound = bound
-        vertical = rot.rotate(rot.inverse(self._frames), nd.up(self._solution.tilt))
+        vertical = self._vertical()
         if moved or not self._fine:
             vertical = self._integrate(vertical)
         self._trusted = self._rest_weight()
@@ -222,7 +222,7 @@ class _Block:
         if velocity_mps is None:
             return
         found = self._solution.calibration
-        vertical = rot.rotate(rot.inverse(self._frames), nd.up(self._solution.tilt))
+        vertical = self._vertical()
         self._bound = np.full_like(self._bound, velocity_mps)
         problem = self._linearised(vertical, self._solved_columns)
         self._problem = replace(
@@ -297,18 +297,23 @@ class _Block:
         self._calibration[: len(change)] += change
         # of the accelerometer everything is solved for in full each time
         self._calibration[FORCE_BIAS] = self._calibration[FORCE_SCALE] = 0.0
-        sensor = rot.rotate(rot.inverse(self._nodes.at), vertical)
+        sensor = stages.rotated(self._nodes.at, vertical, inverse=True)
         was_fine, self._fine = self._fine, True
         self._open(self._samples, self._per_window)
         at = self._nodes.at
         if was_fine:
-            return rot.rotate(at, sensor)
+            return stages.rotated(at, sensor)
         last = len(at[0]) - 1
         shared = np.append(2 * np.arange(sensor.shape[1] - 1), last)
-        known = rot.rotate((at[0][shared], at[1][shared]), sensor)
+        known = stages.rotated((at[0][shared], at[1][shared]), sensor)
         place = np.arange(last + 1)
         self._bound = np.interp(place, shared, self._bound)
         return _unit(np.stack([np.interp(place, shared, row) for row in known]))
+
+    def _vertical(self) -> Floats:
+        """Return the vertical of the last solution in frame I, (3, K + 1)."""
+        up = nd.up(self._solution.tilt)
+        return stages.rotated(self._frames, up, inverse=True)
 
     def _solve(self, vertical: Floats, columns: int) -> None:
         self._problem = self._linearised(vertical, columns)

@@ -76,28 +76,29 @@ class Solution:
         tilt: (2, K + 1) of the vertical, first order.
         velocity_mps: (2, K + 1) horizontal.
         calibration: (C,).
-        information: (C, C) the inverse of the calibration's covariance.
-        tilt_per_calibration: (C, K + 1) x + iy.
+        factor: (C, C) upper Cholesky factor of the calibration's information.
+        tilt_per_calibration: (2, C, K + 1).
     """
 
     tilt: Floats
     velocity_mps: Floats
     calibration: Floats
-    information: Floats
-    tilt_per_calibration: Complexes
+    factor: Floats
+    tilt_per_calibration: Floats
 
     @property
     def covariance(self) -> Floats:
         """Covariance (C, C) of the calibration."""
-        inverse = np.linalg.inv(self.information)
-        return 0.5 * (inverse + inverse.T)
+        inverse, _ = lapack.dpotri(self.factor)
+        upper = np.triu(inverse)
+        return np.asarray(upper + np.triu(upper, 1).T)
 
 
 def minimise(problem: Problem) -> Solution:
     """Return tilt, velocity and calibration of least squares."""
     states, normal = _horizontal(problem)
     normal += _vertical_normal(problem)
-    calibration, information = best_calibration(problem, normal)
+    calibration, factor = best_calibration(problem, normal)
     weights = np.concatenate([[1.0], calibration])
     found = (weights @ states.reshape(len(weights), -1)).reshape(-1, 2)
     tilt, velocity = found.T
@@ -105,20 +106,25 @@ def minimise(problem: Problem) -> Solution:
         tilt=np.stack([tilt.real, tilt.imag]),
         velocity_mps=np.stack([velocity.real, velocity.imag]),
         calibration=calibration,
-        information=information,
-        tilt_per_calibration=states[1:, :, 0],
+        factor=factor,
+        tilt_per_calibration=np.stack([states[1:, :, 0].real, states[1:, :, 0].imag]),
     )
 
 
 def best_calibration(problem: Problem, normal: Floats) -> tuple[Floats, Floats]:
-    """Return the calibration and its information from the columns' normal matrix."""
+    """Return the calibration and the Cholesky factor of its information.
+
+    Args:
+        problem: with what is expected.
+        normal: (1 + C, 1 + C) matrix of the columns.
+    """
     matrix = 0.5 * (normal[1:, 1:] + normal[1:, 1:].T)
     matrix.flat[:: len(matrix) + 1] += problem.prior_weight
     right = problem.prior_weight * problem.prior - normal[1:, 0]
-    _, calibration, failed = lapack.dposv(matrix, right)
+    factor, calibration, failed = lapack.dposv(matrix, right)
     if failed:
         raise inseparable()
-    return np.asarray(calibration), matrix
+    return np.asarray(calibration), np.asarray(factor)
 
 
 def tighter(problem: Problem, solution: Solution, factor: float) -> Problem:

@@ -7,6 +7,7 @@ come along in PackedWindows and PackedNodes.
 from dataclasses import dataclass, replace
 
 import numpy as np
+from numpy.typing import NDArray
 
 from hapticplayer.model import STANDARD_GRAVITY_MPS2
 from hapticplayer.model.arrays import Floats
@@ -33,10 +34,6 @@ from hapticplayer.motion.smoother.strapdown import (
     calm_chunks,
 )
 from hapticplayer.motion.smoother.travel import TRAVEL, travel_prior
-
-# Of half of g times the durations, and the weights of tilt, velocity and rest, what
-# the vertical velocity knows.
-_UPRIGHT = np.array([[0.0], [0.0], [1.0], [1.0]])
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -231,49 +228,72 @@ def minimise(problem: Problem) -> Solution:
     """Return tilt, velocity and calibration; see `calibrated.minimise`."""
     count, _, columns = problem.rows.shape
     nodes, left = _solved(problem)
-    weighted = np.empty(problem.rows.shape)
-    np.multiply(
-        problem.rows[:, :2], problem.tilt_weight[:, None, None], weighted[:, :2]
-    )
-    np.multiply(
-        problem.rows[:, 2:], problem.velocity_weight[:, None, None], weighted[:, 2:]
-    )
-    normal = weighted.reshape(-1, columns).T @ left.reshape(-1, columns)
-    calibration, information = best_calibration(problem, normal)
+    normal = problem.rows.reshape(-1, columns).T @ left.reshape(-1, columns)
+    calibration, factor = best_calibration(problem, normal)
     states = nodes.reshape(count + 1, 4, columns)  # tilt x, y, velocity x, y
     found = (states[..., 0] + states[..., 1:] @ calibration).T
-    per_calibration = np.empty((columns - 1, count + 1), complex)
-    per_calibration.real, per_calibration.imag = states[:, 0, 1:].T, states[:, 1, 1:].T
     return Solution(
         tilt=found[:2],
         velocity_mps=found[2:],
         calibration=calibration,
-        information=information,
-        tilt_per_calibration=per_calibration,
+        factor=factor,
+        tilt_per_calibration=states[:, :2, 1:].transpose(1, 2, 0),
     )
 
 
 def _solved(problem: Problem) -> tuple[Floats, Floats]:
     """Return horizontal states of the nodes, and what all leave of the rows."""
     count, _, columns = problem.rows.shape
-    half = 0.5 * STANDARD_GRAVITY_MPS2 * problem.duration_s
-    known = np.stack(
-        [half, problem.tilt_weight, problem.velocity_weight, problem.rest_weight]
-    )
-    bound_weight, left = _ready(problem.bound_weight), np.empty(problem.rows.shape)
+    known, left = _weights(problem), np.empty(problem.rows.shape)
     flat = problem.rows.reshape(count, -1), left.reshape(count, -1)
-    upright = np.zeros((2 * count + 2, columns))
-    nodes, band = np.zeros((2 * count + 2, 2 * columns)), np.zeros((2 * count + 2, 4))
-    # upwards nothing falls, and a tilt that is held at zero takes no part
-    band[::2, 0] = 1.0
-    alone = known * _UPRIGHT
-    solved = solver_kernel.solve(*flat, 4 * columns, alone, bound_weight, band, upright)
-    band[:] = 0.0
-    if not solved or not solver_kernel.solve(
-        *flat, 2 * columns, known, bound_weight, band, nodes
+
+    def solved(speed: int, width: int, *, upright: bool) -> Floats:
+        nodes = np.zeros((2 * count + 2, width * columns))
+        band = np.zeros((2 * count + 2, 4))
+        done = solver_kernel.solve(*flat, speed * columns, *known, upright, band, nodes)
+        if not done:
+            raise inseparable()
+        return nodes
+
+    solved(4, 1, upright=True)
+    return solved(2, 2, upright=False), left
+
+
+def _weights(problem: Problem) -> tuple[Floats, Floats, Floats, Floats, Floats]:
+    """Return durations and weights as `solver_kernel` takes them."""
+    return (
+        _ready(problem.duration_s),
+        _ready(problem.tilt_weight),
+        _ready(problem.velocity_weight),
+        _ready(problem.rest_weight),
+        _ready(problem.bound_weight),
+    )
+
+
+def tilt_variances(problem: Problem, chosen: NDArray[np.intp]) -> Floats:
+    """Return the variance of one tilt at some nodes; see `uncertainty`."""
+    size = 2 * len(problem.bound_weight)
+    variances = np.empty(len(chosen))
+    if not solver_kernel.tilt_variances(
+        *_weights(problem), chosen, np.zeros((size, 4)), np.empty(size), variances
     ):
         raise inseparable()
-    return nodes, left
+    return variances
+
+
+def rotate(rotation: Pair, vector: Floats, *, inverse: bool = False) -> Floats:
+    """Return vectors (3, n) turned by rotations (n,) or back; see `rotations`."""
+    out = np.empty(vector.shape)
+    kernels.rotate(*rotation, _ready(vector), inverse, out)
+    return out
+
+
+def local_mean(values: Floats, duration_s: Floats, half_width_s: float) -> Floats:
+    """Return the mean over the nodes within some time; see `linearise.local_mean`."""
+    out = np.empty(len(values))
+    scratch = np.empty((3, len(values) + 1))
+    kernels.local_mean(_ready(values), _ready(duration_s), half_width_s, scratch, out)
+    return out
 
 
 def spread(

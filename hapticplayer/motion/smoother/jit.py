@@ -29,8 +29,10 @@ def _array(element: Any, dimensions: int, *, readonly: bool) -> Any:
 
 # arrays that are read, which may or may not be written to
 FLAGS = _array(BOOL, 1, readonly=True)
+INDICES = _array(INT, 1, readonly=True)
 IN1, IN2, IN4 = (_array(FLOAT, n, readonly=True) for n in (1, 2, 4))
 PAIRS, PAIRS_BY_TWO = (_array(COMPLEX, n, readonly=True) for n in (2, 3))
+COLUMN = types.Array(COMPLEX, 1, "A", readonly=True)
 # arrays that are written
 OUT1, OUT2, OUT3, OUT4 = (_array(FLOAT, n, readonly=False) for n in (1, 2, 3, 4))
 OUT_PAIRS, OUT_PAIRS_BY_TWO = (_array(COMPLEX, n, readonly=False) for n in (2, 3))

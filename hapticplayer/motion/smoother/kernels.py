@@ -17,6 +17,7 @@ from numba import types
 
 from hapticplayer.motion.smoother.jit import (
     BOOL,
+    COLUMN,
     COMPLEX,
     FLAGS,
     FLOAT,
@@ -287,6 +288,51 @@ def gather(
         x, y, z = nodes[k, 0], nodes[k, 1], nodes[k, 2]
         mean_power = (x * x + y * y + z * z) / max(nodes[k, 3], 1e-9)
         nodes[k, 4] = max(nodes[k, 4] - mean_power, 0.0)
+
+
+@compiled(NOTHING, COLUMN, COLUMN, IN2, BOOL, OUT2)
+def rotate(first: Any, second: Any, vector: Any, inverse: bool, out: Any) -> None:
+    """Turn vectors (3, n) by rotations (n,), or back."""
+    for k in range(len(first)):
+        q0, q1 = first[k], second[k]
+        if inverse:
+            q0, q1 = q0.conjugate(), -q1
+        v = _rotate(q0, q1, vector[0, k], vector[1, k], vector[2, k])
+        out[0, k], out[1, k], out[2, k] = v
+
+
+@compiled(NOTHING, IN1, IN1, FLOAT, OUT2, OUT1)
+def local_mean(
+    values: Any, duration: Any, half_width: float, scratch: Any, out: Any
+) -> None:
+    """See `linearise.local_mean`.
+
+    Args:
+        values: (K + 1,) at the nodes.
+        duration: (K,) between them.
+        half_width: of the mean, in time.
+        scratch: (3, K + 2).
+        out: (K + 1,).
+    """
+    count = len(values)
+    time, total, length = scratch[0], scratch[1], scratch[2]
+    time[0], total[0], length[0] = 0.0, 0.0, 0.0
+    for k in range(count):
+        around = 0.0
+        if k < count - 1:
+            around += 0.5 * duration[k]
+            time[k + 1] = time[k] + duration[k]
+        if k > 0:
+            around += 0.5 * duration[k - 1]
+        total[k + 1] = total[k] + values[k] * around
+        length[k + 1] = length[k] + around
+    first, last = 0, 0
+    for k in range(count):
+        while time[first] < time[k] - half_width:
+            first += 1
+        while last < count and time[last] <= time[k] + half_width:
+            last += 1
+        out[k] = (total[last] - total[first]) / (length[last] - length[first])
 
 
 @compiled(NOTHING, IN1, IN2, IN2, IN1, IN1, INT, OUT2, OUT2, OUT2)

@@ -8,6 +8,7 @@ from hapticplayer.model import STANDARD_GRAVITY_MPS2
 from hapticplayer.model.arrays import Floats
 from hapticplayer.motion import rotations as rot
 from hapticplayer.motion.rotations import Pair
+from hapticplayer.motion.smoother import compiled
 from hapticplayer.motion.smoother.calibrated import (
     BIASES_ONLY,
     CALIBRATION,
@@ -113,6 +114,9 @@ def velocity_bound(
 
 def local_mean(values: Floats, duration_s: Floats, half_width_s: float) -> Floats:
     """Return the mean over the nodes within some time of each node, (K + 1,)."""
+    fast = compiled.fast()
+    if fast is not None:
+        return np.asarray(fast.local_mean(values, duration_s, half_width_s))
     weight = around(duration_s)
     time_s = np.concatenate([[0.0], np.cumsum(duration_s)])
     total = np.concatenate([[0.0], np.cumsum(values * weight)])

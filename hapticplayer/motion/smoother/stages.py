@@ -1,5 +1,8 @@
 """The stages of the smoother, compiled where that is possible (see `compiled`)."""
 
+import numpy as np
+from numpy.typing import NDArray
+
 from hapticplayer.model.arrays import Floats
 from hapticplayer.motion import rotations as rot
 from hapticplayer.motion.rotations import Pair
@@ -61,6 +64,26 @@ def minimise(problem: Problem) -> Solution:
     fast = compiled.fast()
     found: Solution = (calibrated if fast is None else fast).minimise(problem)
     return found
+
+
+def tilt_variances(problem: Problem, chosen: NDArray[np.intp]) -> Floats:
+    """Return the variance of one tilt at some nodes, for a known calibration."""
+    fast = compiled.fast()
+    if fast is not None:
+        return np.asarray(fast.tilt_variances(problem, chosen))
+    right = np.zeros((len(chosen), 2 * len(problem.bound_weight)))
+    rows = np.arange(len(chosen))
+    right[rows, 2 * chosen] = 1.0
+    calibrated.solve_band(calibrated.horizontal_band(problem), right)
+    return np.asarray(right[rows, 2 * chosen])
+
+
+def rotated(rotation: Pair, vector: Floats, *, inverse: bool = False) -> Floats:
+    """Return vectors (3, n) turned by rotations (n,), or back."""
+    fast = compiled.fast()
+    if fast is not None:
+        return np.asarray(fast.rotate(rotation, vector, inverse=inverse))
+    return rot.rotate(rot.inverse(rotation) if inverse else rotation, vector)
 
 
 def at_samples(

@@ -8,17 +8,16 @@ that give the least error, not those that describe it best.
 """
 
 import numpy as np
+from numpy.typing import NDArray
 
 from hapticplayer.model.arrays import Floats
 from hapticplayer.motion.smoother.calibrated import (
     Problem,
     Solution,
-    horizontal_band,
-    solve_band,
     tighter,
 )
 from hapticplayer.motion.smoother.linearise import local_mean
-from hapticplayer.motion.smoother.stages import minimise
+from hapticplayer.motion.smoother.stages import minimise, tilt_variances
 
 # The model's variance is found exactly at nodes this far apart.
 _EVERY_S = 20.0
@@ -47,7 +46,7 @@ def tilt_variance(
         local_s: half width of the means.
     """
     rows = solution.tilt_per_calibration
-    spread = (rows.conj() * (solution.covariance @ rows)).real.sum(axis=0)
+    spread = (rows * (solution.covariance @ rows)).sum(axis=(0, 1))
     model = 2.0 * noise_variance(problem) + spread
     longer = np.clip((time_constant_s - _LONG_S) / _LONGER_S, 0.0, _MOST)
     other = minimise(tighter(problem, solution, 1.0 / _LOOSER)).tilt
@@ -65,15 +64,18 @@ def noise_variance(problem: Problem) -> Floats:
     number = max(_AT_LEAST, round(float(problem.duration_s.sum()) / _EVERY_S))
     even = np.linspace(0, count - 1, min(number, count)).round().astype(int)
     # holes are looked at where they are
-    holes = np.flatnonzero(problem.tilt_weight < _HOLE * np.median(problem.tilt_weight))
+    holes = _holes(problem.tilt_weight)
     chosen = even
     if len(holes):
         holes = holes[:: max(1, len(holes) // _HOLES)]
         near = (holes[:, None] + np.arange(-2, 4)).ravel().clip(0, count - 1)
         chosen = np.unique(np.concatenate([even, near]))
-    right = np.zeros((len(chosen), 2 * count))
-    rows = np.arange(len(chosen))
-    right[rows, 2 * chosen] = 1.0
-    solve_band(horizontal_band(problem), right)
-    found = np.log(right[rows, 2 * chosen])
+    found = np.log(tilt_variances(problem, chosen))
     return np.asarray(np.exp(np.interp(np.arange(count), chosen, found)))
+
+
+def _holes(weight: Floats) -> NDArray[np.intp]:
+    """Return the intervals whose tilt is far less certain than that of the usual."""
+    if weight.min() >= _HOLE * weight.max():
+        return np.empty(0, np.intp)
+    return np.flatnonzero(weight < _HOLE * np.median(weight))

@@ -109,7 +109,7 @@ def test_the_calibration_makes_both_tilts_as_uncertain_as_it_should(intervals):
     problem = steady_problem(intervals, 1.0)
     solution = minimise(problem)
     rows = solution.tilt_per_calibration
-    spread = (rows.conj() * (solution.covariance @ rows)).real.sum(axis=0)
+    spread = np.einsum("acn,cd,adn->n", rows, solution.covariance, rows)
     total = 2.0 * noise_variance(problem) + spread
     exact = Dense(problem).tilt_variance()
     assert np.abs(total / exact - 1.0)[intervals // 3 : -intervals // 3].max() < 0.15
