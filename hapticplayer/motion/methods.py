@@ -27,6 +27,8 @@ from hapticplayer.motion.stillness import StillSpans
 Parameters = SmootherParameters | ekf.EkfParameters
 P = TypeVar("P", SmootherParameters, ekf.EkfParameters)
 
+_SMOOTHER, _EKF = SmootherParameters(), ekf.EkfParameters()
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Task:
@@ -67,7 +69,7 @@ def smoother(task: Task) -> Estimate:
         raise UsageError(
             "the smoother has no heading; choose one of ekf, vqf, offline-vqf for it"
         )
-    parameters = _of_type(task.parameters, SmootherParameters)
+    parameters = _of_type(task.parameters, _SMOOTHER)
     samples, places = _samples(task)
     done = smooth_recording(
         samples, task.still, parameters, places, with_sigma=task.sigma
@@ -149,7 +151,7 @@ def _part(imu: ImuLog, part: slice) -> ImuLog:
 @_piecewise
 def kalman(task: Task) -> Estimate:
     """The quaternion Kalman filter of Sabatini 2006; see `hapticplayer.motion.ekf`."""
-    parameters = _of_type(task.parameters, ekf.EkfParameters)
+    parameters = _of_type(task.parameters, _EKF)
     task, log = _even(task)
     field = log.magnetic_field_ut if task.heading else None
     done = ekf.run_ekf(
@@ -272,13 +274,13 @@ def _at_times(task: Task, log: grid.EvenLog, q: Floats) -> Floats:
     return quat.interpolate(task.imu.time_s, log.time_s, q)
 
 
-def _of_type(given: Parameters | None, wanted: type[P]) -> P:
+def _of_type(given: Parameters | None, default: P) -> P:
     """Return the parameters of a method, its defaults where none are given."""
     if given is None:
-        return wanted()
-    if not isinstance(given, wanted):
+        return default
+    if not isinstance(given, type(default)):
         raise UsageError(
-            f"this method takes {wanted.__name__}, not {type(given).__name__}"
+            f"this method takes {type(default).__name__}, not {type(given).__name__}"
         )
     return given
 

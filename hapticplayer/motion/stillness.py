@@ -6,6 +6,7 @@ every sample, so still spans set the gain before anything else. What the gyro re
 there is its bias.
 """
 
+import functools
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -174,9 +175,15 @@ def _spread(values: Floats, count: int) -> tuple[Floats, Floats]:
     rows = values.reshape(count, -1)
     per_bin = rows.shape[1] // 3
     # as a product, because numpy is slow along axes of three
-    means = (rows @ np.tile(np.eye(3), (per_bin, 1))).T / per_bin
+    means = (rows @ _averaging(per_bin)).T
     squares = np.einsum("bk,bk->b", rows, rows) / per_bin
     return means, np.maximum(squares - np.square(means).sum(axis=0), 0.0)
+
+
+@functools.cache
+def _averaging(count: int) -> Floats:
+    """Return the matrix (3 count, 3) that takes so many vectors to their mean."""
+    return np.tile(np.eye(3) / count, (count, 1))
 
 
 def _may_be_still(calm: NDArray[np.bool_]) -> bool:

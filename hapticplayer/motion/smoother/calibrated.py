@@ -89,9 +89,8 @@ class Solution:
     @property
     def covariance(self) -> Floats:
         """Covariance (C, C) of the calibration."""
-        inverse, _ = lapack.dpotri(self.factor)
-        upper = np.triu(inverse)
-        return np.asarray(upper + np.triu(upper, 1).T)
+        root, _ = lapack.dtrtri(np.triu(self.factor))
+        return np.asarray(root @ root.T)
 
 
 def minimise(problem: Problem) -> Solution:
