@@ -20,6 +20,7 @@ from app.player.application import make_application
 from app.player.video_surface import SurfaceSink, VideoSurface
 from hapticplayer.clock import Clock, SystemClock
 from hapticplayer.errors import HapticPlayerError
+from hapticplayer.interchange.lsl import LslStreams
 from hapticplayer.playback.audio import SoundDeviceOut
 from hapticplayer.playback.player import AudioFactory, Player
 from hapticplayer.playback.source import Source
@@ -77,7 +78,7 @@ class StudySession:
         self.gateway = ErrorGateway(self.control.show_message, self._halt)
         self.undisturbed = Undisturbed()
         self._watch_turn, self._slow_turn = Cadence(WATCH_HZ), Cadence(SLOW_HZ)
-        self._checks: tuple[Check, ...] = ()
+        self._told_s = clock.now_s()
         self._is_over = False
         self.pump = Pump(self.player.poll, clock, self._on_gap)
         self.start_panel.started.connect(self.begin)
@@ -175,6 +176,7 @@ class StudySession:
             self.runner.poll()
         if self._watch_turn.is_due(now_s):
             self.gateway.poll()
+            self._tell_force()
             self.participant.refresh()
             self.control.refresh()
             if self.runner is not None and self.control.shows_force:
@@ -184,6 +186,16 @@ class StudySession:
             self.control.health.show_snapshot(self.player.snapshot())
             if self.runner is None:
                 self.start_panel.show_checks(self.look())
+
+    def _tell_force(self) -> None:
+        """Hand the forces since the last look to whoever watches."""
+        if self._observer is None:
+            return
+        ticks = self.player.link.history.since(self._told_s)
+        ticks = ticks[ticks["monotonic_s"] > self._told_s]
+        if len(ticks):
+            self._told_s = float(ticks["monotonic_s"][-1])
+            self._observer.force(ticks["monotonic_s"], ticks["force_n"])
 
     def _halt(self) -> None:
         if self.runner is not None:
@@ -218,14 +230,19 @@ def run(options: argparse.Namespace) -> int:
     try:
         study = open_study(options.study)
         material = load_material(study)
+        streams = LslStreams() if options.lsl or study.definition.lsl else None
         application = make_application()
-        session = StudySession(study, material, options.device, SystemClock())
+        session = StudySession(
+            study, material, options.device, SystemClock(), observer=streams
+        )
         session.start_panel.choose(options.resume or "", options.language or "")
         try:
             session.show(windowed=options.windowed)
             _run_until_closed(application, session)
         finally:
             session.close()
+            if streams is not None:
+                streams.close()
     finally:
         os.umask(before)
     return 0

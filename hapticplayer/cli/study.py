@@ -68,6 +68,11 @@ def _add_run(actions: Any) -> None:
         action="store_true",
         help="participant's pages in a window, for trying a study out",
     )
+    run.add_argument(
+        "--lsl",
+        action="store_true",
+        help="offer markers and force as LSL streams to programs on this machine",
+    )
 
 
 def _add_status(actions: Any) -> None:
