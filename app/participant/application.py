@@ -3,6 +3,7 @@
 import argparse
 import os
 from collections.abc import Callable
+from functools import partial
 
 from PySide6.QtCore import QTimer
 from PySide6.QtGui import QGuiApplication, QScreen
@@ -10,13 +11,15 @@ from PySide6.QtWidgets import QApplication
 
 from app.bridge.cadence import Cadence
 from app.bridge.errors import ErrorGateway
+from app.bridge.idle import EVERYTHING, IdleInhibitor
 from app.bridge.interrupts import closing_on_signals
 from app.bridge.pump import Pump
+from app.bridge.settings import Settings, default_path
 from app.experimenter.session_control import SessionControl
 from app.experimenter.start_panel import StartPanel
-from app.participant.undisturbed import Undisturbed
 from app.participant.window import ParticipantWindow
 from app.player.application import make_application
+from app.player.controls import OUTPUT
 from app.player.video_surface import SurfaceSink, VideoSurface
 from hapticplayer.clock import Clock, SystemClock
 from hapticplayer.errors import HapticPlayerError
@@ -71,12 +74,13 @@ class StudySession:
         sessions, _ = study.sessions()
         unfinished = [s.code for s in sessions if s.state is State.UNFINISHED]
         self.start_panel = StartPanel(study.definition.languages, unfinished)
+        self.start_panel.show_balance(study.balance())
         self.control = SessionControl(
             self.start_panel, shows_force=not study.definition.operator_is_blind
         )
         self.participant = ParticipantWindow(self.surface)
         self.gateway = ErrorGateway(self.control.show_message, self._halt)
-        self.undisturbed = Undisturbed()
+        self.undisturbed = IdleInhibitor("", services=EVERYTHING)
         self._watch_turn, self._slow_turn = Cadence(WATCH_HZ), Cadence(SLOW_HZ)
         self._told_s = clock.now_s()
         self._is_over = False
@@ -99,6 +103,7 @@ class StudySession:
         else:
             self.participant.setGeometry(theirs.geometry())
             self.participant.showFullScreen()
+        self.undisturbed.set_wanted("an experiment is running")
         self.control.raise_()
         self.pump.start()
 
@@ -231,9 +236,15 @@ def run(options: argparse.Namespace) -> int:
         study = open_study(options.study)
         material = load_material(study)
         streams = LslStreams() if options.lsl or study.definition.lsl else None
-        application = make_application()
+        settings = Settings(default_path())
+        application = make_application(settings)
         session = StudySession(
-            study, material, options.device, SystemClock(), observer=streams
+            study,
+            material,
+            options.device,
+            SystemClock(),
+            audio=partial(SoundDeviceOut, device=settings.text(OUTPUT)),
+            observer=streams,
         )
         session.start_panel.choose(options.resume or "", options.language or "")
         try:
