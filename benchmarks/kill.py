@@ -1,12 +1,14 @@
 """SIGKILL at seeded moments of a scripted session: is an acknowledged answer ever lost?
 
 The real program runs offscreen (benchmarks/kill_victim.py), is killed, and resumed
-until its session ends; then another begins. `python benchmarks/kill.py --kills 500`.
+until its session ends; then another begins. `python benchmarks/kill.py --kills 500 --keep`
+adds to what earlier runs have kept, until there are so many; `--for-s` stops it earlier.
 """
 
 import argparse
 import contextlib
 import json
+import math
 import os
 import signal
 import subprocess
@@ -24,10 +26,12 @@ ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT))
 
 from hapticplayer.capture import Recording  # noqa: E402
+from hapticplayer.clock import SystemClock  # noqa: E402
 from hapticplayer.errors import StudyError  # noqa: E402
 from hapticplayer.media import probe, write_clip  # noqa: E402
 from hapticplayer.model import STANDARD_GRAVITY_MPS2, ClockMap, ImuLog  # noqa: E402
 from hapticplayer.sequence.build import Choices, write_sequence  # noqa: E402
+from hapticplayer.sequence.files import replace_json  # noqa: E402
 from hapticplayer.study.creation import change_definition, create_study  # noqa: E402
 from hapticplayer.study.session_folder import State, StoredSession  # noqa: E402
 from hapticplayer.study.study_folder import Study  # noqa: E402
@@ -35,6 +39,7 @@ from hapticplayer.study.study_folder import Study  # noqa: E402
 RESULTS = ROOT / "benchmarks" / "results" / "kill.json"
 VICTIM = Path(__file__).with_name("kill_victim.py")
 LATEST_S = 1.5  # after the session is about to be made or opened
+NEVER_S = 600.0
 KEYS = ("bike", "horse", "car-turning", "car-braking")
 
 
@@ -162,41 +167,58 @@ def check(study: Study, code: str, acknowledged: list[str], tally: Tally) -> Sta
 
 
 def measure(
-    kills: int, seed: int, progress: Callable[[int], None] = lambda _n: None
+    tally: Tally,
+    kills: int,
+    seed: int,
+    until_s: float = math.inf,
+    progress: Callable[[int], None] = lambda _n: None,
 ) -> Tally:
-    """Kill the program so often, at moments that the seed tells."""
-    rng = np.random.default_rng(seed)
-    tally = Tally()
+    """Kill the program until so many kills are counted, then let it end its session.
+
+    Args:
+        tally: what was counted before; goes on being counted.
+        kills: how many there are to be in all.
+        seed: of the moments.
+        until_s: no kill later than this on the machine's clock.
+        progress: told how many there were.
+    """
+    rng = np.random.default_rng([seed, tally.kills])
     with tempfile.TemporaryDirectory() as folder:
         study = make_study(Path(folder))
         with contextlib.closing(Program(study)) as program:
-            _kill_often(program, study, kills, rng, tally, progress)
+            run = _Run(program, study, tally)
+            while tally.kills < kills and SystemClock().now_s() < until_s:
+                run.go_on(float(rng.uniform(0.0, LATEST_S)))
+                progress(tally.kills)
+            if run.code:
+                run.go_on(NEVER_S)
+            tally.not_resumed += bool(run.code)
     return tally
 
 
-def _kill_often(
-    program: Program,
-    study: Study,
-    kills: int,
-    rng: np.random.Generator,
-    tally: Tally,
-    progress: Callable[[int], None],
-) -> None:
-    code, acknowledged = "", []
-    while tally.kills < kills:
-        after_s = float(rng.uniform(0.0, LATEST_S))
-        said, new, has_ended = program.run(code, after_s)
-        acknowledged += new
+class _Run:
+    """Session after session of one program; `code` is the one that is open."""
+
+    def __init__(self, program: Program, study: Study, tally: Tally) -> None:
+        self.program, self.study, self.tally = program, study, tally
+        self.code = ""
+        self.acknowledged: list[str] = []
+
+    def go_on(self, kill_after_s: float) -> None:
+        """Run the program until it is killed, and look at what is on the disk."""
+        tally = self.tally
+        said, new, has_ended = self.program.run(self.code, kill_after_s)
+        self.acknowledged += new
         tally.acknowledged += len(new)
         tally.kills += not has_ended
-        tally.not_resumed += bool(code) and said not in ("", code)
-        code = said or code or unfinished(study)
-        if not code:
-            continue  # killed before there was a session
-        if check(study, code, acknowledged, tally) is not State.UNFINISHED:
+        tally.not_resumed += bool(self.code) and said not in ("", self.code)
+        self.code = said or self.code or unfinished(self.study)
+        if not self.code:
+            return  # killed before there was a session
+        state = check(self.study, self.code, self.acknowledged, tally)
+        if state is not State.UNFINISHED:
             tally.completed += 1
-            code, acknowledged = "", []
-        progress(tally.kills)
+            self.code, self.acknowledged = "", []
 
 
 def unfinished(study: Study) -> str:
@@ -213,16 +235,29 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--kills", type=int, default=500)
     parser.add_argument("--seed", type=int, default=2012)
+    parser.add_argument("--for-s", type=float, default=math.inf)
     parser.add_argument("--keep", action="store_true", help="write results/kill.json")
     options = parser.parse_args()
-    tally = measure(
-        options.kills, options.seed, lambda n: print(f"\r{n}", end="", file=sys.stderr)
-    )
+    tally = _kept(options.seed) if options.keep else Tally()
+    until_s = SystemClock().now_s() + options.for_s
+
+    def progress(kills: int) -> None:
+        print(f"\r{kills}", end="", file=sys.stderr)
+
+    measure(tally, options.kills, options.seed, until_s, progress)
     report = {"seed": options.seed, **vars(tally)}
     print(json.dumps(report, indent=1))
     if options.keep:
-        RESULTS.write_text(json.dumps(report, indent=1) + "\n", encoding="utf-8")
+        replace_json(RESULTS, report)
     return 1 if tally.lost or tally.unreadable or tally.not_resumed else 0
+
+
+def _kept(seed: int) -> Tally:
+    """Return what earlier runs with this seed have counted."""
+    if not RESULTS.exists():
+        return Tally()
+    report = json.loads(RESULTS.read_text(encoding="utf-8"))
+    return Tally(**report) if report.pop("seed") == seed else Tally()
 
 
 if __name__ == "__main__":

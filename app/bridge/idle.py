@@ -1,4 +1,4 @@
-"""Keeps the screen awake while a clip plays, through the session's D-Bus.
+"""Keeps the screen awake, and notifications away, through the session's D-Bus.
 
 Every service lets go of an inhibition when its caller leaves the bus. So each one is
 asked over a connection of its own, which is closed when the clip stands: nothing can
@@ -22,6 +22,7 @@ class _Service(NamedTuple):
 
     name: str
     path: str
+    takes_hints: bool = False
 
 
 SERVICES = (
@@ -31,6 +32,17 @@ SERVICES = (
         "/org/freedesktop/PowerManagement/Inhibit",
     ),
 )
+
+
+EVERYTHING = (
+    *SERVICES,
+    _Service(
+        "org.freedesktop.Notifications",
+        "/org/freedesktop/Notifications",
+        takes_hints=True,
+    ),
+)
+"""Also what would be laid over the picture; for somebody who takes part in a study."""
 
 
 def has_session_bus() -> bool:
@@ -51,11 +63,17 @@ class IdleInhibitor(QObject):
     Args:
         address: of the bus; "" for the session's own.
         parent: Qt's owner.
+        services: what is inhibited.
     """
 
-    def __init__(self, address: str = "", parent: QObject | None = None) -> None:
+    def __init__(
+        self,
+        address: str = "",
+        parent: QObject | None = None,
+        services: tuple[_Service, ...] = SERVICES,
+    ) -> None:
         super().__init__(parent)
-        self._address = address
+        self._address, self._services = address, services
         self._connection = ""
         self._answers: list[QDBusPendingCallWatcher] = []
         self.held_by: set[str] = set()
@@ -80,9 +98,10 @@ class IdleInhibitor(QObject):
         bus = self._connect()
         if not bus.isConnected():
             return  # no desktop: nothing would fall asleep
-        for service in SERVICES:
-            message = QDBusMessage.createMethodCall(*service, service.name, "Inhibit")
-            message.setArguments([APPLICATION, reason])
+        for service in self._services:
+            name, path, takes_hints = service
+            message = QDBusMessage.createMethodCall(name, path, name, "Inhibit")
+            message.setArguments([APPLICATION, reason, *([{}] if takes_hints else [])])
             message.setAutoStartService(False)
             watcher = QDBusPendingCallWatcher(bus.asyncCall(message), self)
             watcher.finished.connect(lambda w, s=service: self._on_answer(s, w))

@@ -15,6 +15,7 @@ from PySide6.QtWidgets import (
 
 from app.widgets import theme
 from app.widgets.buttons import set_role, text_button
+from hapticplayer.study.orders import Balance
 from hapticplayer.study.preflight import Check
 
 _GOOD, _BAD = "\u25cf", "\u25a0"
@@ -57,7 +58,8 @@ class StartPanel(QWidget):
         )
         set_role(self.start, "primary")
         self.start.clicked.connect(self.started)
-        self.checks = QLabel()
+        self.checks, self.balance = QLabel(), QLabel()
+        self.balance.setWordWrap(True)
         self._lay_out()
 
     def _lay_out(self) -> None:
@@ -70,6 +72,7 @@ class StartPanel(QWidget):
         sound.addStretch(1)
         form.addRow(self.tr("Sound"), sound)
         form.addRow(self.tr("Checks"), self.checks)
+        form.addRow(self.tr("Balance so far"), self.balance)
         column = QVBoxLayout(self)
         column.addLayout(form)
         column.addWidget(self.override)
@@ -85,6 +88,18 @@ class StartPanel(QWidget):
             row = box.findData(value)
             if value and row >= 0:
                 box.setCurrentIndex(row)
+
+    def show_balance(self, balance: Balance) -> None:
+        """Show how evenly conditions have been met by those who did not drop out."""
+        text = self.tr(
+            "each condition {a} to {b} times at each place, {c} to {d} times after "
+            "each other"
+        )
+        (a, b), (c, d) = (
+            balance.times_at_each_position(),
+            balance.times_after_each_other(),
+        )
+        self.balance.setText(text.format(a=a, b=b, c=c, d=d))
 
     def show_checks(self, checks: tuple[Check, ...]) -> None:
         """Show what was found; begin only when all is well, or somebody insists."""

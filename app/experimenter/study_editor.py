@@ -88,10 +88,14 @@ class StudyEditor(QDialog):
             self.tr("Show the published wording where there is one")
         )
         self.published.setChecked(content["use_published"])
+        self.lsl = QCheckBox(
+            self.tr("Offer markers and force to other programs on this machine (LSL)")
+        )
+        self.lsl.setChecked(content.get("lsl", False))
         form.addRow(self.tr("Title"), self.title)
         form.addRow(self.tr("Order"), self.method)
         form.addRow(self.tr("Seed"), self.seed)
-        for box in (self.apart, self.blind, self.published):
+        for box in (self.apart, self.blind, self.published, self.lsl):
             form.addRow("", box)
         return page
 
@@ -155,6 +159,7 @@ class StudyEditor(QDialog):
         }
         content["operator_is_blind"] = self.blind.isChecked()
         content["use_published"] = self.published.isChecked()
+        content["lsl"] = self.lsl.isChecked()
         for entry in content["sequences"]:
             entry["folder"] = self.folders[entry["key"]].text()
         for (number, kind, language), line in self.texts.items():

@@ -1,15 +1,18 @@
-"""Studies in the player's menu: make, edit, run."""
+"""Studies in the player's menu: make, edit, run, analyse."""
 
-import sys
 from collections.abc import Callable
 from pathlib import Path
 
-from PySide6.QtCore import QCoreApplication, QObject, QProcess
+from PySide6.QtCore import QCoreApplication, QObject, Signal
 from PySide6.QtWidgets import QFileDialog, QInputDialog, QMainWindow
 
+from app.experimenter.analysis_window import AnalysisWindow
 from app.experimenter.study_editor import StudyEditor
-from hapticplayer.errors import HapticPlayerError
+from app.experimenter.study_process import StudyProcess
+from hapticplayer.clock import Clock
+from hapticplayer.errors import HapticPlayerError, StudyError
 from hapticplayer.study.creation import create_study, template_names
+from hapticplayer.study.session_setup import load_material
 from hapticplayer.study.study_folder import open_study
 
 translate = QCoreApplication.translate
@@ -18,25 +21,36 @@ translate = QCoreApplication.translate
 class StudyMenu(QObject):
     """Adds the menu, and does what it offers.
 
+    Signals:
+        running: whether somebody takes part in a study now.
+
     Args:
         window: whose menu bar it joins.
+        clock: of the machine.
         report: shows what went wrong.
-        release: lets go of the device, before a session takes it.
+        release: stops what plays, lets go of the device, and tells its name.
     """
+
+    running = Signal(bool)
 
     def __init__(
         self,
         window: QMainWindow,
+        clock: Clock,
         report: Callable[[HapticPlayerError], None],
-        release: Callable[[], None],
+        release: Callable[[], str],
     ) -> None:
         super().__init__(window)
-        self._window, self._report, self._release = window, report, release
+        self._window, self._clock = window, clock
+        self._report, self._release = report, release
+        self.process = StudyProcess(self)
+        self.process.ended.connect(self._on_ended)
         menu = window.menuBar().addMenu(translate("StudyMenu", "&Study"))
         for text, slot in (
             (translate("StudyMenu", "&New study\u2026"), self.new),
             (translate("StudyMenu", "&Edit study\u2026"), self.edit),
             (translate("StudyMenu", "&Run a participant\u2026"), self.run),
+            (translate("StudyMenu", "&Analyse study\u2026"), self.analyse),
         ):
             menu.addAction(text).triggered.connect(lambda _on, slot=slot: slot())
 
@@ -69,17 +83,38 @@ class StudyMenu(QObject):
 
     def run(self) -> None:
         """Run a participant in a program of its own: nothing else shares its time."""
+        folder = None if self.process.is_running else self._ask()
+        if folder is not None:
+            self._try(lambda: self._start(folder))
+
+    def _start(self, folder: Path) -> None:
+        load_material(open_study(folder))  # what is missing is told here
+        device = self._release()
+        try:
+            self.process.start(["study", "run", str(folder), "--device", device])
+        except OSError as problem:
+            raise StudyError(f"cannot be started ({problem.strerror})") from problem
+        self.running.emit(True)
+
+    def _on_ended(self, problem: str) -> None:
+        self.running.emit(False)
+        if problem:
+            self._report(StudyError(problem))
+
+    def analyse(self) -> None:
+        """Ask for a study, and show its report."""
         folder = self._ask()
-        if folder is None:
-            return
+        if folder:
+            self._try(lambda: self._open_report(folder))
 
-        def start() -> None:
-            open_study(folder)
-            self._release()
-            arguments = ["-m", "app", "study", "run", str(folder)]
-            QProcess.startDetached(sys.executable, arguments)
+    def _open_report(self, folder: Path) -> None:
+        AnalysisWindow(open_study(folder), self._clock, self._window).begin()
 
-        self._try(start)
+    def close(self) -> None:
+        """Close the reports; a session goes on."""
+        self.process.leave()
+        for report in self._window.findChildren(AnalysisWindow):
+            report.close()
 
     def _ask(self) -> Path | None:
         folder = QFileDialog.getExistingDirectory(

@@ -3,6 +3,7 @@
 import argparse
 import os
 from collections.abc import Callable
+from functools import partial
 
 from PySide6.QtCore import QTimer
 from PySide6.QtGui import QGuiApplication, QScreen
@@ -10,16 +11,19 @@ from PySide6.QtWidgets import QApplication
 
 from app.bridge.cadence import Cadence
 from app.bridge.errors import ErrorGateway
+from app.bridge.idle import EVERYTHING, IdleInhibitor
 from app.bridge.interrupts import closing_on_signals
 from app.bridge.pump import Pump
+from app.bridge.settings import Settings, default_path
 from app.experimenter.session_control import SessionControl
 from app.experimenter.start_panel import StartPanel
-from app.participant.undisturbed import Undisturbed
 from app.participant.window import ParticipantWindow
 from app.player.application import make_application
+from app.player.controls import OUTPUT
 from app.player.video_surface import SurfaceSink, VideoSurface
 from hapticplayer.clock import Clock, SystemClock
 from hapticplayer.errors import HapticPlayerError
+from hapticplayer.interchange.lsl import LslStreams
 from hapticplayer.playback.audio import SoundDeviceOut
 from hapticplayer.playback.player import AudioFactory, Player
 from hapticplayer.playback.source import Source
@@ -70,14 +74,15 @@ class StudySession:
         sessions, _ = study.sessions()
         unfinished = [s.code for s in sessions if s.state is State.UNFINISHED]
         self.start_panel = StartPanel(study.definition.languages, unfinished)
+        self.start_panel.show_balance(study.balance())
         self.control = SessionControl(
             self.start_panel, shows_force=not study.definition.operator_is_blind
         )
         self.participant = ParticipantWindow(self.surface)
         self.gateway = ErrorGateway(self.control.show_message, self._halt)
-        self.undisturbed = Undisturbed()
+        self.undisturbed = IdleInhibitor("", services=EVERYTHING)
         self._watch_turn, self._slow_turn = Cadence(WATCH_HZ), Cadence(SLOW_HZ)
-        self._checks: tuple[Check, ...] = ()
+        self._told_s = clock.now_s()
         self._is_over = False
         self.pump = Pump(self.player.poll, clock, self._on_gap)
         self.start_panel.started.connect(self.begin)
@@ -98,6 +103,7 @@ class StudySession:
         else:
             self.participant.setGeometry(theirs.geometry())
             self.participant.showFullScreen()
+        self.undisturbed.set_wanted("an experiment is running")
         self.control.raise_()
         self.pump.start()
 
@@ -175,6 +181,7 @@ class StudySession:
             self.runner.poll()
         if self._watch_turn.is_due(now_s):
             self.gateway.poll()
+            self._tell_force()
             self.participant.refresh()
             self.control.refresh()
             if self.runner is not None and self.control.shows_force:
@@ -184,6 +191,16 @@ class StudySession:
             self.control.health.show_snapshot(self.player.snapshot())
             if self.runner is None:
                 self.start_panel.show_checks(self.look())
+
+    def _tell_force(self) -> None:
+        """Hand the forces since the last look to whoever watches."""
+        if self._observer is None:
+            return
+        ticks = self.player.link.history.since(self._told_s)
+        ticks = ticks[ticks["monotonic_s"] > self._told_s]
+        if len(ticks):
+            self._told_s = float(ticks["monotonic_s"][-1])
+            self._observer.force(ticks["monotonic_s"], ticks["force_n"])
 
     def _halt(self) -> None:
         if self.runner is not None:
@@ -218,14 +235,25 @@ def run(options: argparse.Namespace) -> int:
     try:
         study = open_study(options.study)
         material = load_material(study)
-        application = make_application()
-        session = StudySession(study, material, options.device, SystemClock())
+        streams = LslStreams() if options.lsl or study.definition.lsl else None
+        settings = Settings(default_path())
+        application = make_application(settings)
+        session = StudySession(
+            study,
+            material,
+            options.device,
+            SystemClock(),
+            audio=partial(SoundDeviceOut, device=settings.text(OUTPUT)),
+            observer=streams,
+        )
         session.start_panel.choose(options.resume or "", options.language or "")
         try:
             session.show(windowed=options.windowed)
             _run_until_closed(application, session)
         finally:
             session.close()
+            if streams is not None:
+                streams.close()
     finally:
         os.umask(before)
     return 0

@@ -87,6 +87,9 @@ class PlayerWindow(QMainWindow):
             self.fullscreen,
         )
         self.desktop = Desktop(player, self)
+        self.study_menu.running.connect(
+            lambda is_on: self.desktop.set_study_mode(is_on=is_on)
+        )
         self.looks = LookMenus(self.commands, settings)
         self.pump = Pump(player.poll, clock, self._on_gap, self)
         self._watch_turn = Cadence(WATCH_HZ)
@@ -113,8 +116,9 @@ class PlayerWindow(QMainWindow):
         self.commands.fill(self.menuBar())
         self.study_menu = StudyMenu(
             self,
+            self.clock,
             self.session.gateway.report,
-            lambda: self.session.choose_device(NO_DEVICE),
+            self._release_device,
         )
         self.stage = QStackedWidget()
         self.stage.addWidget(self.empty_page)
@@ -214,6 +218,13 @@ class PlayerWindow(QMainWindow):
         self.session.choose_device(name)
         self.settings.keep(DEVICE, self.player.link.device)
 
+    def _release_device(self) -> str:
+        """Leave sound and device to a session; return which device it was."""
+        name = self.player.link.device
+        self.player.pause()
+        self.session.choose_device(NO_DEVICE)
+        return name
+
     def _on_settings_taken(self) -> None:
         self.commands.apply_keys()
         self.extras.take_settings()
@@ -310,6 +321,7 @@ class PlayerWindow(QMainWindow):
         self._escape.remove()
         self._keep_geometry()
         self.extras.close()
+        self.study_menu.close()
         self.desktop.close()
         self.settings.save()
         self.session.jobs.close()

@@ -73,7 +73,7 @@ def add_play(commands: Any) -> None:
         metavar="FILE.csv",
         help="force track: rows of time_s,fx_n,fy_n,fz_n, held between rows",
     )
-    _add_device_name(play)
+    add_device_name(play)
     play.add_argument("--headless", action="store_true", help="without a window")
     play.add_argument("--fullscreen", action="store_true")
     play.add_argument(
@@ -103,9 +103,10 @@ def add_play(commands: Any) -> None:
     play.add_argument("--json", action="store_true", help="print the summary as JSON")
 
 
-def _add_device_name(
+def add_device_name(
     command: argparse.ArgumentParser, default: str = "simulated"
 ) -> None:
+    """Add the option that names a haptic device."""
     command.add_argument(
         "--device",
         type=_device_name,
@@ -330,7 +331,7 @@ def add_export(commands: Any) -> None:
 
 def add_device(commands: Any) -> None:
     """Add the command `device`."""
-    device.add_device(commands, _add_device_name)
+    device.add_device(commands, add_device_name)
 
 
 def add_doctor(commands: Any) -> None:

@@ -62,11 +62,16 @@ def _add_run(actions: Any) -> None:
     run = add_action(actions, "run", "run a participant in the window", _run)
     run.add_argument("--language", metavar="L", help="of the participant's pages")
     run.add_argument("--resume", metavar="CODE", help="go on with a session")
-    run.add_argument("--device", choices=options.DEVICE_NAMES, default="simulated")
+    options.add_device_name(run)
     run.add_argument(
         "--windowed",
         action="store_true",
         help="participant's pages in a window, for trying a study out",
+    )
+    run.add_argument(
+        "--lsl",
+        action="store_true",
+        help="offer markers and force as LSL streams to programs on this machine",
     )
 
 

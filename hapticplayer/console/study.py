@@ -87,20 +87,10 @@ def _session(session: StoredSession) -> dict[str, Any]:
 def _balance(study: Study) -> dict[str, list[int]]:
     """Return the least and most often anything has been met."""
     balance = study.balance()
-    pairs = balance.followed[~_diagonal(len(balance.followed))]
     return {
-        "times_at_each_position": [
-            int(balance.at_position.min()),
-            int(balance.at_position.max()),
-        ],
-        "times_after_each_other": [int(pairs.min()), int(pairs.max())],
+        "times_at_each_position": list(balance.times_at_each_position()),
+        "times_after_each_other": list(balance.times_after_each_other()),
     }
-
-
-def _diagonal(count: int) -> Any:
-    import numpy as np
-
-    return np.eye(count, dtype=bool)
 
 
 def _status_text(report: dict[str, Any]) -> str:

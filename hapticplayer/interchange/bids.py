@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 
 from hapticplayer import __version__
+from hapticplayer.haptics.record_reader import RecordReader
 from hapticplayer.interchange.session_data import (
     finite,
     markers_of,
@@ -43,6 +44,11 @@ _CHANNELS = (
     *[(f"grip_{axis}", axis, "POS", "m", 6) for axis in "xyz"],
     *[(f"force_{axis}", axis, "MISC", "N", 4) for axis in "xyz"],
 )
+_KINDS = (
+    *("ACCEL", "ANGACCEL", "GYRO", "JNTANG", "LATENCY"),
+    *("MAGN", "MISC", "ORNT", "POS", "VEL"),
+)
+_MAKERS = {"falcon": ("Novint", "Falcon")}
 
 
 def write_bids(
@@ -59,10 +65,12 @@ def write_bids(
     _json(folder / "participants.json", _participants_sidecar())
     keys = [question.key for question in definition.trial_questions]
     _json(folder / f"task-{TASK}_beh.json", _beh_sidecar(definition))
+    _json(folder / f"task-{TASK}_events.json", _events_sidecar())
     known = {participant.code for participant in answers.participants}
+    task = _task(definition)
     for session in sessions:
         if session.code in known:
-            _subject(session, keys, folder / f"sub-{session.code}", remarks)
+            _subject(session, keys, task, folder / f"sub-{session.code}", remarks)
 
 
 def _dataset(definition: Definition) -> dict[str, Any]:
@@ -113,12 +121,30 @@ def _participants_sidecar() -> dict[str, Any]:
     }
 
 
-def _beh_sidecar(definition: Definition) -> dict[str, Any]:
+def _task(definition: Definition) -> dict[str, Any]:
+    """Return what the participants were to do."""
     language = definition.languages[0]
-    made: dict[str, Any] = {
+    return {
         "TaskName": TASK,
+        "TaskDescription": "watching clips with a haptic device in the hand, and "
+        "answering questions after each",
         "Instructions": definition.texts["consent"][language],
     }
+
+
+def _events_sidecar() -> dict[str, Any]:
+    return {
+        "trial_type": {"Description": "what happened; `begin` names the condition"},
+        "StimulusPresentation": {
+            "SoftwareName": "hapticplayer",
+            "SoftwareVersion": __version__,
+        },
+    }
+
+
+def _beh_sidecar(definition: Definition) -> dict[str, Any]:
+    language = definition.languages[0]
+    made = _task(definition)
     for column in _BEH:
         made[column.name] = {"Description": column.meaning}
     for name in ("delay_s",):
@@ -132,7 +158,11 @@ def _beh_sidecar(definition: Definition) -> dict[str, Any]:
 
 
 def _subject(
-    session: StoredSession, keys: list[str], folder: Path, remarks: list[str]
+    session: StoredSession,
+    keys: list[str],
+    task: dict[str, Any],
+    folder: Path,
+    remarks: list[str],
 ) -> None:
     behaviour = folder / "beh"
     behaviour.mkdir(mode=private.FOLDER_MODE, parents=True)
@@ -144,7 +174,7 @@ def _subject(
     scans: list[tuple[str, str]] = []
     for number, path in enumerate(tick_files(session), 1):
         base = f"{name}_tracksys-{SYSTEM}_run-{number}"
-        begun_s = _motion(path, folder / "motion", base, remarks)
+        begun_s = _motion(path, folder / "motion" / base, task, remarks)
         if begun_s is not None:
             _events(session, begun_s, folder / "motion" / f"{base}_events.tsv")
             acquired = _utc(session, begun_s)
@@ -169,12 +199,14 @@ def _beh_row(trial: AnsweredTrial, keys: list[str]) -> tuple[Any, ...]:
     )
 
 
-def _motion(path: Path, folder: Path, base: str, remarks: list[str]) -> float | None:
+def _motion(
+    path: Path, base: Path, task: dict[str, Any], remarks: list[str]
+) -> float | None:
     """Write the ticks of one run; return the monotonic time of the first."""
     begun_s: float | None = None
     count, last_s = 0, 0.0
-    folder.mkdir(mode=private.FOLDER_MODE, exist_ok=True)
-    table = folder / f"{base}_motion.tsv"
+    base.parent.mkdir(mode=private.FOLDER_MODE, exist_ok=True)
+    table = base.with_name(f"{base.name}_motion.tsv")
     private.write_new(table, b"")
     with table.open("ab") as out:
         for ticks in tick_chunks(path, remarks):
@@ -186,7 +218,15 @@ def _motion(path: Path, folder: Path, base: str, remarks: list[str]) -> float | 
     if begun_s is None or count < 2:
         table.unlink()
         return None
-    _describe_motion(folder, base, count, last_s)
+    _describe_channels(base)
+    timing = {
+        "SamplingFrequency": RATE_HZ,
+        "SamplingFrequencyEffective": round((count - 1) / max(last_s, 1e-9), 4),
+        "RecordingDuration": round(last_s, 6),
+        "RecordingType": "continuous",
+    }
+    sidecar = {**task, **timing, **_system(path)}
+    _json(base.with_name(f"{base.name}_motion.json"), sidecar)
     return begun_s
 
 
@@ -200,14 +240,15 @@ def _motion_lines(ticks: Any, begun_s: float) -> bytes:
     return "".join("\t".join(row) + "\n" for row in zip(*texts, strict=True)).encode()
 
 
-def _describe_motion(folder: Path, base: str, count: int, last_s: float) -> None:
+def _describe_channels(base: Path) -> None:
     head = "name\tcomponent\ttype\ttracked_point\tunits\treference_frame\n"
     rows = [
         f"{name}\t{component}\t{kind}\t"
         f"{'Hand' if component != 'n/a' else 'n/a'}\t{unit}\tdevice\n"
         for name, component, kind, unit, _ in _CHANNELS
     ]
-    _new(folder / f"{base}_channels.tsv", (head + "".join(rows)).encode())
+    table = base.with_name(f"{base.name}_channels.tsv")
+    _new(table, (head + "".join(rows)).encode())
     frame = {
         "Levels": {
             "device": {
@@ -218,24 +259,26 @@ def _describe_motion(folder: Path, base: str, count: int, last_s: float) -> None
             }
         }
     }
-    _json(folder / f"{base}_channels.json", {"reference_frame": frame})
-    sidecar = {
-        "TaskName": TASK,
-        "SamplingFrequency": RATE_HZ,
-        "SamplingFrequencyEffective": round((count - 1) / max(last_s, 1e-9), 4),
+    sidecar = base.with_name(f"{base.name}_channels.json")
+    _json(sidecar, {"reference_frame": frame})
+
+
+def _system(path: Path) -> dict[str, Any]:
+    """Return what recorded; a record that was read before can be opened."""
+    with RecordReader(path) as reader:
+        device = str(reader.header.get("device", ""))
+    maker, model = _MAKERS.get(device, ("n/a", device or "n/a"))
+    kinds = [channel[2] for channel in _CHANNELS]
+    return {
         "TrackingSystemName": SYSTEM,
-        "RecordingDuration": round(last_s, 6),
-        "RecordingType": "continuous",
         "MotionChannelCount": len(_CHANNELS),
-        "POSChannelCount": 3,
-        "LATENCYChannelCount": 1,
-        "MISCChannelCount": 4,
+        **{f"{kind}ChannelCount": kinds.count(kind) for kind in _KINDS},
         "TrackedPointsCount": 1,
-        "Manufacturer": "Novint",
-        "ManufacturersModelName": "Falcon",
+        "MissingValues": "n/a",
+        "Manufacturer": maker,
+        "ManufacturersModelName": model,
         "SoftwareVersions": f"hapticplayer {__version__}",
     }
-    _json(folder / f"{base}_motion.json", sidecar)
 
 
 def _events(session: StoredSession, begun_s: float, path: Path) -> None:

@@ -190,6 +190,7 @@ class Definition:
         words: on the participant's buttons, by name.
         use_published: show the published wording where there is one.
         operator_is_blind: the operator's screen does not tell the condition.
+        lsl: offer markers and force to other programs on the machine.
         order, limits, checks: see there.
     """
 
@@ -212,6 +213,7 @@ class Definition:
     consistency: Question | None = None
     use_published: bool = False
     operator_is_blind: bool = True
+    lsl: bool = False
     limits: Limits = field(default_factory=Limits)
     checks: Checks = field(default_factory=Checks)
 

@@ -74,6 +74,7 @@ _ENTRIES = [
     "consistency",
     "use_published",
     "operator_is_blind",
+    "lsl",
     "limits",
     "checks",
 ]
@@ -135,6 +136,7 @@ def _study(root: Branch) -> Definition:
         else None,
         use_published=root.get("use_published").flag(),
         operator_is_blind=root.get("operator_is_blind").flag(),
+        lsl=root.has("lsl") and root.get("lsl").flag(),
         limits=_limits(root.get("limits")),
         checks=_checks(root.get("checks")),
     )

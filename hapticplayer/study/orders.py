@@ -52,6 +52,17 @@ class Balance:
     at_position: NDArray[np.int64]
     followed: NDArray[np.int64]
 
+    def times_at_each_position(self) -> tuple[int, int]:
+        """Return the least and most often any condition stood anywhere."""
+        return int(self.at_position.min()), int(self.at_position.max())
+
+    def times_after_each_other(self) -> tuple[int, int]:
+        """Return the least and most often any condition came after another one."""
+        pairs = self.followed[~np.eye(len(self.followed), dtype=bool)]
+        if not len(pairs):
+            return 0, 0
+        return int(pairs.min()), int(pairs.max())
+
 
 def cyclic_square(count: int) -> tuple[Row, ...]:
     """Return a Latin square: row r is 0, 1, 2, ... shifted by r."""

@@ -85,7 +85,7 @@ def _device(player: Player, checks: Checks) -> Check:
     link = player.link
     if link.device == NO_DEVICE:
         return Check(DEVICE, not checks.device, "none")
-    is_real = link.device != SIMULATED or not checks.device
+    is_real = SIMULATED not in link.device or not checks.device
     is_good = is_real and link.health is Health.READY
     return Check(DEVICE, is_good, f"{link.device}, {link.health}")
 

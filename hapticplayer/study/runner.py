@@ -8,6 +8,9 @@ import enum
 from collections.abc import Callable, Mapping
 from typing import Any, Protocol
 
+import numpy as np
+from numpy.typing import NDArray
+
 from hapticplayer import __version__
 from hapticplayer.clock import Clock
 from hapticplayer.errors import StudyError
@@ -64,6 +67,12 @@ class Observer(Protocol):
 
     def marker(self, text: str, monotonic_s: float) -> None:
         """Note that something happened."""
+        ...
+
+    def force(
+        self, monotonic_s: NDArray[np.float64], force_n: NDArray[np.float32]
+    ) -> None:
+        """Note forces (N, 3) that were sent to the device, with their times (N,), s."""
         ...
 
 

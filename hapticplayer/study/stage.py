@@ -270,6 +270,8 @@ class _Watch:
             found.append("periods_missed")
         if not self._ticks:
             found.append("no_ticks")
+        if self._player.link.record_problem:
+            found.append("record_incomplete")
         return found
 
 

@@ -192,6 +192,13 @@
     </message>
 </context>
 <context>
+    <name>AnalysisWindow</name>
+    <message>
+        <source>Analysis – {0}</source>
+        <translation>Auswertung – {0}</translation>
+    </message>
+</context>
+<context>
     <name>Choices</name>
     <message>
         <source>Realistic</source>
@@ -1355,6 +1362,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>Prüfungen</translation>
     </message>
     <message>
+        <source>Balance so far</source>
+        <translation>Bisherige Verteilung</translation>
+    </message>
+    <message>
+        <source>each condition {a} to {b} times at each place, {c} to {d} times after each other</source>
+        <translation>jede Bedingung {a}- bis {b}-mal an jeder Stelle, {c}- bis {d}-mal nach jeder anderen</translation>
+    </message>
+    <message>
         <source>Device</source>
         <translation>Gerät</translation>
     </message>
@@ -1481,6 +1496,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>Den veröffentlichten Wortlaut zeigen, wo es ihn gibt</translation>
     </message>
     <message>
+        <source>Offer markers and force to other programs on this machine (LSL)</source>
+        <translation>Marken und Kraft anderen Programmen auf diesem Rechner anbieten (LSL)</translation>
+    </message>
+    <message>
         <source>Title</source>
         <translation>Titel</translation>
     </message>
@@ -1542,6 +1561,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     <message>
         <source>&amp;Run a participant…</source>
         <translation>&amp;Person durchführen lassen…</translation>
+    </message>
+    <message>
+        <source>&amp;Analyse study…</source>
+        <translation>Studie &amp;auswerten…</translation>
     </message>
     <message>
         <source>New study</source>

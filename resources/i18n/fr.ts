@@ -192,6 +192,13 @@
     </message>
 </context>
 <context>
+    <name>AnalysisWindow</name>
+    <message>
+        <source>Analysis – {0}</source>
+        <translation>Analyse – {0}</translation>
+    </message>
+</context>
+<context>
     <name>Choices</name>
     <message>
         <source>Realistic</source>
@@ -1355,6 +1362,14 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>Vérifications</translation>
     </message>
     <message>
+        <source>Balance so far</source>
+        <translation>Équilibre actuel</translation>
+    </message>
+    <message>
+        <source>each condition {a} to {b} times at each place, {c} to {d} times after each other</source>
+        <translation>chaque condition {a} à {b} fois à chaque place, {c} à {d} fois après chaque autre</translation>
+    </message>
+    <message>
         <source>Device</source>
         <translation>Appareil</translation>
     </message>
@@ -1481,6 +1496,10 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>Montrer le texte publié s’il existe</translation>
     </message>
     <message>
+        <source>Offer markers and force to other programs on this machine (LSL)</source>
+        <translation>Offrir marqueurs et force à d’autres programmes de cette machine (LSL)</translation>
+    </message>
+    <message>
         <source>Title</source>
         <translation>Titre</translation>
     </message>
@@ -1542,6 +1561,10 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     <message>
         <source>&amp;Run a participant…</source>
         <translation>&amp;Faire passer un participant…</translation>
+    </message>
+    <message>
+        <source>&amp;Analyse study…</source>
+        <translation>&amp;Analyser une étude…</translation>
     </message>
     <message>
         <source>New study</source>

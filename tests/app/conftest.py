@@ -1,6 +1,7 @@
 """Fixtures for the front end: a real window, a short clip, and nothing of the user's."""
 
 import os
+import sys
 
 os.environ["QT_QPA_PLATFORM"] = "offscreen"
 
@@ -23,6 +24,10 @@ from hapticplayer.model import STANDARD_GRAVITY_MPS2, ClockMap, ImuLog
 from hapticplayer.playback.player import Player
 from hapticplayer.playback.source import open_source
 from hapticplayer.sequence.build import Choices, write_sequence
+
+sys.path.insert(0, str(Path(__file__).parent))  # helpers beside these tests
+from private_bus import address, bus  # noqa: F401 - fixtures
+from sitting import make_study, sit  # noqa: F401 - fixtures
 
 RATE_HZ, CLIP_S, WIDTH, HEIGHT = 25, 2, 160, 90
 LONG_TITLE = "A ride whose title is as long as titles can be. " * 8

@@ -3,9 +3,12 @@ import threading
 import pytest
 
 from app.experimenter.analysis_page import AnalysisPage
+from app.experimenter.analysis_window import AnalysisWindow
+from hapticplayer import cli
 from hapticplayer.clock import SystemClock
 from hapticplayer.errors import InputError
 from hapticplayer.study.analysis.simulation import simulated_answers
+from hapticplayer.study.creation import create_study
 
 
 @pytest.fixture
@@ -46,6 +49,38 @@ def test_the_report_is_shown_with_its_figures_and_can_be_saved(
     wait_for(lambda: not page.jobs.is_busy)
     assert (tmp_path / "report" / "report.pdf").stat().st_size > 10_000
     assert failures == []
+
+
+def test_the_menu_of_the_window_opens_the_report_of_a_study(
+    window, tmp_path, monkeypatch, wait_for
+):
+    arguments = ["study", "simulate", str(tmp_path / "s"), "--participants", "6"]
+    assert cli.main([*arguments, "--seed", "1"], None) == 0
+    monkeypatch.setattr(window.study_menu, "_ask", lambda: tmp_path / "s")
+    window.study_menu.analyse()
+    (report,) = window.findChildren(AnalysisWindow)
+    wait_for(lambda: not report.page.jobs.is_busy)
+    shown = report.page.text.toPlainText()
+    assert "6 participants" in shown
+    assert shown.count("\ufffc") == 2
+    assert not report.messages.isVisible()
+    for action in window.menuBar().actions():
+        if action.text() == "&Study":
+            names = [one.text() for one in action.menu().actions()]
+    assert "&Analyse study\u2026" in names
+    window.close()
+    assert not report.isVisible()
+
+
+def test_a_study_that_nobody_took_part_in_says_so_in_its_window(
+    window, tmp_path, monkeypatch, wait_for
+):
+    study = create_study(tmp_path / "s")
+    monkeypatch.setattr(window.study_menu, "_ask", lambda: study.folder)
+    window.study_menu.analyse()
+    (report,) = window.findChildren(AnalysisWindow)
+    wait_for(report.messages.isVisible)
+    assert "participant" in report.messages.text()
 
 
 def test_what_cannot_be_analysed_is_told(make_page, wait_for, failures):

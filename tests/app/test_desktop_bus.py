@@ -1,8 +1,6 @@
 """Idle inhibition and MPRIS against services on a private bus."""
 
-import itertools
 import shutil
-import subprocess
 
 import pytest
 from PySide6.QtCore import ClassInfo, QObject, QProcess, Slot
@@ -13,39 +11,6 @@ from app.bridge.mpris import NAME, PATH, PLAYER, Mpris
 from hapticplayer.playback.snapshot import Phase
 
 SERVICE, PLACE = "org.freedesktop.ScreenSaver", "/org/freedesktop/ScreenSaver"
-_CONFIG = """<!DOCTYPE busconfig PUBLIC
- "-//freedesktop//DTD D-Bus Bus Configuration 1.0//EN"
- "http://www.freedesktop.org/standards/dbus/1.0/busconfig.dtd">
-<busconfig><type>session</type><listen>unix:path={socket}</listen>
-<policy context="default"><allow send_destination="*" eavesdrop="true"/>
-<allow eavesdrop="true"/><allow own="*"/></policy>
-</busconfig>
-"""
-_numbers = itertools.count()
-
-
-@pytest.fixture
-def address(tmp_path):
-    """The address of a bus that ends with the test."""
-    if shutil.which("dbus-daemon") is None:
-        pytest.skip("dbus-daemon is not on this machine")
-    config = tmp_path / "bus.conf"
-    config.write_text(_CONFIG.format(socket=tmp_path / "bus.sock"))
-    command = ["dbus-daemon", f"--config-file={config}", "--nofork", "--print-address"]
-    with subprocess.Popen(
-        command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL
-    ) as daemon:
-        yield daemon.stdout.readline().decode().strip()
-        daemon.terminate()
-
-
-@pytest.fixture
-def bus(address, qapp):
-    name = f"test-{next(_numbers)}"
-    made = QDBusConnection.connectToBus(address, name)
-    assert made.isConnected()
-    yield made
-    QDBusConnection.disconnectFromBus(name)
 
 
 @ClassInfo({"D-Bus Interface": SERVICE})

@@ -21,7 +21,7 @@ def kill():
 
 
 def test_no_answer_that_was_shown_as_kept_is_lost(kill):
-    tally = kill.measure(KILLS, seed=25)
+    tally = kill.measure(kill.Tally(), KILLS, seed=25)
     assert tally.kills == KILLS
     assert tally.acknowledged > KILLS / 2, vars(tally)
     assert (tally.lost, tally.unreadable, tally.not_resumed) == (0, 0, 0), tally.told

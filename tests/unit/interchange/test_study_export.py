@@ -4,7 +4,10 @@ import csv
 import getpass
 import io
 import json
+import shutil
 import socket
+import subprocess
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -168,6 +171,48 @@ def test_bids_has_what_the_specification_requires(study, tmp_path):
     assert sidecar["TaskName"] == "qoe"
     assert sidecar["SamplingFrequencyEffective"] == pytest.approx(1000.0, abs=0.01)
     assert sidecar["MotionChannelCount"] == len(channels)
+
+
+# what only those who publish the data can fill in
+LEFT_TO_PEOPLE = {
+    *("Authors", "License", "SourceDatasets", "HEDVersion", "CogAtlasID", "CogPOID"),
+    *("InstitutionName", "InstitutionAddress", "InstitutionalDepartmentName"),
+    *("DeviceSerialNumber", "SubjectArtefactDescription"),
+}
+
+
+@pytest.fixture
+def validate():
+    """Return what the official validator says of a dataset."""
+    program = shutil.which("bids-validator-deno", path=Path(sys.executable).parent)
+    if program is None:
+        pytest.skip("bids-validator-deno is not installed")
+
+    def run(folder) -> dict:
+        command = [program, "--format", "json", "--max-rows", "-1", str(folder)]
+        done = subprocess.run(command, capture_output=True, text=True, check=False)
+        return json.loads(done.stdout)
+
+    return run
+
+
+def test_the_official_validator_finds_no_error(study, tmp_path, validate):
+    export_study(study, tmp_path / "out", "bids")
+    report = validate(tmp_path / "out")
+    issues = report["issues"]["issues"]
+    assert [i for i in issues if i["severity"] == "error"] == []
+    assert set(report["summary"]["modalities"]) == {"motion", "beh"}
+    left = {i.get("subCode") for i in issues if i["code"].endswith("_RECOMMENDED")}
+    assert left <= LEFT_TO_PEOPLE
+    others = {i["code"] for i in issues if not i["code"].endswith("_RECOMMENDED")}
+    assert others <= {"TOO_FEW_AUTHORS", "NO_AUTHORS"}
+
+
+def test_the_official_validator_would_find_an_error(study, tmp_path, validate):
+    export_study(study, tmp_path / "out", "bids")
+    next((tmp_path / "out").rglob("*_channels.tsv")).unlink()
+    issues = validate(tmp_path / "out")["issues"]["issues"]
+    assert "error" in {i["severity"] for i in issues}
 
 
 def test_an_export_is_whole_or_not_there(study, tmp_path):

@@ -1,5 +1,8 @@
 """A session from consent to thanks, interrupted in every way, on a virtual clock."""
 
+import errno
+import os
+
 import pytest
 
 from hapticplayer.errors import StudyError
@@ -289,20 +292,21 @@ def test_a_session_that_is_over_is_not_resumed(sitting):
 
 
 @pytest.mark.parametrize("call", ["write", "fsync"])
+@pytest.mark.parametrize("number", [errno.ENOSPC, errno.EROFS, errno.EIO])
 def test_a_full_disk_stops_the_participant_before_an_answer_counts(
-    sitting, monkeypatch, call
+    sitting, monkeypatch, call, number
 ):
     sitting.to_trials()
     sitting.play()
     with monkeypatch.context() as patch:
 
         def refuse(*_args):
-            raise OSError(28, "No space left on device")
+            raise OSError(number, os.strerror(number))
 
         patch.setattr(journals.os, call, refuse)
         sitting.runner.answer(VALUES)
         assert sitting.kind is PageKind.PROBLEM
-        assert "No space left" in sitting.runner.problem
+        assert os.strerror(number) in sitting.runner.problem
         sitting.runner.retry()
         assert sitting.kind is PageKind.PROBLEM
     sitting.runner.retry()

@@ -88,6 +88,21 @@ def test_a_stop_is_a_fault_and_rearming_lets_the_next_trial_be_felt(source):
         player.close()
 
 
+def test_a_trial_whose_ticks_could_not_be_recorded_is_not_sound(source, monkeypatch):
+    stage, clock = stage_of(source, "simulated")
+    try:
+        stage.player.link.wait_ready()
+        stage.prepare(Condition("clip", "none"))
+        stage.begin()
+        run(stage, clock)
+        assert "record_incomplete" not in stage.played().reasons
+        full = property(lambda _link: "No space left on device")
+        monkeypatch.setattr(type(stage.player.link), "record_problem", full)
+        assert "record_incomplete" in stage.played().reasons
+    finally:
+        stage.player.close()
+
+
 def test_limits_make_a_playback_unsound(source):
     strict = Limits(dropped_share=-1.0)
     stage, clock = stage_of(source, "none", strict, replace(NOTHING, device=True))

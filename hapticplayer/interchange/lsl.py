@@ -1,0 +1,137 @@
+"""Markers and force as LSL streams, for programs that record on the same machine.
+
+Nothing leaves the machine: streams are announced on the loopback interface alone, and
+what liblsl opens for any interface is tied to loopback. There is neither an answer nor
+a participant's code in them. Time stamps are those of the session's records: the clock
+of liblsl is CLOCK_MONOTONIC.
+"""
+
+import importlib
+import os
+import socket
+import stat
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hapticplayer.errors import StudyError
+
+MARKERS, FORCE = "hapticplayer-markers", "hapticplayer-force"
+FORCE_RATE_HZ = 1000.0
+_LOOPBACK = b"lo"
+_KEPT_S = 30  # for a reader that is slow
+_CONFIGURATION = """
+[ports]
+IPv6 = disable
+[multicast]
+ResolveScope = machine
+ListenAddress = 127.0.0.1
+[log]
+level = -3
+"""
+_WITHOUT = "leave LSL out"
+
+
+class LslStreams:
+    """Two streams that exist until `close`; an observer of a session.
+
+    Raises:
+        StudyError: when pylsl is missing, or a stream would be open to the network.
+    """
+
+    def __init__(self) -> None:
+        library = _library()
+        with _opened_for_this_machine():
+            try:
+                self._markers = library.StreamOutlet(_markers(library), 0, _KEPT_S)
+                self._force = library.StreamOutlet(_force(library), 0, _KEPT_S)
+            except RuntimeError as problem:
+                raise StudyError(
+                    f"LSL streams cannot be opened ({problem})", remedy=_WITHOUT
+                ) from problem
+
+    def marker(self, text: str, monotonic_s: float) -> None:
+        """Send what has happened."""
+        self._markers.push_sample([text], monotonic_s)
+
+    def force(
+        self, monotonic_s: NDArray[np.float64], force_n: NDArray[np.float32]
+    ) -> None:
+        """Send forces (N, 3) in frame D, N, with their times (N,), s."""
+        if len(monotonic_s):
+            self._force.push_chunk(
+                np.ascontiguousarray(force_n, dtype=np.float32), monotonic_s.tolist()
+            )
+
+    def close(self) -> None:
+        """End both streams; they are gone when nothing holds them."""
+        del self._markers, self._force
+
+
+def _library() -> Any:
+    try:
+        library: Any = importlib.import_module("pylsl")
+        library.set_config_content(_CONFIGURATION)
+    except (ImportError, RuntimeError, NotImplementedError) as problem:
+        raise StudyError(
+            "LSL streams need pylsl 1.18 or newer with its library",
+            remedy=f"install hapticplayer[lsl], or {_WITHOUT}",
+        ) from problem
+    return library
+
+
+def _markers(library: Any) -> Any:
+    return library.StreamInfo(MARKERS, "Markers", 1, 0.0, library.cf_string, MARKERS)
+
+
+def _force(library: Any) -> Any:
+    info = library.StreamInfo(
+        FORCE, "Force", 3, FORCE_RATE_HZ, library.cf_float32, FORCE
+    )
+    channels = info.desc().append_child("channels")
+    for axis in "XYZ":
+        channel = channels.append_child("channel")
+        channel.append_child_value("label", f"Force{axis}")
+        channel.append_child_value("type", "Force")
+        channel.append_child_value("unit", "newton")
+    return info
+
+
+@contextmanager
+def _opened_for_this_machine() -> Iterator[None]:
+    """Tie to loopback what was opened for any interface meanwhile.
+
+    The library announces on loopback alone, but its ports answer whoever knows them.
+    """
+    before = _descriptors()
+    yield
+    for descriptor in _descriptors() - before:
+        with suppress(FileNotFoundError):
+            _keep_local(descriptor)
+
+
+def _descriptors() -> set[int]:
+    return {int(name) for name in os.listdir("/proc/self/fd")}  # noqa: PTH208
+
+
+def _keep_local(descriptor: int) -> None:
+    try:
+        if not stat.S_ISSOCK(os.fstat(descriptor).st_mode):
+            return
+    except OSError:
+        return  # what listed the descriptors
+    with socket.socket(fileno=os.dup(descriptor)) as held:
+        if held.family not in (socket.AF_INET, socket.AF_INET6):
+            return
+        if held.getsockname()[0] not in ("0.0.0.0", "::"):  # noqa: S104
+            return
+        try:
+            held.setsockopt(socket.SOL_SOCKET, socket.SO_BINDTODEVICE, _LOOPBACK)
+        except OSError as problem:
+            raise StudyError(
+                f"LSL streams cannot be kept on this machine ({problem.strerror})",
+                remedy=_WITHOUT,
+            ) from problem

@@ -1,0 +1,190 @@
+"""Nothing of the desktop gets between a participant and the clip, nor tells secrets."""
+
+import json
+import os
+from types import BuiltinMethodType
+
+import pytest
+from PySide6.QtCore import ClassInfo, QObject, Qt, Slot
+from PySide6.QtDBus import QDBusConnection
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QWidget
+from sitting import KEYS, Person
+
+from app.bridge.idle import EVERYTHING, IdleInhibitor
+from app.bridge.mpris import NAME, Mpris
+from hapticplayer.study.creation import change_definition, create_study
+from hapticplayer.study.pages import PageKind
+
+NOTIFICATIONS = "org.freedesktop.Notifications"
+SECRETS = (*KEYS, "realistic", "random", "shake", "clip.mp4", "A ride whose", ".json")
+MEDIA_KEYS = (
+    *(Qt.Key.Key_MediaPlay, Qt.Key.Key_MediaTogglePlayPause, Qt.Key.Key_MediaStop),
+    *(Qt.Key.Key_MediaNext, Qt.Key.Key_VolumeUp, Qt.Key.Key_VolumeMute),
+)
+
+
+@ClassInfo({"D-Bus Interface": NOTIFICATIONS})
+class FakeNotifications(QObject):
+    """Notes who does not want to be notified."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.inhibited: list[tuple[str, str]] = []
+
+    @Slot(str, str, "QVariantMap", result="uint")
+    def Inhibit(self, application: str, reason: str, hints: dict) -> int:  # noqa: N802
+        self.inhibited.append((application, reason))
+        return 3
+
+
+def test_notifications_are_held_back_during_a_session(
+    bus, address, make_study, sit, wait_for, monkeypatch
+):
+    desktop = FakeNotifications()
+    everything = QDBusConnection.RegisterOption.ExportAllSlots
+    path = f"/{NOTIFICATIONS.replace('.', '/')}"
+    assert bus.registerObject(path, desktop, everything)
+    assert bus.registerService(NOTIFICATIONS)
+    monkeypatch.setattr(
+        "app.participant.application.IdleInhibitor",
+        lambda _own, services: IdleInhibitor(address, services=services),
+    )
+    session = sit(make_study())
+    wait_for(lambda: NOTIFICATIONS in session.undisturbed.held_by)
+    assert desktop.inhibited == [("hapticplayer", "an experiment is running")]
+    services = {service.name for service in EVERYTHING}
+    assert services > {NOTIFICATIONS, "org.freedesktop.ScreenSaver"}
+    session.close()
+    others = bus.interface().registeredServiceNames
+    mine = bus.baseService()
+    wait_for(lambda: {n for n in others().value() if n[0] == ":"} == {mine})
+
+
+def test_media_keys_find_no_player_while_a_session_runs(
+    window, bus, tmp_path, monkeypatch, wait_for, make_study
+):
+    window.desktop.mpris = Mpris(window.player, window.raise_, window.close, bus)
+    window.desktop.begin()
+    is_there = bus.interface().isServiceRegistered
+    assert is_there(NAME).value()
+    gate, study = tmp_path / "gate", make_study()
+    os.mkfifo(gate)
+    program = tmp_path / "session"
+    program.write_text(f"#!/bin/sh\ncat {gate} >&2\nexit 1\n")
+    program.chmod(0o700)
+    monkeypatch.setattr("app.experimenter.study_process.sys.executable", str(program))
+    told = []
+    monkeypatch.setattr(window.study_menu, "_report", told.append)
+    monkeypatch.setattr(window.study_menu, "_ask", lambda: study.folder)
+    window.study_menu.run()
+    assert window.study_menu.process.is_running
+    assert not is_there(NAME).value()
+    window.study_menu.run()  # one at a time
+    gate.write_text("starting\nhapticplayer: the Falcon is not plugged in\n")
+    wait_for(lambda: not window.study_menu.process.is_running)
+    assert is_there(NAME).value()
+    assert [str(problem) for problem in told] == ["the Falcon is not plugged in"]
+
+
+def test_a_session_takes_the_device_of_the_window(
+    window, make_study, tmp_path, monkeypatch, wait_for
+):
+    window.session.choose_device("simulated")
+    study, seen = make_study(), tmp_path / "arguments"
+    program = tmp_path / "session"
+    program.write_text(f'#!/bin/sh\necho "$@" > {seen}\n')
+    program.chmod(0o700)
+    monkeypatch.setattr("app.experimenter.study_process.sys.executable", str(program))
+    monkeypatch.setattr(window.study_menu, "_ask", lambda: study.folder)
+    window.study_menu.run()
+    assert window.player.link.device == "none"
+    wait_for(lambda: not window.study_menu.process.is_running)
+    said = seen.read_text().split()
+    assert said[:4] == ["-m", "app", "study", "run"]
+    assert said[4:] == [str(study.folder), "--device", "simulated"]
+
+
+def test_a_study_without_clips_is_refused_before_anything_is_let_go(
+    window, tmp_path, monkeypatch
+):
+    study, told = create_study(tmp_path / "empty"), []
+    monkeypatch.setattr(window.study_menu, "_report", told.append)
+    monkeypatch.setattr(window.study_menu, "_ask", lambda: study.folder)
+    window.session.choose_device("simulated")
+    window.study_menu.run()
+    assert "'bike' has no folder with a sequence" in str(told[0])
+    assert window.player.link.device == "simulated"
+    assert not window.study_menu.process.is_running
+
+
+def test_a_media_key_changes_nothing_on_the_participants_screen(
+    make_study, sit, wait_for
+):
+    session = sit(make_study())
+    person = Person(session, wait_for)
+    person.to_trials()
+    person.key(Qt.Key.Key_Enter)
+    person.wait_page(PageKind.PLAYING)
+    window, page = session.participant, session.runner.page.number
+    for key in MEDIA_KEYS:
+        QTest.keyClick(window.windowHandle(), key)
+        assert session.player.is_playing
+        assert session.runner.page.number == page
+
+
+def everything_told(window: QWidget) -> list[str]:
+    """Return each text that a widget of a window could show or speak."""
+    told = [window.windowTitle(), window.windowFilePath(), window.windowIconText()]
+    for widget in [window, *window.findChildren(QWidget)]:
+        told += [widget.toolTip(), widget.statusTip(), widget.whatsThis()]
+        told += [widget.accessibleName(), widget.accessibleDescription()]
+        for name in ("text", "toPlainText", "placeholderText", "title", "prefix"):
+            found = getattr(widget, name, "")
+            told.append(str(found() if isinstance(found, BuiltinMethodType) else ""))
+    return told
+
+
+class Onlooker(Person):
+    """Takes part, and writes down whatever could be read or heard on the way."""
+
+    def __init__(self, session, wait_for):
+        super().__init__(session, wait_for)
+        self.seen: dict[tuple[PageKind, str], list[str]] = {}
+
+    def wait_page(self, kind, step=None):
+        super().wait_page(kind, step)
+        page, told = self.runner.page, everything_told(self.session.participant)
+        self.seen.setdefault((page.kind, page.step), []).extend(told)
+
+
+@pytest.mark.parametrize("language", ["en", "fr", "de"])
+def test_no_page_of_a_session_tells_a_condition_or_a_file(
+    make_study, sit, wait_for, language
+):
+    study = make_study()
+    content = json.loads(study.content)
+    content["sequences"] = content["sequences"][:1]
+    session = sit(change_definition(study, content), language=language)
+    person = Onlooker(session, wait_for)
+    person.wait_page(PageKind.CONSENT)
+    person.to_trials()
+    person.key(Qt.Key.Key_Enter)
+    person.wait_page(PageKind.PLAYING)
+    session.control.buttons["pause"].click()
+    person.wait_page(PageKind.PAUSED)
+    session.control.buttons["pause"].click()
+    for _ in range(3):
+        person.trial()
+    person.wait_page(PageKind.QUESTIONS, "post-test")
+    wait_for(lambda: not session.participant._guard.isActive())
+    person.page.next.click()
+    person.wait_page(PageKind.THANKS)
+    unseen = {PageKind.PROBLEM, PageKind.STOPPED}
+    assert {kind for kind, _ in person.seen} == set(PageKind) - unseen
+    question = session.runner.definition.factors[0].text[language]
+    assert question in person.seen[PageKind.QUESTIONS, "trial-01"]
+    secrets = (*SECRETS, str(study.folder), session.runner.plan.code)
+    for where, told in person.seen.items():
+        for secret in secrets:
+            assert not [t for t in told if secret.lower() in t.lower()], (where, secret)
