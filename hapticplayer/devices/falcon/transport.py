@@ -191,7 +191,7 @@ def open_falcon(serial: str = "", backend: Any = None) -> PyUsbTransport:
         return PyUsbTransport(found[""])
     known = ", ".join(sorted(filter(None, found))) or "without a readable number"
     if serial:
-        raise DeviceError(f"no Falcon {serial!r} is plugged in; there is: {known}")
+        raise FalconGoneError(f"no Falcon {serial!r} is plugged in; there is: {known}")
     raise DeviceError(
         f"{len(devices)} Falcons are plugged in: {known}; choose one, "
         f"such as falcon:{min(filter(None, found), default='SERIAL')}"
