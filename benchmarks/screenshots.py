@@ -23,11 +23,18 @@ from app.player.help import about_dialog
 from app.player.import_dialog import ImportDialog
 from app.player.keys_dialog import KeysDialog
 from app.player.look_menus import LANGUAGE, LOOK
+from app.player.plugged import Plugged
 from app.player.remake import dress
+from app.player.setup_page import SetupPage
 from app.player.video_surface import SurfaceSink, VideoSurface
 from app.player.window import PlayerWindow
 from app.widgets import theme
 from hapticplayer.clock import SystemClock
+from hapticplayer.devices.falcon.firmware import find_image
+from hapticplayer.devices.falcon.homing import Advice, Guidance
+from hapticplayer.devices.falcon.reach import Reach
+from hapticplayer.devices.falcon.setting_up import Progress, Step
+from hapticplayer.devices.falcon.transport import FalconGoneError, Transport
 from hapticplayer.playback.player import Player
 from hapticplayer.playback.source import Source, open_source
 from hapticplayer.sequence.demo import demo_folder
@@ -108,7 +115,24 @@ def _dialogs(
         ("import", lambda: ImportDialog("", window)),
         ("keyboard", lambda: KeysDialog(settings, window)),
         ("about", lambda: about_dialog(window)),
+        ("set-up", lambda: _homing(window)),
     ]
+
+
+def _homing(window: PlayerWindow) -> SetupPage:
+    """Return the page of the device while a grip is being pushed in."""
+    plugged = Plugged(lambda: ["12PZ657E"], window)
+    page = SetupPage(SystemClock(), "falcon", plugged, window, _nowhere)
+    guidance = Guidance(Advice.PUSH, (True, False, False), 500.0, (600, 500, 400))
+    page.freeze(Progress(Step.HOMING, 1.0, guidance))
+    return page
+
+
+def _nowhere(_name: str) -> Reach:
+    def refuse() -> Transport:
+        raise FalconGoneError("nothing is plugged in")
+
+    return Reach(refuse, find_image)
 
 
 def _wait(application: QApplication, for_ms: int = SETTLE_MS) -> None:

@@ -42,12 +42,25 @@ def feedbacks(names: Iterable[str]) -> list[Choice]:
     return [Choice(name, texts.get(name, name)) for name in names]
 
 
-def devices(current: str = NO_DEVICE) -> list[Choice]:
-    """Return the devices that a person may choose, and the one that is chosen."""
-    names = [name for name in DEVICE_NAMES if not _is_hidden(name) or name == current]
-    if current not in names:  # one of several, by its number
-        names.insert(0, current)
-    return [Choice(name, device_name(name)) for name in names]
+def devices(
+    current: str = NO_DEVICE, falcons: Iterable[tuple[str, str]] = (("falcon", ""),)
+) -> list[Choice]:
+    """Return the devices that a person may choose, and the one that is chosen.
+
+    Args:
+        current: the one that is chosen.
+        falcons: name and serial number of each that is plugged in.
+    """
+    found: list[Choice] = []
+    for name in DEVICE_NAMES:
+        if name == "falcon":
+            text = device_name(name)
+            found += [Choice(n, f"{text} {serial}".rstrip()) for n, serial in falcons]
+        elif not _is_hidden(name) or name == current:
+            found.append(Choice(name, device_name(name)))
+    if current not in [choice.name for choice in found]:  # one that is not plugged in
+        found.insert(0, Choice(current, device_name(current)))
+    return found
 
 
 def _is_hidden(name: str) -> bool:

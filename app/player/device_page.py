@@ -1,6 +1,6 @@
 """Getting to know a device: homing, then every force that it can make, step by step."""
 
-from PySide6.QtCore import QCoreApplication, Qt, QTimer
+from PySide6.QtCore import QCoreApplication, Qt, QTimer, Signal
 from PySide6.QtWidgets import (
     QDialog,
     QHBoxLayout,
@@ -21,6 +21,7 @@ from hapticplayer.rendering import demonstration
 from hapticplayer.rendering.demonstration import Step
 
 POLL_MS = 30
+HOMING_AFTER_MS = 1000
 WIDTH_PX = 460
 _SIGN_PX = 72
 
@@ -71,7 +72,12 @@ class DevicePage(QDialog):
         clock: of the machine.
         device: the engine's name of it.
         parent: Qt's owner.
+
+    Signals:
+        homing_wanted: the Falcon does not know where its grip is; the page has closed.
     """
+
+    homing_wanted = Signal()
 
     def __init__(
         self, clock: Clock, device: str, parent: QWidget | None = None
@@ -79,6 +85,7 @@ class DevicePage(QDialog):
         super().__init__(parent)
         self._clock, self._device = clock, device
         self._player: ForcePlayer | None = None
+        self._unhomed_polls = 0
         self._track, self._steps = demonstration(find_device(device).capabilities)
         self.sign, self.text = QLabel(), QLabel()
         self.progress = QProgressBar()
@@ -166,6 +173,7 @@ class DevicePage(QDialog):
             return
         self.progress.setValue(round(1000 * player.media_s / player.end_s))
         if player.cause is Cause.NOT_HOMED:
+            self._wait_for_homing()
             self.sign.setText("")
             self.text.setText(homing_text())
             return
@@ -178,6 +186,14 @@ class DevicePage(QDialog):
             self.text.setText(
                 self.tr("Rest") if player.media_s else self.tr("Starting")
             )
+
+    def _wait_for_homing(self) -> None:
+        """After a second, show how: the first answers know of no homing either."""
+        self._unhomed_polls += 1
+        is_falcon = self._device.startswith("falcon")
+        if is_falcon and self._unhomed_polls * POLL_MS > HOMING_AFTER_MS:
+            self.reject()
+            self.homing_wanted.emit()
 
     def _verdict(self, player: ForcePlayer) -> str:
         if player.mode is Mode.TRIPPED:

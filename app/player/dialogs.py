@@ -17,7 +17,9 @@ from app.player.files import (
 from app.player.help import about_dialog
 from app.player.import_dialog import ImportDialog
 from app.player.keys_dialog import KeysDialog
+from app.player.plugged import Plugged
 from app.player.session import ImportRequest, Session
+from app.player.setup_page import SetupPage
 from hapticplayer.clock import Clock
 from hapticplayer.errors import HapticPlayerError
 from hapticplayer.playback.haptic_link import NO_DEVICE
@@ -36,16 +38,19 @@ class Dialogs(QObject):
     Signals:
         keys_changed: a command has other keys.
         settings_taken: other settings came from a file.
+        device_wanted: a device was set up, and shall be used.
     """
 
     keys_changed = Signal()
     settings_taken = Signal()
+    device_wanted = Signal(str)
 
     def __init__(self, window: QWidget, session: Session, settings: Settings) -> None:
         super().__init__(window)
         self._window = window
         self._session = session
         self._settings = settings
+        self.plugged = Plugged(parent=self)
 
     def open_sequence(self) -> None:
         """Choose the folder of a sequence."""
@@ -75,6 +80,24 @@ class Dialogs(QObject):
         dialog.accepted_request.connect(self._import)
         dialog.open()
 
+    def set_up(self, clock: Clock) -> None:
+        """Choose a device, and bring it to where it can be used."""
+        before = self._session.player.link.device
+        self._session.stop()
+        self._session.choose_device(NO_DEVICE)
+        page = SetupPage(clock, before, self.plugged, self._window)
+        wanted, shown = [before], list[str]()
+        page.wanted.connect(wanted.append)
+        page.demonstration_wanted.connect(shown.append)
+
+        def go_on() -> None:
+            self.device_wanted.emit((wanted + shown)[-1])
+            if shown:
+                self.get_to_know(clock)
+
+        page.finished.connect(go_on)
+        page.open()
+
     def get_to_know(self, clock: Clock) -> None:
         """Demonstrate the forces of the chosen device; nothing plays meanwhile."""
         player = self._session.player
@@ -87,6 +110,7 @@ class Dialogs(QObject):
         self._session.choose_device(NO_DEVICE)
         dialog = DevicePage(clock, device, self._window)
         dialog.finished.connect(lambda _: self._session.choose_device(device))
+        dialog.homing_wanted.connect(lambda: self.set_up(clock))
         dialog.open()
 
     def show(self, make: Callable[[QWidget], QDialog]) -> None:

@@ -36,6 +36,7 @@ class Transport(QFrame):
         sought: a person wants to be at this time, s.
         volume_chosen, mute_clicked: per cent, and the button beside it.
         feedback_chosen, device_chosen: the engine's name of the choice.
+        device_opening: the list of devices is about to be looked at.
     """
 
     play_clicked = Signal()
@@ -46,6 +47,7 @@ class Transport(QFrame):
     mute_clicked = Signal()
     feedback_chosen = Signal(str)
     device_chosen = Signal(str)
+    device_opening = Signal()
 
     def __init__(self) -> None:
         super().__init__()
@@ -80,6 +82,7 @@ class Transport(QFrame):
         self.device = self._combo(
             self.tr("Device"), self.tr("Which haptic device is moved")
         )
+        self.device.opening.connect(self.device_opening)
         self.device.activated.connect(
             lambda _: self.device_chosen.emit(self.device.currentData())
         )
@@ -127,8 +130,8 @@ class Transport(QFrame):
         metrics = self.stop.fontMetrics()
         return max(metrics.horizontalAdvance(text) for text in texts) + 52
 
-    def _combo(self, name: str, tip: str) -> QComboBox:
-        combo = QComboBox()
+    def _combo(self, name: str, tip: str) -> "Combo":
+        combo = Combo()
         combo.setAccessibleName(name)
         combo.setToolTip(tip)
         combo.setFocusPolicy(Qt.FocusPolicy.TabFocus)
@@ -239,6 +242,17 @@ class Transport(QFrame):
     def select_device(self, name: str) -> None:
         """Show which device is moved."""
         self.device.setCurrentIndex(self.device.findData(name))
+
+
+class Combo(QComboBox):
+    """A choice that says when its list is about to be looked at."""
+
+    opening = Signal()
+
+    def showPopup(self) -> None:  # noqa: N802 - Qt's name
+        """Say it, and show the list."""
+        self.opening.emit()
+        super().showPopup()
 
 
 def _fill(combo: QComboBox, offered: Iterable[Choice]) -> None:

@@ -99,7 +99,7 @@ class PlayerWindow(QMainWindow):
         self._settled.setInterval(SETTLED_MS)
         self._connect()
         self.settings.restore_geometry(self, WIDTH_PX, HEIGHT_PX)
-        self.transport.set_devices(choices.devices())
+        self._offer_devices()
         room_px = self.screen().availableGeometry().height()
         self.show_plots(are_wanted=plots and room_px >= LEAST_SCREEN_PX)
         self._on_opened()
@@ -146,7 +146,7 @@ class PlayerWindow(QMainWindow):
         page.demo_clicked.connect(session.open_demo)
         page.open_clicked.connect(self.dialogs.open_sequence)
         page.import_clicked.connect(self.dialogs.import_recording)
-        page.device_clicked.connect(transport.device.showPopup)
+        page.device_clicked.connect(self.commands.set_up_device.trigger)
         self._connect_commands()
 
     def _connect_commands(self) -> None:
@@ -165,6 +165,7 @@ class PlayerWindow(QMainWindow):
             (commands.stop, self.stop),
             (commands.rearm, session.rearm),
             (commands.fullscreen, self.toggle_fullscreen),
+            (commands.set_up_device, lambda: self.dialogs.set_up(self.clock)),
             (commands.get_to_know, lambda: self.dialogs.get_to_know(self.clock)),
             (commands.shortcuts, self.dialogs.shortcuts),
             (commands.about, self.dialogs.about),
@@ -175,6 +176,9 @@ class PlayerWindow(QMainWindow):
             action.triggered.connect(slot)
         self.dialogs.keys_changed.connect(commands.apply_keys)
         self.dialogs.settings_taken.connect(self._on_settings_taken)
+        self.dialogs.device_wanted.connect(self._on_device_chosen)
+        self.dialogs.plugged.changed.connect(self._offer_devices)
+        self.transport.device_opening.connect(self.dialogs.plugged.look)
         commands.plots.toggled.connect(lambda on: self.show_plots(are_wanted=on))
         commands.grip.toggled.connect(lambda on: self.plots.show_grip(is_wanted=on))
 
@@ -291,7 +295,12 @@ class PlayerWindow(QMainWindow):
 
     def _show_device(self, name: str) -> None:
         if not self.transport.offers_device(name):
-            self.transport.set_devices(choices.devices(name))
+            self._offer_devices()
+        self.transport.select_device(name)
+
+    def _offer_devices(self) -> None:
+        name, falcons = self.player.link.device, self.dialogs.plugged.falcons()
+        self.transport.set_devices(choices.devices(name, falcons))
         self.transport.select_device(name)
 
     def _on_target_changed(self, width_px: int, height_px: int) -> None:
@@ -323,5 +332,6 @@ class PlayerWindow(QMainWindow):
         self.extras.close()
         self.study_menu.close()
         self.desktop.close()
+        self.dialogs.plugged.close()
         self.settings.save()
         self.session.jobs.close()

@@ -124,6 +124,10 @@
         <translation>Kraft f&amp;reigeben</translation>
     </message>
     <message>
+        <source>Set up the &amp;device…</source>
+        <translation>&amp;Gerät einrichten…</translation>
+    </message>
+    <message>
         <source>Get to &amp;know the forces…</source>
         <translation>Die Kräfte &amp;kennenlernen…</translation>
     </message>
@@ -473,6 +477,29 @@
     </message>
 </context>
 <context>
+    <name>FirmwareDialog</name>
+    <message>
+        <source>The Falcon&apos;s firmware</source>
+        <translation>Die Firmware des Falcon</translation>
+    </message>
+    <message>
+        <source>Firmware (*.bin *.BIN);;All files (*)</source>
+        <translation>Firmware (*.bin *.BIN);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>I accept the licence</source>
+        <translation>Ich nehme die Lizenz an</translation>
+    </message>
+    <message>
+        <source>Keep it all the same</source>
+        <translation>Trotzdem behalten</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+</context>
+<context>
     <name>GripView</name>
     <message>
         <source>No device: choose {name} to see what would be felt</source>
@@ -812,6 +839,49 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     <message>
         <source>Close</source>
         <translation>Schließen</translation>
+    </message>
+</context>
+<context>
+    <name>HomingPicture</name>
+    <message>
+        <source>The Falcon&apos;s grip</source>
+        <translation>Der Griff des Falcon</translation>
+    </message>
+    <message>
+        <source>From the front</source>
+        <translation>Von vorn</translation>
+    </message>
+    <message>
+        <source>From the side</source>
+        <translation>Von der Seite</translation>
+    </message>
+    <message>
+        <source>top</source>
+        <translation>oben</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>lower left</source>
+        <translation>links unten</translation>
+    </message>
+    <message>
+        <source>none yet</source>
+        <translation>noch keines</translation>
+    </message>
+    <message>
+        <source>Homed: {legs}</source>
+        <translation>Referenziert: {legs}</translation>
+    </message>
+    <message>
+        <source>in</source>
+        <translation>innen</translation>
+    </message>
+    <message>
+        <source>out</source>
+        <translation>außen</translation>
     </message>
 </context>
 <context>
@@ -1305,6 +1375,164 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     <message>
         <source>ended early</source>
         <translation>vorzeitig beendet</translation>
+    </message>
+</context>
+<context>
+    <name>SetupPage</name>
+    <message>
+        <source>Firmware file…</source>
+        <translation>Firmware-Datei…</translation>
+    </message>
+    <message>
+        <source>Keep your copy of the firmware</source>
+        <translation>Ihre Kopie der Firmware aufbewahren</translation>
+    </message>
+    <message>
+        <source>Feel the forces…</source>
+        <translation>Kräfte fühlen…</translation>
+    </message>
+    <message>
+        <source>Feel every direction, gentle first</source>
+        <translation>Jede Richtung fühlen, erst sanft</translation>
+    </message>
+    <message>
+        <source>Use this device</source>
+        <translation>Dieses Gerät benutzen</translation>
+    </message>
+    <message>
+        <source>Play with it from now on</source>
+        <translation>Von jetzt an damit spielen</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Keep the device from before</source>
+        <translation>Das bisherige Gerät behalten</translation>
+    </message>
+    <message>
+        <source>Set up the device</source>
+        <translation>Das Gerät einrichten</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>That file cannot be used</source>
+        <translation>Diese Datei ist nicht brauchbar</translation>
+    </message>
+</context>
+<context>
+    <name>SetupTexts</name>
+    <message>
+        <source>The Falcon cannot be used</source>
+        <translation>Der Falcon kann nicht benutzt werden</translation>
+    </message>
+    <message>
+        <source>The Falcon is not plugged in</source>
+        <translation>Der Falcon ist nicht angeschlossen</translation>
+    </message>
+    <message>
+        <source>Connect its USB cable and its power supply; it is found by itself.</source>
+        <translation>Schließen Sie sein USB-Kabel und sein Netzteil an; er wird von selbst gefunden.</translation>
+    </message>
+    <message>
+        <source>Copy the udev rule {rule} to /etc/udev/rules.d, then unplug the Falcon and plug it in.</source>
+        <translation>Kopieren Sie die udev-Regel {rule} nach /etc/udev/rules.d, ziehen Sie den Falcon dann ab und stecken Sie ihn wieder an.</translation>
+    </message>
+    <message>
+        <source>You have no permission to use the Falcon</source>
+        <translation>Sie dürfen den Falcon nicht benutzen</translation>
+    </message>
+    <message>
+        <source>Another program uses the Falcon</source>
+        <translation>Ein anderes Programm benutzt den Falcon</translation>
+    </message>
+    <message>
+        <source>Close that program; then it goes on by itself.</source>
+        <translation>Schließen Sie dieses Programm; dann geht es von selbst weiter.</translation>
+    </message>
+    <message>
+        <source>The Falcon has the wrong driver</source>
+        <translation>Der Falcon hat den falschen Treiber</translation>
+    </message>
+    <message>
+        <source>Give it the driver WinUSB, with the program Zadig, in place of FTDI&apos;s or Force Dimension&apos;s; then unplug it and plug it in.</source>
+        <translation>Geben Sie ihm mit dem Programm Zadig den Treiber WinUSB anstelle dessen von FTDI oder Force Dimension; ziehen Sie ihn dann ab und stecken Sie ihn wieder an.</translation>
+    </message>
+    <message>
+        <source>The Falcon needs its firmware</source>
+        <translation>Der Falcon braucht seine Firmware</translation>
+    </message>
+    <message>
+        <source>It belongs to Novint and may not be passed on with this program. Take nvent_firmware.bin from a libnifalcon source archive and choose the file here, once.</source>
+        <translation>Sie gehört Novint und darf mit diesem Programm nicht weitergegeben werden. Nehmen Sie nvent_firmware.bin aus einem Quellarchiv von libnifalcon und wählen Sie die Datei hier einmal aus.</translation>
+    </message>
+    <message>
+        <source>Pull the grip out, as far as it goes</source>
+        <translation>Ziehen Sie den Griff ganz heraus</translation>
+    </message>
+    <message>
+        <source>Push the grip in, until it locks</source>
+        <translation>Schieben Sie den Griff hinein, bis er einrastet</translation>
+    </message>
+    <message>
+        <source>The Falcon is ready</source>
+        <translation>Der Falcon ist bereit</translation>
+    </message>
+    <message>
+        <source>Connecting</source>
+        <translation>Verbindung wird hergestellt</translation>
+    </message>
+    <message>
+        <source>Loading the firmware</source>
+        <translation>Die Firmware wird geladen</translation>
+    </message>
+    <message>
+        <source>A button on the grip is pressed.</source>
+        <translation>Eine Taste am Griff ist gedrückt.</translation>
+    </message>
+    <message>
+        <source>Move the grip: the picture follows.</source>
+        <translation>Bewegen Sie den Griff: das Bild folgt.</translation>
+    </message>
+    <message>
+        <source>Joints that have found their zero: {legs}. There is no force.</source>
+        <translation>Gelenke, die ihre Null gefunden haben: {legs}. Es wirkt keine Kraft.</translation>
+    </message>
+    <message>
+        <source>none yet</source>
+        <translation>noch keines</translation>
+    </message>
+    <message>
+        <source>Nothing has to be set up</source>
+        <translation>Nichts ist einzurichten</translation>
+    </message>
+    <message>
+        <source>A Falcon that is only computed, held by a simulated hand: for trying everything without hardware.</source>
+        <translation>Ein Falcon, der nur gerechnet wird, von einer simulierten Hand gehalten: um alles ohne Gerät auszuprobieren.</translation>
+    </message>
+    <message>
+        <source>Connect a DualSense or a DualShock 4 by its USB cable. It shakes as strongly as the force is; it has no direction.</source>
+        <translation>Schließen Sie einen DualSense oder DualShock 4 mit dem USB-Kabel an. Er rüttelt so stark, wie die Kraft ist; eine Richtung hat er nicht.</translation>
+    </message>
+    <message>
+        <source>The clip plays without force.</source>
+        <translation>Der Clip läuft ohne Kraft.</translation>
+    </message>
+    <message>
+        <source>The firmware of the Falcon belongs to Novint Technologies. libnifalcon passes it on under Novint&apos;s SDK licence (its file license/LICENSE_NOVINT.txt): for personal, noncommercial use, free of charge, and every recipient is bound by it. Read that licence; by going on you say that you may use this file. It stays on this computer.</source>
+        <translation>Die Firmware des Falcon gehört Novint Technologies. libnifalcon gibt sie unter Novints SDK-Lizenz weiter (dort die Datei license/LICENSE_NOVINT.txt): für persönlichen, nicht kommerziellen Gebrauch, kostenlos, und jeder Empfänger ist an sie gebunden. Lesen Sie diese Lizenz; wenn Sie fortfahren, sagen Sie, dass Sie diese Datei benutzen dürfen. Sie bleibt auf diesem Computer.</translation>
+    </message>
+    <message>
+        <source>The file is sound, but it is none of the firmware files that are known. It would run the motors. Keep it only if you know where it comes from.</source>
+        <translation>Die Datei ist heil, aber keine der bekannten Firmware-Dateien. Sie würde die Motoren steuern. Behalten Sie sie nur, wenn Sie wissen, woher sie kommt.</translation>
     </message>
 </context>
 <context>

@@ -124,6 +124,10 @@
         <translation>&amp;Réarmer la force</translation>
     </message>
     <message>
+        <source>Set up the &amp;device…</source>
+        <translation>Préparer le &amp;dispositif…</translation>
+    </message>
+    <message>
         <source>Get to &amp;know the forces…</source>
         <translation>&amp;Découvrir les forces…</translation>
     </message>
@@ -473,6 +477,29 @@
     </message>
 </context>
 <context>
+    <name>FirmwareDialog</name>
+    <message>
+        <source>The Falcon&apos;s firmware</source>
+        <translation>Le micrologiciel du Falcon</translation>
+    </message>
+    <message>
+        <source>Firmware (*.bin *.BIN);;All files (*)</source>
+        <translation>Micrologiciel (*.bin *.BIN);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>I accept the licence</source>
+        <translation>J&apos;accepte la licence</translation>
+    </message>
+    <message>
+        <source>Keep it all the same</source>
+        <translation>Le garder quand même</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+</context>
+<context>
     <name>GripView</name>
     <message>
         <source>No device: choose {name} to see what would be felt</source>
@@ -812,6 +839,49 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     <message>
         <source>Close</source>
         <translation>Fermer</translation>
+    </message>
+</context>
+<context>
+    <name>HomingPicture</name>
+    <message>
+        <source>The Falcon&apos;s grip</source>
+        <translation>La poignée du Falcon</translation>
+    </message>
+    <message>
+        <source>From the front</source>
+        <translation>De face</translation>
+    </message>
+    <message>
+        <source>From the side</source>
+        <translation>De profil</translation>
+    </message>
+    <message>
+        <source>top</source>
+        <translation>haut</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>droite</translation>
+    </message>
+    <message>
+        <source>lower left</source>
+        <translation>bas gauche</translation>
+    </message>
+    <message>
+        <source>none yet</source>
+        <translation>aucune encore</translation>
+    </message>
+    <message>
+        <source>Homed: {legs}</source>
+        <translation>Initialisées : {legs}</translation>
+    </message>
+    <message>
+        <source>in</source>
+        <translation>dedans</translation>
+    </message>
+    <message>
+        <source>out</source>
+        <translation>dehors</translation>
     </message>
 </context>
 <context>
@@ -1305,6 +1375,164 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     <message>
         <source>ended early</source>
         <translation>terminé avant la fin</translation>
+    </message>
+</context>
+<context>
+    <name>SetupPage</name>
+    <message>
+        <source>Firmware file…</source>
+        <translation>Micrologiciel…</translation>
+    </message>
+    <message>
+        <source>Keep your copy of the firmware</source>
+        <translation>Garder votre copie du micrologiciel</translation>
+    </message>
+    <message>
+        <source>Feel the forces…</source>
+        <translation>Sentir les forces…</translation>
+    </message>
+    <message>
+        <source>Feel every direction, gentle first</source>
+        <translation>Sentir chaque direction, doucement d&apos;abord</translation>
+    </message>
+    <message>
+        <source>Use this device</source>
+        <translation>Utiliser ce dispositif</translation>
+    </message>
+    <message>
+        <source>Play with it from now on</source>
+        <translation>Jouer avec lui désormais</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>Keep the device from before</source>
+        <translation>Garder le dispositif d&apos;avant</translation>
+    </message>
+    <message>
+        <source>Set up the device</source>
+        <translation>Préparer le dispositif</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Dispositif</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Avancement</translation>
+    </message>
+    <message>
+        <source>That file cannot be used</source>
+        <translation>Ce fichier n&apos;est pas utilisable</translation>
+    </message>
+</context>
+<context>
+    <name>SetupTexts</name>
+    <message>
+        <source>The Falcon cannot be used</source>
+        <translation>Le Falcon ne peut pas être utilisé</translation>
+    </message>
+    <message>
+        <source>The Falcon is not plugged in</source>
+        <translation>Le Falcon n&apos;est pas branché</translation>
+    </message>
+    <message>
+        <source>Connect its USB cable and its power supply; it is found by itself.</source>
+        <translation>Branchez son câble USB et son alimentation ; il est trouvé tout seul.</translation>
+    </message>
+    <message>
+        <source>Copy the udev rule {rule} to /etc/udev/rules.d, then unplug the Falcon and plug it in.</source>
+        <translation>Copiez la règle udev {rule} dans /etc/udev/rules.d, puis débranchez et rebranchez le Falcon.</translation>
+    </message>
+    <message>
+        <source>You have no permission to use the Falcon</source>
+        <translation>Vous n&apos;avez pas le droit d&apos;utiliser le Falcon</translation>
+    </message>
+    <message>
+        <source>Another program uses the Falcon</source>
+        <translation>Un autre programme utilise le Falcon</translation>
+    </message>
+    <message>
+        <source>Close that program; then it goes on by itself.</source>
+        <translation>Fermez ce programme ; la suite vient toute seule.</translation>
+    </message>
+    <message>
+        <source>The Falcon has the wrong driver</source>
+        <translation>Le Falcon a un mauvais pilote</translation>
+    </message>
+    <message>
+        <source>Give it the driver WinUSB, with the program Zadig, in place of FTDI&apos;s or Force Dimension&apos;s; then unplug it and plug it in.</source>
+        <translation>Donnez-lui, avec le programme Zadig, le pilote WinUSB à la place de celui de FTDI ou de Force Dimension ; puis débranchez-le et rebranchez-le.</translation>
+    </message>
+    <message>
+        <source>The Falcon needs its firmware</source>
+        <translation>Le Falcon a besoin de son micrologiciel</translation>
+    </message>
+    <message>
+        <source>It belongs to Novint and may not be passed on with this program. Take nvent_firmware.bin from a libnifalcon source archive and choose the file here, once.</source>
+        <translation>Il appartient à Novint et ne peut pas être fourni avec ce programme. Prenez nvent_firmware.bin dans une archive des sources de libnifalcon et choisissez le fichier ici, une seule fois.</translation>
+    </message>
+    <message>
+        <source>Pull the grip out, as far as it goes</source>
+        <translation>Tirez la poignée jusqu&apos;au bout</translation>
+    </message>
+    <message>
+        <source>Push the grip in, until it locks</source>
+        <translation>Poussez la poignée jusqu&apos;à ce qu&apos;elle se bloque</translation>
+    </message>
+    <message>
+        <source>The Falcon is ready</source>
+        <translation>Le Falcon est prêt</translation>
+    </message>
+    <message>
+        <source>Connecting</source>
+        <translation>Connexion</translation>
+    </message>
+    <message>
+        <source>Loading the firmware</source>
+        <translation>Chargement du micrologiciel</translation>
+    </message>
+    <message>
+        <source>A button on the grip is pressed.</source>
+        <translation>Un bouton de la poignée est enfoncé.</translation>
+    </message>
+    <message>
+        <source>Move the grip: the picture follows.</source>
+        <translation>Bougez la poignée : l&apos;image suit.</translation>
+    </message>
+    <message>
+        <source>Joints that have found their zero: {legs}. There is no force.</source>
+        <translation>Articulations qui ont trouvé leur zéro : {legs}. Il n&apos;y a pas de force.</translation>
+    </message>
+    <message>
+        <source>none yet</source>
+        <translation>aucune encore</translation>
+    </message>
+    <message>
+        <source>Nothing has to be set up</source>
+        <translation>Rien n&apos;est à préparer</translation>
+    </message>
+    <message>
+        <source>A Falcon that is only computed, held by a simulated hand: for trying everything without hardware.</source>
+        <translation>Un Falcon seulement calculé, tenu par une main simulée : pour tout essayer sans matériel.</translation>
+    </message>
+    <message>
+        <source>Connect a DualSense or a DualShock 4 by its USB cable. It shakes as strongly as the force is; it has no direction.</source>
+        <translation>Branchez une DualSense ou une DualShock 4 par son câble USB. Elle vibre aussi fort que la force ; elle n&apos;a pas de direction.</translation>
+    </message>
+    <message>
+        <source>The clip plays without force.</source>
+        <translation>Le clip est lu sans force.</translation>
+    </message>
+    <message>
+        <source>The firmware of the Falcon belongs to Novint Technologies. libnifalcon passes it on under Novint&apos;s SDK licence (its file license/LICENSE_NOVINT.txt): for personal, noncommercial use, free of charge, and every recipient is bound by it. Read that licence; by going on you say that you may use this file. It stays on this computer.</source>
+        <translation>Le micrologiciel du Falcon appartient à Novint Technologies. libnifalcon le transmet sous la licence SDK de Novint (son fichier license/LICENSE_NOVINT.txt) : pour un usage personnel et non commercial, gratuitement, et chaque destinataire y est lié. Lisez cette licence ; en continuant, vous dites que vous pouvez utiliser ce fichier. Il reste sur cet ordinateur.</translation>
+    </message>
+    <message>
+        <source>The file is sound, but it is none of the firmware files that are known. It would run the motors. Keep it only if you know where it comes from.</source>
+        <translation>Le fichier est sain, mais ce n&apos;est aucun des micrologiciels connus. Il commanderait les moteurs. Ne le gardez que si vous savez d&apos;où il vient.</translation>
     </message>
 </context>
 <context>

@@ -7,6 +7,7 @@ from PySide6.QtTest import QTest
 
 from app.player.device_page import DevicePage, homing_text, sign_of, step_text
 from hapticplayer.clock import SystemClock
+from hapticplayer.haptics.contract import Cause
 from hapticplayer.rendering.demonstration import LEAD_S, Step
 
 
@@ -68,6 +69,22 @@ def test_a_device_that_is_not_there_is_said_on_the_page(application, qtbot, wait
     page.begin()
     wait_for(lambda: not page.is_running)
     assert "Falcon" in page.text.text()
+
+
+def test_a_falcon_that_is_not_homed_leads_to_the_picture_of_homing(
+    application, qtbot, wait_for, monkeypatch
+):
+    page = DevicePage(SystemClock(), "falcon-simulated")
+    qtbot.addWidget(page)
+    wanted = []
+    page.homing_wanted.connect(lambda: wanted.append(page.is_running))
+    page.begin()
+    wait_for(lambda: page._player.mode.name == "FOLLOWING")
+    assert not wanted  # the first answers, which know nothing yet, do not count
+    monkeypatch.setattr(page._player, "poll", lambda: None)
+    page._player.cause = Cause.NOT_HOMED
+    wait_for(lambda: bool(wanted))
+    assert wanted == [False]
 
 
 def test_every_step_has_words_and_a_sign():

@@ -15,8 +15,14 @@ from hapticplayer.devices.falcon.protocol import Reply
 from hapticplayer.errors import DeviceError
 
 LOOK_S = 0.01
+WAY_COUNTS = 2400
+"""From the inner end to the outer one, about."""
 _MOVED_COUNTS = 300  # 1 cm and more
 _BACK_COUNTS = 100
+_FROM_OUTSIDE_COUNTS = 1500  # who comes in so far has been at the outer end
+_STILL_COUNTS = 15
+_AT_THE_END_LOOKS = 60  # a hand that rests there for so long waits for advice
+_IN_VAIN_LOOKS = 300
 _ZERO = (0.0, 0.0, 0.0)
 
 
@@ -35,35 +41,49 @@ class Guidance(NamedTuple):
         advice: for the person.
         homed: encoders (top, right, lower left) that have found their zero.
         out: mean way of the grip from where it began, counts; outwards is positive.
+        legs: the same for each encoder.
     """
 
     advice: Advice
     homed: tuple[bool, bool, bool]
     out: float
+    legs: tuple[int, int, int] = (0, 0, 0)
 
 
 class Guide:
-    """Looks at replies and knows what to say."""
+    """Looks at replies, every 10 ms, and knows what to say."""
 
     def __init__(self) -> None:
-        self._start: float | None = None
-        self._furthest = 0.0
+        self._start: tuple[int, int, int] | None = None
+        self._advice = Advice.PULL
+        self._from = self._highest = self._rests_at = 0.0
+        self._still_looks = 0
 
     def look(self, reply: Reply) -> Guidance:
         """Return what to do after this reply."""
-        mean = sum(reply.counts) / 3.0
-        if self._start is None:
-            self._start = mean
-        out = mean - self._start
-        self._furthest = max(self._furthest, out)
-        bits = reply.homed
+        start = self._start = self._start or reply.counts
+        i, j, k = (now - then for now, then in zip(reply.counts, start, strict=True))
+        out, bits = (i + j + k) / 3.0, reply.homed
+        self._advice = Advice.DONE if reply.is_homed else self._next_advice(out)
         homed = (bool(bits & 1), bool(bits & 2), bool(bits & 4))
-        if reply.is_homed:
-            return Guidance(Advice.DONE, homed, out)
-        was_out = self._furthest > _MOVED_COUNTS
-        is_on_its_way_in = out < self._furthest - _BACK_COUNTS
-        advice = Advice.PUSH if was_out and is_on_its_way_in else Advice.PULL
-        return Guidance(advice, homed, out)
+        return Guidance(self._advice, homed, out, (i, j, k))
+
+    def _next_advice(self, out: float) -> Advice:
+        if abs(out - self._rests_at) > _STILL_COUNTS:
+            self._rests_at, self._still_looks = out, 0
+        self._still_looks += 1
+        self._highest = max(self._highest, out)
+        in_again = self._highest - out
+        if self._advice is Advice.PUSH:
+            if in_again < _MOVED_COUNTS or self._still_looks < _IN_VAIN_LOOKS:
+                return Advice.PUSH
+            self._from = self._highest = out  # it was not far enough: once more
+            return Advice.PULL
+        is_turning = in_again > _BACK_COUNTS or self._still_looks > _AT_THE_END_LOOKS
+        was_out = self._highest - self._from > _MOVED_COUNTS
+        if (was_out and is_turning) or in_again > _FROM_OUTSIDE_COUNTS:
+            return Advice.PUSH
+        return Advice.PULL
 
 
 def home(driver: FalconDriver, clock: Clock, limit_s: float) -> Iterator[Guidance]:

@@ -34,6 +34,14 @@ class FalconBusyError(DeviceError):
     """Another program, or another part of this one, uses the Falcon."""
 
 
+class FalconForbiddenError(DeviceError):
+    """The right to use the Falcon is missing."""
+
+
+class FalconDriverError(DeviceError):
+    """Another driver keeps libusb away from the Falcon."""
+
+
 class Transport(Protocol):
     """Bytes to and from one FT232R; all methods raise DeviceError."""
 
@@ -183,7 +191,7 @@ def open_falcon(serial: str = "", backend: Any = None) -> PyUsbTransport:
         return PyUsbTransport(found[""])
     known = ", ".join(sorted(filter(None, found))) or "without a readable number"
     if serial:
-        raise DeviceError(f"no Falcon {serial!r} is plugged in; there is: {known}")
+        raise FalconGoneError(f"no Falcon {serial!r} is plugged in; there is: {known}")
     raise DeviceError(
         f"{len(devices)} Falcons are plugged in: {known}; choose one, "
         f"such as falcon:{min(filter(None, found), default='SERIAL')}"
@@ -210,8 +218,8 @@ def _find_all(backend: Any) -> list[Any]:
 def _address_of(device: Any) -> FalconAddress:
     try:
         serial = str(_usb_util().get_string(device, device.iSerialNumber) or "")
-    except (OSError, ValueError):  # no permission, or no languages listed for it
-        serial = ""
+    except (OSError, ValueError, NotImplementedError):
+        serial = ""  # no permission, no languages listed for it, another driver
     return FalconAddress(serial, device.bus or 0, device.address or 0)
 
 
@@ -254,6 +262,8 @@ def _is_timeout(problem: OSError) -> bool:
 def _explained(doing: str) -> Iterator[None]:
     try:
         yield
+    except NotImplementedError as problem:  # LIBUSB_ERROR_NOT_SUPPORTED, in pyusb
+        raise _error_for(OSError(errno.ENOSYS, str(problem)), doing) from problem
     except OSError as problem:
         raise _error_for(problem, doing) from problem
 
@@ -267,7 +277,7 @@ def _error_for(problem: OSError, doing: str) -> DeviceError:
             "the device again"
         )
     if code in (errno.EACCES, errno.EPERM):
-        return DeviceError(
+        return FalconForbiddenError(
             "the Falcon may not be used by you; copy the udev rule "
             f"{UDEV_RULE} to /etc/udev/rules.d, then unplug the Falcon and plug it in"
         )
@@ -276,7 +286,7 @@ def _error_for(problem: OSError, doing: str) -> DeviceError:
             "the Falcon is in use by another program; close that one and try again"
         )
     if code == errno.ENOSYS:
-        return DeviceError(
+        return FalconDriverError(
             "the Falcon has a driver that keeps libusb out; give it the driver WinUSB "
             "(with the program Zadig) in place of FTDI's or Force Dimension's"
         )

@@ -146,19 +146,25 @@ def upload(
         UploadError: when the device answers otherwise than it should.
         DeviceError: when it is gone.
     """
-    _say_hello(ftdi, clock, patience)
+    progress = progress or _nobody_looks
+    _say_hello(ftdi, clock, patience, progress)
     _find_the_rate(ftdi, clock, patience)
     data = image.data
     for start in range(0, len(data), PAYLOAD_BYTES):
         block = data[start : start + PAYLOAD_BYTES]
         _send_with_echo(ftdi, block, clock, patience.echo_s, f"byte {start}")
-        if progress is not None:
-            progress((start + len(block)) / len(data))
+        progress((start + len(block)) / len(data))
     if not is_running(ftdi, clock, patience):
         raise UploadError("the firmware was loaded and does not answer")
 
 
-def _say_hello(ftdi: Ftdi, clock: Clock, patience: Patience) -> None:
+def _nobody_looks(_part: float) -> None:
+    """Show nothing."""
+
+
+def _say_hello(
+    ftdi: Ftdi, clock: Clock, patience: Patience, progress: Progress
+) -> None:
     """Reset the processors by the line DTR and wait for the one that boots."""
     ftdi.set_event_character(b"")
     ftdi.purge()
@@ -170,6 +176,7 @@ def _say_hello(ftdi: Ftdi, clock: Clock, patience: Patience) -> None:
     ftdi.set_dtr(is_high=True)
     heard = b""
     for _ in range(patience.hellos):
+        progress(0.0)  # here, too, a person may have had enough
         ftdi.write(HELLO, patience.hello_s)
         deadline_s = clock.now_s() + patience.hello_s
         while (left_s := deadline_s - clock.now_s()) > 0.0:

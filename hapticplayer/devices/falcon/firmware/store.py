@@ -23,6 +23,15 @@ license/LICENSE_NOVINT.txt): for personal, noncommercial use, free of charge, an
 recipient is bound by it. Read that licence; by installing the file you say that you
 may use it. The file stays on this computer."""
 
+
+class UnknownFirmwareError(UsageError):
+    """The file is sound and nobody has recorded it here: somebody has to decide."""
+
+
+class FirmwareMissingError(DeviceError):
+    """The user has not given the Falcon's firmware yet."""
+
+
 _FILE_NAME = "falcon-firmware.bin"
 
 
@@ -42,14 +51,16 @@ def find_image() -> FirmwareImage:
     """Return the user's firmware.
 
     Raises:
-        DeviceError: when there is none, or the file is damaged.
+        FirmwareMissingError: when there is none.
+        DeviceError: when the file is damaged.
     """
     path = kept_path()
     if not path.exists():
-        raise DeviceError(
+        raise FirmwareMissingError(
             f"the Falcon's firmware is missing ({path}); it may not be passed on with "
             "this program: take nvent_firmware.bin from a libnifalcon source archive "
-            "and install it with `hapticplayer device upload-firmware FILE`"
+            "and install it with `hapticplayer device upload-firmware FILE`, or in the "
+            "window with Playback > Set up the device"
         )
     return read_image(path)
 
@@ -82,11 +93,11 @@ def install_image(source: Path, *, accept_unknown: bool = False) -> FirmwareImag
 
     Raises:
         DeviceError: when it is no firmware or cannot be kept.
-        UsageError: when it is an unknown one and that was not accepted.
+        UnknownFirmwareError: when it is an unknown one and that was not accepted.
     """
     image = read_image(source)
     if not image.known_name and not accept_unknown:
-        raise UsageError(
+        raise UnknownFirmwareError(
             f"{source}: sound, but none of the known images "
             f"({', '.join(sorted(KNOWN_IMAGES.values()))}; SHA-256 "
             f"{image.sha256[:16]}...); it would run the motors: say that you want it"

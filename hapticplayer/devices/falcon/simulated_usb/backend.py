@@ -137,6 +137,8 @@ class SimulatedBus(IBackend):  # type: ignore[misc]
         """Return the port, unless the system refuses."""
         if not port.chip.is_plugged:
             raise _usb_error(errno.ENODEV)
+        if port.refuses_with == errno.ENOSYS:
+            raise NotImplementedError("Operation not supported")  # as pyusb does
         if port.refuses_with:
             raise _usb_error(port.refuses_with)
         return port

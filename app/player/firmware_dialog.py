@@ -1,0 +1,95 @@
+"""Keeping the user's copy of the Falcon's firmware: a file, its licence, a decision."""
+
+from collections.abc import Callable
+from pathlib import Path
+
+from PySide6.QtCore import QCoreApplication, Qt
+from PySide6.QtWidgets import QDialog, QHBoxLayout, QLabel, QVBoxLayout, QWidget
+
+from app.player import setup_texts
+from app.player.files import file_dialog
+from app.widgets.buttons import text_button
+from hapticplayer.devices.falcon import firmware
+from hapticplayer.errors import HapticPlayerError
+
+translate = QCoreApplication.translate
+
+_WIDTH_PX = 460
+
+
+def ask_for_firmware(
+    parent: QWidget, kept: Callable[[], None], failed: Callable[[str], None]
+) -> None:
+    """Let a person choose the file, accept its licence, and keep it.
+
+    Args:
+        parent: of the dialogs; none of them stops the event loop.
+        kept: called once there is a copy.
+        failed: told why there is none.
+    """
+    title = translate("FirmwareDialog", "The Falcon's firmware")
+    kinds = translate("FirmwareDialog", "Firmware (*.bin *.BIN);;All files (*)")
+    dialog = file_dialog(parent, title, str(Path.home()), kinds)
+    dialog.fileSelected.connect(
+        lambda name: offer_firmware(parent, Path(name), kept, failed)
+    )
+    dialog.open()
+
+
+def offer_firmware(
+    parent: QWidget,
+    path: Path,
+    kept: Callable[[], None],
+    failed: Callable[[str], None],
+) -> None:
+    """Ask whether its licence is accepted, then keep it."""
+    accept = translate("FirmwareDialog", "I accept the licence")
+    keep = translate("FirmwareDialog", "Keep it all the same")
+
+    def install(*, accept_unknown: bool = False) -> None:
+        try:
+            firmware.install_image(path, accept_unknown=accept_unknown)
+        except firmware.UnknownFirmwareError:
+            _ask(
+                parent,
+                setup_texts.unknown_image(),
+                keep,
+                lambda: install(accept_unknown=True),
+            )
+        except HapticPlayerError as problem:
+            failed(str(problem))
+        else:
+            kept()
+
+    _ask(parent, setup_texts.licence(), accept, install)
+
+
+class Question(QDialog):
+    """A text with two answers."""
+
+    def __init__(self, parent: QWidget, text: str, yes: str) -> None:
+        super().__init__(parent)
+        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        self.setWindowTitle(translate("FirmwareDialog", "The Falcon's firmware"))
+        self.text = QLabel(text)
+        self.text.setWordWrap(True)
+        self.text.setMinimumWidth(_WIDTH_PX)
+        self.yes = text_button(yes, "", "primary")
+        self.no = text_button(translate("FirmwareDialog", "Cancel"), "")
+        self.yes.clicked.connect(self.accept)
+        self.no.clicked.connect(self.reject)
+        row = QHBoxLayout()
+        row.addStretch(1)
+        row.addWidget(self.no)
+        row.addWidget(self.yes)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(18, 16, 18, 14)
+        column.setSpacing(14)
+        column.addWidget(self.text)
+        column.addLayout(row)
+
+
+def _ask(parent: QWidget, text: str, yes: str, agreed: Callable[[], None]) -> None:
+    question = Question(parent, text, yes)
+    question.accepted.connect(agreed)
+    question.open()

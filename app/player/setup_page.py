@@ -1,0 +1,281 @@
+"""Setting a device up: choosing it, its firmware, and homing with a live picture."""
+
+from collections.abc import Callable
+
+from PySide6.QtCore import Qt, QTimer, Signal
+from PySide6.QtWidgets import (
+    QComboBox,
+    QDialog,
+    QHBoxLayout,
+    QLabel,
+    QProgressBar,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.bridge.jobs import Jobs
+from app.bridge.jobs import Progress as Report
+from app.player import choices, setup_texts
+from app.player.firmware_dialog import ask_for_firmware
+from app.player.homing_picture import HomingPicture
+from app.player.homing_view import Ways, view_of
+from app.player.plugged import Plugged
+from app.player.setup_texts import Trouble, trouble
+from app.widgets import theme
+from app.widgets.buttons import text_button
+from hapticplayer.clock import Clock
+from hapticplayer.devices.falcon.reach import Reach, reach_of
+from hapticplayer.devices.falcon.setting_up import Progress, Step, set_up
+from hapticplayer.playback.haptic_link import NO_DEVICE
+
+POLL_MS = 33
+LOOK_MS = 1000
+"""How often to look what is plugged in, and to try again."""
+
+
+class SetupPage(QDialog):
+    """Holds a Falcon, without force, until a person is done with it.
+
+    The window has to let go of the device before.
+
+    Args:
+        clock: of the machine.
+        device: the engine's name of the one to begin with.
+        plugged: knows the Falcons on the bus.
+        parent: Qt's owner.
+        find_reach: how to get at a Falcon by its name.
+
+    Signals:
+        wanted: a device shall be used from now on.
+        demonstration_wanted: its forces shall be shown.
+    """
+
+    wanted = Signal(str)
+    demonstration_wanted = Signal(str)
+
+    def __init__(
+        self,
+        clock: Clock,
+        device: str,
+        plugged: Plugged,
+        parent: QWidget | None = None,
+        find_reach: Callable[[str], Reach] = reach_of,
+    ) -> None:
+        super().__init__(parent)
+        self._clock, self._find_reach, self._plugged = clock, find_reach, plugged
+        self._jobs = Jobs(self._on_trouble)
+        self._progress: Progress | None = None
+        self._trouble: Trouble | None = None
+        self._ways, self._result = Ways(), 0
+        self._is_ending = False
+        self.picture, self.device = HomingPicture(), QComboBox()
+        self.title, self.text, self.bar = QLabel(), QLabel(), QProgressBar()
+        self._make_buttons()
+        self._lay_out()
+        self._fill(device if device != NO_DEVICE else plugged.falcons()[0][0])
+        plugged.changed.connect(self._on_plugged)
+        self.device.activated.connect(lambda _: self.begin())
+        self._poll_timer = self._timer(POLL_MS, self._poll)
+        self._look_timer = self._timer(LOOK_MS, self._look)
+        self._look()
+        self._show()
+
+    @property
+    def chosen(self) -> str:
+        """The engine's name of the device that is chosen here."""
+        return str(self.device.currentData())
+
+    @property
+    def is_ready(self) -> bool:
+        """Whether the device can be used as it is."""
+        if not _is_falcon(self.chosen):
+            return True
+        return self._progress is not None and self._progress.step is Step.READY
+
+    @property
+    def is_busy(self) -> bool:
+        """Whether a Falcon is held, or about to be."""
+        return self._jobs.is_busy
+
+    def begin(self) -> None:
+        """Take the chosen device, once the one before is let go of."""
+        self._progress, self._trouble, self._ways = None, None, Ways()
+        self._jobs.cancel()
+        self._start()
+        self._show()
+
+    def choose_firmware(self) -> None:
+        """Ask for the firmware's file."""
+        ask_for_firmware(self, self.begin, self._on_no_firmware)
+
+    def freeze(self, progress: Progress) -> None:
+        """Show this from now on, for a picture in a book."""
+        self._look_timer.stop()
+        self._poll_timer.stop()
+        self._jobs.close()
+        self._progress, self._trouble = progress, None
+        self._show()
+
+    def done(self, result: int) -> None:
+        """Close, but not before the Falcon is let go of."""
+        self._look_timer.stop()
+        self._is_ending, self._result = True, result
+        self._jobs.cancel()
+        if self._jobs.is_busy:
+            self.hide()
+        else:
+            self._finish()
+
+    def _finish(self) -> None:
+        self._poll_timer.stop()
+        super().done(self._result)
+
+    # --- building ------------------------------------------------------------
+
+    def _timer(self, period_ms: int, slot: Callable[[], None]) -> QTimer:
+        timer = QTimer(self)
+        timer.setInterval(period_ms)
+        timer.timeout.connect(slot)
+        timer.start()
+        return timer
+
+    def _make_buttons(self) -> None:
+        self.firmware = text_button(
+            self.tr("Firmware file\u2026"), self.tr("Keep your copy of the firmware")
+        )
+        self.forces = text_button(
+            self.tr("Feel the forces\u2026"),
+            self.tr("Feel every direction, gentle first"),
+        )
+        self.use = text_button(
+            self.tr("Use this device"), self.tr("Play with it from now on"), "primary"
+        )
+        self.close_button = text_button(
+            self.tr("Close"), self.tr("Keep the device from before")
+        )
+        self.firmware.clicked.connect(self.choose_firmware)
+        self.forces.clicked.connect(self._on_forces)
+        self.use.clicked.connect(self._on_use)
+        self.close_button.clicked.connect(self.reject)
+
+    def _lay_out(self) -> None:
+        self.setWindowTitle(self.tr("Set up the device"))
+        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        self.device.setAccessibleName(self.tr("Device"))
+        self.title.setFont(theme.scaled(self.font(), 1.4, bold=True))
+        self.bar.setRange(0, 100)
+        self.bar.setAccessibleName(self.tr("Progress"))
+        for label in (self.title, self.text):
+            label.setAlignment(Qt.AlignmentFlag.AlignCenter)
+            label.setWordWrap(True)
+        lines = 4 * self.text.fontMetrics().lineSpacing()
+        self.text.setMinimumHeight(lines)
+        caption = QLabel(self.tr("Device"))
+        caption.setBuddy(self.device)
+        top, buttons = QHBoxLayout(), QHBoxLayout()
+        top.addWidget(caption)
+        top.addWidget(self.device, 1)
+        for button in (self.firmware, self.forces):
+            buttons.addWidget(button)
+        buttons.addStretch(1)
+        for button in (self.close_button, self.use):
+            buttons.addWidget(button)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(18, 16, 18, 14)
+        column.setSpacing(12)
+        column.addLayout(top)
+        column.addWidget(self.picture, 1)
+        for part in (self.title, self.text, self.bar):
+            column.addWidget(part)
+        column.addLayout(buttons)
+
+    def _fill(self, current: str) -> None:
+        self.device.clear()
+        for choice in choices.devices(current, self._plugged.falcons()):
+            if choice.name != NO_DEVICE:
+                self.device.addItem(choice.text, choice.name)
+        self.device.setCurrentIndex(max(0, self.device.findData(current)))
+
+    # --- what happens --------------------------------------------------------
+
+    def _look(self) -> None:
+        """Look at the bus, and try again what may work by now."""
+        self._plugged.look()
+        self._start()
+
+    def _start(self) -> None:
+        is_stuck = self._trouble is not None and not self._trouble.is_watched
+        if self._jobs.is_busy or is_stuck or not _is_falcon(self.chosen):
+            return
+        reach = self._find_reach(self.chosen)
+
+        def work(report: Report) -> None:
+            def show(progress: Progress) -> None:
+                report(progress.loaded, "")
+                self._progress = progress
+
+            set_up(reach, self._clock, show)
+
+        self._jobs.run("", work, lambda _none: None)
+
+    def _poll(self) -> None:
+        self._jobs.poll()
+        if self._is_ending:
+            if not self._jobs.is_busy:
+                self._finish()
+            return
+        if self._progress is not None and self._progress.step is not Step.CONNECTING:
+            self._trouble = None
+        if self._trouble is None:
+            self._start()
+        self._show()
+
+    def _on_trouble(self, problem: BaseException) -> None:
+        self._progress, self._trouble, self._ways = None, trouble(problem), Ways()
+
+    def _on_no_firmware(self, why: str) -> None:
+        self._trouble = Trouble(self.tr("That file cannot be used"), why, False)
+
+    def _on_plugged(self) -> None:
+        self._fill(self.chosen)
+
+    def _on_use(self) -> None:
+        self.wanted.emit(self.chosen)
+        self.accept()
+
+    def _on_forces(self) -> None:
+        self.demonstration_wanted.emit(self.chosen)
+        self.accept()
+
+    # --- what is shown -------------------------------------------------------
+
+    def _show(self) -> None:
+        is_falcon, progress = _is_falcon(self.chosen), self._progress
+        self.picture.setVisible(is_falcon)
+        self.firmware.setVisible(is_falcon)
+        for button in (self.forces, self.use):
+            button.setEnabled(self.is_ready)
+        loading = progress is not None and progress.step is Step.LOADING
+        self.bar.setVisible(loading)
+        if not is_falcon:
+            self._say(*setup_texts.needs_nothing(self.chosen))
+            return
+        if self._trouble is not None:
+            self.picture.show_view(view_of(None, self._ways))
+            self._say(self._trouble.title, self._trouble.text, theme.WARN)
+            return
+        progress = progress or Progress(Step.CONNECTING)
+        self.bar.setValue(round(100 * progress.loaded))
+        self.picture.show_view(view_of(progress, self._ways))
+        colour = theme.GOOD if progress.step is Step.READY else theme.TEXT
+        self._say(setup_texts.advice(progress), setup_texts.more(progress), colour)
+
+    def _say(self, title: str, text: str, colour: str = "") -> None:
+        if (title, text) != (self.title.text(), self.text.text()):
+            self.title.setStyleSheet(f"color: {colour or theme.TEXT};")
+            self.title.setText(title)
+            self.text.setText(text)
+
+
+def _is_falcon(device: str) -> bool:
+    return device.startswith("falcon")

@@ -1,0 +1,287 @@
+"""Setting a Falcon up in the window: found, loaded, homed, and every trouble said."""
+
+import errno
+
+import pytest
+from PySide6.QtGui import QColor
+from PySide6.QtWidgets import QFileDialog
+
+from app.player import choices
+from app.player.device_page import DevicePage
+from app.player.firmware_dialog import Question, offer_firmware
+from app.player.homing_picture import HomingPicture
+from app.player.homing_view import HomingView, Ways, view_of
+from app.player.plugged import Plugged
+from app.player.setup_page import SetupPage
+from app.widgets import theme
+from hapticplayer.clock import SystemClock
+from hapticplayer.devices.falcon.firmware import find_image
+from hapticplayer.devices.falcon.homing import WAY_COUNTS, Advice, Guidance
+from hapticplayer.devices.falcon.reach import Reach
+from hapticplayer.devices.falcon.setting_up import Progress, Step
+from hapticplayer.devices.falcon.simulated_usb import Stage
+from hapticplayer.devices.falcon.simulated_usb.board import synthetic_image
+from hapticplayer.devices.falcon.simulated_usb.mechanics import Homing
+from hapticplayer.devices.falcon.simulated_usb.whole import make_set
+from hapticplayer.devices.falcon.transport import open_falcon
+
+
+@pytest.fixture
+def falcon():
+    """A simulated one, just plugged in, with an owner who homes it."""
+    return make_set(stage=Stage.DARK, homing=Homing())
+
+
+@pytest.fixture
+def make_page(application, qtbot, falcon, wait_for, tmp_path, monkeypatch):
+    monkeypatch.setenv("XDG_DATA_HOME", str(tmp_path / "data"))
+    made = []
+
+    def make(device="falcon", serials=("SIM00001",), image=synthetic_image):
+        plugged = Plugged(lambda: list(serials))
+
+        def find_reach(_name):
+            return Reach(lambda: open_falcon(backend=falcon.bus), image)
+
+        page = SetupPage(SystemClock(), device, plugged, None, find_reach)
+        page.show()
+        qtbot.waitExposed(page)
+        made.append((page, plugged))
+        return page
+
+    yield make
+    for page, plugged in made:
+        page.reject()
+        wait_for(lambda page=page: not page.is_busy)
+        plugged.close()
+    assert not falcon.bus.ports[0].is_claimed
+    assert falcon.simulation.commanded_n == (0.0, 0.0, 0.0)
+
+
+def test_from_power_up_to_a_grip_that_is_followed(make_page, wait_for):
+    page = make_page()
+    titles, arrows = [], []
+
+    def is_ready():
+        titles.append(page.title.text())
+        arrows.append(page.picture.view.arrow)
+        return page.is_ready
+
+    wait_for(is_ready)
+    wanted = [
+        "Pull the grip out, as far as it goes",
+        "Push the grip in, until it locks",
+    ]
+    assert list(dict.fromkeys(t for t in titles if t in wanted)) == wanted
+    assert {1, -1} <= set(arrows)
+    wait_for(lambda: page.picture.view.is_ready)
+    assert page.title.text() == "The Falcon is ready"
+    assert page.picture.view.homed == (True, True, True)
+    assert "lower left" in page.picture.accessibleDescription()
+    wait_for(lambda: page.use.isEnabled() and page.forces.isEnabled())
+
+
+def test_it_cannot_be_used_before_it_is_homed(make_page, wait_for):
+    page = make_page()
+    wait_for(lambda: page.picture.view.arrow == 1)
+    assert not page.use.isEnabled()
+    assert not page.forces.isEnabled()
+
+
+@pytest.mark.parametrize(
+    ("code", "title", "remedy"),
+    [
+        (errno.EACCES, "permission", "packaging/udev/70-novint-falcon.rules"),
+        (errno.EBUSY, "Another program", "Close that program"),
+        (errno.ENOSYS, "wrong driver", "WinUSB"),
+        (errno.ENODEV, "not plugged in", "power supply"),
+        (errno.EPIPE, "cannot be used", "plug it in again"),
+    ],
+)
+def test_each_trouble_is_said_and_goes_away_by_itself(
+    make_page, falcon, wait_for, code, title, remedy
+):
+    falcon.bus.ports[0].refuses_with = code
+    page = make_page()
+    wait_for(lambda: title in page.title.text())
+    assert remedy in page.text.text()
+    assert page.picture.view == HomingView()
+    falcon.bus.ports[0].refuses_with = 0
+    wait_for(lambda: page.picture.view.arrow == 1)
+
+
+def test_pulling_the_cable_while_homing_is_said(make_page, falcon, wait_for):
+    page = make_page()
+    wait_for(lambda: page.picture.view.arrow == 1)
+    falcon.chip.unplug()
+    wait_for(lambda: "not plugged in" in page.title.text())
+
+
+def answer(page, wait_for, yes=True):
+    wait_for(lambda: any(q.isVisible() for q in page.findChildren(Question)))
+    question = next(q for q in page.findChildren(Question) if q.isVisible())
+    text = question.text.text()
+    (question.yes if yes else question.no).click()
+    return text
+
+
+def test_missing_firmware_is_given_in_the_window(make_page, wait_for, tmp_path):
+    page = make_page(image=find_image)
+    wait_for(lambda: "needs its firmware" in page.title.text())
+    assert "libnifalcon" in page.text.text()
+    page.firmware.click()
+    wait_for(lambda: page.findChild(QFileDialog) is not None)
+    file = tmp_path / "image.bin"
+    file.write_bytes(synthetic_image().data)
+    page.findChild(QFileDialog).close()
+    offer_firmware(page, file, page.begin, page._on_no_firmware)
+    assert "Novint" in answer(page, wait_for, yes=False)
+    assert not (tmp_path / "data").exists()
+    offer_firmware(page, file, page.begin, page._on_no_firmware)
+    answer(page, wait_for)
+    assert "none of the firmware files that are known" in answer(page, wait_for)
+    wait_for(lambda: page.picture.view.arrow == 1)
+    assert find_image().data == file.read_bytes()
+
+
+def test_a_file_that_is_no_firmware_is_refused_and_said(make_page, wait_for, tmp_path):
+    page = make_page(image=find_image)
+    wait_for(lambda: "needs its firmware" in page.title.text())
+    file = tmp_path / "image.bin"
+    file.write_bytes(b"no firmware at all")
+    offer_firmware(page, file, page.begin, page._on_no_firmware)
+    answer(page, wait_for)
+    wait_for(lambda: "cannot be used" in page.title.text())
+    assert "08AA" in page.text.text()
+
+
+def test_several_falcons_are_told_apart_by_their_numbers(make_page, wait_for):
+    page = make_page("none", ["FTPNM0FB", "12PZ657E"])
+    wait_for(lambda: page.device.findText("Falcon FTPNM0FB") >= 0)
+    assert page.device.findData("falcon:12PZ657E") >= 0
+    assert page.device.findText("Falcon 12PZ657E") >= 0
+
+
+def test_the_only_falcon_shows_its_number_and_keeps_its_name():
+    found = choices.devices("none", [("falcon", "12PZ657E")])
+    assert ("falcon", "Falcon 12PZ657E", "") in found
+    gone = choices.devices("falcon:GONE", [("falcon", "")])
+    assert gone[0].name == "falcon:GONE"
+
+
+def test_what_is_plugged_in_is_looked_for_beside_the_window(application, wait_for):
+    found = [["B", "A"], ["A"], []]
+    plugged = Plugged(lambda: found.pop(0))
+    seen = []
+    plugged.changed.connect(lambda: seen.append(plugged.falcons()))
+    for count in (1, 2, 3):
+        plugged.look()
+        wait_for(lambda count=count: len(seen) == count)
+    assert seen == [
+        [("falcon:A", "A"), ("falcon:B", "B")],
+        [("falcon", "A")],
+        [("falcon", "")],
+    ]
+    plugged.close()
+
+
+def test_other_devices_need_nothing(make_page, falcon, wait_for):
+    page = make_page("simulated")
+    assert page.is_ready
+    assert "simulated hand" in page.text.text()
+    assert not page.picture.isVisible()
+    assert not page.is_busy
+
+
+def test_another_choice_lets_go_of_the_falcon(make_page, falcon, wait_for):
+    page = make_page()
+    wait_for(lambda: falcon.bus.ports[0].is_claimed)
+    page.device.setCurrentIndex(page.device.findData("simulated"))
+    page.device.activated.emit(page.device.currentIndex())
+    wait_for(lambda: not falcon.bus.ports[0].is_claimed)
+    assert page.use.isEnabled()
+
+
+def test_the_first_page_leads_here_and_the_window_gets_what_was_chosen(
+    make_window, wait_for
+):
+    window = make_window("none")
+    window.empty_page.device.click()
+    page = window.findChild(SetupPage)
+    assert page.isVisible()
+    page._fill("simulated")
+    page.begin()
+    wait_for(page.use.isEnabled)
+    page.use.click()
+    wait_for(lambda: window.player.link.device == "simulated")
+    assert window.settings.text("device") == "simulated"
+
+
+def test_closing_it_gives_the_device_from_before_back(make_window, wait_for):
+    window = make_window("simulated")
+    window.commands.set_up_device.trigger()
+    page = window.findChild(SetupPage)
+    assert window.player.link.device == "none"
+    page.close_button.click()
+    wait_for(lambda: window.player.link.device == "simulated")
+
+
+def test_it_leads_on_to_the_forces(make_window, wait_for):
+    window = make_window("simulated")
+    window.commands.set_up_device.trigger()
+    window.findChild(SetupPage).forces.click()
+    wait_for(lambda: window.findChild(DevicePage) is not None)
+    window.findChild(DevicePage).reject()
+    wait_for(lambda: window.player.link.device == "simulated")
+
+
+def test_the_way_of_a_leg_is_shown_from_end_to_end_wherever_it_began():
+    ways = Ways()
+    assert ways.share(0, 0) == 0.5
+    assert ways.share(0, WAY_COUNTS) == 1.0
+    assert ways.share(0, 0) == 0.0
+    assert ways.share(0, -WAY_COUNTS) == 0.0
+    assert ways.share(0, 0) == 1.0
+    assert ways.share(1, 0) == 0.5  # each for itself
+
+
+def test_a_view_says_what_the_guidance_says():
+    guidance = Guidance(Advice.PUSH, (True, False, True), 600.0, (600, 0, 1200))
+    view = view_of(Progress(Step.HOMING, 1.0, guidance), Ways())
+    assert (view.homed, view.arrow, view.is_ready) == ((True, False, True), -1, False)
+    assert view.legs == (0.75, 0.5, 1.0)
+    view = view_of(Progress(Step.READY, 1.0, None, (0.02, -0.04, 0.08)), Ways())
+    assert (view.aside, view.out, view.is_ready) == ((0.5, -1.0), 1.0, True)
+    assert view_of(None, Ways()) == HomingView()
+
+
+def colours(picture):
+    """Return how many pixels have each of the theme's signal colours."""
+    image = picture.grab().toImage()
+    names = [
+        image.pixelColor(x, y).name()
+        for x in range(image.width())
+        for y in range(image.height())
+    ]
+    return {n: names.count(QColor(getattr(theme, n)).name()) for n in ("GOOD", "WARN")}
+
+
+def test_the_picture_shows_rings_discs_and_arrows(application, qtbot):
+    picture = HomingPicture()
+    qtbot.addWidget(picture)
+    open_rings = HomingView((False,) * 3, (0.5,) * 3, 0.5)
+    found = []
+    for view in (
+        open_rings,
+        open_rings._replace(arrow=1),
+        open_rings._replace(homed=(True, False, False)),
+        open_rings._replace(homed=(True,) * 3),
+    ):
+        picture.show_view(view)
+        found.append(colours(picture))
+    none, arrow, one, three = found
+    assert none["GOOD"] == 0
+    assert none["WARN"] > 100  # three rings
+    assert arrow["WARN"] > none["WARN"] + 200
+    assert three["GOOD"] > 2.5 * one["GOOD"] > 0
+    assert three["WARN"] == 0
