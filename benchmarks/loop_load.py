@@ -95,8 +95,8 @@ def main() -> int:
             ticks, lost = super().read_ticks()
             is_old = (ticks["cause"] == Cause.COMMAND_STALE).astype(int)
             withheld += int(np.count_nonzero(np.diff(is_old, prepend=0) > 0))
-            settled = (ticks["time_s"] > begun_s + STARTING_S) & (
-                ticks["time_s"] < begun_s + float(seconds)
+            settled = (ticks["monotonic_s"] > begun_s + STARTING_S) & (
+                ticks["monotonic_s"] < begun_s + float(seconds)
             )
             lateness_s.append(ticks["lateness_s"][settled].copy())
             is_tripped = len(ticks) and ticks["mode"][-1] == Mode.TRIPPED
