@@ -125,6 +125,10 @@ class SharedBlock:
         """Return the time of the loop's last exchange; 0 before the first."""
         return self._last_tick[0]
 
+    def beat_loop(self, now_s: float) -> None:
+        """Say that a program without ticks is alive; 0: it holds no force (loop)."""
+        self._last_tick[0] = now_s
+
     def write_tick(self, count: int, now_s: float, *fields: float) -> None:
         """Store tick number `count`, done at `now_s`, and publish it (loop)."""
         at = _RING_AT + (count % RING_TICKS) * _TICK.size
