@@ -20,7 +20,7 @@ from app.player.display import Display
 from app.player.empty_page import EmptyPage
 from app.player.escape import EscapeEverywhere
 from app.player.extras import Extras
-from app.player.files import dropped_path
+from app.player.files import dropped_paths
 from app.player.fullscreen import Fullscreen
 from app.player.health_line import HealthLine
 from app.player.look_menus import LookMenus
@@ -69,7 +69,7 @@ class PlayerWindow(QMainWindow):
         self.clock, self.settings = clock, settings
         self._is_over = False
         self.session = Session(player, self.show_message)
-        self.dialogs = Dialogs(self, self.session, settings)
+        self.dialogs = Dialogs(self, self.session, settings, clock)
         self.messages, self.job_bar = MessageBar(), JobBar()
         self.empty_page, self.plots = EmptyPage(), PlotsPlace()
         self.transport, self.health = Transport(), HealthLine()
@@ -142,6 +142,7 @@ class PlayerWindow(QMainWindow):
         page.demo_clicked.connect(session.open_demo)
         page.open_clicked.connect(self.dialogs.open_sequence)
         page.import_clicked.connect(self.dialogs.import_recording)
+        page.library_clicked.connect(self.dialogs.library)
         page.device_clicked.connect(transport.device.showPopup)
         self._connect_commands()
 
@@ -151,6 +152,7 @@ class PlayerWindow(QMainWindow):
             (commands.open_sequence, self.dialogs.open_sequence),
             (commands.open_video, self.dialogs.open_video),
             (commands.import_recording, self.dialogs.import_recording),
+            (commands.library, self.dialogs.library),
             (commands.open_demo, session.open_demo),
             (commands.quit, self.close),
             (commands.play, self.player.toggle),
@@ -220,15 +222,19 @@ class PlayerWindow(QMainWindow):
 
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:
         """Take files and folders."""
-        if dropped_path(event.mimeData()) is not None:
+        if dropped_paths(event.mimeData()):
             event.acceptProposedAction()
 
     def dropEvent(self, event: QDropEvent) -> None:
-        """Open what is dropped."""
-        path = dropped_path(event.mimeData())
-        if path is not None:
-            event.acceptProposedAction()
-            self.session.open_path(path)
+        """Open what is dropped; several files are a recording to be imported."""
+        paths = dropped_paths(event.mimeData())
+        if not paths:
+            return
+        event.acceptProposedAction()
+        if len(paths) == 1:
+            self.session.open_path(paths[0])
+        else:
+            self.dialogs.import_recording(paths)
 
     # --- what the session tells ----------------------------------------------
 
@@ -310,6 +316,7 @@ class PlayerWindow(QMainWindow):
         self._escape.remove()
         self._keep_geometry()
         self.extras.close()
+        self.dialogs.close()
         self.desktop.close()
         self.settings.save()
         self.session.jobs.close()
