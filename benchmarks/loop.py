@@ -1,13 +1,17 @@
 """Lateness of the haptic loop under load, beside cyclictest, and commands too old.
 
     python benchmarks/loop.py [--rounds 6] [--seconds 20] [--loads playback stress]
+                              [--device falcon-simulated]
 
 Each round plays the same 720p30 clip with sound in a window with its live plots:
 once with our loop (FIFO), once without a device while `cyclictest -m -p80 -i1000`
 runs beside it, once with our loop (slice). Under the load `stress` the window's
 interpreter is held for 2 s every 7 s and makes garbage all the time (loop_load).
 Reported are the medians over the rounds of the ratios to cyclictest, and how many
-commands were older than 20 ms: withheld by the loop, or refused by the device.
+commands were older than 20 ms: withheld by the loop, or refused by the device; and
+how old the answers were that the loop acted on. With `--device falcon-simulated` the
+loop speaks through the Falcon's own driver, pyusb and the chip's 1 ms latency timer;
+the result is a file of its own.
 """
 
 import argparse
@@ -26,16 +30,19 @@ from common import moving_clip, need, save, screen, sound_server, table
 from loop_load import LOADS, STARTING_S, loaded_player
 
 MEASURES = ("p50", "p99", "p999", "max", "missed_per_min")
+AGE = "age_p99_us"
 RATIOS = ("p99", "p999", "missed_per_min")
 OLD = ("withheld", "refused")
+DEVICES = ("simulated", "falcon-simulated")
 REFERENCE = "cyclictest -m -p80"
 Rounds = list[dict[str, dict[str, float]]]
 
 
 def our_loop(
-    clip: Path, load: str, scheduling: str, seconds: float, environment: dict[str, str]
+    clip: Path, load: str, kind: str, seconds: float, environment: dict[str, str]
 ) -> dict[str, float]:
-    """Play with the simulated device and return lateness, us, and old commands."""
+    """Play with a device, `DEVICE SCHEDULING`, and return lateness, us, and old commands."""
+    device, scheduling = kind.split()
     with tempfile.TemporaryDirectory() as folder:
         force, log = Path(folder) / "force.csv", Path(folder) / "log.jsonl"
         seen = Path(folder) / "seen.json"
@@ -47,7 +54,7 @@ def our_loop(
         command = loaded_player(
             load, seen, seconds + STARTING_S, "play", str(clip), "--force", str(force)
         )
-        command += ["--scheduling", scheduling, "--log", str(log)]
+        command += ["--device", device, "--scheduling", scheduling, "--log", str(log)]
         subprocess.run(
             command, env={**os.environ, **environment}, check=True, capture_output=True
         )
@@ -111,6 +118,7 @@ def main() -> int:
     parser.add_argument("--rounds", type=int, default=6)
     parser.add_argument("--seconds", type=float, default=20.0)
     parser.add_argument("--loads", nargs="+", choices=LOADS, default=list(LOADS))
+    parser.add_argument("--device", choices=DEVICES, default="simulated")
     options = parser.parse_args()
     need("Xvfb", "cyclictest", "pulseaudio", "pactl")
     rounds: dict[str, Rounds] = {load: [] for load in options.loads}
@@ -119,28 +127,32 @@ def main() -> int:
         environment = {**x, **s, "XDG_CONFIG_HOME": folder}
         for number in range(options.rounds):
             for load in options.loads:
-                rounds[load].append(one_round(clip, load, options.seconds, environment))
+                rounds[load].append(
+                    one_round(clip, load, options.device, options.seconds, environment)
+                )
             print(f"round {number + 1} of {options.rounds} done", file=sys.stderr)
     figures = {load: compared(rounds[load]) for load in options.loads}
     for load in options.loads:
         report(load, figures[load])
     load_average = os.getloadavg()
     print(f"load average of the machine at the end: {load_average}")
+    name = "loop" if options.device == "simulated" else f"loop_{options.device}"
     saved = save(
-        "loop", {"seconds": options.seconds, "load_average": load_average, **figures}
+        name, {"seconds": options.seconds, "load_average": load_average, **figures}
     )
     print(f"saved {saved.name}")
     return 0
 
 
 def one_round(
-    clip: Path, load: str, seconds: float, environment: dict[str, str]
+    clip: Path, load: str, device: str, seconds: float, environment: dict[str, str]
 ) -> dict[str, dict[str, float]]:
     """Measure all three, one after the other."""
+    fifo, slices = f"{device} fifo", f"{device} slice"
     return {
-        "loop fifo": our_loop(clip, load, "fifo", seconds, environment),
+        "loop fifo": our_loop(clip, load, fifo, seconds, environment),
         REFERENCE: cyclictest(clip, load, seconds, environment, ["-m", "-p80"]),
-        "loop slice": our_loop(clip, load, "slice", seconds, environment),
+        "loop slice": our_loop(clip, load, slices, seconds, environment),
     }
 
 
@@ -166,8 +178,14 @@ def compared(rounds: Rounds) -> dict[str, Any]:
         for name in names
         if name != REFERENCE
     }
+    ages = {
+        name: statistics.median(r[name][AGE] for r in rounds)
+        for name in names
+        if name != REFERENCE
+    }
     return {
         "medians": medians,
+        "reply_age_p99_us": ages,
         "ratios_to_cyclictest": ratios,
         "old_commands": old,
         "rounds": rounds,
@@ -180,10 +198,12 @@ def report(load: str, figures: dict[str, Any]) -> None:
     rows = [
         [name, *medians[name].values(), *ratios[name].values()]
         + [figures["old_commands"].get(name, {}).get(kind, "") for kind in OLD]
+        + [figures["reply_age_p99_us"].get(name, "")]
         for name in medians
     ]
     header = [load, "p50 us", "p99 us", "p99.9 us", "max us", "missed/min"]
-    print(table([*header, "p99 ratio", "p99.9 ratio", "missed ratio", *OLD], rows))
+    compared_by = ["p99 ratio", "p99.9 ratio", "missed ratio"]
+    print(table([*header, *compared_by, *OLD, "answer p99 us"], rows))
 
 
 if __name__ == "__main__":

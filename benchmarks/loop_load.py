@@ -83,6 +83,7 @@ def main() -> int:
     from hapticplayer.playback import haptic_link
 
     withheld = 0
+    ages_s: list[Any] = []
     lateness_s: list[Any] = []
 
     class Counted(HapticsProcess):
@@ -93,10 +94,11 @@ def main() -> int:
         def read_ticks(self) -> tuple[Any, int]:
             nonlocal withheld
             ticks, lost = super().read_ticks()
+            ages_s.append(ticks["reply_age_s"][ticks["mode"] == Mode.FOLLOWING])
             is_old = (ticks["cause"] == Cause.COMMAND_STALE).astype(int)
             withheld += int(np.count_nonzero(np.diff(is_old, prepend=0) > 0))
-            settled = (ticks["time_s"] > begun_s + STARTING_S) & (
-                ticks["time_s"] < begun_s + float(seconds)
+            settled = (ticks["monotonic_s"] > begun_s + STARTING_S) & (
+                ticks["monotonic_s"] < begun_s + float(seconds)
             )
             lateness_s.append(ticks["lateness_s"][settled].copy())
             is_tripped = len(ticks) and ticks["mode"][-1] == Mode.TRIPPED
@@ -120,9 +122,15 @@ def main() -> int:
     status = play(arguments)
     has_device = os.fstat(descriptor).st_size > 0
     refused = int(read_record(descriptor)["refused"][-1]) if has_device else 0
-    found = {"withheld": withheld, "refused": refused}
-    Path(seen).write_text(json.dumps({**found, **percentiles_us(lateness_s)}))
+    told = {"withheld": withheld, "refused": refused, "age_p99_us": _p99_us(ages_s)}
+    Path(seen).write_text(json.dumps({**told, **percentiles_us(lateness_s)}))
     return status
+
+
+def _p99_us(ages_s: list[Any]) -> float:
+    """Return the 99th percentile of how old the answers were that were acted on."""
+    joined = np.concatenate(ages_s) if ages_s else np.empty(0)
+    return 1e6 * float(np.percentile(joined, 99)) if len(joined) else 0.0
 
 
 if __name__ == "__main__":

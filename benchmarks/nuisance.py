@@ -52,9 +52,9 @@ def use(options: argparse.Namespace) -> int:
     from app.player.video_surface import SurfaceSink, VideoSurface
     from app.player.window import PlayerWindow
     from hapticplayer.clock import SystemClock
-    from hapticplayer.playback.audio import SoundDeviceOut
     from hapticplayer.playback.clock import AudioReport
     from hapticplayer.playback.player import Player
+    from hapticplayer.playback.sound_process import SoundProcess
     from hapticplayer.playback.source import open_source
     from hapticplayer.sequence.demo import demo_folder
 
@@ -73,7 +73,7 @@ def use(options: argparse.Namespace) -> int:
             super()._resync(report)
 
     application, clock, surface = make_application(), SystemClock(), VideoSurface()
-    audio = None if options.no_sound else SoundDeviceOut
+    audio = None if options.no_sound else SoundProcess
     player = HeardPlayer(clock, SurfaceSink(surface), audio=audio)
     window = PlayerWindow(player, surface, clock, Settings(folder / "window.json"))
     watch = Watch(player, GRACE_S)

@@ -14,11 +14,12 @@ from PySide6.QtCore import QObject, QPoint, Qt, QTimer
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QComboBox, QDialog, QFileDialog, QSplitter, QWidget
 
-from app.player.import_dialog import ImportDialog
-from app.player.session import ImportRequest
+from app.bridge.child import in_child
+from app.experimenter.import_wizard import ImportWizard
 from app.player.window import PlayerWindow
 from hapticplayer.clock import Clock
 from hapticplayer.haptics.contract import Cause
+from hapticplayer.sequence import build_sequence
 
 Steps = Iterator[float]
 KEY, NO_KEY, LEFT = Qt.Key, Qt.KeyboardModifier.NoModifier, Qt.MouseButton.LeftButton
@@ -231,9 +232,9 @@ class Script(QObject):
     def _import_dialog(self) -> Steps:
         self._key(KEY.Key_I, Qt.KeyboardModifier.ControlModifier)
         yield self._haste * 0.5
-        for dialog in self._window.findChildren(ImportDialog):
+        for dialog in self._window.findChildren(ImportWizard):
             for letter in str(self._places.video):
-                QTest.keyClicks(dialog.video, letter)
+                QTest.keyClicks(dialog.files.video, letter)
                 yield 0.03
             yield self._haste * 0.5
         self._close_dialogs()
@@ -246,8 +247,18 @@ class Script(QObject):
         self._imports += 1
         places = self._places
         target = places.scratch / f"imported-{self._imports}"
-        request = ImportRequest(places.video, places.imu_log, 0.0, target)
-        session.import_recording(request)
+        session.jobs.run(
+            "importing",
+            lambda told: in_child(
+                build_sequence,
+                places.video,
+                target,
+                imu_log=places.imu_log,
+                offset_s=0.0,
+                progress=told,
+            ),
+            session.open_path,
+        )
         while session.jobs.is_busy:
             yield 0.2
 

@@ -18,9 +18,10 @@ from PySide6.QtWidgets import QApplication, QWidget
 
 from app.bridge import languages
 from app.bridge.settings import Settings
+from app.experimenter.import_wizard import ImportWizard
+from app.experimenter.library_page import LibraryPage
 from app.player.application import make_application
 from app.player.help import about_dialog
-from app.player.import_dialog import ImportDialog
 from app.player.keys_dialog import KeysDialog
 from app.player.look_menus import LANGUAGE, LOOK
 from app.player.plugged import Plugged
@@ -112,7 +113,8 @@ def _dialogs(
     window: PlayerWindow, settings: Settings
 ) -> list[tuple[str, Callable[[], QWidget]]]:
     return [
-        ("import", lambda: ImportDialog("", window)),
+        ("import", lambda: ImportWizard("", Path(), window)),
+        ("library", lambda: LibraryPage(demo_folder().parent, window)),
         ("keyboard", lambda: KeysDialog(settings, window)),
         ("about", lambda: about_dialog(window)),
         ("set-up", lambda: _homing(window)),

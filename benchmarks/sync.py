@@ -6,7 +6,9 @@ A clip flashes, beeps and pushes every half second. One pixel of the X server's 
 read at 1 kHz, the null sink's monitor is recorded, the simulated device keeps what
 reached it; all on CLOCK_MONOTONIC. Sound is corrected by the recorder's own constant,
 measured before with beeps whose time PulseAudio itself tells. mpv plays the same clip in
-the same run. Positive figures: the first named comes later. `--case all` runs all.
+the same run. Positive figures: the first named comes later. `--case all` runs all but
+`long`: 20 minutes, of which the drift is told: the median of the last quarter less that
+of the first, times 4/3.
 """
 
 import argparse
@@ -37,9 +39,11 @@ CASES = (
     *("plain", "pause", "seek", "server", "no-device", "silent", "vfr", "late"),
     *("freeze", "hold", *SPEEDS),
 )
+LONG, LONG_SECONDS, MOST_DRIFT_MS = "long", 1200.0, 1.0
+READ_S = 20.0  # the device's record keeps a minute
 NEAR_S = 0.2
 MOST_WHITE_S = 0.45
-SEEK_SECONDS = 54.0
+SECONDS = {"seek": 54.0, LONG: LONG_SECONDS}
 NO_SOUND = ("no-device", "silent")
 HUNG = ("freeze", "hold")
 # (least median, most median, most p95 of the magnitude), ms
@@ -103,8 +107,6 @@ def calibrate(folder: Path, environment: dict[str, str]) -> float:
 
 def watch_us(place: Place, case: str, clip: Path, force: Path, seconds: float) -> Seen:
     """Play with our player."""
-    from hapticplayer.devices.simulated import read_record
-
     record = os.memfd_create("sync")
     script = Path(__file__).with_name("sync_player.py")
     command = [sys.executable, str(script), str(clip), str(force), str(record)]
@@ -121,17 +123,35 @@ def watch_us(place: Place, case: str, clip: Path, force: Path, seconds: float) -
         if case == "server":
             time.sleep(0.4 * seconds)
             place.sound.restart(2.0)
-        printed, _ = player.communicate(timeout=seconds + 60.0)
+        printed, pushes = _follow(player, record, seconds + 60.0)
     if player.returncode:
         sys.exit(f"our player ended with {player.returncode}")
-    device = read_record(record)
     os.close(record)
-    up_n = device["commanded_n"][:, 1]
-    rising = np.flatnonzero(np.diff(up_n) > 0.5 * clips.FORCE_N) + 1
-    pushes = device["monotonic_s"][rising]
     shown, unseen = flashes(pixel, MOST_WHITE_S)
     summary = json.loads(printed.splitlines()[-1])
     return Seen(shown, onsets(sound) - place.monitor_s, pushes, summary, unseen)
+
+
+def _follow(
+    player: "subprocess.Popen[bytes]", record: int, patience_s: float
+) -> tuple[bytes, Floats]:
+    """Wait for the player; return what it printed, and when it pushed."""
+    from hapticplayer.devices.simulated import read_record
+
+    until_s, pushes, printed = time.monotonic() + patience_s, [np.empty(0)], b""
+    while player.returncode is None and time.monotonic() < until_s:
+        with contextlib.suppress(subprocess.TimeoutExpired):
+            printed, _ = player.communicate(timeout=READ_S)
+        device = read_record(record)
+        up_n = device["commanded_n"][:, 1]
+        rising = np.flatnonzero(np.diff(up_n) > 0.5 * clips.FORCE_N) + 1
+        times = device["monotonic_s"][rising]
+        known_s = max((float(part[-1]) for part in pushes if len(part)), default=0.0)
+        pushes.append(times[times > known_s + 1e-3])
+    if player.returncode is None:
+        player.kill()
+        sys.exit("our player did not end")
+    return printed, np.concatenate(pushes)
 
 
 def watch_mpv(place: Place, case: str, clip: Path, seconds: float) -> Seen:
@@ -197,17 +217,25 @@ def row(name: str, what: str, values_ms: Floats) -> dict[str, Any]:
         "p95": float(p95),
         "abs_p95": magnitude_p95,
         "max": float(np.abs(values_ms).max()),
+        "drift": drift_ms(values_ms),
         "holds": bool(least <= p50 <= most and magnitude_p95 <= most_p95),
     }
+
+
+def drift_ms(values_ms: Floats) -> float:
+    """Return how far differences have moved, in the order of time, ms."""
+    quarter = max(1, len(values_ms) // 4)
+    last, first = np.median(values_ms[-quarter:]), np.median(values_ms[:quarter])
+    return float(last - first) * 4.0 / 3.0
 
 
 def run_case(
     place: Place, case: str, clip: Path, options: argparse.Namespace
 ) -> dict[str, Any]:
     """Run one case with our player and, where it can, with mpv."""
-    seconds = SEEK_SECONDS if case == "seek" else options.seconds
+    seconds = SECONDS.get(case, options.seconds)
     force = place.folder / "force.csv"
-    kind = case if case in ("silent", "vfr", "late") else ""
+    kind = case if case in ("silent", "vfr", "late", LONG) else ""
     played = clips.variant(kind, clip) if kind else clip
     parts: dict[str, list[dict[str, Floats]]] = {"hapticplayer": []}
     summaries, hung_beeps, unseen = [], [], 0
@@ -241,7 +269,8 @@ def run_case(
 
 def report(case: str, figures: dict[str, Any]) -> bool:
     """Print one case; return whether its bars hold."""
-    keys = ("player", "what", "count", "p05", "p50", "p95", "abs_p95", "max", "holds")
+    keys = ("player", "what", "count", "p05", "p50", "p95", "abs_p95", "max")
+    keys += ("drift", "holds") if case == LONG else ("holds",)
     rows = figures["rows"]
     print(f"\n{case}:")
     print(table([*keys], [[line.get(key, "-") for key in keys] for line in rows]))
@@ -257,6 +286,8 @@ def report(case: str, figures: dict[str, Any]) -> bool:
         )
     ours = [line for line in rows if line["player"] == "hapticplayer"]
     holds = all(line["holds"] for line in ours)
+    if case == LONG:
+        holds = holds and all(abs(line["drift"]) <= MOST_DRIFT_MS for line in ours)
     theirs = [line for line in rows if line["player"] == "mpv" and "p50" in line]
     for line in theirs:
         mine = next(o for o in ours if o["what"] == line["what"])
@@ -270,7 +301,9 @@ def report(case: str, figures: dict[str, Any]) -> bool:
 def main() -> int:
     """Run the cases."""
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--case", nargs="+", default=["plain"], choices=[*CASES, "all"])
+    parser.add_argument(
+        "--case", nargs="+", default=["plain"], choices=[*CASES, LONG, "all"]
+    )
     parser.add_argument("--seconds", type=float, default=14.0)
     parser.add_argument("--rounds", type=int, default=1)
     parser.add_argument("--no-mpv", dest="mpv", action="store_false")
@@ -280,11 +313,11 @@ def main() -> int:
     figures, holds = {}, []
     with contextlib.ExitStack() as stack:
         folder = Path(stack.enter_context(tempfile.TemporaryDirectory()))
-        longest_s = SEEK_SECONDS if "seek" in cases else options.seconds
         fastest = max(float(c.partition("-")[2]) if c in SPEEDS else 1.0 for c in cases)
-        length_s = max(longest_s, options.seconds * fastest) + 2.0
+        length_s = max(SECONDS["seek"] * ("seek" in cases), options.seconds * fastest)
+        length_s = clips.LOOP_S if LONG in cases else length_s + 2.0
         clip = clips.base_clip(folder, length_s)
-        clips.force_file(folder, length_s)
+        clips.force_file(folder, LONG_SECONDS if LONG in cases else length_s)
         shown = stack.enter_context(screen(folder))
         sound = stack.enter_context(mortal_sound_server())
         witness = stack.enter_context(sentinel())

@@ -16,6 +16,7 @@ FLASH_FRAMES = 3
 FORCE_N = 1.0  # the limiter lets that much through in one tick
 LATE_SOUND_S = 1.75
 PATCH_PX = 300
+LOOP_S, LOOPS = 64.0, 19  # whole packets of sound, and 20 minutes
 
 
 def base_clip(folder: Path, seconds: float) -> Path:
@@ -41,8 +42,9 @@ def force_file(folder: Path, seconds: float) -> Path:
 
 
 def variant(kind: str, clip: Path) -> Path:
-    """Return a relative of the base clip: silent, vfr or late."""
+    """Return a relative of the base clip: silent, vfr, late or long."""
     options = {
+        "long": ["-stream_loop", str(LOOPS - 1), "-i", str(clip), "-c", "copy"],
         "silent": ["-i", str(clip), "-c", "copy", "-an"],
         # pictures are left out here and there, never one that begins a flash
         "vfr": [

@@ -65,7 +65,7 @@ class Deeds:
 
     def _speed(self, rate: float) -> Steps:
         yield 0.0
-        self._player.set_rate(rate)
+        self._player.set_speed(rate)
 
     def _freeze(self) -> Steps:
         yield from self._stand_still(lambda: time.sleep(FREEZE_S))

@@ -17,6 +17,7 @@ from PySide6.QtWidgets import QApplication, QDialog, QWidget
 
 from app.bridge.settings import Settings
 from app.experimenter.analysis_page import AnalysisPage
+from app.experimenter.library_page import LibraryPage
 from app.experimenter.study_editor import StudyEditor
 from app.player.application import make_application
 from app.player.remake import OpenWindow
@@ -24,8 +25,8 @@ from app.player.video_surface import SurfaceSink, VideoSurface
 from app.player.window import PlayerWindow
 from app.plots.save_view import save_view
 from hapticplayer.clock import SystemClock
-from hapticplayer.playback.audio import SoundDeviceOut
 from hapticplayer.playback.player import Player
+from hapticplayer.playback.sound_process import SoundProcess
 from hapticplayer.playback.source import open_source
 from hapticplayer.sequence.demo import demo_folder
 from hapticplayer.study.analysis.simulation import simulated_answers
@@ -119,6 +120,7 @@ class Tour(Script):
             self._open_video_dialog,
             self._open_log_dialog,
             self._import_dialog,
+            self._open_library,
             self._tell_keys,
             self._tell_about,
             self._rest_pointer,
@@ -193,6 +195,12 @@ class Tour(Script):
     def _open_log_dialog(self) -> Steps:
         self._key(KEY.Key_L, Qt.KeyboardModifier.ControlModifier)
         yield from self._browse()
+
+    def _open_library(self) -> Steps:
+        page = LibraryPage(demo_folder().parent, self._window)
+        page.show()
+        yield 1.5
+        page.close()
 
     def _set_up_device(self) -> Steps:
         self._window.commands.set_up_device.trigger()
@@ -289,7 +297,7 @@ def use(options: argparse.Namespace) -> int:
     """Run the window with the tour, and write what was seen."""
     folder, demo = Path(options.folder), demo_folder()
     application, clock, surface = make_application(), SystemClock(), VideoSurface()
-    audio = None if options.no_sound else SoundDeviceOut
+    audio = None if options.no_sound else SoundProcess
     player = Player(clock, SurfaceSink(surface), audio=audio)
     window = PlayerWindow(player, surface, clock, Settings(folder / "window.json"))
     opened = OpenWindow(window)

@@ -17,6 +17,8 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 from app.widgets import theme
 
 STEP_S = 0.001
+PICTURE_S = 1.0 / 30.0
+_PEAK_SHARE, _MOST_PEAKS = 0.2, 12
 _SOUND, _MOTION, _PAT = (QColor(colour) for colour in ("#009e73", "#56b4e9", "#e69f00"))
 _SHORTEST_S = 0.05
 _ZOOM = 1.25
@@ -30,13 +32,16 @@ class SyncStrip(QWidget):
     """Two lanes over media time; the lower one is on the log's clock, shifted.
 
     Drag moves the lower lane, the arrows move it by 1 ms (Shift: 10 ms, Ctrl: 100 ms),
-    the wheel zooms, drag with the right button moves the view.
+    the wheel zooms, drag with the right button moves the view. A cursor follows the
+    pointer; comma and point move it by a picture.
 
     Signals:
         shifted: the shift that a person has chosen, s.
+        pointed: the media time of the cursor, s.
     """
 
     shifted = Signal(float)
+    pointed = Signal(float)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -51,6 +56,8 @@ class SyncStrip(QWidget):
         self._motion: Curve = (np.zeros(0), np.zeros(0))
         self._pats_s: tuple[float, ...] = ()
         self._held_x: float | None = None
+        self.cursor_s: float | None = None
+        self.setMouseTracking(True)
 
     def show_streams(
         self, sound: Curve, motion: Curve, pats_s: tuple[float, ...], shift_s: float
@@ -68,14 +75,35 @@ class SyncStrip(QWidget):
     def show_whole(self) -> None:
         """Show the whole clip."""
         times = self._sound[0]
-        self._show(0.0, float(times[-1]) if len(times) else 1.0)
+        self.show_span(0.0, float(times[-1]) if len(times) else 1.0)
 
     def show_pats(self) -> None:
         """Show the first three pats."""
         if self._pats_s:
-            self._show(self._pats_s[0] - 0.4, self._pats_s[:3][-1] + 0.6)
+            self.show_span(self._pats_s[0] - 0.4, self._pats_s[:3][-1] + 0.6)
 
-    def _show(self, begin_s: float, end_s: float) -> None:
+    def point_at(self, media_s: float) -> None:
+        """Put the cursor somewhere."""
+        self.cursor_s = max(0.0, media_s)
+        self.pointed.emit(self.cursor_s)
+        self.update()
+
+    def felt_s(self) -> list[float]:
+        """Return the media times of the strongest of the log's peaks in the view."""
+        time_s, size = self._motion[0] + self.shift_s, self._motion[1]
+        first, last = np.searchsorted(time_s, self.view_s)
+        part = size[first:last]
+        if len(part) < 3:
+            return []
+        inner = part[1:-1]
+        is_peak = (inner >= part[:-2]) & (inner > part[2:])
+        is_peak &= inner > _PEAK_SHARE * part.max()
+        peaks = np.flatnonzero(is_peak)
+        strongest = np.sort(peaks[np.argsort(-inner[peaks])][:_MOST_PEAKS])
+        return [float(at) for at in time_s[first + 1 + strongest]]
+
+    def show_span(self, begin_s: float, end_s: float) -> None:
+        """Show a span of media time."""
         self.view_s = (begin_s, max(end_s, begin_s + _SHORTEST_S))
         self.update()
 
@@ -94,13 +122,15 @@ class SyncStrip(QWidget):
         self._held_shift_s, self._held_view_s = self.shift_s, self.view_s
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
-        """Move what is held."""
+        """Move what is held, or the cursor."""
         if self._held_x is None:
+            at_s = self.view_s[0] + event.position().x() * self._s_per_px()
+            self.point_at(at_s)
             return
         moved_s = (event.position().x() - self._held_x) * self._s_per_px()
         if event.buttons() & Qt.MouseButton.RightButton:
             begin_s, end_s = self._held_view_s
-            self._show(begin_s - moved_s, end_s - moved_s)
+            self.show_span(begin_s - moved_s, end_s - moved_s)
         else:
             self._choose(self._held_shift_s + moved_s)
 
@@ -114,11 +144,17 @@ class SyncStrip(QWidget):
         begin_s, end_s = self.view_s
         at_s = begin_s + event.position().x() * self._s_per_px()
         factor = _ZOOM ** (-event.angleDelta().y() / 120.0)
-        self._show(at_s - factor * (at_s - begin_s), at_s + factor * (end_s - at_s))
+        self.show_span(at_s - factor * (at_s - begin_s), at_s + factor * (end_s - at_s))
         event.accept()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Move the lower lane in small steps."""
+        """Move the lower lane in small steps, or the cursor by a picture."""
+        picture = {Qt.Key.Key_Comma: -1, Qt.Key.Key_Period: 1}.get(Qt.Key(event.key()))
+        if picture is not None:
+            middle_s = 0.5 * (self.view_s[0] + self.view_s[1])
+            at_s = middle_s if self.cursor_s is None else self.cursor_s
+            self.point_at(at_s + picture * PICTURE_S)
+            return
         direction = {Qt.Key.Key_Left: -1, Qt.Key.Key_Right: 1}.get(Qt.Key(event.key()))
         if direction is None:
             super().keyPressEvent(event)
@@ -144,6 +180,10 @@ class SyncStrip(QWidget):
         shifted = (motion_s + self.shift_s, size)
         self._paint_lane(painter, lanes[1], shifted, _MOTION, self.tr("acceleration"))
         self._paint_times(painter)
+        if self.cursor_s is not None:
+            painter.setPen(QColor(theme.TEXT))
+            x = (self.cursor_s - self.view_s[0]) / self._s_per_px()
+            painter.drawLine(QPointF(x, 0), QPointF(x, 2 * height))
         if self.hasFocus():
             painter.setPen(QColor(theme.FOCUS))
             painter.drawRect(self.rect().adjusted(0, 0, -1, -1))

@@ -25,8 +25,9 @@ from app.player.video_surface import SurfaceSink, VideoSurface
 from hapticplayer.clock import Clock, SystemClock
 from hapticplayer.errors import HapticPlayerError
 from hapticplayer.interchange.lsl import LslStreams
-from hapticplayer.playback.audio import SoundDeviceOut
-from hapticplayer.playback.player import AudioFactory, Player
+from hapticplayer.playback.player import Player
+from hapticplayer.playback.sound import AudioFactory
+from hapticplayer.playback.sound_process import SoundProcess
 from hapticplayer.playback.source import Source
 from hapticplayer.study.pages import PageKind
 from hapticplayer.study.preflight import Check, described, look, volume_of
@@ -65,7 +66,7 @@ class StudySession:
         device: str,
         clock: Clock,
         *,
-        audio: AudioFactory | None = SoundDeviceOut,
+        audio: AudioFactory | None = SoundProcess,
         observer: Observer | None = None,
     ) -> None:
         self.study, self.material, self.device = study, material, device
@@ -255,7 +256,7 @@ def run(options: argparse.Namespace) -> int:
             material,
             options.device,
             SystemClock(),
-            audio=partial(SoundDeviceOut, device=settings.text(OUTPUT)),
+            audio=partial(SoundProcess, device=settings.text(OUTPUT)),
             observer=streams,
         )
         session.start_panel.choose(options.resume or "", options.language or "")

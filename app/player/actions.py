@@ -9,7 +9,13 @@ from app.player.keymap import COMMANDS, KEYS, keys_of, texts
 
 translate = QCoreApplication.translate
 
-_OPENING = ("open_sequence", "open_video", "import_recording", "open_demo")
+_OPENING = (
+    "open_sequence",
+    "open_video",
+    "import_recording",
+    "library",
+    "open_demo",
+)
 
 
 class Actions:

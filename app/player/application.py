@@ -26,9 +26,9 @@ from hapticplayer.console import (
     wanted_speed,
 )
 from hapticplayer.devices import DEVICES
-from hapticplayer.playback.audio import SoundDeviceOut
 from hapticplayer.playback.haptic_link import NO_DEVICE
 from hapticplayer.playback.player import Player
+from hapticplayer.playback.sound_process import SoundProcess
 from hapticplayer.playback.source import Source, choose_feedback, open_source
 
 # Python's own 5 ms, which the window's thread may have to wait many times in one round
@@ -56,13 +56,15 @@ def run(options: argparse.Namespace) -> int:
     clock, surface = SystemClock(), VideoSurface()
     device = options.device if source else _last_device(settings)
     record = record_target(options, device)
-    sound = partial(SoundDeviceOut, device=settings.text(OUTPUT))
+    sound = partial(SoundProcess, device=settings.text(OUTPUT))
     player = Player(
         clock,
         SurfaceSink(surface),
         audio=sound,
         scheduling=wanted_scheduling(options),
     )
+    if source and source.clip.has_audio:
+        player.prepare_sound()  # in parallel with the window
     window = PlayerWindow(player, surface, clock, settings, plots=options.plots)
     try:
         # only now: the haptics process wants to hear from us within a second

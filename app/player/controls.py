@@ -6,8 +6,9 @@ from PySide6.QtCore import QObject, Signal
 
 from app.bridge.settings import Settings
 from app.player.times import time_text
-from hapticplayer.playback.audio import SoundDeviceOut, sound_outputs
 from hapticplayer.playback.player import FASTEST, SLOWEST, Player
+from hapticplayer.playback.sound_device import sound_outputs
+from hapticplayer.playback.sound_process import SoundProcess
 
 VOLUME, MUTED, OUTPUT = "volume", "muted", "sound_output"
 """Names in the settings."""
@@ -81,7 +82,7 @@ class Controls(QObject):
         """Play through another output; "" for the default one."""
         self.output = name
         self._settings.keep(OUTPUT, name)
-        self._player.set_sound_output(partial(SoundDeviceOut, device=name))
+        self._player.set_sound_output(partial(SoundProcess, device=name))
 
     # --- time ----------------------------------------------------------------
 

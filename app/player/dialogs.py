@@ -6,7 +6,10 @@ from pathlib import Path
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QDialog, QFileDialog, QWidget
 
+from app.bridge.places import choose_library, library_folder
 from app.bridge.settings import Settings
+from app.experimenter.import_wizard import ImportWizard
+from app.experimenter.library_page import LibraryPage
 from app.player.device_page import DevicePage
 from app.player.files import (
     file_dialog,
@@ -15,10 +18,9 @@ from app.player.files import (
     video_filter,
 )
 from app.player.help import about_dialog
-from app.player.import_dialog import ImportDialog
 from app.player.keys_dialog import KeysDialog
 from app.player.plugged import Plugged
-from app.player.session import ImportRequest, Session
+from app.player.session import Session
 from app.player.setup_page import SetupPage
 from hapticplayer.clock import Clock
 from hapticplayer.errors import HapticPlayerError
@@ -47,6 +49,7 @@ class Dialogs(QObject):
 
     def __init__(self, window: QWidget, session: Session, settings: Settings) -> None:
         super().__init__(window)
+        self._working: list[ImportWizard | LibraryPage] = []
         self._window = window
         self._session = session
         self._settings = settings
@@ -74,10 +77,33 @@ class Dialogs(QObject):
         dialog.fileSelected.connect(lambda path: self._session.open_log(Path(path)))
         dialog.open()
 
-    def import_recording(self) -> None:
-        """Ask what to import."""
-        dialog = ImportDialog(self._folder(), self._window)
-        dialog.accepted_request.connect(self._import)
+    def import_recording(self, paths: list[Path] | bool = False) -> None:
+        """Lead through an import, of files that were dropped perhaps."""
+        library = library_folder(self._settings)
+        wizard = ImportWizard(self._folder(), library, self._window)
+        wizard.play_wanted.connect(self._session.open_path)
+        wizard.library_chosen.connect(self._keep_library)
+        self._open_working(wizard)
+        if isinstance(paths, list):
+            wizard.take(paths)
+
+    def library(self) -> None:
+        """Show the sequences that there are."""
+        page = LibraryPage(library_folder(self._settings), self._window)
+        page.open_wanted.connect(self._session.open_path)
+        page.import_wanted.connect(self.import_recording)
+        page.library_chosen.connect(self._keep_library)
+        self._open_working(page)
+
+    def close(self) -> None:
+        """End what the dialogs still do."""
+        for dialog in self._working:
+            dialog.close_jobs()
+        self._working.clear()
+
+    def _open_working(self, dialog: ImportWizard | LibraryPage) -> None:
+        self._working.append(dialog)
+        dialog.finished.connect(lambda _result: self._forget(dialog))
         dialog.open()
 
     def set_up(self, clock: Clock) -> None:
@@ -96,6 +122,14 @@ class Dialogs(QObject):
 
         page.finished.connect(go_on)
         page.open()
+
+    def _forget(self, dialog: ImportWizard | LibraryPage) -> None:
+        if dialog in self._working:
+            self._working.remove(dialog)
+        dialog.deleteLater()
+
+    def _keep_library(self, folder: Path) -> None:
+        choose_library(self._settings, folder)
 
     def get_to_know(self, clock: Clock) -> None:
         """Demonstrate the forces of the chosen device; nothing plays meanwhile."""
@@ -166,10 +200,6 @@ class Dialogs(QObject):
         else:
             self._settings.save()
             self.settings_taken.emit()
-
-    def _import(self, request: ImportRequest) -> None:
-        self._settings.keep(_FOLDER, str(request.video.parent))
-        self._session.import_recording(request)
 
     def _folder(self) -> str:
         return self._settings.text(_FOLDER, str(Path.home()))

@@ -9,14 +9,16 @@ from app.widgets.icons import icon
 
 
 class EmptyPage(QWidget):
-    """Four ways to begin.
+    """Five ways to begin.
 
     Signals:
-        demo_clicked, open_clicked, import_clicked, device_clicked: the buttons.
+        demo_clicked, open_clicked, library_clicked, import_clicked, device_clicked:
+            the buttons.
     """
 
     demo_clicked = Signal()
     open_clicked = Signal()
+    library_clicked = Signal()
     import_clicked = Signal()
     device_clicked = Signal()
 
@@ -53,6 +55,9 @@ class EmptyPage(QWidget):
         self.open = text_button(
             self.tr("Open a sequence\u2026"), self.tr("The folder of a sequence")
         )
+        self.library = text_button(
+            self.tr("Library\u2026"), self.tr("The sequences that were imported")
+        )
         self.import_recording = text_button(
             self.tr("Import a recording\u2026"),
             self.tr("Make a sequence of a video and its motion"),
@@ -66,18 +71,20 @@ class EmptyPage(QWidget):
         self.device.clicked.connect(self.device_clicked)
         self.demo.clicked.connect(self.demo_clicked)
         self.open.clicked.connect(self.open_clicked)
+        self.library.clicked.connect(self.library_clicked)
         self.import_recording.clicked.connect(self.import_clicked)
         row = QHBoxLayout()
         row.setSpacing(10)
         row.addStretch(1)
-        for button in (self.demo, self.open, self.import_recording, self.device):
+        ways = (self.demo, self.open, self.library, self.import_recording, self.device)
+        for button in ways:
             row.addWidget(button)
         row.addStretch(1)
         return row
 
     def set_busy(self, *, is_busy: bool) -> None:
         """Offer nothing while a piece of work runs."""
-        for button in (self.demo, self.open, self.import_recording):
+        for button in (self.demo, self.open, self.library, self.import_recording):
             button.setEnabled(not is_busy)
 
 

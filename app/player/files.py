@@ -37,9 +37,6 @@ def folder_dialog(parent: QWidget, title: str, folder: str) -> QFileDialog:
     return dialog
 
 
-def dropped_path(content: QMimeData) -> Path | None:
-    """Return the local file or folder that is being dropped, if there is one."""
-    for url in content.urls():
-        if url.isLocalFile():
-            return Path(url.toLocalFile())
-    return None
+def dropped_paths(content: QMimeData) -> list[Path]:
+    """Return the local files and folders that are being dropped."""
+    return [Path(url.toLocalFile()) for url in content.urls() if url.isLocalFile()]

@@ -1,7 +1,6 @@
-"""What the window does with the player: open, import, choose, stop."""
+"""What the window does with the player: open, choose, stop."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
@@ -19,22 +18,11 @@ from hapticplayer.playback.player import Player
 from hapticplayer.playback.replay import with_log
 from hapticplayer.playback.snapshot import Phase
 from hapticplayer.playback.source import Source, open_source
-from hapticplayer.sequence import build_sequence
 from hapticplayer.sequence.demo import demo_folder
 from hapticplayer.sequence.excursion import stored_texts
 
 SKIP_S = 5.0
 _DEAD = (Health.FAILED, Health.GONE)
-
-
-@dataclass(frozen=True, slots=True)
-class ImportRequest:
-    """What a person filled in to import a recording."""
-
-    video: Path
-    imu_log: Path | None
-    offset_s: float | None
-    target: Path
 
 
 class Session(QObject):
@@ -87,23 +75,6 @@ class Session(QObject):
             return open_source(in_child(demo_folder, progress=progress))
 
         self._run(self.tr("Preparing the demo"), work)
-
-    def import_recording(self, request: ImportRequest) -> None:
-        """Make a sequence of a recording, and open it."""
-
-        def work(progress: Progress) -> Source:
-            folder = in_child(
-                build_sequence,
-                request.video,
-                request.target,
-                imu_log=request.imu_log,
-                offset_s=request.offset_s,
-                progress=progress,
-            )
-            return open_source(folder)
-
-        name = request.video.name
-        self._run(self.tr("Importing {name}").format(name=name), work)
 
     def _run(self, title: str, work: Callable[[Progress], Source]) -> None:
         if self.jobs.is_busy:

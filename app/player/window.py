@@ -20,7 +20,7 @@ from app.player.display import Display
 from app.player.empty_page import EmptyPage
 from app.player.escape import EscapeEverywhere
 from app.player.extras import Extras
-from app.player.files import dropped_path
+from app.player.files import dropped_paths
 from app.player.fullscreen import Fullscreen
 from app.player.health_line import HealthLine
 from app.player.look_menus import LookMenus
@@ -147,6 +147,7 @@ class PlayerWindow(QMainWindow):
         page.open_clicked.connect(self.dialogs.open_sequence)
         page.import_clicked.connect(self.dialogs.import_recording)
         page.device_clicked.connect(self.commands.set_up_device.trigger)
+        page.library_clicked.connect(self.dialogs.library)
         self._connect_commands()
 
     def _connect_commands(self) -> None:
@@ -155,6 +156,7 @@ class PlayerWindow(QMainWindow):
             (commands.open_sequence, self.dialogs.open_sequence),
             (commands.open_video, self.dialogs.open_video),
             (commands.import_recording, self.dialogs.import_recording),
+            (commands.library, self.dialogs.library),
             (commands.open_demo, session.open_demo),
             (commands.quit, self.close),
             (commands.play, self.player.toggle),
@@ -236,15 +238,19 @@ class PlayerWindow(QMainWindow):
 
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:
         """Take files and folders."""
-        if dropped_path(event.mimeData()) is not None:
+        if dropped_paths(event.mimeData()):
             event.acceptProposedAction()
 
     def dropEvent(self, event: QDropEvent) -> None:
-        """Open what is dropped."""
-        path = dropped_path(event.mimeData())
-        if path is not None:
-            event.acceptProposedAction()
-            self.session.open_path(path)
+        """Open what is dropped; several files are a recording to be imported."""
+        paths = dropped_paths(event.mimeData())
+        if not paths:
+            return
+        event.acceptProposedAction()
+        if len(paths) == 1:
+            self.session.open_path(paths[0])
+        else:
+            self.dialogs.import_recording(paths)
 
     # --- what the session tells ----------------------------------------------
 
@@ -332,6 +338,7 @@ class PlayerWindow(QMainWindow):
         self._keep_geometry()
         self.extras.close()
         self.study_menu.close()
+        self.dialogs.close()
         self.desktop.close()
         self.dialogs.plugged.close()
         self.settings.save()

@@ -14,7 +14,12 @@ if TYPE_CHECKING:
         write_imu_csv,
     )
     from hapticplayer.capture.gopro import GoProTelemetry, read_gopro, read_raw_gopro
-    from hapticplayer.capture.logs import LogChoices, parse_choices, write_template
+    from hapticplayer.capture.logs import (
+        LogChoices,
+        LogQuestion,
+        parse_choices,
+        write_template,
+    )
     from hapticplayer.capture.motion_scenes import (
         MOTION_SCENES,
         SimulatedMotion,
@@ -38,6 +43,7 @@ _HOMES = {
     "SENSORS": "sensor_model",
     "GoProTelemetry": "gopro",
     "LogChoices": "logs",
+    "LogQuestion": "logs",
     "Recording": "recording",
     "SensorErrors": "sensor_model",
     "SensorModel": "sensor_model",
@@ -67,6 +73,7 @@ __all__ = [
     "SENSORS",
     "GoProTelemetry",
     "LogChoices",
+    "LogQuestion",
     "Recording",
     "SensorErrors",
     "SensorModel",

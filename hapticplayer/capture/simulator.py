@@ -6,28 +6,25 @@ written: the truth with noise and bias, its gyro integrating between samples. A 
 """
 
 import os
+import secrets
 from collections.abc import Callable, Iterator
-from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from hapticplayer.capture.board import PAPER, BoardLog, record
+from hapticplayer.capture.film import Film, SecondPainter
 from hapticplayer.capture.recording import Recording
-from hapticplayer.capture.ride.picture import PictureMaker
-from hapticplayer.capture.ride.scenery import Country
 from hapticplayer.capture.ride.sound import RATE_HZ, ride_sound
-from hapticplayer.capture.ride.surroundings import SHAKES_PX
-from hapticplayer.capture.ride.view import Pose
 from hapticplayer.capture.rides import RIDES, SCENES
 from hapticplayer.capture.scenes import Scene
 from hapticplayer.capture.trajectory import Motion
 from hapticplayer.errors import UsageError
 from hapticplayer.model import ClockMap, ImuLog, Sampling
 from hapticplayer.model.arrays import Floats
-from hapticplayer.model.quaternions import rotate
 
 IMU_RATE_HZ = 200
 FRAME_RATE_HZ = 30
@@ -40,9 +37,10 @@ _FORCE_BIAS_MPS2 = 0.04  # SD per axis, what a factory calibration leaves
 _RATE_NOISE_RADPS = 0.003
 _RATE_BIAS_RADPS = 0.004
 
-_PAINTERS = 2
-_GROUP_FRAMES, _GROUP_M = 20, 10.0
-"""Pictures that are drawn together; the ground is painted before them."""
+_WORTH_PX = 150_000_000
+"""So many pixels are drawn by two processes; the second has to load what it needs."""
+
+_LOOK_S = 0.05
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -77,65 +75,14 @@ class SimulatedRecording:
     height: int = HEIGHT_PX
 
     @property
-    def frame_count(self) -> int:
-        """How many pictures there are."""
-        return round(self.scene.duration_s * self.frame_rate_hz)
-
-    def frames(self) -> Iterator[NDArray[np.uint8]]:
-        """Yield the pictures (height, width, 4): RGB and an unused channel.
-
-        Two threads draw: numpy lets go of the interpreter for most of the time.
-        """
-        maker, poses = self._studio()
-        with ThreadPoolExecutor(_PAINTERS, "painter") as painters:
-            begun: list[Future[NDArray[np.uint8]]] = []
-            for group in _groups(poses):
-                travel_m = _apart_m(group[0], group[-1])
-                maker.prepare([group[0], group[-1]], 0.5 * travel_m + 0.5)
-                later = [painters.submit(maker.draw, pose) for pose in group]
-                yield from (picture.result() for picture in begun)
-                begun = later
-            yield from (picture.result() for picture in begun)
+    def film(self) -> Film:
+        """Its pictures."""
+        return Film(self.scene, self.seed, self.width, self.height, self.frame_rate_hz)
 
     def frame(self, number: int) -> NDArray[np.uint8]:
         """Return one picture (height, width, 3) RGB; for screenshots."""
-        maker, poses = self._studio()
+        maker, poses = self.film.studio()
         return np.ascontiguousarray(maker.draw(poses[number])[:, :, :3])
-
-    def _studio(self) -> tuple[PictureMaker, list[Pose]]:
-        rng = np.random.default_rng([self.seed, 2])
-        country = Country(self.scene, rng)
-        maker = PictureMaker(country, self.width, self.height, rng)
-        return maker, self._poses()
-
-    def _poses(self) -> list[Pose]:
-        time_s = np.arange(self.frame_count) / self.frame_rate_hz
-        motion = self.scene.trajectory.at(time_s)
-        axes = [
-            rotate(motion.quaternion_wxyz, np.broadcast_to(axis, (len(time_s), 3)))
-            for axis in np.eye(3)
-        ]
-        rotations = np.stack(axes, axis=2)
-        shakes_px = self._shakes_px(time_s, motion.acceleration_mps2[:, 2])
-        steering_rad = np.zeros(len(time_s))
-        if self.scene.steering_rad is not None:
-            turned = self.scene.steering_rad
-            steering_rad = np.interp(time_s, self.scene.route_time_s, turned)
-        return [
-            Pose(*pose)
-            for pose in zip(
-                motion.position_m, rotations, shakes_px, steering_rad, strict=True
-            )
-        ]
-
-    def _shakes_px(self, time_s: Floats, upward_mps2: Floats) -> Floats:
-        """Return how far what is in front of the camera moves down in the picture."""
-        per_mps2 = self.height / 540 * SHAKES_PX[self.scene.vehicle]
-        shakes = per_mps2 * upward_mps2
-        if self.scene.nod_rad is not None:
-            nods = np.interp(time_s, self.scene.route_time_s, self.scene.nod_rad)
-            shakes += self.height * nods
-        return np.asarray(shakes)
 
     def recording(self) -> Recording:
         """Return the log as an importer sees it; the clocks are one."""
@@ -200,23 +147,6 @@ def simulate(scene: str, seed: int) -> SimulatedRecording:
     )
 
 
-def _groups(poses: list[Pose]) -> Iterator[list[Pose]]:
-    """Yield successive poses that are near enough to share the painted ground."""
-    group: list[Pose] = []
-    for pose in poses:
-        is_far = bool(group) and _apart_m(group[0], pose) > _GROUP_M
-        if is_far or len(group) == _GROUP_FRAMES:
-            yield group
-            group = []
-        group.append(pose)
-    if group:
-        yield group
-
-
-def _apart_m(one: Pose, other: Pose) -> float:
-    return float(np.hypot(*(one.position_m[:2] - other.position_m[:2])))
-
-
 def _times(duration_s: float, rate_hz: float) -> Floats:
     return np.asarray(np.arange(round(duration_s * rate_hz) + 1) / rate_hz)
 
@@ -260,17 +190,57 @@ def write_simulated_clip(
     Raises:
         MediaError: when the clip cannot be written.
     """
+    from hapticplayer.media.encode import key_frame_interval
+
+    film, is_quick = recorded.film, recorded.board is not None
+    count = film.frame_count
+    tell = progress or (lambda _share: None)
+    if count * film.width * film.height < _WORTH_PX:
+        first = film.frames(0, count)
+        _write(recorded, path, first, is_quick, lambda drawn: tell(drawn / count))
+        return
+    interval = key_frame_interval(film.frame_rate_hz)
+    half = -(-count // (2 * interval)) * interval
+    target = Path(path)
+    rest = target.with_name(f".{target.stem}.{secrets.token_hex(4)}.rest.mp4")
+    second = SecondPainter(film, rest, half, is_quick=is_quick)
+
+    def tell_both(drawn: int) -> None:
+        tell(min(1.0, (min(drawn, half) + second.done) / count))
+
+    def waited_for() -> Path:
+        while second.is_busy(_LOOK_S):
+            tell_both(half)
+        second.check()
+        return rest
+
+    try:
+        first = film.frames(0, half)
+        _write(recorded, path, first, is_quick, tell_both, waited_for)
+    finally:
+        second.close()
+        rest.unlink(missing_ok=True)
+
+
+def _write(
+    recorded: SimulatedRecording,
+    path: str | os.PathLike[str],
+    pictures: Iterator[NDArray[np.uint8]],
+    is_quick: bool,
+    tell: Callable[[int], None],
+    rest: Callable[[], Path] | None = None,
+) -> None:
     from hapticplayer.media import write_clip
 
-    duration_s = recorded.scene.duration_s
     write_clip(
         path,
-        recorded.frames(),
+        pictures,
         frame_rate_hz=recorded.frame_rate_hz,
         audio=recorded.audio,
         audio_rate_hz=recorded.audio_rate_hz,
-        is_quick=recorded.board is not None,
-        progress=(lambda s: progress(min(1.0, s / duration_s))) if progress else None,
+        is_quick=is_quick,
+        progress=lambda s: tell(round(s * recorded.frame_rate_hz)),
+        rest=rest,
     )
 
 

@@ -202,7 +202,10 @@ def _add_sync(command: argparse.ArgumentParser, method: str) -> None:
         help="media time at which the log's clock reads zero",
     )
     group.add_argument(
-        "--camera", metavar="NAME", help="take off the skew that is stored for it"
+        "--camera",
+        metavar="NAME",
+        help="take off the skew that is stored for it (default: "
+        "the camera that the clip names)",
     )
     group.add_argument(
         "--skew",

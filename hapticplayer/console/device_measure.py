@@ -1,6 +1,7 @@
 """`device measure`: an owner's measurements, step by step, and a report of them."""
 
 import argparse
+import contextlib
 import json
 import math
 import sys
@@ -11,12 +12,15 @@ from hapticplayer import __version__
 from hapticplayer.clock import SystemClock, utc_now_iso
 from hapticplayer.console.devices import agreed
 from hapticplayer.console.speech import interruptible, say, shown_progress
+from hapticplayer.devices import find_device
 from hapticplayer.devices.falcon import measuring
 from hapticplayer.devices.falcon.firmware import open_running
 from hapticplayer.devices.falcon.homing import home
 from hapticplayer.devices.falcon.link import ThreadedLink
 from hapticplayer.devices.falcon.reach import Reach, reach_of
 from hapticplayer.errors import InputError
+from hapticplayer.haptics.scheduling import acquire
+from hapticplayer.haptics.watched import Watched
 
 STOPS_S = 20.0
 HOMING_S = 120.0
@@ -24,22 +28,23 @@ HOMING_S = 120.0
 
 def measure_falcon(options: argparse.Namespace) -> int:
     """Measure, print, and save where asked."""
-    reach, clock = reach_of(options.device), SystemClock()
+    reach_of(options.device)  # a wrong name is told before anything else
     target = _new_file(options.output)
     agreed(
         options,
         f"The Falcon will push with up to {measuring.MOST_N} N, partly without a hand "
-        "on it. A button on the grip stops. There is no guard beside this program: "
-        "switch the Falcon off if it does not let go. Go on?",
+        "on it. A button on the grip stops. A guard takes the force away should this "
+        "program die; switch the Falcon off if it does not let go. Go on?",
     )
     report: dict[str, Any] = {
         "program": f"hapticplayer {__version__}",
         "device": options.device,
         "utc": utc_now_iso(),
     }
-    with interruptible():
-        report["round_trip"] = _round_trips(reach, clock)
-        report |= _with_forces(options, reach, clock)
+    with interruptible(), contextlib.closing(_watched(options.device)) as watch:
+        reach = reach_of(options.device, watch.handle())
+        report["round_trip"] = _round_trips(reach, SystemClock())
+        report |= _with_forces(options, reach, watch)
     text = json.dumps(_finite(report), indent=None if options.json else 1)
     say(text)
     if target is not None:
@@ -64,9 +69,15 @@ def _round_trips(reach: Reach, clock: SystemClock) -> dict[str, Any]:
         ftdi.close()
 
 
+def _watched(device: str) -> Watched:
+    is_real = find_device(device).server == ""
+    return Watched(SystemClock(), device, [] if is_real else ["--unhomed"])
+
+
 def _with_forces(
-    options: argparse.Namespace, reach: Reach, clock: SystemClock
+    options: argparse.Namespace, reach: Reach, watch: Watched
 ) -> dict[str, Any]:
+    clock = SystemClock()
     driver = reach.driver(clock)
     driver.open()
     try:
@@ -75,15 +86,18 @@ def _with_forces(
             pass
     finally:
         driver.close()
+    acquire(None)  # the best there is, as for the loop: a stand-still wakes the guard
     driver = reach.driver(clock, make_link=ThreadedLink)
     driver.open()
     try:
         _wait(options, "Move the grip to all its ends for 20 s; there is no force.")
         stops = measuring.stops(driver, clock, STOPS_S)
         _wait(options, "Hold the grip loosely in the middle; it pushes to the right.")
-        silence = measuring.force_after_silence(driver, clock)
+        with watch.force():
+            silence = measuring.force_after_silence(driver, watch, watch.was_disturbed)
         _wait(options, "Leave the grip in the middle and take the hand away.")
-        friction = measuring.friction(driver, clock)
+        with watch.force():
+            friction = measuring.friction(driver, watch)
     finally:
         driver.close()
     return {"stops": stops, "silence": silence, "friction_n": friction}

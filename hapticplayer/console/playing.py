@@ -29,6 +29,8 @@ def play(options: argparse.Namespace) -> int:
     clock = SystemClock()
     record = record_target(options, options.device)
     player = Player(clock, scheduling=wanted_scheduling(options))
+    if source.clip.has_audio:
+        player.prepare_sound()  # in parallel with the device
     try:
         with interruptible():
             player.set_device(options.device, record)

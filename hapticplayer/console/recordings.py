@@ -96,7 +96,7 @@ def chosen_sync(options: argparse.Namespace) -> SyncChoices:
     return SyncChoices(
         method=options.sync_method,
         offset_s=options.offset,
-        sound_late_s=0.0 if late_s is None else checked_skew(late_s),
+        sound_late_s=None if late_s is None else checked_skew(late_s),
     )
 
 

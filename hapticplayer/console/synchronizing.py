@@ -1,6 +1,7 @@
 """Says how a log lies to a clip, whether pats can be used, and keeps cameras' skews."""
 
 import argparse
+import dataclasses
 import json
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -22,7 +23,6 @@ from hapticplayer.sequence.synchronizing import (
     doubt,
     find_sync,
     store_skew,
-    sync_by_sound,
 )
 
 PLOT_FORMATS = (".png", ".svg")
@@ -115,7 +115,7 @@ def _check(found: _Found, options: argparse.Namespace, choices: SyncChoices) -> 
     usable = bool(report) and all(part["is_usable"] for part in report.values())
     lines = [check_text(name, part) for name, part in report.items()]
     if len(report) == 2 and clip is not None and recording is not None:
-        both = sync_by_sound(clip, recording.imu, "pats", choices.sound_late_s)
+        both = find_sync(clip, recording, dataclasses.replace(choices, method="pats"))
         report["together"] = both.described()
         lines.append(sync_text(report["together"]))
         usable = both.is_confident

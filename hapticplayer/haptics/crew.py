@@ -58,12 +58,21 @@ class Crew:
             self.loop = self._run(
                 "hapticplayer.haptics", [*options, "--guarded"], [block, loops, line]
             )
-            watch = os.pidfd_open(self.loop.pid)
-            stack.callback(os.close, watch)
-            options = [*shared, "--handle", str(guards), "--loop-pidfd", str(watch)]
-            self.guard = self._run(
-                "hapticplayer.haptics.guard", options, [block, guards, watch]
-            )
+            self._start_guard(self.loop.pid, block, guards)
+
+    def start_around(self, block: int) -> int:
+        """Start device and guard only: the loop is this very process.
+
+        Returns:
+            the descriptor that a loop would get; it is the caller's.
+
+        Raises:
+            OSError: when a process cannot be started; call `end`.
+        """
+        with contextlib.ExitStack() as stack:
+            ours, guards = self._start_device(stack)
+            self._start_guard(os.getpid(), block, guards)
+            return os.dup(ours)
 
     def end(self) -> None:
         """Wait for all to end by themselves, and help where they don't."""
@@ -73,6 +82,17 @@ class Crew:
             except subprocess.TimeoutExpired:
                 process.kill()
                 process.wait()
+
+    def _start_guard(self, pid: int, block: int, handle: int) -> None:
+        watch = os.pidfd_open(pid)
+        try:
+            options = ["--block", str(block), "--device", self._entry.name]
+            options += ["--handle", str(handle), "--loop-pidfd", str(watch)]
+            self.guard = self._run(
+                "hapticplayer.haptics.guard", options, [block, handle, watch]
+            )
+        finally:
+            os.close(watch)
 
     def _start_device(self, stack: contextlib.ExitStack) -> tuple[int, int]:
         """Return the descriptors for loop and guard; see `DeviceEntry.server`."""

@@ -1,20 +1,19 @@
 """The block of memory that the player and the haptics process share.
 
-One writer per field. The clock lives in two slots with a checksum each: a reader
-that meets a write in progress tries again a bounded number of times and then goes
-on with its last good sample, so that a player killed in mid-write cannot make the
-loop spin. Ticks go through a ring that the loop never waits for.
+One writer per field. The clock lives in two slots (see `slots`), so that a player
+killed in mid-write cannot make the loop spin. Ticks go through a ring that the loop
+never waits for.
 """
 
 import mmap
 import os
 import struct
-import zlib
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from hapticplayer.haptics.slots import Slots
 from hapticplayer.model import PlaybackClock
 
 TICK = np.dtype(
@@ -44,13 +43,11 @@ the share of it that keeps the grip inside, `heat_n` the RMS force of the last 1
 RING_TICKS = 1 << 15  # 32 s: a reader may sleep that long without losing a tick
 _TICK = struct.Struct("<dd18fIBBH")
 _CLOCK = struct.Struct("<qqdddd")  # track id, epoch, the four numbers of the clock
-_CHECKSUM = struct.Struct("<I")
 _SLOTS_AT = (64, 128)
 # a cache line for each writer
 _NEWEST_AT, _HEARTBEAT_AT, _HEAD_AT, _GUARD_AT = 192, 256, 320, 384
 _RING_AT = 4096
 BLOCK_BYTES = _RING_AT + RING_TICKS * TICK.itemsize
-_TRIES = 3
 
 assert _TICK.size == TICK.itemsize == 96
 
@@ -63,7 +60,8 @@ class SharedBlock:
             raise ValueError("the shared block has another size; versions differ")
         self._map = mmap.mmap(descriptor, BLOCK_BYTES)
         view = memoryview(self._map)
-        self._newest = view[_NEWEST_AT : _NEWEST_AT + 8].cast("Q")
+        self._clock = Slots(self._map, _CLOCK, _SLOTS_AT, _NEWEST_AT)
+        self.clock_bytes = self._clock.raw  # for the loop: equal bytes, equal clock
         self._heartbeat = view[_HEARTBEAT_AT : _HEARTBEAT_AT + 8].cast("d")
         self._head = view[_HEAD_AT : _HEAD_AT + 8].cast("Q")
         self._last_tick = view[_HEAD_AT + 8 : _HEAD_AT + 16].cast("d")
@@ -74,9 +72,7 @@ class SharedBlock:
 
     def write_clock(self, clock: PlaybackClock, track_id: int) -> None:
         """Publish the clock and the track it belongs to (player)."""
-        slot = 1 - int(self._newest[0] & 1)
-        at = _SLOTS_AT[slot]
-        payload = _CLOCK.pack(
+        self._clock.write(
             track_id,
             clock.epoch,
             clock.monotonic0_s,
@@ -84,26 +80,11 @@ class SharedBlock:
             clock.rate,
             clock.valid_until_s,
         )
-        self._map[at : at + _CLOCK.size + 4] = payload + _CHECKSUM.pack(
-            zlib.crc32(payload)
-        )
-        self._newest[0] = slot
 
     def read_clock(self) -> tuple[PlaybackClock, int] | None:
         """Return the newest clock and its track, or None if none could be read."""
-        for _ in range(_TRIES):
-            at = _SLOTS_AT[self._newest[0] & 1]
-            raw = self._map[at : at + _CLOCK.size + 4]
-            payload = raw[: _CLOCK.size]
-            if _CHECKSUM.unpack_from(raw, _CLOCK.size)[0] == zlib.crc32(payload):
-                track_id, *fields = _CLOCK.unpack(payload)
-                return PlaybackClock(*fields), track_id
-        return None
-
-    def clock_bytes(self) -> bytes:
-        """Return the newest slot as it is; equal bytes need no second reading."""
-        at = _SLOTS_AT[self._newest[0] & 1]
-        return self._map[at : at + _CLOCK.size + 4]
+        fields = self._clock.read()
+        return None if fields is None else (PlaybackClock(*fields[1:]), fields[0])
 
     def beat(self, now_s: float) -> None:
         """Say that the player's main thread is alive (player)."""
@@ -124,6 +105,10 @@ class SharedBlock:
     def last_tick_s(self) -> float:
         """Return the time of the loop's last exchange; 0 before the first."""
         return self._last_tick[0]
+
+    def beat_loop(self, now_s: float) -> None:
+        """Say that a program without ticks is alive; 0: it holds no force (loop)."""
+        self._last_tick[0] = now_s
 
     def write_tick(self, count: int, now_s: float, *fields: float) -> None:
         """Store tick number `count`, done at `now_s`, and publish it (loop)."""

@@ -9,11 +9,11 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from hapticplayer.media.audio import AudioBlock, AudioDecoder
-    from hapticplayer.media.clip_info import ClipInfo, probe
+    from hapticplayer.media.clip_info import ClipInfo, camera_of, probe
     from hapticplayer.media.encode import write_clip
     from hapticplayer.media.opening import open_media
     from hapticplayer.media.pictures import Picture
-    from hapticplayer.media.small_pictures import Thumbnail, thumbnails
+    from hapticplayer.media.small_pictures import Thumbnail, cover_pictures, thumbnails
     from hapticplayer.media.stretch import AudioStretcher
     from hapticplayer.media.telemetry import (
         TelemetryPacket,
@@ -34,6 +34,8 @@ _HOMES = {
     "Thumbnail": "small_pictures",
     "VideoDecoder": "video",
     "add_telemetry": "telemetry_writer",
+    "camera_of": "clip_info",
+    "cover_pictures": "small_pictures",
     "data_track_names": "telemetry",
     "open_media": "opening",
     "probe": "clip_info",
@@ -53,6 +55,8 @@ __all__ = [
     "Thumbnail",
     "VideoDecoder",
     "add_telemetry",
+    "camera_of",
+    "cover_pictures",
     "data_track_names",
     "open_media",
     "probe",

@@ -25,6 +25,9 @@ from hapticplayer.media.opening import (
 from hapticplayer.media.telemetry import find_telemetry
 
 _MAX_PACKETS_TO_FIRST_FRAME = 1000
+_MAKES = ("com.apple.quicktime.make", "com.android.manufacturer", "make")
+_MODELS = ("com.apple.quicktime.model", "com.android.model", "model")
+_LONGEST_NAME = 80
 
 
 @dataclass(frozen=True, slots=True)
@@ -87,6 +90,24 @@ def probe(path: str | os.PathLike[str]) -> ClipInfo:
             rotation_deg=rotation_deg,
             size_bytes=file.stat().st_size,
         )
+
+
+def camera_of(path: str | os.PathLike[str]) -> str:
+    """Return the name of the camera that made a clip, "" where the file does not say.
+
+    Raises:
+        MediaError: when it cannot be opened.
+    """
+    with open_media(path) as container:
+        said = {key.lower(): value for key, value in container.metadata.items()}
+    make, model = (
+        next((said[key].strip() for key in keys if said.get(key, "").strip()), "")
+        for keys in (_MAKES, _MODELS)
+    )
+    if not model and (firmware := said.get("firmware", "")):
+        make, model = "GoPro", firmware.partition(".")[0]  # such as HD9.01.01.60.00
+    whole = model if model.startswith(make) else f"{make} {model}"
+    return whole.strip()[:_LONGEST_NAME]
 
 
 def require_video(

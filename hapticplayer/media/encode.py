@@ -11,6 +11,7 @@ import av
 import numpy as np
 from av.audio.frame import AudioFrame
 from av.audio.stream import AudioStream
+from av.bitstream import BitStreamFilterContext
 from av.container import OutputContainer
 from av.video.frame import VideoFrame
 from av.video.reformatter import Colorspace, VideoReformatter
@@ -19,14 +20,16 @@ from numpy.typing import NDArray
 
 from hapticplayer.errors import MediaError
 from hapticplayer.media.colours import BT709, LIMITED_RANGE
-from hapticplayer.media.opening import media_errors
+from hapticplayer.media.opening import media_errors, open_media
 
 KEY_FRAME_INTERVAL_S = 2.0
 """Exact seeking decodes at most this much."""
 
-_SMALL = {"crf": "20", "preset": "veryfast"}
-_QUICK = {"crf": "26", "preset": "ultrafast"}
-"""Four times faster, and a file of about the same size that looks a little worse."""
+_SMALL = {"crf": "20", "preset": "veryfast", "threads": "1"}
+_QUICK = {"crf": "26", "preset": "ultrafast", "threads": "1"}
+"""One thread: the bytes shall not depend on how many cores there are. The quick one
+takes a fourth of the time, for a file of about the same size that looks a little worse.
+"""
 
 _FORMATS = {3: "rgb24", 4: "rgba"}
 _AAC_BITS_PER_S = 160_000
@@ -34,6 +37,11 @@ _LAYOUTS = {1: "mono", 2: "stereo"}
 _AUDIO_CHUNK = 8192
 
 Progress = Callable[[float], None]
+
+
+def key_frame_interval(frame_rate_hz: Fraction | float) -> int:
+    """Return how many pictures there are from one key frame to the next, at most."""
+    return max(1, round(KEY_FRAME_INTERVAL_S * frame_rate_hz))
 
 
 def write_clip(  # noqa: PLR0913 - two kinds of content, one file
@@ -45,6 +53,7 @@ def write_clip(  # noqa: PLR0913 - two kinds of content, one file
     audio_rate_hz: int = 48_000,
     is_quick: bool = False,
     progress: Progress | None = None,
+    rest: Callable[[], Path] | None = None,
 ) -> None:
     """Encode pictures and sound; the file appears only when it is complete.
 
@@ -61,6 +70,8 @@ def write_clip(  # noqa: PLR0913 - two kinds of content, one file
         is_quick: save time rather than quality.
         progress: called after each picture with the seconds written so far; what
             it raises (Cancelled) ends the work and leaves nothing behind.
+        rest: called after the last picture; gives a clip that this function has
+            written of the pictures that follow, which are not encoded again.
 
     Raises:
         MediaError: when the file cannot be written or the pictures differ in size.
@@ -72,20 +83,21 @@ def write_clip(  # noqa: PLR0913 - two kinds of content, one file
         with media_errors(target, "cannot be written", "choose another folder"):
             options = _QUICK if is_quick else _SMALL
             sound = None if audio is None else (audio, audio_rate_hz)
-            _write(part, iter(pictures), rate, options, sound, progress)
+            _write(part, iter(pictures), rate, options, sound, progress, rest)
             part.replace(target)
     finally:
         with contextlib.suppress(OSError):
             part.unlink()
 
 
-def _write(
+def _write(  # noqa: PLR0913 - as write_clip
     part: Path,
     pictures: Iterator[NDArray[np.uint8]],
     rate: Fraction,
     options: dict[str, str],
     audio: tuple[NDArray[np.float32], int] | None,
     progress: Progress | None,
+    rest: Callable[[], Path] | None,
 ) -> None:
     first = next(pictures, None)
     if first is None:
@@ -113,8 +125,36 @@ def _write(
                 progress(written_s)
             picture = next(pictures, None)
         container.mux(video.encode())
+        if rest is not None:
+            _append(container, video, rest(), count, sound)
         if sound is not None:
             sound.finish()
+
+
+def _append(
+    container: OutputContainer,
+    video: VideoStream,
+    path: Path,
+    after: int,
+    sound: "_SoundWriter | None",
+) -> None:
+    """Copy the pictures of a clip that was encoded in the same way."""
+    with open_media(path) as source:
+        stream = source.streams.video[0]
+        base, step = stream.time_base, 1 / Fraction(video.codec_context.framerate)
+        assert base is not None
+        begin = round(after * step / base)
+        # an MP4 keeps the parameters of its pictures apart, an encoder gives them along
+        inline = BitStreamFilterContext("h264_mp4toannexb", stream)
+        for packet in source.demux(stream):
+            if packet.pts is None or packet.dts is None:
+                continue
+            for one in inline.filter(packet):
+                one.pts, one.dts = (one.pts or 0) + begin, (one.dts or 0) + begin
+                one.stream = video
+                if sound is not None:
+                    sound.write_until(float(one.dts * base))
+                container.mux(one)
 
 
 def _video_stream(
@@ -124,7 +164,7 @@ def _video_stream(
     options: dict[str, str],
 ) -> VideoStream:
     height, width = first.shape[:2]
-    gop = max(1, round(KEY_FRAME_INTERVAL_S * rate))
+    gop = key_frame_interval(rate)
     stream = container.add_stream(
         "libx264", rate=rate, options={**options, "g": str(gop)}
     )

@@ -2,11 +2,13 @@
 
 import os
 from collections.abc import Callable
+from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
 
 from hapticplayer.errors import MediaError
+from hapticplayer.media.clip_info import probe
 from hapticplayer.media.video import VideoDecoder
 
 MOST = 400
@@ -62,4 +64,29 @@ def thumbnails(
             height, width = rgb.shape[:2]
             pixels = np.ascontiguousarray(rgb).tobytes()
             made.append(Thumbnail(frame.pts_s, width, height, pixels))
+    return made
+
+
+def cover_pictures(
+    paths: list[Path],
+    height_px: int,
+    *,
+    progress: Callable[[float, str], None],
+) -> list[Thumbnail | None]:
+    """Return a picture from the first third of each clip; None where there is none.
+
+    Args:
+        paths: of clips.
+        height_px: of the pictures; their width follows.
+        progress: called before each clip; raises Cancelled to stop.
+    """
+    made: list[Thumbnail | None] = []
+    for number, path in enumerate(paths):
+        progress(number / len(paths), "")
+        try:
+            at_s = probe(path).duration_s / 3.0
+            found = thumbnails(path, [at_s], height_px, progress=lambda _f, _s: None)
+        except MediaError:
+            found = []
+        made.append(found[0] if found else None)
     return made

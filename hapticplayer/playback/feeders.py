@@ -15,7 +15,8 @@ from hapticplayer.media import (
     Picture,
     VideoDecoder,
 )
-from hapticplayer.playback.audio import CHANNELS, AudioRing
+from hapticplayer.playback.audio import AudioRing
+from hapticplayer.playback.sound_block import CHANNELS
 
 QUEUE_PICTURES = 5
 MAX_STARVED_DROPS = 15  # show one picture in half a second whatever happens

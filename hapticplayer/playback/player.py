@@ -6,23 +6,22 @@ process of their own. A front end that stops polling stops the heartbeat, and th
 force with it.
 """
 
-from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 from hapticplayer.clock import Clock
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.scheduling import Scheduling
-from hapticplayer.playback.audio import AudioOut, AudioRing, SoundDeviceOut
 from hapticplayer.playback.clock import AudioReport, MediaClock
 from hapticplayer.playback.clock import Source as ClockSource
 from hapticplayer.playback.farewell import Farewells, is_hardware
-from hapticplayer.playback.feeders import AudioFeeder, VideoFeeder
+from hapticplayer.playback.feeders import VideoFeeder
 from hapticplayer.playback.haptic_link import NO_DEVICE, HapticLink
 from hapticplayer.playback.log import PlaybackLog
 from hapticplayer.playback.screen import POLL_S, FrameSink, NullSink, Screen
 from hapticplayer.playback.snapshot import Phase, Snapshot
-from hapticplayer.playback.sound_revival import PREBUFFER_S, SoundKeeper
+from hapticplayer.playback.sound import NO_OUTPUT, AudioFactory, Sound
+from hapticplayer.playback.sound_process import SoundProcess
 from hapticplayer.playback.source import Source
 
 FIRST_SOUND_TIMEOUT_S = 3.0  # a sound server that wakes its device took 1.3 s
@@ -33,8 +32,6 @@ PICTURE_STOPS_S = 0.2
 NO_TRACK = ""  # no force; what comes after it fades in
 DAMAGED = "the clip is damaged: some of its pictures are missing or broken"
 
-AudioFactory = Callable[[AudioRing, Clock], AudioOut]
-
 
 class Player:
     """Plays one source at a time.
@@ -43,8 +40,7 @@ class Player:
         clock: of the machine.
         sink: where pictures go.
         device: name of the haptic device, or "none".
-        audio: makes the sound output; None plays without sound. An OSError from
-            it means that there is no output.
+        audio: makes the sound output, see `SoundKeeper`; None plays without sound.
         scheduling: of the haptics process; None for the best there is.
     """
 
@@ -54,7 +50,7 @@ class Player:
         sink: FrameSink | None = None,
         *,
         device: str = NO_DEVICE,
-        audio: AudioFactory | None = SoundDeviceOut,
+        audio: AudioFactory | None = SoundProcess,
         scheduling: Scheduling | None = None,
     ) -> None:
         self.source: Source | None = None
@@ -67,21 +63,16 @@ class Player:
         self.loop_s: tuple[float, float] | None = None  # played again and again
         self._clock = clock
         self._screen = Screen(clock, sink or NullSink(), self._note_picture)
-        self._make_audio = audio
         self._scheduling = scheduling
         self._media = MediaClock()
-        self._ring = AudioRing()
-        self._audio: AudioOut | None = None
-        self._keeper = SoundKeeper(self._ring, self._media, self._new_audio)
+        self._sound = Sound(clock, self._media, audio)
         self._video_feeder: VideoFeeder | None = None
-        self._audio_feeder: AudioFeeder | None = None
         self._log: PlaybackLog | None = None
         self._link = HapticLink(clock, device, scheduling)
         self._farewells = Farewells()
         self._size_px = (0, 0)
         self._first_sound_by_s = 0.0
         self._logged_audio_s = float("-inf")
-        self._underruns = 0
         self._led_by = ClockSource.MONOTONIC
         self._pictured_s = 0.0
         self._is_blind = False
@@ -118,40 +109,22 @@ class Player:
         self._link.load(source.tracks)
         self._video_feeder = VideoFeeder(source.clip.path)
         self._video_feeder.set_size(*self._size_px)
-        self._audio = self._open_audio() if source.clip.has_audio else None
-        if self._audio is not None:
-            self._audio_feeder = AudioFeeder(source.clip.path, self._ring)
+        self._sound.open(source.clip.path, has_sound=source.clip.has_audio)
         self.phase = Phase.PAUSED
         self._go_to(0.0)
-        for feeder in (self._video_feeder, self._audio_feeder):
-            if feeder is not None:
-                feeder.start()
+        self._video_feeder.start()
 
-    def _open_audio(self) -> AudioOut | None:
-        if self._make_audio is None:
-            return None
-        try:
-            return self._new_audio()
-        except OSError as problem:
-            self._event("no_sound_output", reason=str(problem))
-            self.told.append("there is no sound output, so the clip plays silently")
-            return None
-
-    def _new_audio(self) -> AudioOut:
-        assert self._make_audio is not None
-        return self._make_audio(self._ring, self._clock)
+    def prepare_sound(self) -> None:
+        """Open the sound output already: a clip with sound is about to be opened."""
+        self._sound.prepare()
 
     def unload(self) -> None:
         """Stop playing and forget the source."""
-        for feeder in (self._video_feeder, self._audio_feeder):
-            if feeder is not None:
-                feeder.stop()
-        self._keeper.cancel()
-        if self._audio is not None:
-            self._audio.close()
+        self._sound.forget()
         if self._video_feeder is not None:
+            self._video_feeder.stop()
             self._dropped_before += self._video_feeder.dropped
-        self._video_feeder = self._audio_feeder = self._audio = None
+            self._video_feeder = None
         self.source, self.loop_s = None, None
         self._screen.forget()
         self.phase, self.problem, self._damaged = Phase.EMPTY, "", 0
@@ -197,7 +170,7 @@ class Player:
             self._screen.picture_s = max(0.0, picture_s)
         elif (picture := feeder.pop()) is not None:
             self._media.seek(picture.pts_s)
-            self._follow_clock(picture.pts_s)
+            self._sound.go_to(picture.pts_s)
             self._screen.show_still(picture)
 
     def set_speed(self, speed: float) -> None:
@@ -216,16 +189,12 @@ class Player:
 
     def set_volume(self, share: float) -> None:
         """Set the loudness: 0 is silent, 1 as recorded; its cube is the amplitude."""
-        self._ring.gain = min(max(share, 0.0), 1.0) ** 3
+        self._sound.ring.gain = min(max(share, 0.0), 1.0) ** 3
 
     def set_sound_output(self, make: AudioFactory) -> None:
         """Play through another output from here on."""
-        source, position_s, was_playing = self.source, self.media_s(), self.is_playing
-        self._make_audio = make
-        if source is not None:
-            self.open(source, self.feedback)
-            self.seek(position_s)
-            self.phase = Phase.BUFFERING if was_playing else Phase.PAUSED
+        self._sound.use(make)
+        self.seek(self.media_s())
 
     def set_feedback(self, name: str) -> None:
         """Change the force track; the force ramps down and fades in again."""
@@ -235,7 +204,7 @@ class Player:
             self.feedback = name
             self._event("feedback", feedback=name)
             self._media.renew()
-            self._ring.follow(self._media.epoch)
+            self._sound.ring.follow(self._media.epoch)
 
     def set_device(self, name: str, record: Path | None = None) -> None:
         """Let go of the device and take another one, recording its ticks if asked.
@@ -279,6 +248,7 @@ class Player:
         """Bring the hand to rest, end all threads and finish the log."""
         self._link.stop_force()  # before anything that takes its time
         self.unload()
+        self._sound.close()
         self._link.close()
         self._farewells.wait()
         self._link.poll(self._log)
@@ -296,7 +266,7 @@ class Player:
             duration_s=self.source.clip.duration_s if self.source else 0.0,
             feedback=self.feedback,
             clock=self._media.source.value,
-            audio=self._audio.name if self._audio else "lost" * self._keeper.is_trying,
+            audio=self._sound.output,
             device=self._link.device,
             device_health=str(self._link.health or ""),
             scheduling=self._link.scheduling,
@@ -323,7 +293,8 @@ class Player:
 
     def summary(self) -> dict[str, Any]:
         """Return what the log ends with."""
-        underrun_s = self._ring.underrun_samples / self._ring.rate_hz
+        ring = self._sound.ring
+        underrun_s = ring.underrun_samples / ring.rate_hz
         return {
             **self._link.summary(),
             "frames": {
@@ -367,7 +338,7 @@ class Player:
 
     def _hear(self) -> None:
         """Follow what the sound output reports."""
-        for report in self._ring.reports():
+        for report in self._sound.reports():
             if self.phase is Phase.STARTING and report.epoch == self._media.epoch:
                 self._media.start_with(report)
                 self.phase = Phase.PLAYING
@@ -375,10 +346,8 @@ class Player:
                 self._resync(report)
                 return
             self._note_sound(report)
-        if self._ring.underrun_samples > self._underruns:
-            missing = self._ring.underrun_samples - self._underruns
-            self._underruns = self._ring.underrun_samples
-            self._event("underrun", missing_s=missing / self._ring.rate_hz)
+        if missing_s := self._sound.missing_s():
+            self._event("underrun", missing_s=missing_s)
 
     def _resync(self, report: AudioReport) -> None:
         """The sound is too far off to be caught up with: seek to where it is."""
@@ -409,7 +378,7 @@ class Player:
         if feeder.problem is not None and not self.problem:
             self.problem = str(feeder.problem)
             self._event("damaged", problem=self.problem)
-        if self.phase is Phase.BUFFERING and self._is_ready(feeder):
+        if self.phase is Phase.BUFFERING and self._is_ready(feeder, now_s):
             self._start(now_s)
         elif self.phase is Phase.STARTING and now_s > self._first_sound_by_s:
             self._media.start(now_s)
@@ -428,35 +397,31 @@ class Player:
         if self._media.source is not self._led_by:
             self._led_by = self._media.source
             self._event("clock", source=self._led_by.value)
-            if self._audio is not None and self._led_by is ClockSource.MONOTONIC:
+            if self._sound.is_wanted and self._led_by is ClockSource.MONOTONIC:
                 self.told.append("the sound was lost; picture and force go on")
 
-    def _is_ready(self, feeder: VideoFeeder) -> bool:
+    def _is_ready(self, feeder: VideoFeeder, now_s: float) -> bool:
         has_picture = feeder.peek(1) is not None or feeder.is_at_end
-        if self._audio_feeder is None:
-            return has_picture
-        has_sound = self._ring.buffered_s() > PREBUFFER_S or self._ring.is_complete
-        return has_picture and (has_sound or self._audio_feeder.is_at_end)
+        return has_picture and self._sound.is_ready(now_s)
 
     def _keep_sound(self, now_s: float) -> None:
         """Notice that the output is lost, and use the next one."""
-        feeder = self._audio_feeder
-        self._audio, happened = self._keeper.look(
-            now_s,
-            self._audio,
-            feeder.request if feeder else None,
-            is_playing=self.phase is Phase.PLAYING,
-        )
-        if happened:
+        happened = self._sound.look(now_s, is_playing=self.phase is Phase.PLAYING)
+        if happened == "no_sound_output":
+            self._event(happened, reason=self._sound.problem)
+            self.told.append(NO_OUTPUT)
+        elif happened:
             self._event(happened)
+            if self.phase is Phase.STARTING:
+                self.phase = Phase.BUFFERING  # what was begun is not heard
 
     def _start(self, now_s: float) -> None:
-        if self._audio is None:
+        if not self._sound.is_open:
             self._media.start(now_s)
             self.phase = Phase.PLAYING
         else:
             # the clock starts with the first sound: its delay is never assumed
-            self._ring.play()
+            self._sound.ring.play()
             self._first_sound_by_s = now_s + FIRST_SOUND_TIMEOUT_S
             self.phase = Phase.STARTING
 
@@ -467,28 +432,17 @@ class Player:
 
     def _hold(self, phase: Phase) -> None:
         """Stand still; the sound that is on its way stays in the ring."""
-        self._keeper.rest()
         now_s = self._clock.now_s()
         self._media.pause(now_s)
-        position_s = self._media.media_s(now_s)
-        if not self._ring.resume_from(self._media.epoch, position_s):
-            self._follow_clock(position_s)
+        self._sound.hold(self._media.media_s(now_s))
         self.phase = phase
 
     def _go_to(self, media_s: float) -> None:
-        self._keeper.rest()
         self._media.seek(media_s)
         self._screen.renew()
         if self._video_feeder is not None:
             self._video_feeder.request(self._media.epoch, media_s)
-        self._follow_clock(media_s)
-
-    def _follow_clock(self, media_s: float) -> None:
-        """Let the sound stand at a position of the clock's new epoch."""
-        self._ring.load(self._media.epoch, media_s, self._media.speed)
-        if self._audio_feeder is not None:
-            self._audio_feeder.set_speed(self._media.speed)
-            self._audio_feeder.request(self._media.epoch, media_s)
+        self._sound.go_to(media_s)
 
     def _present(self, now_s: float) -> float:
         """Show the picture that is due and return when the next one is, s."""

@@ -8,9 +8,12 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from hapticplayer import __version__, rendering
 from hapticplayer.capture import LogChoices, Recording, read_recording
-from hapticplayer.capture.recording import refuse_gravity_free
+from hapticplayer.capture.mounting import mounted
+from hapticplayer.capture.recording import find_gaps, refuse_gravity_free
 from hapticplayer.clock import utc_now_iso
 from hapticplayer.errors import InputError
 from hapticplayer.media import ClipInfo, probe
@@ -22,6 +25,7 @@ from hapticplayer.model import (
     MotionTrack,
 )
 from hapticplayer.sequence import files, store
+from hapticplayer.sequence.editing import describe_track
 from hapticplayer.sequence.excursion import excursion_texts, predict
 from hapticplayer.sequence.motion_cache import user_cache
 from hapticplayer.sequence.notes import notes_on_motion, notes_on_sequence
@@ -43,6 +47,8 @@ class Choices:
         use_cache: whether a known result of gravity removal may be taken and kept.
         log: what was decided about a log that does not explain itself.
         sync: how the log's clock is laid to the clip.
+        mounting: right, front and up of the actor in the recorder's axes; "" where
+            these are the same.
     """
 
     title: str | None = None
@@ -52,6 +58,7 @@ class Choices:
     use_cache: bool = True
     log: LogChoices | None = None
     sync: SyncChoices = dataclasses.field(default_factory=SyncChoices)
+    mounting: str = ""
 
 
 def build_sequence(
@@ -90,8 +97,19 @@ def build_sequence(
     if offset_s is not None:
         sync = dataclasses.replace(sync, method="offset", offset_s=offset_s)
     progress(0.02, "synchronising")
-    recording = synchronized(clip, recording, sync)
+    recording = _mounted(synchronized(clip, recording, sync), choices.mounting)
     return write_sequence(clip, recording, target, choices=choices, progress=progress)
+
+
+def _mounted(recording: Recording, axes: str) -> Recording:
+    """Return the recording in the actor's axes, and in provenance how it was turned."""
+    if not axes:
+        return recording
+    return dataclasses.replace(
+        recording,
+        imu=mounted(recording.imu, axes),
+        provenance={**recording.provenance, "mounting": axes},
+    )
 
 
 def write_sequence(
@@ -157,6 +175,7 @@ def write_sequence(
                 "camera": recording.camera,
                 "imu_rate_hz": round(recording.imu.rate_hz, 3),
                 "imu_samples": len(recording.imu),
+                **_describe_cover(recording.imu, track, clip),
                 **_describe_processing(processed, choices.processing),
                 "notes": notes,
                 **recording.provenance,
@@ -274,6 +293,17 @@ def _describe_clip(clip: ClipInfo, name: str) -> dict[str, Any]:
     }
 
 
+def _describe_cover(imu: ImuLog, track: MotionTrack, clip: ClipInfo) -> dict[str, Any]:
+    gaps = find_gaps(imu)
+    first_s = max(0.0, float(track.time_s[0]))
+    last_s = min(clip.duration_s, float(track.time_s[-1]))
+    return {
+        "gaps": len(gaps),
+        "longest_gap_s": float(np.diff(imu.time_s)[gaps].max()) if len(gaps) else 0.0,
+        "uncovered_share": round(1.0 - (last_s - first_s) / clip.duration_s, 5),
+    }
+
+
 def _describe_processing(processed: Processed, chosen: Processing) -> dict[str, Any]:
     summary = processed.summary
     return {
@@ -290,13 +320,7 @@ def _describe_tracks(
     tracks: dict[str, ForceTrack], excursions: dict[str, dict[str, Any]]
 ) -> dict[str, Any]:
     described: dict[str, Any] = {
-        name: {
-            "file": f"force_{name}.npz",
-            "peak_n": track.peak_n(),
-            "rms_n": [float(value) for value in track.rms_n()],
-            "excursion": excursions[name],
-            "provenance": dict(track.provenance),
-        }
+        name: describe_track(track, f"force_{name}.npz", excursions[name])
         for name, track in tracks.items()
     }
     described[Feedback.NONE.value] = {"provenance": {"feedback": "none"}}

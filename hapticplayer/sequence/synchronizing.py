@@ -12,7 +12,7 @@ from hapticplayer.capture import (
     synchronize,
 )
 from hapticplayer.errors import InputError, UsageError
-from hapticplayer.media import ClipInfo
+from hapticplayer.media import ClipInfo, camera_of
 from hapticplayer.model import ClockMap, ImuLog
 from hapticplayer.sequence import files
 
@@ -21,6 +21,7 @@ SKEWS = "cameras.json"
 
 _LARGEST_SKEW_S = 2.0
 _NEXT_BEST = 3
+_SAME_S = 0.0005  # half of the step in which a person moves it
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,12 +32,15 @@ class SyncChoices:
         method: of `capture.synchronize`; None for the offset if there is one, for the
             recording's own clock if it knows the clip's, else for the pats.
         offset_s: media time of the log's time zero.
-        sound_late_s: how much later than its picture the camera's sound comes.
+        sound_late_s: how much later than its picture the camera's sound comes; None
+            for what is stored for the clip's camera.
+        seen: what a person has looked at and taken, sure or not.
     """
 
     method: str | None = None
     offset_s: float | None = None
-    sound_late_s: float = 0.0
+    sound_late_s: float | None = None
+    seen: Synchronisation | None = None
 
 
 def synchronized(
@@ -48,13 +52,25 @@ def synchronized(
         InputError: when there is nothing to go by.
         UsageError: when it is not certain; says what a person can do.
     """
-    found = find_sync(clip, recording, choices)
-    if not found.is_confident:
+    found = choices.seen or find_sync(clip, recording, choices)
+    if not found.is_confident and choices.seen is None:
         raise UsageError(doubt(found, clip.path.name))
+    described = {**found.described(), "seen_by_person": choices.seen is not None}
     return dataclasses.replace(
         recording,
         clock_map=found.clock_map,
-        provenance={**recording.provenance, "synchronisation": found.described()},
+        provenance={**recording.provenance, "synchronisation": described},
+    )
+
+
+def moved_to(found: Synchronisation, offset_s: float) -> Synchronisation:
+    """Return what was found with the offset that a person has chosen instead."""
+    if abs(offset_s - found.clock_map.offset_s) < _SAME_S:
+        return found
+    # what spoke for the old offset speaks against the new one
+    clock = ClockMap(offset_s, found.clock_map.rate, 0.0, 1.0)
+    return Synchronisation(
+        clock, "offset", has_drift=found.has_drift, sound_late_s=found.sound_late_s
     )
 
 
@@ -79,7 +95,10 @@ def find_sync(
         known = None if offset_s is None else ClockMap(offset_s)
     if method in ("embedded", "offset"):
         return synchronize(recording.imu, method=method, known=known)
-    return sync_by_sound(clip, recording.imu, method, choices.sound_late_s)
+    late_s = choices.sound_late_s
+    if late_s is None:
+        late_s = stored_skews().get(camera_of(clip.path), 0.0)
+    return sync_by_sound(clip, recording.imu, method, late_s)
 
 
 def sync_by_sound(

@@ -32,6 +32,10 @@
         <translation>Aufnahme &amp;importieren …</translation>
     </message>
     <message>
+        <source>Li&amp;brary…</source>
+        <translation>&amp;Bibliothek…</translation>
+    </message>
+    <message>
         <source>Open the &amp;demo</source>
         <translation>&amp;Demo öffnen</translation>
     </message>
@@ -249,6 +253,13 @@
     </message>
 </context>
 <context>
+    <name>ClipFrame</name>
+    <message>
+        <source>Picture at the cursor</source>
+        <translation>Bild am Zeiger</translation>
+    </message>
+</context>
+<context>
     <name>Controls</name>
     <message>
         <source>Volume {n} %</source>
@@ -435,6 +446,14 @@
         <translation>Der Ordner einer Sequenz</translation>
     </message>
     <message>
+        <source>Library…</source>
+        <translation>Bibliothek…</translation>
+    </message>
+    <message>
+        <source>The sequences that were imported</source>
+        <translation>Die importierten Sequenzen</translation>
+    </message>
+    <message>
         <source>Import a recording…</source>
         <translation>Aufnahme importieren …</translation>
     </message>
@@ -474,6 +493,93 @@
     <message>
         <source>Settings (*.json)</source>
         <translation>Einstellungen (*.json)</translation>
+    </message>
+</context>
+<context>
+    <name>FilesPage</name>
+    <message>
+        <source>Video</source>
+        <translation>Video</translation>
+    </message>
+    <message>
+        <source>Motion log</source>
+        <translation>Bewegungsprotokoll</translation>
+    </message>
+    <message>
+        <source>inside the video</source>
+        <translation>im Video</translation>
+    </message>
+    <message>
+        <source>&amp;Keep the answers…</source>
+        <translation>Antworten &amp;behalten…</translation>
+    </message>
+    <message>
+        <source>Write a template for all logs of this logger</source>
+        <translation>Eine Vorlage für alle Protokolle dieses Loggers schreiben</translation>
+    </message>
+    <message>
+        <source>Drop a video here, with the log of its motion sensor if that was a device of its own. GoPro cameras keep their motion inside the video.</source>
+        <translation>Ziehen Sie ein Video hierher, mit dem Protokoll des Bewegungssensors, wenn das ein eigenes Gerät war. GoPro-Kameras legen die Bewegung im Video ab.</translation>
+    </message>
+    <message>
+        <source>&amp;Video</source>
+        <translation>&amp;Video</translation>
+    </message>
+    <message>
+        <source>Motion &amp;log</source>
+        <translation>&amp;Protokoll</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Wählen…</translation>
+    </message>
+    <message>
+        <source>with sound</source>
+        <translation>mit Ton</translation>
+    </message>
+    <message>
+        <source>without sound</source>
+        <translation>ohne Ton</translation>
+    </message>
+    <message>
+        <source>Video: {camera}{width} × {height}, {rate} pictures a second, {duration}, {sound}</source>
+        <translation>Video: {camera}{width} × {height}, {rate} Bilder je Sekunde, {duration}, {sound}</translation>
+    </message>
+    <message>
+        <source>Motion: {recorder}, {rate} samples a second, {duration}, {gaps} gaps</source>
+        <translation>Bewegung: {recorder}, {rate} Werte je Sekunde, {duration}, {gaps} Lücken</translation>
+    </message>
+    <message>
+        <source>It turned so much that gravity does not show its axes.</source>
+        <translation>Der Sensor drehte sich so sehr, dass die Schwerkraft seine Achsen nicht zeigt.</translation>
+    </message>
+    <message>
+        <source>Axes: x to its right, y to its front, z to its top; on average {up} was up</source>
+        <translation>Achsen: x nach rechts, y nach vorn, z nach oben; im Mittel war {up} oben</translation>
+    </message>
+    <message>
+        <source>Choose a video</source>
+        <translation>Video wählen</translation>
+    </message>
+    <message>
+        <source>Motion logs (*.csv *.txt *.log *.zip *.gcsv *.json *.bin *.gpmf);;All files (*)</source>
+        <translation>Bewegungsprotokolle (*.csv *.txt *.log *.zip *.gcsv *.json *.bin *.gpmf);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Choose a motion log</source>
+        <translation>Bewegungsprotokoll wählen</translation>
+    </message>
+    <message>
+        <source>Templates (*.json)</source>
+        <translation>Vorlagen (*.json)</translation>
+    </message>
+    <message>
+        <source>Choose a template</source>
+        <translation>Vorlage wählen</translation>
+    </message>
+    <message>
+        <source>Where shall the template be written?</source>
+        <translation>Wohin soll die Vorlage geschrieben werden?</translation>
     </message>
 </context>
 <context>
@@ -885,122 +991,86 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     </message>
 </context>
 <context>
-    <name>ImportDialog</name>
+    <name>ImportWizard</name>
     <message>
         <source>Import a recording</source>
         <translation>Aufnahme importieren</translation>
     </message>
     <message>
-        <source>Video</source>
-        <translation>Video</translation>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
     </message>
     <message>
-        <source>Motion log</source>
-        <translation>Bewegungsprotokoll</translation>
+        <source>&amp;Stop</source>
+        <translation>A&amp;nhalten</translation>
     </message>
     <message>
-        <source>inside the video</source>
-        <translation>im Video</translation>
+        <source>Stop this work; nothing is left behind</source>
+        <translation>Diese Arbeit anhalten; nichts bleibt zurück</translation>
     </message>
     <message>
-        <source>New folder</source>
-        <translation>Neuer Ordner</translation>
+        <source>&amp;Import another…</source>
+        <translation>&amp;Weitere importieren…</translation>
     </message>
     <message>
-        <source>by three pats</source>
-        <translation>durch drei Klopfer</translation>
+        <source>Begin again with other files</source>
+        <translation>Mit anderen Dateien neu beginnen</translation>
     </message>
     <message>
-        <source> s</source>
-        <translation> s</translation>
+        <source>&amp;Back</source>
+        <translation>&amp;Zurück</translation>
     </message>
     <message>
-        <source>Offset</source>
-        <translation>Versatz</translation>
+        <source>To the step before</source>
+        <translation>Zum vorigen Schritt</translation>
     </message>
     <message>
-        <source>Media time at which the log&apos;s clock reads zero</source>
-        <translation>Zeit im Clip, zu der die Uhr des Protokolls null zeigt</translation>
+        <source>&amp;Next</source>
+        <translation>&amp;Weiter</translation>
     </message>
     <message>
-        <source>&amp;Look…</source>
-        <translation>An&amp;sehen…</translation>
+        <source>To the next step</source>
+        <translation>Zum nächsten Schritt</translation>
     </message>
     <message>
-        <source>Find the pats, see and correct the offset</source>
-        <translation>Die Klopfer finden, den Versatz ansehen und berichtigen</translation>
+        <source>Close</source>
+        <translation>Schließen</translation>
     </message>
     <message>
-        <source>A sequence is a folder with the clip, its motion and the force that belongs to it. Cameras such as GoPro keep their motion inside the video; otherwise give the log of a motion sensor.</source>
-        <translation>Eine Sequenz ist ein Ordner mit dem Clip, seiner Bewegung und der Kraft dazu. Kameras wie GoPro bewahren die Bewegung im Video auf; sonst geben Sie das Protokoll eines Bewegungssensors an.</translation>
+        <source>Close this window</source>
+        <translation>Dieses Fenster schließen</translation>
     </message>
     <message>
-        <source>Choose…</source>
-        <translation>Wählen …</translation>
+        <source>Recording</source>
+        <translation>Aufnahme</translation>
     </message>
     <message>
-        <source>&amp;Video</source>
-        <translation>&amp;Video</translation>
+        <source>Synchronise</source>
+        <translation>Synchronisieren</translation>
     </message>
     <message>
-        <source>Motion &amp;log (CSV)</source>
-        <translation>Bewegungs&amp;protokoll (CSV)</translation>
+        <source>Mounting</source>
+        <translation>Befestigung</translation>
     </message>
     <message>
-        <source>New &amp;folder</source>
-        <translation>Neuer &amp;Ordner</translation>
+        <source>Report</source>
+        <translation>Bericht</translation>
     </message>
     <message>
-        <source>&amp;Offset</source>
-        <translation>Ver&amp;satz</translation>
+        <source>&amp;Import</source>
+        <translation>&amp;Importieren</translation>
     </message>
     <message>
-        <source>Import</source>
-        <translation>Importieren</translation>
+        <source>&amp;Play it</source>
+        <translation>&amp;Abspielen</translation>
     </message>
     <message>
-        <source>Make the sequence and open it</source>
-        <translation>Die Sequenz erzeugen und öffnen</translation>
+        <source>Looking at {0}</source>
+        <translation>{0} wird angesehen</translation>
     </message>
     <message>
-        <source>Cancel</source>
-        <translation>Abbrechen</translation>
-    </message>
-    <message>
-        <source>Import nothing</source>
-        <translation>Nichts importieren</translation>
-    </message>
-    <message>
-        <source>Choose a video that exists.</source>
-        <translation>Wählen Sie ein vorhandenes Video.</translation>
-    </message>
-    <message>
-        <source>The motion log does not exist.</source>
-        <translation>Das Bewegungsprotokoll gibt es nicht.</translation>
-    </message>
-    <message>
-        <source>Choose where the new folder shall be.</source>
-        <translation>Wählen Sie, wo der neue Ordner liegen soll.</translation>
-    </message>
-    <message>
-        <source>The new folder exists already; give another name.</source>
-        <translation>Den Ordner gibt es schon; wählen Sie einen anderen Namen.</translation>
-    </message>
-    <message>
-        <source>Choose a video</source>
-        <translation>Video wählen</translation>
-    </message>
-    <message>
-        <source>Motion logs (*.csv);;All files (*)</source>
-        <translation>Bewegungsprotokolle (*.csv);;Alle Dateien (*)</translation>
-    </message>
-    <message>
-        <source>Choose a motion log</source>
-        <translation>Bewegungsprotokoll wählen</translation>
-    </message>
-    <message>
-        <source>Where shall the new folder be made?</source>
-        <translation>Wo soll der neue Ordner entstehen?</translation>
+        <source>Importing {0}</source>
+        <translation>{0} wird importiert</translation>
     </message>
 </context>
 <context>
@@ -1082,6 +1152,220 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     </message>
 </context>
 <context>
+    <name>LibraryDetails</name>
+    <message>
+        <source>Force tracks</source>
+        <translation>Kraftspuren</translation>
+    </message>
+    <message>
+        <source>Force track</source>
+        <translation>Kraftspur</translation>
+    </message>
+    <message>
+        <source>Peak</source>
+        <translation>Spitze</translation>
+    </message>
+    <message>
+        <source>RMS</source>
+        <translation>Effektiv</translation>
+    </message>
+    <message>
+        <source>Workspace</source>
+        <translation>Arbeitsraum</translation>
+    </message>
+    <message>
+        <source>Gain</source>
+        <translation>Verstärkung</translation>
+    </message>
+    <message>
+        <source> N per m/s²</source>
+        <translation> N je m/s²</translation>
+    </message>
+    <message>
+        <source>&amp;Add a track…</source>
+        <translation>Spur &amp;hinzufügen…</translation>
+    </message>
+    <message>
+        <source>A force track from a CSV file</source>
+        <translation>Eine Kraftspur aus einer CSV-Datei</translation>
+    </message>
+    <message>
+        <source>Rena&amp;me…</source>
+        <translation>&amp;Umbenennen…</translation>
+    </message>
+    <message>
+        <source>Rename the track</source>
+        <translation>Die Spur umbenennen</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Entfernen</translation>
+    </message>
+    <message>
+        <source>Remove the track</source>
+        <translation>Die Spur entfernen</translation>
+    </message>
+    <message>
+        <source>Use this &amp;gain</source>
+        <translation>&amp;Verstärkung nehmen</translation>
+    </message>
+    <message>
+        <source>Make the realistic and the random track anew</source>
+        <translation>Die realistische und die zufällige Spur neu erzeugen</translation>
+    </message>
+    <message>
+        <source>about {peak} N at the peak, {rms} N RMS…</source>
+        <translation>etwa {peak} N Spitze, {rms} N effektiv…</translation>
+    </message>
+    <message>
+        <source>{peak} N at the peak, {rms} N RMS, {share} of the samples at the limit; workspace: relaxed hand {relaxed}, normal {normal}, firm {firm}</source>
+        <translation>{peak} N Spitze, {rms} N effektiv, {share} der Werte an der Grenze; Arbeitsraum: lockere Hand {relaxed}, normale {normal}, feste {firm}</translation>
+    </message>
+    <message>
+        <source>the force would stop</source>
+        <translation>die Kraft würde anhalten</translation>
+    </message>
+    <message>
+        <source>Making the force anew</source>
+        <translation>Die Kraft wird neu erzeugt</translation>
+    </message>
+    <message>
+        <source>Force tracks (*.csv);;All files (*)</source>
+        <translation>Kraftspuren (*.csv);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Choose a force track</source>
+        <translation>Kraftspur wählen</translation>
+    </message>
+    <message>
+        <source>Adding {name}</source>
+        <translation>{name} wird hinzugefügt</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+</context>
+<context>
+    <name>LibraryPage</name>
+    <message>
+        <source>Library</source>
+        <translation>Bibliothek</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Suchen</translation>
+    </message>
+    <message>
+        <source>Sequences</source>
+        <translation>Sequenzen</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>Bring back what was deleted last</source>
+        <translation>Das zuletzt Gelöschte zurückholen</translation>
+    </message>
+    <message>
+        <source>S&amp;top</source>
+        <translation>An&amp;halten</translation>
+    </message>
+    <message>
+        <source>Stop this work; nothing is left behind</source>
+        <translation>Diese Arbeit anhalten; nichts bleibt zurück</translation>
+    </message>
+    <message>
+        <source>&amp;Import…</source>
+        <translation>&amp;Importieren…</translation>
+    </message>
+    <message>
+        <source>Bring in a recording</source>
+        <translation>Eine Aufnahme hereinholen</translation>
+    </message>
+    <message>
+        <source>&amp;Folder…</source>
+        <translation>O&amp;rdner…</translation>
+    </message>
+    <message>
+        <source>Show another folder</source>
+        <translation>Einen anderen Ordner zeigen</translation>
+    </message>
+    <message>
+        <source>Re&amp;name…</source>
+        <translation>&amp;Umbenennen…</translation>
+    </message>
+    <message>
+        <source>Another title</source>
+        <translation>Ein anderer Titel</translation>
+    </message>
+    <message>
+        <source>&amp;Verify</source>
+        <translation>&amp;Prüfen</translation>
+    </message>
+    <message>
+        <source>Read every file, check it</source>
+        <translation>Jede Datei lesen und prüfen</translation>
+    </message>
+    <message>
+        <source>&amp;Delete…</source>
+        <translation>&amp;Löschen…</translation>
+    </message>
+    <message>
+        <source>Move it to the bin</source>
+        <translation>In den Papierkorb legen</translation>
+    </message>
+    <message>
+        <source>&amp;Open</source>
+        <translation>Ö&amp;ffnen</translation>
+    </message>
+    <message>
+        <source>Play it (Enter)</source>
+        <translation>Abspielen (Eingabe)</translation>
+    </message>
+    <message>
+        <source>There is nothing here yet; import a recording.</source>
+        <translation>Hier ist noch nichts; importieren Sie eine Aufnahme.</translation>
+    </message>
+    <message>
+        <source>Where are sequences kept?</source>
+        <translation>Wo liegen die Sequenzen?</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Umbenennen</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Titel</translation>
+    </message>
+    <message>
+        <source>Verifying</source>
+        <translation>Prüfung</translation>
+    </message>
+    <message>
+        <source>{title}: every file is as it was written</source>
+        <translation>{title}: Jede Datei ist, wie sie geschrieben wurde</translation>
+    </message>
+    <message>
+        <source>Move {title} to the bin? It can be brought back from there.</source>
+        <translation>{title} in den Papierkorb legen? Von dort kann man sie zurückholen.</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>{title} cannot be moved to the bin; nothing was deleted.</source>
+        <translation>{title} kann nicht in den Papierkorb gelegt werden; nichts wurde gelöscht.</translation>
+    </message>
+    <message>
+        <source>{title} is in the bin.</source>
+        <translation>{title} liegt im Papierkorb.</translation>
+    </message>
+</context>
+<context>
     <name>LookMenus</name>
     <message>
         <source>&amp;Look</source>
@@ -1117,6 +1401,137 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     <message>
         <source>Hide this message</source>
         <translation>Diese Meldung ausblenden</translation>
+    </message>
+</context>
+<context>
+    <name>MountingPage</name>
+    <message>
+        <source>Mounting</source>
+        <translation>Befestigung</translation>
+    </message>
+    <message>
+        <source>The device stands</source>
+        <translation>Das Gerät steht</translation>
+    </message>
+    <message>
+        <source>Gain</source>
+        <translation>Verstärkung</translation>
+    </message>
+    <message>
+        <source> N per m/s²</source>
+        <translation> N je m/s²</translation>
+    </message>
+    <message>
+        <source>The same for all sequences that are to be compared</source>
+        <translation>Dieselbe für alle Sequenzen, die verglichen werden sollen</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Titel</translation>
+    </message>
+    <message>
+        <source>Looks forward, upright</source>
+        <translation>Blickt nach vorn, aufrecht</translation>
+    </message>
+    <message>
+        <source>Looks forward, upside down</source>
+        <translation>Blickt nach vorn, kopfüber</translation>
+    </message>
+    <message>
+        <source>Looks backward, upright</source>
+        <translation>Blickt nach hinten, aufrecht</translation>
+    </message>
+    <message>
+        <source>Looks to the right, upright</source>
+        <translation>Blickt nach rechts, aufrecht</translation>
+    </message>
+    <message>
+        <source>Looks to the left, upright</source>
+        <translation>Blickt nach links, aufrecht</translation>
+    </message>
+    <message>
+        <source>Looks forward, left side up</source>
+        <translation>Blickt nach vorn, linke Seite oben</translation>
+    </message>
+    <message>
+        <source>Looks forward, right side up</source>
+        <translation>Blickt nach vorn, rechte Seite oben</translation>
+    </message>
+    <message>
+        <source>Lies on its back, looks up</source>
+        <translation>Liegt auf dem Rücken, blickt nach oben</translation>
+    </message>
+    <message>
+        <source>Looks down</source>
+        <translation>Blickt nach unten</translation>
+    </message>
+    <message>
+        <source>Right {right}, front {front}, up {up}</source>
+        <translation>Rechts {right}, vorn {front}, oben {up}</translation>
+    </message>
+    <message>
+        <source>before its user: forward pulls the hand away</source>
+        <translation>vor der Person: vorwärts zieht die Hand weg</translation>
+    </message>
+    <message>
+        <source>to the right of its user</source>
+        <translation>rechts von der Person</translation>
+    </message>
+    <message>
+        <source>behind its user</source>
+        <translation>hinter der Person</translation>
+    </message>
+    <message>
+        <source>to the left of its user</source>
+        <translation>links von der Person</translation>
+    </message>
+    <message>
+        <source>Change…</source>
+        <translation>Ändern…</translation>
+    </message>
+    <message>
+        <source>Keep sequences in another folder</source>
+        <translation>Sequenzen in einem anderen Ordner aufbewahren</translation>
+    </message>
+    <message>
+        <source>&amp;Mounting</source>
+        <translation>&amp;Befestigung</translation>
+    </message>
+    <message>
+        <source>The &amp;device stands</source>
+        <translation>Das &amp;Gerät steht</translation>
+    </message>
+    <message>
+        <source>&amp;Gain</source>
+        <translation>&amp;Verstärkung</translation>
+    </message>
+    <message>
+        <source>&amp;Title</source>
+        <translation>&amp;Titel</translation>
+    </message>
+    <message>
+        <source>Library</source>
+        <translation>Bibliothek</translation>
+    </message>
+    <message>
+        <source>The drawing shows the recorder on its actor, who looks to the front; the dashed line is where gravity says that up was.</source>
+        <translation>Die Zeichnung zeigt das Aufnahmegerät an der Person, die nach vorn blickt; die gestrichelte Linie zeigt, wo nach der Schwerkraft oben war.</translation>
+    </message>
+    <message>
+        <source>It turned so much that gravity does not tell which is right.</source>
+        <translation>Es drehte sich so sehr, dass die Schwerkraft nicht sagt, welche stimmt.</translation>
+    </message>
+    <message>
+        <source>Gravity agrees. Which side was the front only you can know.</source>
+        <translation>Die Schwerkraft stimmt überein. Welche Seite vorn war, können nur Sie wissen.</translation>
+    </message>
+    <message>
+        <source>Gravity says that another side was up.</source>
+        <translation>Nach der Schwerkraft war eine andere Seite oben.</translation>
+    </message>
+    <message>
+        <source>Where shall sequences be kept?</source>
+        <translation>Wo sollen Sequenzen aufbewahrt werden?</translation>
     </message>
 </context>
 <context>
@@ -1201,6 +1616,168 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     </message>
 </context>
 <context>
+    <name>Quality</name>
+    <message>
+        <source>Good: ready for use</source>
+        <translation>Gut: kann verwendet werden</translation>
+    </message>
+    <message>
+        <source>Doubtful: look at what is marked</source>
+        <translation>Zweifelhaft: sehen Sie sich an, was markiert ist</translation>
+    </message>
+    <message>
+        <source>Bad: better record or import it again</source>
+        <translation>Schlecht: besser neu aufnehmen oder importieren</translation>
+    </message>
+    <message>
+        <source>good</source>
+        <translation>gut</translation>
+    </message>
+    <message>
+        <source>doubtful</source>
+        <translation>zweifelhaft</translation>
+    </message>
+    <message>
+        <source>bad</source>
+        <translation>schlecht</translation>
+    </message>
+    <message>
+        <source>Synchronisation</source>
+        <translation>Synchronisation</translation>
+    </message>
+    <message>
+        <source>Clock drift</source>
+        <translation>Gang der Uhr</translation>
+    </message>
+    <message>
+        <source>Sampling</source>
+        <translation>Abtastung</translation>
+    </message>
+    <message>
+        <source>Gravity left at rest</source>
+        <translation>Schwerkraft, die in Ruhe bleibt</translation>
+    </message>
+    <message>
+        <source>Sensor at its limit</source>
+        <translation>Sensor an der Grenze</translation>
+    </message>
+    <message>
+        <source>Gaps</source>
+        <translation>Lücken</translation>
+    </message>
+    <message>
+        <source>Clip without motion</source>
+        <translation>Clip ohne Bewegung</translation>
+    </message>
+    <message>
+        <source>Force at its limit</source>
+        <translation>Kraft an der Grenze</translation>
+    </message>
+    <message>
+        <source>Use of the workspace</source>
+        <translation>Nutzung des Arbeitsraums</translation>
+    </message>
+    <message>
+        <source>Heat of the motors</source>
+        <translation>Wärme der Motoren</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>nicht gemessen</translation>
+    </message>
+    <message>
+        <source>residual {ms} ms, confidence {confidence} ({how})</source>
+        <translation>Rest {ms} ms, Sicherheit {confidence} ({how})</translation>
+    </message>
+    <message>
+        <source>{share} of the motion; {count}, the longest {s} s</source>
+        <translation>{share} der Bewegung; {count}, die längste {s} s</translation>
+    </message>
+    <message>
+        <source>{share} of the samples; the peak is {n} N</source>
+        <translation>{share} der Werte; die Spitze ist {n} N</translation>
+    </message>
+    <message>
+        <source>three pats</source>
+        <translation>drei Klopfer</translation>
+    </message>
+    <message>
+        <source>variance</source>
+        <translation>Varianz</translation>
+    </message>
+    <message>
+        <source>one clock</source>
+        <translation>eine Uhr</translation>
+    </message>
+    <message>
+        <source>by hand</source>
+        <translation>von Hand</translation>
+    </message>
+    <message>
+        <source>relaxed hand</source>
+        <translation>lockere Hand</translation>
+    </message>
+    <message>
+        <source>normal hand</source>
+        <translation>normale Hand</translation>
+    </message>
+    <message>
+        <source>firm hand</source>
+        <translation>feste Hand</translation>
+    </message>
+    <message>
+        <source>The force would stop; lower the gain</source>
+        <translation>Die Kraft würde anhalten; Verstärkung senken</translation>
+    </message>
+    <message>
+        <source>Look again, and give three pats next time</source>
+        <translation>Noch einmal ansehen; nächstes Mal dreimal klopfen</translation>
+    </message>
+    <message>
+        <source>Pat at the end of a long recording too</source>
+        <translation>Bei langen Aufnahmen auch am Ende klopfen</translation>
+    </message>
+    <message>
+        <source>Record at 100 Hz or more</source>
+        <translation>Mit 100 Hz oder mehr aufnehmen</translation>
+    </message>
+    <message>
+        <source>Stand still for a few seconds at the start</source>
+        <translation>Am Anfang einige Sekunden stillstehen</translation>
+    </message>
+    <message>
+        <source>Choose a larger range of the accelerometer</source>
+        <translation>Größeren Messbereich des Beschleunigungssensors wählen</translation>
+    </message>
+    <message>
+        <source>There is no force there; try another card</source>
+        <translation>Dort gibt es keine Kraft; andere Speicherkarte versuchen</translation>
+    </message>
+    <message>
+        <source>Start the log before the clip, end it after</source>
+        <translation>Das Protokoll vor dem Clip beginnen, danach beenden</translation>
+    </message>
+    <message>
+        <source>Lower the gain</source>
+        <translation>Verstärkung senken</translation>
+    </message>
+    <message>
+        <source>Lower the gain, or play shorter clips</source>
+        <translation>Verstärkung senken oder kürzere Clips spielen</translation>
+    </message>
+</context>
+<context>
+    <name>QualityView</name>
+    <message>
+        <source>Quality report</source>
+        <translation>Qualitätsbericht</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Hinweise</translation>
+    </message>
+</context>
+<context>
     <name>RecentMenu</name>
     <message>
         <source>Forget all</source>
@@ -1216,10 +1793,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     <message>
         <source>Preparing the demo</source>
         <translation>Die Demo wird vorbereitet</translation>
-    </message>
-    <message>
-        <source>Importing {name}</source>
-        <translation>{name} wird importiert</translation>
     </message>
     <message>
         <source>Something else is being done; wait for it or cancel it</source>
@@ -1808,15 +2381,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     </message>
 </context>
 <context>
-    <name>SyncDialog</name>
-    <message>
-        <source>Synchronise sound and motion</source>
-        <translation>Ton und Bewegung abgleichen</translation>
-    </message>
-    <message>
-        <source>Looking for the pats…</source>
-        <translation>Die Klopfer werden gesucht…</translation>
-    </message>
+    <name>SyncPage</name>
     <message>
         <source> s</source>
         <translation> s</translation>
@@ -1824,6 +2389,30 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     <message>
         <source>Offset</source>
         <translation>Versatz</translation>
+    </message>
+    <message>
+        <source>Media time at which the log&apos;s clock reads zero</source>
+        <translation>Medienzeit, zu der die Uhr des Protokolls null zeigt</translation>
+    </message>
+    <message>
+        <source> ms</source>
+        <translation> ms</translation>
+    </message>
+    <message>
+        <source>Sound later than picture</source>
+        <translation>Ton später als Bild</translation>
+    </message>
+    <message>
+        <source>How much later than its picture the camera&apos;s sound comes</source>
+        <translation>Um wie viel der Ton der Kamera später kommt als ihr Bild</translation>
+    </message>
+    <message>
+        <source>keep for this camera</source>
+        <translation>für diese Kamera behalten</translation>
+    </message>
+    <message>
+        <source>I have looked and listened: this offset is right</source>
+        <translation>Ich habe hingesehen und hingehört: Dieser Versatz stimmt</translation>
     </message>
     <message>
         <source>&amp;Whole clip</source>
@@ -1842,32 +2431,36 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>Die Klopfer aus der Nähe zeigen</translation>
     </message>
     <message>
-        <source>Use this offset</source>
-        <translation>Diesen Versatz verwenden</translation>
+        <source>&amp;Hear</source>
+        <translation>An&amp;hören</translation>
     </message>
     <message>
-        <source>Import with this offset</source>
-        <translation>Mit diesem Versatz importieren</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Abbrechen</translation>
-    </message>
-    <message>
-        <source>Leave the offset as it was</source>
-        <translation>Den Versatz lassen, wie er war</translation>
+        <source>Play what is shown: the clip left, a tick at each knock right</source>
+        <translation>Spielen, was zu sehen ist: links der Clip, rechts ein Tick zu jedem Stoß</translation>
     </message>
     <message>
         <source>&amp;Offset</source>
         <translation>&amp;Versatz</translation>
     </message>
     <message>
-        <source>Drag the acceleration until it lies under the sound; the arrow keys move it by 1 ms, with Shift by 10 ms, with Ctrl by 100 ms. The wheel zooms.</source>
-        <translation>Ziehen Sie die Beschleunigung unter den Ton; die Pfeiltasten bewegen sie um 1 ms, mit Umschalt um 10 ms, mit Strg um 100 ms. Das Rad vergrößert.</translation>
+        <source>S&amp;ound later than picture</source>
+        <translation>T&amp;on später als Bild</translation>
     </message>
     <message>
-        <source>{camera}: {rate} Hz, {duration} s</source>
-        <translation>{camera}: {rate} Hz, {duration} s</translation>
+        <source>Drag the acceleration until it lies under the sound; the arrow keys move it by 1 ms, with Shift by 10 ms, with Ctrl by 100 ms. The wheel zooms; the picture is that at the cursor, which comma and point move.</source>
+        <translation>Ziehen Sie die Beschleunigung, bis sie unter dem Ton liegt; die Pfeiltasten bewegen sie um 1 ms, mit Umschalt um 10 ms, mit Strg um 100 ms. Das Rad vergrößert; das Bild ist das am Zeiger, den Komma und Punkt bewegen.</translation>
+    </message>
+    <message>
+        <source>{recorder} keeps its motion on the clip&apos;s own clock.</source>
+        <translation>{recorder} führt die Bewegung auf der Uhr des Clips.</translation>
+    </message>
+    <message>
+        <source>Nothing to go by: {why}. Give the offset by hand.</source>
+        <translation>Kein Anhaltspunkt: {why}. Geben Sie den Versatz von Hand an.</translation>
+    </message>
+    <message>
+        <source>The offset was moved by hand.</source>
+        <translation>Der Versatz wurde von Hand verschoben.</translation>
     </message>
     <message>
         <source>The pats were found (confidence {confidence}, residual {ms} ms).</source>
@@ -1875,11 +2468,11 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     </message>
     <message>
         <source>The pats are not certain (confidence {confidence}). Look whether the same events lie under each other, and drag them if not.</source>
-        <translation>Die Klopfer sind nicht sicher (Sicherheit {confidence}). Sehen Sie nach, ob gleiche Ereignisse untereinander liegen, und verschieben Sie sie sonst.</translation>
+        <translation>Die Klopfer sind nicht sicher (Sicherheit {confidence}). Sehen Sie nach, ob dieselben Ereignisse untereinander liegen, und ziehen Sie sie sonst.</translation>
     </message>
     <message>
         <source>No three pats are both heard and felt; drag by hand.</source>
-        <translation>Keine drei Klopfer sind zugleich zu hören und zu spüren; verschieben Sie von Hand.</translation>
+        <translation>Keine drei Klopfer sind zu hören und zu fühlen; ziehen Sie von Hand.</translation>
     </message>
 </context>
 <context>
@@ -2001,10 +2594,56 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     </message>
 </context>
 <context>
+    <name>Triad</name>
+    <message>
+        <source>Right is {right}, front is {front}, up is {up}</source>
+        <translation>Rechts ist {right}, vorn ist {front}, oben ist {up}</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>front</source>
+        <translation>vorn</translation>
+    </message>
+    <message>
+        <source>up</source>
+        <translation>oben</translation>
+    </message>
+</context>
+<context>
     <name>VideoSurface</name>
     <message>
         <source>Picture</source>
         <translation>Bild</translation>
+    </message>
+</context>
+<context>
+    <name>_Question</name>
+    <message>
+        <source>Answer</source>
+        <translation>Antwort</translation>
+    </message>
+    <message>
+        <source>KEY=VALUE, several with blanks between</source>
+        <translation>SCHLÜSSEL=WERT, mehrere mit Leerzeichen dazwischen</translation>
+    </message>
+    <message>
+        <source>&amp;Answer</source>
+        <translation>&amp;Antworten</translation>
+    </message>
+    <message>
+        <source>Read the log with this answer</source>
+        <translation>Das Protokoll mit dieser Antwort lesen</translation>
+    </message>
+    <message>
+        <source>&amp;Template…</source>
+        <translation>&amp;Vorlage…</translation>
+    </message>
+    <message>
+        <source>Take the answers from a file</source>
+        <translation>Die Antworten aus einer Datei nehmen</translation>
     </message>
 </context>
 </TS>

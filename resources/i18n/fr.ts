@@ -32,6 +32,10 @@
         <translation>&amp;Importer un enregistrement…</translation>
     </message>
     <message>
+        <source>Li&amp;brary…</source>
+        <translation>&amp;Bibliothèque…</translation>
+    </message>
+    <message>
         <source>Open the &amp;demo</source>
         <translation>Ouvrir la &amp;démo</translation>
     </message>
@@ -249,6 +253,13 @@
     </message>
 </context>
 <context>
+    <name>ClipFrame</name>
+    <message>
+        <source>Picture at the cursor</source>
+        <translation>Image au curseur</translation>
+    </message>
+</context>
+<context>
     <name>Controls</name>
     <message>
         <source>Volume {n} %</source>
@@ -435,6 +446,14 @@
         <translation>Le dossier d’une séquence</translation>
     </message>
     <message>
+        <source>Library…</source>
+        <translation>Bibliothèque…</translation>
+    </message>
+    <message>
+        <source>The sequences that were imported</source>
+        <translation>Les séquences importées</translation>
+    </message>
+    <message>
         <source>Import a recording…</source>
         <translation>Importer un enregistrement…</translation>
     </message>
@@ -474,6 +493,93 @@
     <message>
         <source>Settings (*.json)</source>
         <translation>Réglages (*.json)</translation>
+    </message>
+</context>
+<context>
+    <name>FilesPage</name>
+    <message>
+        <source>Video</source>
+        <translation>Vidéo</translation>
+    </message>
+    <message>
+        <source>Motion log</source>
+        <translation>Journal de mouvement</translation>
+    </message>
+    <message>
+        <source>inside the video</source>
+        <translation>dans la vidéo</translation>
+    </message>
+    <message>
+        <source>&amp;Keep the answers…</source>
+        <translation>&amp;Garder les réponses…</translation>
+    </message>
+    <message>
+        <source>Write a template for all logs of this logger</source>
+        <translation>Écrire un modèle pour tous les journaux de cet enregistreur</translation>
+    </message>
+    <message>
+        <source>Drop a video here, with the log of its motion sensor if that was a device of its own. GoPro cameras keep their motion inside the video.</source>
+        <translation>Déposez ici une vidéo, avec le journal de son capteur de mouvement si c&apos;était un appareil à part. Les caméras GoPro gardent le mouvement dans la vidéo.</translation>
+    </message>
+    <message>
+        <source>&amp;Video</source>
+        <translation>&amp;Vidéo</translation>
+    </message>
+    <message>
+        <source>Motion &amp;log</source>
+        <translation>&amp;Journal</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Choisir…</translation>
+    </message>
+    <message>
+        <source>with sound</source>
+        <translation>avec son</translation>
+    </message>
+    <message>
+        <source>without sound</source>
+        <translation>sans son</translation>
+    </message>
+    <message>
+        <source>Video: {camera}{width} × {height}, {rate} pictures a second, {duration}, {sound}</source>
+        <translation>Vidéo : {camera}{width} × {height}, {rate} images par seconde, {duration}, {sound}</translation>
+    </message>
+    <message>
+        <source>Motion: {recorder}, {rate} samples a second, {duration}, {gaps} gaps</source>
+        <translation>Mouvement : {recorder}, {rate} mesures par seconde, {duration}, {gaps} lacunes</translation>
+    </message>
+    <message>
+        <source>It turned so much that gravity does not show its axes.</source>
+        <translation>Il a tant tourné que la pesanteur ne montre pas ses axes.</translation>
+    </message>
+    <message>
+        <source>Axes: x to its right, y to its front, z to its top; on average {up} was up</source>
+        <translation>Axes : x vers sa droite, y vers l&apos;avant, z vers le haut ; en moyenne {up} était en haut</translation>
+    </message>
+    <message>
+        <source>Choose a video</source>
+        <translation>Choisir une vidéo</translation>
+    </message>
+    <message>
+        <source>Motion logs (*.csv *.txt *.log *.zip *.gcsv *.json *.bin *.gpmf);;All files (*)</source>
+        <translation>Journaux de mouvement (*.csv *.txt *.log *.zip *.gcsv *.json *.bin *.gpmf);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Choose a motion log</source>
+        <translation>Choisir un journal de mouvement</translation>
+    </message>
+    <message>
+        <source>Templates (*.json)</source>
+        <translation>Modèles (*.json)</translation>
+    </message>
+    <message>
+        <source>Choose a template</source>
+        <translation>Choisir un modèle</translation>
+    </message>
+    <message>
+        <source>Where shall the template be written?</source>
+        <translation>Où faut-il écrire le modèle ?</translation>
     </message>
 </context>
 <context>
@@ -885,122 +991,86 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
 </context>
 <context>
-    <name>ImportDialog</name>
+    <name>ImportWizard</name>
     <message>
         <source>Import a recording</source>
         <translation>Importer un enregistrement</translation>
     </message>
     <message>
-        <source>Video</source>
-        <translation>Vidéo</translation>
+        <source>Progress</source>
+        <translation>Progression</translation>
     </message>
     <message>
-        <source>Motion log</source>
-        <translation>Journal du mouvement</translation>
+        <source>&amp;Stop</source>
+        <translation>&amp;Arrêter</translation>
     </message>
     <message>
-        <source>inside the video</source>
-        <translation>dans la vidéo</translation>
+        <source>Stop this work; nothing is left behind</source>
+        <translation>Arrêter ce travail ; rien n&apos;est laissé</translation>
     </message>
     <message>
-        <source>New folder</source>
-        <translation>Nouveau dossier</translation>
+        <source>&amp;Import another…</source>
+        <translation>&amp;Importer un autre…</translation>
     </message>
     <message>
-        <source>by three pats</source>
-        <translation>par trois tapes</translation>
+        <source>Begin again with other files</source>
+        <translation>Recommencer avec d&apos;autres fichiers</translation>
     </message>
     <message>
-        <source> s</source>
-        <translation> s</translation>
+        <source>&amp;Back</source>
+        <translation>&amp;Retour</translation>
     </message>
     <message>
-        <source>Offset</source>
-        <translation>Décalage</translation>
+        <source>To the step before</source>
+        <translation>À l&apos;étape précédente</translation>
     </message>
     <message>
-        <source>Media time at which the log&apos;s clock reads zero</source>
-        <translation>Temps de la vidéo où l’horloge du journal marque zéro</translation>
+        <source>&amp;Next</source>
+        <translation>&amp;Suivant</translation>
     </message>
     <message>
-        <source>&amp;Look…</source>
-        <translation>&amp;Voir…</translation>
+        <source>To the next step</source>
+        <translation>À l&apos;étape suivante</translation>
     </message>
     <message>
-        <source>Find the pats, see and correct the offset</source>
-        <translation>Trouver les tapes, voir et corriger le décalage</translation>
+        <source>Close</source>
+        <translation>Fermer</translation>
     </message>
     <message>
-        <source>A sequence is a folder with the clip, its motion and the force that belongs to it. Cameras such as GoPro keep their motion inside the video; otherwise give the log of a motion sensor.</source>
-        <translation>Une séquence est un dossier avec la vidéo, son mouvement et la force qui lui appartient. Des caméras comme GoPro gardent le mouvement dans la vidéo ; sinon, donnez le journal d’un capteur de mouvement.</translation>
+        <source>Close this window</source>
+        <translation>Fermer cette fenêtre</translation>
     </message>
     <message>
-        <source>Choose…</source>
-        <translation>Choisir…</translation>
+        <source>Recording</source>
+        <translation>Enregistrement</translation>
     </message>
     <message>
-        <source>&amp;Video</source>
-        <translation>&amp;Vidéo</translation>
+        <source>Synchronise</source>
+        <translation>Synchroniser</translation>
     </message>
     <message>
-        <source>Motion &amp;log (CSV)</source>
-        <translation>&amp;Journal du mouvement (CSV)</translation>
+        <source>Mounting</source>
+        <translation>Fixation</translation>
     </message>
     <message>
-        <source>New &amp;folder</source>
-        <translation>Nouveau &amp;dossier</translation>
+        <source>Report</source>
+        <translation>Rapport</translation>
     </message>
     <message>
-        <source>&amp;Offset</source>
-        <translation>Dé&amp;calage</translation>
+        <source>&amp;Import</source>
+        <translation>&amp;Importer</translation>
     </message>
     <message>
-        <source>Import</source>
-        <translation>Importer</translation>
+        <source>&amp;Play it</source>
+        <translation>&amp;Lire</translation>
     </message>
     <message>
-        <source>Make the sequence and open it</source>
-        <translation>Créer la séquence et l’ouvrir</translation>
+        <source>Looking at {0}</source>
+        <translation>Examen de {0}</translation>
     </message>
     <message>
-        <source>Cancel</source>
-        <translation>Annuler</translation>
-    </message>
-    <message>
-        <source>Import nothing</source>
-        <translation>Ne rien importer</translation>
-    </message>
-    <message>
-        <source>Choose a video that exists.</source>
-        <translation>Choisissez une vidéo qui existe.</translation>
-    </message>
-    <message>
-        <source>The motion log does not exist.</source>
-        <translation>Le journal du mouvement n’existe pas.</translation>
-    </message>
-    <message>
-        <source>Choose where the new folder shall be.</source>
-        <translation>Choisissez où placer le nouveau dossier.</translation>
-    </message>
-    <message>
-        <source>The new folder exists already; give another name.</source>
-        <translation>Le dossier existe déjà ; donnez un autre nom.</translation>
-    </message>
-    <message>
-        <source>Choose a video</source>
-        <translation>Choisir une vidéo</translation>
-    </message>
-    <message>
-        <source>Motion logs (*.csv);;All files (*)</source>
-        <translation>Journaux de mouvement (*.csv);;Tous les fichiers (*)</translation>
-    </message>
-    <message>
-        <source>Choose a motion log</source>
-        <translation>Choisir un journal de mouvement</translation>
-    </message>
-    <message>
-        <source>Where shall the new folder be made?</source>
-        <translation>Où créer le nouveau dossier ?</translation>
+        <source>Importing {0}</source>
+        <translation>Importation de {0}</translation>
     </message>
 </context>
 <context>
@@ -1082,6 +1152,220 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
 </context>
 <context>
+    <name>LibraryDetails</name>
+    <message>
+        <source>Force tracks</source>
+        <translation>Pistes de force</translation>
+    </message>
+    <message>
+        <source>Force track</source>
+        <translation>Piste de force</translation>
+    </message>
+    <message>
+        <source>Peak</source>
+        <translation>Crête</translation>
+    </message>
+    <message>
+        <source>RMS</source>
+        <translation>RMS</translation>
+    </message>
+    <message>
+        <source>Workspace</source>
+        <translation>Espace de travail</translation>
+    </message>
+    <message>
+        <source>Gain</source>
+        <translation>Gain</translation>
+    </message>
+    <message>
+        <source> N per m/s²</source>
+        <translation> N par m/s²</translation>
+    </message>
+    <message>
+        <source>&amp;Add a track…</source>
+        <translation>&amp;Ajouter une piste…</translation>
+    </message>
+    <message>
+        <source>A force track from a CSV file</source>
+        <translation>Une piste de force depuis un fichier CSV</translation>
+    </message>
+    <message>
+        <source>Rena&amp;me…</source>
+        <translation>&amp;Renommer…</translation>
+    </message>
+    <message>
+        <source>Rename the track</source>
+        <translation>Renommer la piste</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Enlever</translation>
+    </message>
+    <message>
+        <source>Remove the track</source>
+        <translation>Enlever la piste</translation>
+    </message>
+    <message>
+        <source>Use this &amp;gain</source>
+        <translation>Prendre ce &amp;gain</translation>
+    </message>
+    <message>
+        <source>Make the realistic and the random track anew</source>
+        <translation>Refaire la piste réaliste et l&apos;aléatoire</translation>
+    </message>
+    <message>
+        <source>about {peak} N at the peak, {rms} N RMS…</source>
+        <translation>environ {peak} N de crête, {rms} N RMS…</translation>
+    </message>
+    <message>
+        <source>{peak} N at the peak, {rms} N RMS, {share} of the samples at the limit; workspace: relaxed hand {relaxed}, normal {normal}, firm {firm}</source>
+        <translation>{peak} N de crête, {rms} N RMS, {share} des valeurs à la limite ; espace de travail : main souple {relaxed}, normale {normal}, ferme {firm}</translation>
+    </message>
+    <message>
+        <source>the force would stop</source>
+        <translation>la force s&apos;arrêterait</translation>
+    </message>
+    <message>
+        <source>Making the force anew</source>
+        <translation>La force est refaite</translation>
+    </message>
+    <message>
+        <source>Force tracks (*.csv);;All files (*)</source>
+        <translation>Pistes de force (*.csv);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Choose a force track</source>
+        <translation>Choisir une piste de force</translation>
+    </message>
+    <message>
+        <source>Adding {name}</source>
+        <translation>Ajout de {name}</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+</context>
+<context>
+    <name>LibraryPage</name>
+    <message>
+        <source>Library</source>
+        <translation>Bibliothèque</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Rechercher</translation>
+    </message>
+    <message>
+        <source>Sequences</source>
+        <translation>Séquences</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Annuler</translation>
+    </message>
+    <message>
+        <source>Bring back what was deleted last</source>
+        <translation>Ramener ce qui a été supprimé en dernier</translation>
+    </message>
+    <message>
+        <source>S&amp;top</source>
+        <translation>A&amp;rrêter</translation>
+    </message>
+    <message>
+        <source>Stop this work; nothing is left behind</source>
+        <translation>Arrêter ce travail ; rien n&apos;est laissé</translation>
+    </message>
+    <message>
+        <source>&amp;Import…</source>
+        <translation>&amp;Importer…</translation>
+    </message>
+    <message>
+        <source>Bring in a recording</source>
+        <translation>Apporter un enregistrement</translation>
+    </message>
+    <message>
+        <source>&amp;Folder…</source>
+        <translation>&amp;Dossier…</translation>
+    </message>
+    <message>
+        <source>Show another folder</source>
+        <translation>Montrer un autre dossier</translation>
+    </message>
+    <message>
+        <source>Re&amp;name…</source>
+        <translation>Re&amp;nommer…</translation>
+    </message>
+    <message>
+        <source>Another title</source>
+        <translation>Un autre titre</translation>
+    </message>
+    <message>
+        <source>&amp;Verify</source>
+        <translation>&amp;Vérifier</translation>
+    </message>
+    <message>
+        <source>Read every file, check it</source>
+        <translation>Lire et contrôler chaque fichier</translation>
+    </message>
+    <message>
+        <source>&amp;Delete…</source>
+        <translation>&amp;Supprimer…</translation>
+    </message>
+    <message>
+        <source>Move it to the bin</source>
+        <translation>Mettre à la corbeille</translation>
+    </message>
+    <message>
+        <source>&amp;Open</source>
+        <translation>&amp;Ouvrir</translation>
+    </message>
+    <message>
+        <source>Play it (Enter)</source>
+        <translation>Lire (Entrée)</translation>
+    </message>
+    <message>
+        <source>There is nothing here yet; import a recording.</source>
+        <translation>Il n&apos;y a encore rien ici ; importez un enregistrement.</translation>
+    </message>
+    <message>
+        <source>Where are sequences kept?</source>
+        <translation>Où sont gardées les séquences ?</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Renommer</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Titre</translation>
+    </message>
+    <message>
+        <source>Verifying</source>
+        <translation>Vérification</translation>
+    </message>
+    <message>
+        <source>{title}: every file is as it was written</source>
+        <translation>{title} : chaque fichier est tel qu&apos;il a été écrit</translation>
+    </message>
+    <message>
+        <source>Move {title} to the bin? It can be brought back from there.</source>
+        <translation>Mettre {title} à la corbeille ? On peut l&apos;en ramener.</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Supprimer</translation>
+    </message>
+    <message>
+        <source>{title} cannot be moved to the bin; nothing was deleted.</source>
+        <translation>{title} ne peut être mis à la corbeille ; rien n&apos;a été supprimé.</translation>
+    </message>
+    <message>
+        <source>{title} is in the bin.</source>
+        <translation>{title} est à la corbeille.</translation>
+    </message>
+</context>
+<context>
     <name>LookMenus</name>
     <message>
         <source>&amp;Look</source>
@@ -1117,6 +1401,137 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     <message>
         <source>Hide this message</source>
         <translation>Masquer ce message</translation>
+    </message>
+</context>
+<context>
+    <name>MountingPage</name>
+    <message>
+        <source>Mounting</source>
+        <translation>Fixation</translation>
+    </message>
+    <message>
+        <source>The device stands</source>
+        <translation>L&apos;appareil se trouve</translation>
+    </message>
+    <message>
+        <source>Gain</source>
+        <translation>Gain</translation>
+    </message>
+    <message>
+        <source> N per m/s²</source>
+        <translation> N par m/s²</translation>
+    </message>
+    <message>
+        <source>The same for all sequences that are to be compared</source>
+        <translation>Le même pour toutes les séquences à comparer</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Titre</translation>
+    </message>
+    <message>
+        <source>Looks forward, upright</source>
+        <translation>Regarde devant, droite</translation>
+    </message>
+    <message>
+        <source>Looks forward, upside down</source>
+        <translation>Regarde devant, renversée</translation>
+    </message>
+    <message>
+        <source>Looks backward, upright</source>
+        <translation>Regarde derrière, droite</translation>
+    </message>
+    <message>
+        <source>Looks to the right, upright</source>
+        <translation>Regarde à droite, droite</translation>
+    </message>
+    <message>
+        <source>Looks to the left, upright</source>
+        <translation>Regarde à gauche, droite</translation>
+    </message>
+    <message>
+        <source>Looks forward, left side up</source>
+        <translation>Regarde devant, côté gauche en haut</translation>
+    </message>
+    <message>
+        <source>Looks forward, right side up</source>
+        <translation>Regarde devant, côté droit en haut</translation>
+    </message>
+    <message>
+        <source>Lies on its back, looks up</source>
+        <translation>Sur le dos, regarde en haut</translation>
+    </message>
+    <message>
+        <source>Looks down</source>
+        <translation>Regarde en bas</translation>
+    </message>
+    <message>
+        <source>Right {right}, front {front}, up {up}</source>
+        <translation>Droite {right}, avant {front}, haut {up}</translation>
+    </message>
+    <message>
+        <source>before its user: forward pulls the hand away</source>
+        <translation>devant la personne : l&apos;avant tire la main</translation>
+    </message>
+    <message>
+        <source>to the right of its user</source>
+        <translation>à droite de la personne</translation>
+    </message>
+    <message>
+        <source>behind its user</source>
+        <translation>derrière la personne</translation>
+    </message>
+    <message>
+        <source>to the left of its user</source>
+        <translation>à gauche de la personne</translation>
+    </message>
+    <message>
+        <source>Change…</source>
+        <translation>Changer…</translation>
+    </message>
+    <message>
+        <source>Keep sequences in another folder</source>
+        <translation>Garder les séquences dans un autre dossier</translation>
+    </message>
+    <message>
+        <source>&amp;Mounting</source>
+        <translation>&amp;Fixation</translation>
+    </message>
+    <message>
+        <source>The &amp;device stands</source>
+        <translation>L&apos;&amp;appareil se trouve</translation>
+    </message>
+    <message>
+        <source>&amp;Gain</source>
+        <translation>&amp;Gain</translation>
+    </message>
+    <message>
+        <source>&amp;Title</source>
+        <translation>&amp;Titre</translation>
+    </message>
+    <message>
+        <source>Library</source>
+        <translation>Bibliothèque</translation>
+    </message>
+    <message>
+        <source>The drawing shows the recorder on its actor, who looks to the front; the dashed line is where gravity says that up was.</source>
+        <translation>Le dessin montre l&apos;enregistreur sur la personne, qui regarde devant ; le trait pointillé montre où était le haut selon la pesanteur.</translation>
+    </message>
+    <message>
+        <source>It turned so much that gravity does not tell which is right.</source>
+        <translation>Il a tant tourné que la pesanteur ne dit pas laquelle est juste.</translation>
+    </message>
+    <message>
+        <source>Gravity agrees. Which side was the front only you can know.</source>
+        <translation>La pesanteur est d&apos;accord. Quel côté était l&apos;avant, vous seul le savez.</translation>
+    </message>
+    <message>
+        <source>Gravity says that another side was up.</source>
+        <translation>Selon la pesanteur, un autre côté était en haut.</translation>
+    </message>
+    <message>
+        <source>Where shall sequences be kept?</source>
+        <translation>Où faut-il garder les séquences ?</translation>
     </message>
 </context>
 <context>
@@ -1201,6 +1616,168 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
 </context>
 <context>
+    <name>Quality</name>
+    <message>
+        <source>Good: ready for use</source>
+        <translation>Bon : prêt à l&apos;emploi</translation>
+    </message>
+    <message>
+        <source>Doubtful: look at what is marked</source>
+        <translation>Douteux : regardez ce qui est marqué</translation>
+    </message>
+    <message>
+        <source>Bad: better record or import it again</source>
+        <translation>Mauvais : mieux vaut refaire l&apos;enregistrement ou l&apos;importation</translation>
+    </message>
+    <message>
+        <source>good</source>
+        <translation>bon</translation>
+    </message>
+    <message>
+        <source>doubtful</source>
+        <translation>douteux</translation>
+    </message>
+    <message>
+        <source>bad</source>
+        <translation>mauvais</translation>
+    </message>
+    <message>
+        <source>Synchronisation</source>
+        <translation>Synchronisation</translation>
+    </message>
+    <message>
+        <source>Clock drift</source>
+        <translation>Dérive de l&apos;horloge</translation>
+    </message>
+    <message>
+        <source>Sampling</source>
+        <translation>Échantillonnage</translation>
+    </message>
+    <message>
+        <source>Gravity left at rest</source>
+        <translation>Pesanteur restante au repos</translation>
+    </message>
+    <message>
+        <source>Sensor at its limit</source>
+        <translation>Capteur à sa limite</translation>
+    </message>
+    <message>
+        <source>Gaps</source>
+        <translation>Lacunes</translation>
+    </message>
+    <message>
+        <source>Clip without motion</source>
+        <translation>Clip sans mouvement</translation>
+    </message>
+    <message>
+        <source>Force at its limit</source>
+        <translation>Force à sa limite</translation>
+    </message>
+    <message>
+        <source>Use of the workspace</source>
+        <translation>Usage de l&apos;espace de travail</translation>
+    </message>
+    <message>
+        <source>Heat of the motors</source>
+        <translation>Chaleur des moteurs</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>non mesuré</translation>
+    </message>
+    <message>
+        <source>residual {ms} ms, confidence {confidence} ({how})</source>
+        <translation>reste {ms} ms, confiance {confidence} ({how})</translation>
+    </message>
+    <message>
+        <source>{share} of the motion; {count}, the longest {s} s</source>
+        <translation>{share} du mouvement ; {count}, la plus longue {s} s</translation>
+    </message>
+    <message>
+        <source>{share} of the samples; the peak is {n} N</source>
+        <translation>{share} des valeurs ; la crête est de {n} N</translation>
+    </message>
+    <message>
+        <source>three pats</source>
+        <translation>trois tapes</translation>
+    </message>
+    <message>
+        <source>variance</source>
+        <translation>variance</translation>
+    </message>
+    <message>
+        <source>one clock</source>
+        <translation>une seule horloge</translation>
+    </message>
+    <message>
+        <source>by hand</source>
+        <translation>à la main</translation>
+    </message>
+    <message>
+        <source>relaxed hand</source>
+        <translation>main souple</translation>
+    </message>
+    <message>
+        <source>normal hand</source>
+        <translation>main normale</translation>
+    </message>
+    <message>
+        <source>firm hand</source>
+        <translation>main ferme</translation>
+    </message>
+    <message>
+        <source>The force would stop; lower the gain</source>
+        <translation>La force s&apos;arrêterait ; baissez le gain</translation>
+    </message>
+    <message>
+        <source>Look again, and give three pats next time</source>
+        <translation>Regardez encore ; trois tapes la prochaine fois</translation>
+    </message>
+    <message>
+        <source>Pat at the end of a long recording too</source>
+        <translation>Tapez aussi à la fin d&apos;un long enregistrement</translation>
+    </message>
+    <message>
+        <source>Record at 100 Hz or more</source>
+        <translation>Enregistrez à 100 Hz ou plus</translation>
+    </message>
+    <message>
+        <source>Stand still for a few seconds at the start</source>
+        <translation>Restez immobile quelques secondes au début</translation>
+    </message>
+    <message>
+        <source>Choose a larger range of the accelerometer</source>
+        <translation>Choisissez une plus grande plage de l&apos;accéléromètre</translation>
+    </message>
+    <message>
+        <source>There is no force there; try another card</source>
+        <translation>Il n&apos;y a pas de force là ; essayez une autre carte</translation>
+    </message>
+    <message>
+        <source>Start the log before the clip, end it after</source>
+        <translation>Commencez le journal avant le clip, finissez après</translation>
+    </message>
+    <message>
+        <source>Lower the gain</source>
+        <translation>Baissez le gain</translation>
+    </message>
+    <message>
+        <source>Lower the gain, or play shorter clips</source>
+        <translation>Baissez le gain, ou des clips plus courts</translation>
+    </message>
+</context>
+<context>
+    <name>QualityView</name>
+    <message>
+        <source>Quality report</source>
+        <translation>Rapport de qualité</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Remarques</translation>
+    </message>
+</context>
+<context>
     <name>RecentMenu</name>
     <message>
         <source>Forget all</source>
@@ -1216,10 +1793,6 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     <message>
         <source>Preparing the demo</source>
         <translation>Préparation de la démo</translation>
-    </message>
-    <message>
-        <source>Importing {name}</source>
-        <translation>Importation de {name}</translation>
     </message>
     <message>
         <source>Something else is being done; wait for it or cancel it</source>
@@ -1808,15 +2381,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
 </context>
 <context>
-    <name>SyncDialog</name>
-    <message>
-        <source>Synchronise sound and motion</source>
-        <translation>Synchroniser le son et le mouvement</translation>
-    </message>
-    <message>
-        <source>Looking for the pats…</source>
-        <translation>Recherche des tapes…</translation>
-    </message>
+    <name>SyncPage</name>
     <message>
         <source> s</source>
         <translation> s</translation>
@@ -1826,12 +2391,36 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>Décalage</translation>
     </message>
     <message>
+        <source>Media time at which the log&apos;s clock reads zero</source>
+        <translation>Temps du média où l&apos;horloge du journal indique zéro</translation>
+    </message>
+    <message>
+        <source> ms</source>
+        <translation> ms</translation>
+    </message>
+    <message>
+        <source>Sound later than picture</source>
+        <translation>Son après l&apos;image</translation>
+    </message>
+    <message>
+        <source>How much later than its picture the camera&apos;s sound comes</source>
+        <translation>De combien le son de la caméra vient après son image</translation>
+    </message>
+    <message>
+        <source>keep for this camera</source>
+        <translation>garder pour cette caméra</translation>
+    </message>
+    <message>
+        <source>I have looked and listened: this offset is right</source>
+        <translation>J&apos;ai regardé et écouté : ce décalage est juste</translation>
+    </message>
+    <message>
         <source>&amp;Whole clip</source>
         <translation>Clip &amp;entier</translation>
     </message>
     <message>
         <source>Show the whole clip</source>
-        <translation>Montrer le clip entier</translation>
+        <translation>Montrer tout le clip</translation>
     </message>
     <message>
         <source>The &amp;pats</source>
@@ -1842,44 +2431,48 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>Montrer les tapes de près</translation>
     </message>
     <message>
-        <source>Use this offset</source>
-        <translation>Utiliser ce décalage</translation>
+        <source>&amp;Hear</source>
+        <translation>É&amp;couter</translation>
     </message>
     <message>
-        <source>Import with this offset</source>
-        <translation>Importer avec ce décalage</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Annuler</translation>
-    </message>
-    <message>
-        <source>Leave the offset as it was</source>
-        <translation>Laisser le décalage tel quel</translation>
+        <source>Play what is shown: the clip left, a tick at each knock right</source>
+        <translation>Lire ce qui est montré : le clip à gauche, un tic à chaque choc à droite</translation>
     </message>
     <message>
         <source>&amp;Offset</source>
         <translation>&amp;Décalage</translation>
     </message>
     <message>
-        <source>Drag the acceleration until it lies under the sound; the arrow keys move it by 1 ms, with Shift by 10 ms, with Ctrl by 100 ms. The wheel zooms.</source>
-        <translation>Faites glisser l’accélération jusqu’à ce qu’elle soit sous le son ; les flèches la déplacent de 1 ms, avec Maj de 10 ms, avec Ctrl de 100 ms. La molette agrandit.</translation>
+        <source>S&amp;ound later than picture</source>
+        <translation>S&amp;on après l&apos;image</translation>
     </message>
     <message>
-        <source>{camera}: {rate} Hz, {duration} s</source>
-        <translation>{camera} : {rate} Hz, {duration} s</translation>
+        <source>Drag the acceleration until it lies under the sound; the arrow keys move it by 1 ms, with Shift by 10 ms, with Ctrl by 100 ms. The wheel zooms; the picture is that at the cursor, which comma and point move.</source>
+        <translation>Tirez l&apos;accélération jusqu&apos;à ce qu&apos;elle soit sous le son ; les flèches la déplacent de 1 ms, avec Maj de 10 ms, avec Ctrl de 100 ms. La molette agrandit ; l&apos;image est celle du curseur, que la virgule et le point déplacent.</translation>
+    </message>
+    <message>
+        <source>{recorder} keeps its motion on the clip&apos;s own clock.</source>
+        <translation>{recorder} garde le mouvement sur l&apos;horloge du clip.</translation>
+    </message>
+    <message>
+        <source>Nothing to go by: {why}. Give the offset by hand.</source>
+        <translation>Aucun repère : {why}. Donnez le décalage à la main.</translation>
+    </message>
+    <message>
+        <source>The offset was moved by hand.</source>
+        <translation>Le décalage a été déplacé à la main.</translation>
     </message>
     <message>
         <source>The pats were found (confidence {confidence}, residual {ms} ms).</source>
-        <translation>Les tapes ont été trouvées (confiance {confidence}, résidu {ms} ms).</translation>
+        <translation>Les tapes ont été trouvées (confiance {confidence}, reste {ms} ms).</translation>
     </message>
     <message>
         <source>The pats are not certain (confidence {confidence}). Look whether the same events lie under each other, and drag them if not.</source>
-        <translation>Les tapes ne sont pas sûres (confiance {confidence}). Vérifiez que les mêmes événements se superposent, sinon faites-les glisser.</translation>
+        <translation>Les tapes ne sont pas sûres (confiance {confidence}). Regardez si les mêmes événements sont l&apos;un sous l&apos;autre, sinon tirez-les.</translation>
     </message>
     <message>
         <source>No three pats are both heard and felt; drag by hand.</source>
-        <translation>Aucune série de trois tapes n’est à la fois entendue et sentie ; faites glisser à la main.</translation>
+        <translation>Trois tapes ne sont pas à la fois entendues et senties ; tirez à la main.</translation>
     </message>
 </context>
 <context>
@@ -2001,10 +2594,56 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
 </context>
 <context>
+    <name>Triad</name>
+    <message>
+        <source>Right is {right}, front is {front}, up is {up}</source>
+        <translation>La droite est {right}, l&apos;avant {front}, le haut {up}</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>droite</translation>
+    </message>
+    <message>
+        <source>front</source>
+        <translation>avant</translation>
+    </message>
+    <message>
+        <source>up</source>
+        <translation>haut</translation>
+    </message>
+</context>
+<context>
     <name>VideoSurface</name>
     <message>
         <source>Picture</source>
         <translation>Image</translation>
+    </message>
+</context>
+<context>
+    <name>_Question</name>
+    <message>
+        <source>Answer</source>
+        <translation>Réponse</translation>
+    </message>
+    <message>
+        <source>KEY=VALUE, several with blanks between</source>
+        <translation>CLÉ=VALEUR, plusieurs séparées par des espaces</translation>
+    </message>
+    <message>
+        <source>&amp;Answer</source>
+        <translation>&amp;Répondre</translation>
+    </message>
+    <message>
+        <source>Read the log with this answer</source>
+        <translation>Lire le journal avec cette réponse</translation>
+    </message>
+    <message>
+        <source>&amp;Template…</source>
+        <translation>&amp;Modèle…</translation>
+    </message>
+    <message>
+        <source>Take the answers from a file</source>
+        <translation>Prendre les réponses d&apos;un fichier</translation>
     </message>
 </context>
 </TS>

@@ -23,13 +23,14 @@ from PySide6.QtWidgets import (
 )
 
 from app.experimenter.analysis_page import AnalysisPage
+from app.experimenter.import_wizard import ImportWizard
+from app.experimenter.library_page import LibraryPage
 from app.experimenter.mirror import Mirror
 from app.experimenter.session_control import SessionControl
 from app.experimenter.start_panel import StartPanel
 from app.experimenter.study_editor import StudyEditor
 from app.player.device_page import DevicePage
 from app.player.help import about_dialog
-from app.player.import_dialog import ImportDialog
 from app.player.keys_dialog import KeysDialog
 from app.player.plugged import Plugged
 from app.player.setup_page import SetupPage
@@ -60,7 +61,8 @@ def dialogs(window: PlayerWindow, folder) -> dict[str, Callable[[], QWidget]]:
     study = create_study(folder / "study")
     surface = window.surface
     return {
-        "import": lambda: ImportDialog("", window),
+        "import": lambda: ImportWizard("", folder, window),
+        "library": lambda: LibraryPage(folder, window),
         "keyboard": lambda: KeysDialog(window.settings, window),
         "about": lambda: about_dialog(window),
         "set-up": lambda: SetupPage(

@@ -35,7 +35,7 @@ def test_the_brackets_change_the_speed_and_backspace_brings_it_back(playing):
 
 
 def test_volume_and_mute_are_heard_shown_and_remembered(playing, settings):
-    ring = playing.player._ring
+    ring = playing.player._sound.ring
     key(playing, Qt.Key.Key_9)
     assert playing.transport.volume.value() == 95
     assert ring.gain == pytest.approx(0.95**3)

@@ -17,7 +17,8 @@ from PySide6.QtWidgets import (
 )
 
 from app.bridge import languages
-from app.player.import_dialog import ImportDialog
+from app.experimenter.import_wizard import ImportWizard
+from app.experimenter.library_page import LibraryPage
 from app.player.keys_dialog import KeysDialog
 from app.player.remake import OpenWindow, dress
 from app.widgets import theme
@@ -101,12 +102,16 @@ def controls_without_a_name(window: QWidget) -> list[str]:
 
 @pytest.mark.parametrize("language", list(languages.NAMES))
 def test_every_control_has_a_name_in_every_language(
-    make_window, dressed, source, language, settings, qtbot
+    make_window, dressed, source, language, settings, qtbot, tmp_path
 ):
     dressed(language=language)
     window = make_window()
     window.session.show_source(source)
-    dialogs = [ImportDialog("", window), KeysDialog(settings, window)]
+    dialogs = [
+        ImportWizard("", tmp_path, window),
+        LibraryPage(tmp_path, window),
+        KeysDialog(settings, window),
+    ]
     assert controls_without_a_name(window) == []
     for dialog in dialogs:
         qtbot.addWidget(dialog)

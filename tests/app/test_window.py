@@ -9,7 +9,7 @@ from PySide6.QtCore import QMimeData, QPointF, Qt, QTimer, QUrl
 from PySide6.QtGui import QDropEvent
 from PySide6.QtTest import QTest
 
-from app.player.import_dialog import ImportDialog
+from app.experimenter.import_wizard import ImportWizard
 from hapticplayer.haptics.contract import Mode
 from hapticplayer.playback.snapshot import Phase
 
@@ -210,11 +210,11 @@ def test_escape_stops_also_while_a_dialog_is_open(make_window, source, wait_for)
     window = make_window("simulated")
     window.session.show_source(source)
     window.dialogs.import_recording()
-    dialog = window.findChild(ImportDialog)
+    dialog = window.findChild(ImportWizard)
     wait_for(lambda: window.player.link.history.latest() is not None)
     key(dialog, Qt.Key.Key_Escape)
     wait_for(lambda: window.session.is_stopped)
-    assert dialog.isHidden()
+    assert not any(w.isVisible() for w in window.findChildren(ImportWizard))
 
 
 def test_changing_feedback_and_device_while_it_plays(make_window, source, wait_for):

@@ -150,7 +150,27 @@ def write_template(path: Path, choices: LogChoices) -> None:
         ) from error
 
 
-def question(what: str, answers: Sequence[str], where: str) -> UsageError:
+class LogQuestion(UsageError):  # noqa: N818 - it asks
+    """A decision about a log is needed.
+
+    Attributes:
+        what: is doubtful.
+        answers: each as it is typed (KEY=VALUE), with a word on what it means.
+        where: the file.
+    """
+
+    def __init__(self, what: str, answers: Sequence[str], where: str) -> None:
+        super().__init__(
+            f"{where}: {what}; decide with {OPTION} " + ", or ".join(answers)
+        )
+        self.what, self.answers, self.where = what, tuple(answers), where
+
+    def __reduce__(self) -> tuple[type, tuple[str, tuple[str, ...], str]]:
+        """Let it pass from one process to another."""
+        return type(self), (self.what, self.answers, self.where)
+
+
+def question(what: str, answers: Sequence[str], where: str) -> LogQuestion:
     """Return the error that asks for a decision (exit status 2).
 
     Args:
@@ -158,4 +178,4 @@ def question(what: str, answers: Sequence[str], where: str) -> UsageError:
         answers: each as it is typed, with a word on what it means.
         where: the file.
     """
-    return UsageError(f"{where}: {what}; decide with {OPTION} " + ", or ".join(answers))
+    return LogQuestion(what, answers, where)

@@ -4,7 +4,6 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.ndimage import map_coordinates
 from scipy.spatial import cKDTree
 
 from hapticplayer.capture.ride.surroundings import Surroundings
@@ -96,17 +95,20 @@ class Route:
         offset = grid.reshape(-1, 2) - self.middle_m[nearest]
         along = self.along_m[nearest] + np.sum(offset * self._heading[nearest], axis=1)
         aside = np.sum(offset * self.left[nearest], axis=1)
-        where = np.meshgrid(
-            (north - y[0]) / coarse_m, (east - x[0]) / coarse_m, indexing="ij"
-        )
-        shape = grid.shape[:2]
+        at = (north - y[0]) / coarse_m, (east - x[0]) / coarse_m
         along_grid, aside_grid = (
-            map_coordinates(
-                field.reshape(shape).astype(np.float32), where, order=1, mode="nearest"
-            )
-            for field in (along, aside)
+            _between(field.reshape(grid.shape[:2]), *at) for field in (along, aside)
         )
         return along_grid, aside_grid
+
+
+def _between(field: Floats, rows: Grid, columns: Grid) -> Grid:
+    """Return a field at fractional rows and columns, which make a grid: bilinear."""
+    for at in (rows, columns):  # each turn takes the first axis and leaves it last
+        first = np.minimum(at.astype(np.intp), len(field) - 2)
+        share = (at - first)[:, None]
+        field = ((1.0 - share) * field[first] + share * field[first + 1]).T
+    return np.ascontiguousarray(field, dtype=np.float32)
 
 
 def plant(route: Route, look: Surroundings, rng: np.random.Generator) -> Standing:

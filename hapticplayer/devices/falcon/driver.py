@@ -260,8 +260,8 @@ class FalconDriver:
         )
 
 
-def make(line: int, serial: str = "") -> FalconDriver:
-    """Return the driver of the Falcon that is plugged in.
+def opening(line: int, serial: str = "") -> OpenTransport:
+    """Return what opens the Falcon that is plugged in, for a guard as well.
 
     Args:
         line: descriptor along which the guard is handed the open USB file; -1 where
@@ -276,4 +276,9 @@ def make(line: int, serial: str = "") -> FalconDriver:
             usbfs.hand_over(line, file)
         return transport
 
-    return FalconDriver(open_and_share)
+    return open_and_share
+
+
+def make(line: int, serial: str = "") -> FalconDriver:
+    """Return the driver of the Falcon that is plugged in; see `opening`."""
+    return FalconDriver(opening(line, serial))

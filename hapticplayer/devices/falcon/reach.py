@@ -8,10 +8,11 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from hapticplayer.clock import Clock
-from hapticplayer.devices.falcon.driver import FalconDriver
+from hapticplayer.devices.falcon.driver import FalconDriver, opening
 from hapticplayer.devices.falcon.firmware import FirmwareImage, find_image
 from hapticplayer.devices.falcon.ftdi import Ftdi
 from hapticplayer.devices.falcon.link import DirectLink, Link
+from hapticplayer.devices.falcon.silence import NO_LINE
 from hapticplayer.devices.falcon.transport import OpenTransport, open_falcon
 from hapticplayer.errors import UsageError
 
@@ -37,18 +38,30 @@ class Reach:
         )
 
 
-def reach_of(name: str) -> Reach:
+def reach_of(name: str, line: int = NO_LINE) -> Reach:
     """Return how to get at the Falcon of this name.
+
+    Args:
+        name: of the device.
+        line: what a loop gets of its `Crew`, where a guard watches: for a simulated
+            Falcon the way to its process, whose owner it becomes.
 
     Raises:
         UsageError: when it is no Falcon's.
     """
     kind, _, serial = name.partition(":")
     if kind == "falcon":
-        return Reach(lambda: open_falcon(serial), find_image)
+        return Reach(opening(line, serial), find_image)
     if name == "falcon-simulated":
-        return _simulated()
+        return _simulated() if line == NO_LINE else _simulated_elsewhere(line)
     raise UsageError(f"{name!r} is no Falcon; use falcon, or falcon:SERIAL")
+
+
+def _simulated_elsewhere(line: int) -> Reach:
+    from hapticplayer.devices.falcon.simulated_usb import remote
+    from hapticplayer.devices.falcon.simulated_usb.board import synthetic_image
+
+    return Reach(remote.opening(line), synthetic_image)
 
 
 def _simulated() -> Reach:

@@ -291,7 +291,7 @@ def rotate(rotation: Pair, vector: Floats, *, inverse: bool = False) -> Floats:
 def local_mean(values: Floats, duration_s: Floats, half_width_s: float) -> Floats:
     """Return the mean over the nodes within some time; see `linearise.local_mean`."""
     out = np.empty(len(values))
-    scratch = np.empty((3, len(values) + 1))
+    scratch = np.zeros((3, len(values) + 1))
     kernels.local_mean(_ready(values), _ready(duration_s), half_width_s, scratch, out)
     return out
 

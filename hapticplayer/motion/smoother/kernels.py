@@ -303,7 +303,7 @@ def rotate(first: Any, second: Any, vector: Any, inverse: bool, out: Any) -> Non
 
 @compiled(NOTHING, IN1, IN1, FLOAT, OUT2, OUT1)
 def local_mean(
-    values: Any, duration: Any, half_width: float, scratch: Any, out: Any
+    values: Any, duration: Any, half_width: float, at: Any, out: Any
 ) -> None:
     """See `linearise.local_mean`.
 
@@ -311,28 +311,27 @@ def local_mean(
         values: (K + 1,) at the nodes.
         duration: (K,) between them.
         half_width: of the mean, in time.
-        scratch: (3, K + 2).
+        at: (3, K + 2) scratch; its first column is zero.
         out: (K + 1,).
     """
-    count = len(values)
-    time, total, length = scratch[0], scratch[1], scratch[2]
-    time[0], total[0], length[0] = 0.0, 0.0, 0.0
-    for k in range(count):
-        around = 0.0
-        if k < count - 1:
-            around += 0.5 * duration[k]
-            time[k + 1] = time[k] + duration[k]
+    # rows: time of the node; sums of value and width over the nodes before
+    for k in range(len(out)):
+        before, after = 0.0, 0.0
         if k > 0:
-            around += 0.5 * duration[k - 1]
-        total[k + 1] = total[k] + values[k] * around
-        length[k + 1] = length[k] + around
+            before = duration[k - 1]
+        if k < len(duration):
+            after = duration[k]
+        around = 0.5 * (before + after)
+        at[0, k + 1] = at[0, k] + after
+        at[1, k + 1] = at[1, k] + values[k] * around
+        at[2, k + 1] = at[2, k] + around
     first, last = 0, 0
-    for k in range(count):
-        while time[first] < time[k] - half_width:
+    for k in range(len(out)):
+        while at[0, first] < at[0, k] - half_width:
             first += 1
-        while last < count and time[last] <= time[k] + half_width:
+        while last < len(out) and at[0, last] <= at[0, k] + half_width:
             last += 1
-        out[k] = (total[last] - total[first]) / (length[last] - length[first])
+        out[k] = (at[1, last] - at[1, first]) / (at[2, last] - at[2, first])
 
 
 @compiled(NOTHING, IN1, IN2, IN2, IN1, IN1, INT, OUT2, OUT2, OUT2)

@@ -55,7 +55,7 @@ def smoothed(values: Floats, width_s: float = 0.5) -> Floats:
 def test_rides_last_as_long_as_the_papers(name: str, duration_s: int) -> None:
     recorded = ride(name)
     assert recorded.scene.duration_s == duration_s
-    assert recorded.frame_count == 30 * duration_s
+    assert recorded.film.frame_count == 30 * duration_s
     assert len(recorded.truth.time_s) == 1000 * duration_s + 1
     assert len(recorded.audio) == 48_000 * duration_s
     assert (recorded.width, recorded.height) == (1280, 720)
@@ -136,11 +136,9 @@ def test_same_seed_gives_the_same_bits() -> None:
     assert first.board.clock_map != other.board.clock_map
 
 
-def test_pictures_in_threads_are_those_drawn_alone() -> None:
+def test_pictures_in_a_row_are_those_drawn_alone() -> None:
     small = dataclasses.replace(ride("car-turning"), width=160, height=90)
-    frames = small.frames()
-    drawn = dict(zip(range(450), frames, strict=False))
-    frames.close()  # type: ignore[attr-defined]
+    drawn = dict(enumerate(small.film.frames(0, 450)))
     for at in (0, 207, 399, 449):
         np.testing.assert_array_equal(drawn[at][:, :, :3], small.frame(at))
 
@@ -148,7 +146,7 @@ def test_pictures_in_threads_are_those_drawn_alone() -> None:
 @pytest.mark.parametrize("name", RIDES)
 def test_every_part_of_a_picture_is_painted(name: str) -> None:
     small = dataclasses.replace(ride(name), width=320, height=180)
-    maker, poses = small._studio()
+    maker, poses = small.film.studio()
     for at in range(0, len(poses), len(poses) // 6):
         picture = maker.draw(poses[at])[:, :, :3]
         assert (picture.max(axis=2) == 0).mean() == 0.0
@@ -156,7 +154,7 @@ def test_every_part_of_a_picture_is_painted(name: str) -> None:
 
 def test_steering_wheel_turns_with_the_road() -> None:
     recorded = ride("car-turning")
-    maker, poses = dataclasses.replace(recorded, width=320, height=180)._studio()
+    maker, poses = dataclasses.replace(recorded, width=320, height=180).film.studio()
     around = poses[22 * 30]
     assert around.steering_rad > 0.1
     straight = maker.draw(around._replace(steering_rad=0.0)).astype(int)

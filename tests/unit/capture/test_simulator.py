@@ -28,7 +28,7 @@ def ride() -> SimulatedRecording:
 
 @pytest.fixture(scope="module")
 def studio(ride: SimulatedRecording) -> tuple[PictureMaker, list[Pose]]:
-    return ride._studio()
+    return ride.film.studio()
 
 
 def rotations(ride: SimulatedRecording, time_s: NDArray[np.float64]) -> Rotation:
@@ -244,7 +244,7 @@ def test_pictures_are_rgb_of_the_promised_size(
     assert picture.shape == (540, 960, 4)
     assert picture.dtype == np.uint8
     assert picture.flags.c_contiguous
-    assert len(poses) == ride.frame_count == 300
+    assert len(poses) == ride.film.frame_count == 300
     sky, ground = picture[40, 480].astype(int), picture[340, 700].astype(int)
     assert sky[2] > sky[0]
     assert ground[1] > ground[2]

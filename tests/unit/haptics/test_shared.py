@@ -49,7 +49,7 @@ def test_a_write_that_was_cut_short_is_never_taken_for_a_clock(block, cut):
     whole = block.clock_bytes()
     block.write_clock(second, 2)
     # a writer that died after `cut` bytes of its slot, with the index moved on
-    at = 64 if block._newest[0] == 0 else 128
+    at = 64 if block._clock._newest[0] == 0 else 128
     after = block.clock_bytes()
     block._map[at : at + cut] = whole[:cut]
     found = block.read_clock()

@@ -6,8 +6,9 @@ import pytest
 from hapticplayer.clock import ManualClock
 from hapticplayer.media import probe, write_clip
 from hapticplayer.model import ForceTrack
-from hapticplayer.playback.audio import AudioRing, SilentOut
+from hapticplayer.playback.audio import AudioRing
 from hapticplayer.playback.player import Player
+from hapticplayer.playback.sound_process import SilentOut
 from hapticplayer.playback.source import Source
 
 RATE_HZ = 25
@@ -84,9 +85,9 @@ class Theatre:
             assert feeder._wake.wait_for(
                 lambda: feeder._target is None and not feeder._has_work(), timeout=30
             )
-        sound = self.player._audio_feeder
+        sound = self.player._sound.feeder
         while sound is not None and not sound.is_at_end:
-            if self.player._ring.buffered_s() > 0.5:
+            if self.player._sound.ring.buffered_s() > 0.5:
                 break
             with sound._wake:
                 sound._wake.wait(0.01)

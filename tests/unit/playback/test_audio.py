@@ -4,7 +4,10 @@ import numpy as np
 import pytest
 
 from hapticplayer.clock import ManualClock
-from hapticplayer.playback.audio import CHANNELS, AudioRing, SilentOut
+from hapticplayer.playback.audio import AHEAD_S, STANDING_AHEAD_S, AudioRing
+from hapticplayer.playback.sound_block import CHANNELS, SoundBlock
+from hapticplayer.playback.sound_process import SilentOut
+from hapticplayer.playback.sound_reader import SoundReader
 
 RATE = 1000  # one sample is one millisecond: easy to read
 
@@ -15,17 +18,26 @@ def ramp(start, count):
     )
 
 
+class Played(AudioRing):
+    """A ring with the other side of its memory."""
+
+    def __init__(self, rate_hz):
+        super().__init__(rate_hz)
+        self.reader = SoundReader(SoundBlock(self.descriptor))
+
+
 def render(ring, count, dac_s=0.0):
     out = np.full((count, CHANNELS), np.nan, dtype=np.float32)
-    ring.render(out, dac_s)
+    ring.reader.render(memoryview(out).cast("B"), dac_s)
     return out[:, 0]
 
 
 @pytest.fixture
 def ring():
-    made = AudioRing(RATE)
+    made = Played(RATE)
     made.load(1, 5.0)
-    return made
+    yield made
+    made.close()
 
 
 def test_silence_until_it_plays(ring):
@@ -69,11 +81,14 @@ def test_a_gap_in_the_sound_is_silence_at_the_right_place(ring):
 
 
 def test_a_full_ring_takes_what_fits(ring):
-    taken = ring.write(1, 5.0, ramp(5000, 5000))
-    assert taken == 1500  # two seconds less the half second of history
+    """Less of it while nothing plays: most seeks go on to the next."""
+    taken = ring.write(1, 5.0, ramp(5000, 9000))
+    assert taken == STANDING_AHEAD_S * RATE
     ring.play()
+    taken += ring.write(1, 5.0 + taken / RATE, ramp(5000 + taken, 9000))
+    assert taken == AHEAD_S * RATE
     render(ring, 100)
-    assert ring.write(1, 5.0 + taken / RATE, ramp(6500, 500)) == 100
+    assert ring.write(1, 5.0 + taken / RATE, ramp(5000 + taken, 500)) == 100
 
 
 def test_a_stale_generation_is_swallowed(ring):

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from hapticplayer.clock import SystemClock
-from hapticplayer.playback import sound_revival
+from hapticplayer.playback import sound_keeper
 from hapticplayer.playback.clock import Source
 from hapticplayer.playback.snapshot import Phase
 
@@ -192,8 +192,8 @@ def test_a_clip_that_breaks_ends_with_a_sentence(theatre, monkeypatch):
 
 
 def test_a_sound_output_that_was_lost_comes_back_without_a_jump(theatre, monkeypatch):
-    monkeypatch.setattr(sound_revival, "RETRY_S", 0.001)
-    monkeypatch.setattr(sound_revival, "SETTLED_S", 0.3)
+    monkeypatch.setattr(sound_keeper, "RETRY_S", 0.001)
+    monkeypatch.setattr(sound_keeper, "SETTLED_S", 0.3)
     player, first = theatre.player, theatre.out
     player.play()
     theatre.run(0.6)

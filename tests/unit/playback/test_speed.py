@@ -5,8 +5,9 @@ import pytest
 
 from hapticplayer.clock import ManualClock
 from hapticplayer.media import AudioBlock, AudioStretcher
-from hapticplayer.playback.audio import AudioRing, SilentOut
+from hapticplayer.playback.audio import AudioRing
 from hapticplayer.playback.snapshot import Phase
+from hapticplayer.playback.sound_process import SilentOut
 
 FRAME_S, RATE_HZ = 1 / 25, 48_000
 
@@ -14,6 +15,7 @@ FRAME_S, RATE_HZ = 1 / 25, 48_000
 def stretched(speed, sound):
     """The whole sound at another speed, and the media time of each sample of it."""
     stretcher = AudioStretcher(speed, RATE_HZ, 2)
+    sound = sound.astype(np.float32)
     blocks = []
     for first in range(0, len(sound), 1024):
         blocks += stretcher.push(
@@ -40,20 +42,54 @@ def test_a_tone_keeps_its_pitch_and_lasts_1_by_speed(speed):
     assert peak_hz == pytest.approx(440.0, abs=2.0)
 
 
-@pytest.mark.parametrize("speed", [0.5, 1.25, 2.0])
-def test_a_burst_is_heard_at_its_media_time_at_any_speed(speed):
-    sound = np.zeros((4 * RATE_HZ, 2), np.float32)
-    noise = np.random.default_rng(1).standard_normal((4800, 2))
-    bursts_s = (0.7, 1.9, 3.1)
+@pytest.mark.parametrize("speed", [0.5, 0.75, 1.25, 2.0, 4.0])
+@pytest.mark.parametrize("between", ["silence", "noise", "a tone"])
+def test_a_burst_is_heard_once_and_at_its_media_time_at_any_speed(speed, between):
+    t = np.arange(6 * RATE_HZ) / RATE_HZ
+    rng = np.random.default_rng(1)
+    sound = {
+        "silence": np.zeros(len(t)),
+        "noise": 0.01 * rng.standard_normal(len(t)),
+        "a tone": 0.04 * np.sin(2 * np.pi * 220 * t),
+    }[between]
+    bursts_s = np.cumsum(rng.uniform(0.25, 0.6, 12)) + 0.1
     for at_s in bursts_s:
         first = int(at_s * RATE_HZ)
-        sound[first : first + 4800] = 0.3 * noise
-    samples, media_s = stretched(speed, sound)
-    loud = np.abs(samples[:, 0]) > 0.05
-    for at_s in bursts_s:
-        near = loud & (np.abs(media_s - at_s) < 0.4)
-        # the window of atempo is 42 ms
-        assert media_s[near][0] == pytest.approx(at_s, abs=0.045)
+        sound[first : first + 1440] = 0.3 * rng.standard_normal(1440)
+    samples, media_s = stretched(speed, np.repeat(sound[:, None], 2, axis=1))
+    loud = np.flatnonzero(np.abs(samples[:, 0]) > 0.12)
+    begins = loud[np.diff(loud, prepend=-RATE_HZ) > 0.04 * RATE_HZ]
+    late_s = (media_s[begins] - bursts_s) / speed  # in the time of the person
+    assert np.abs(late_s).max() < 0.002
+
+
+@pytest.mark.parametrize("speed", [0.5, 0.75, 1.5, 2.0])
+def test_a_chord_stays_a_chord(speed):
+    """FFmpeg's atempo keeps 12 to 23 dB of this one above what it adds."""
+    t = np.arange(4 * RATE_HZ) / RATE_HZ
+    pitches_hz = (220.0, 277.18, 329.63)
+    chord = sum(0.2 * np.sin(2 * np.pi * f * t) for f in pitches_hz)
+    samples, _ = stretched(speed, np.repeat(chord[:, None], 2, axis=1))
+    middle = samples[len(samples) // 8 : -len(samples) // 8, 0]
+    power = np.abs(np.fft.rfft(middle * np.hanning(len(middle)))) ** 2
+    at_hz = np.fft.rfftfreq(len(middle), 1 / RATE_HZ)
+    is_chord = np.any([np.abs(at_hz - f) < 10.0 for f in pitches_hz], axis=0)
+    assert 10 * np.log10(power[is_chord].sum() / power[~is_chord].sum()) > 15.0
+
+
+def test_the_pulses_of_a_voice_are_no_onsets():
+    """Each would be copied as it is, so the pitch would change."""
+    pulses = np.zeros(2 * RATE_HZ)
+    pulses[:: RATE_HZ // 100] = 1.0
+    t = np.arange(400) / RATE_HZ
+    voice = np.convolve(pulses, np.exp(-800 * t) * np.sin(2 * np.pi * 700 * t))
+    for speed in (0.5, 1.5):
+        samples, _ = stretched(speed, np.repeat(voice[:, None], 2, axis=1))
+        middle = samples[len(samples) // 8 : -len(samples) // 8, 0]
+        power = np.abs(np.fft.rfft(middle * np.hanning(len(middle)))) ** 2
+        at_hz = np.fft.rfftfreq(len(middle), 1 / RATE_HZ)
+        is_voice = np.abs((at_hz + 50) % 100 - 50) < 8.0
+        assert 10 * np.log10(power[is_voice].sum() / power[~is_voice].sum()) > 40.0
 
 
 @pytest.mark.parametrize("speed", [0.5, 1.25, 2.0])
@@ -68,7 +104,7 @@ def test_at_another_speed_pictures_and_sound_agree(theatre, speed):
     assert theatre.player.snapshot().clock == "audio"
     assert theatre.player._media.error_s == pytest.approx(0.0, abs=0.002)
     assert theatre.player.frames_dropped == 0
-    assert theatre.player._ring.underrun_samples == 0
+    assert theatre.player._sound.ring.underrun_samples == 0
 
 
 def test_a_change_of_speed_while_it_plays_stays_where_it_is(theatre):
@@ -138,8 +174,8 @@ def test_the_volume_goes_with_the_cube_and_without_a_step():
     ring.load(1, 0.0)
     ring.write(1, 0.0, np.ones((3000, 2), np.float32))
     ring.play()
-    assert (out.advance(1000) == 1.0).all()
+    assert (np.asarray(out.advance(1000)) == 1.0).all()
     ring.gain = 0.5**3
-    faded = out.advance(1000)[:, 0]
+    faded = np.asarray(out.advance(1000))[:, 0]
     assert np.abs(np.diff(faded)).max() < 0.001
-    assert out.advance(1000)[:, 0] == pytest.approx(0.125)
+    assert np.asarray(out.advance(1000))[:, 0] == pytest.approx(0.125)

@@ -26,7 +26,11 @@ from hapticplayer.devices.falcon.simulated_usb.wire import (
     pack_request,
     unpack_answer,
 )
-from hapticplayer.devices.falcon.transport import Transport, open_falcon
+from hapticplayer.devices.falcon.transport import (
+    OpenTransport,
+    Transport,
+    open_falcon,
+)
 
 _SLACK_S = 0.1
 """For a process that has not come to its turn; then it counts as a stalled device."""
@@ -117,8 +121,8 @@ class _Line:
         return None
 
 
-def make(descriptor: int, options: Options = DEFAULTS) -> FalconDriver:
-    """Return the real driver for the Falcon at the other end of a descriptor."""
+def opening(descriptor: int) -> OpenTransport:
+    """Return what opens the Falcon at the other end of a descriptor, which it takes."""
     bus: list[Any] = []
 
     def open_transport() -> Transport:
@@ -130,7 +134,12 @@ def make(descriptor: int, options: Options = DEFAULTS) -> FalconDriver:
             bus.append(backend.SimulatedBus([port]))
         return open_falcon(backend=bus[0])
 
-    return FalconDriver(open_transport, image=synthetic_image, options=options)
+    return open_transport
+
+
+def make(descriptor: int, options: Options = DEFAULTS) -> FalconDriver:
+    """Return the real driver for the Falcon at the other end of a descriptor."""
+    return FalconDriver(opening(descriptor), image=synthetic_image, options=options)
 
 
 def silence(descriptor: int) -> Callable[[], bool]:

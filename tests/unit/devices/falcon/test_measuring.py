@@ -67,6 +67,20 @@ def test_the_time_until_the_motors_let_go_is_bracketed(hold_s, at_least_s, withi
     assert lab.simulation.commanded_n == (0.0, 0.0, 0.0)
 
 
+def test_a_silence_in_which_somebody_else_spoke_is_measured_again():
+    told = iter([False, True] + [False] * 100)
+    with Lab() as lab:
+        began_s = lab.clock.now_s()
+        measuring.force_after_silence(lab.driver, lab.clock, lambda: next(told))
+        once_more_s = lab.clock.now_s() - began_s
+        measuring.force_after_silence(lab.driver, lab.clock)
+        took_s = lab.clock.now_s() - began_s - once_more_s
+        assert once_more_s - took_s == pytest.approx(2.0 + 0.01, abs=0.1)
+        with pytest.raises(DeviceError, match="stood still time and again"):
+            measuring.force_after_silence(lab.driver, lab.clock, lambda: True)
+    assert lab.simulation.commanded_n == (0.0, 0.0, 0.0)
+
+
 def test_more_friction_is_found_in_every_direction():
     found = []
     for factor in (1.0, 2.0):

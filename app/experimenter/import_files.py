@@ -1,0 +1,379 @@
+"""First page of an import: the files, and what was recognised in them."""
+
+from pathlib import Path
+
+from PySide6.QtCore import QCoreApplication, Qt, Signal
+from PySide6.QtGui import QDragEnterEvent, QDropEvent
+from PySide6.QtWidgets import (
+    QButtonGroup,
+    QFrame,
+    QGridLayout,
+    QHBoxLayout,
+    QLabel,
+    QLineEdit,
+    QRadioButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.experimenter.triad import Triad
+from app.player.files import file_dialog, video_filter
+from app.player.times import time_text
+from app.widgets import theme
+from app.widgets.buttons import text_button
+from hapticplayer.capture import LogChoices, LogQuestion, parse_choices, write_template
+from hapticplayer.capture.mounting import AS_RECORDED
+from hapticplayer.errors import HapticPlayerError
+from hapticplayer.sequence.recognising import Recognised, pair
+
+translate = QCoreApplication.translate
+_MOST_NOTES = 6
+
+
+class FilesPage(QWidget):
+    """Takes a video and perhaps a log, shows what they are, and puts questions.
+
+    Signals:
+        changed: other files, or other answers; they have to be looked at anew.
+    """
+
+    changed = Signal()
+
+    def __init__(self, folder: str) -> None:
+        super().__init__()
+        self.setAcceptDrops(True)
+        self._folder = folder
+        self._words: list[str] = []
+        self._before: list[str] = []
+        self._asked: LogQuestion | None = None
+        self.video = self._field(self.tr("Video"))
+        self.log = self._field(self.tr("Motion log"))
+        self.log.setPlaceholderText(self.tr("inside the video"))
+        self.facts, self.notes = QLabel(), QLabel()
+        for label in (self.facts, self.notes):
+            label.setWordWrap(True)
+            label.setTextFormat(Qt.TextFormat.PlainText)
+            label.setAlignment(Qt.AlignmentFlag.AlignTop | Qt.AlignmentFlag.AlignLeft)
+        self.notes.setStyleSheet(f"color: {theme.DIM};")
+        self.triad = Triad()
+        self.problem = QLabel()
+        self.problem.setWordWrap(True)
+        self.problem.setTextFormat(Qt.TextFormat.PlainText)
+        self.question = _Question()
+        self.question.answered.connect(self._answer)
+        self.question.template_wanted.connect(self._choose_template)
+        self.keep = text_button(
+            self.tr("&Keep the answers\u2026"),
+            self.tr("Write a template for all logs of this logger"),
+        )
+        self.keep.clicked.connect(self._choose_kept)
+        self._lay_out()
+        for field in (self.video, self.log):
+            field.editingFinished.connect(self._on_edited)
+        self._seen = ("", "")
+        self.forget()
+
+    # --- building ------------------------------------------------------------
+
+    @staticmethod
+    def _field(name: str) -> QLineEdit:
+        field = QLineEdit()
+        field.setAccessibleName(name)
+        field.setClearButtonEnabled(True)
+        return field
+
+    def _lay_out(self) -> None:
+        intro = QLabel(
+            self.tr(
+                "Drop a video here, with the log of its motion sensor if that was a "
+                "device of its own. GoPro cameras keep their motion inside the video."
+            )
+        )
+        intro.setWordWrap(True)
+        intro.setStyleSheet(f"color: {theme.DIM};")
+        grid = QGridLayout()
+        grid.setHorizontalSpacing(8)
+        rows = (
+            (self.tr("&Video"), self.video, self._choose_video),
+            (self.tr("Motion &log"), self.log, self._choose_log),
+        )
+        for row, (text, field, slot) in enumerate(rows):
+            caption = QLabel(text)
+            caption.setBuddy(field)
+            browse = text_button(self.tr("Choose\u2026"), field.accessibleName())
+            browse.clicked.connect(slot)
+            for column, widget in enumerate((caption, field, browse)):
+                grid.addWidget(widget, row, column)
+        texts = QVBoxLayout()
+        texts.addWidget(self.facts)
+        texts.addWidget(self.notes)
+        texts.addWidget(self.keep, 0, Qt.AlignmentFlag.AlignLeft)
+        texts.addStretch(1)
+        found = QHBoxLayout()
+        found.addLayout(texts, 1)
+        found.addWidget(self.triad, 0, Qt.AlignmentFlag.AlignTop)
+        column_ = QVBoxLayout(self)
+        column_.setContentsMargins(0, 0, 0, 0)
+        column_.setSpacing(10)
+        column_.addWidget(intro)
+        column_.addLayout(grid)
+        column_.addWidget(self.problem)
+        column_.addWidget(self.question)
+        column_.addLayout(found, 1)
+
+    # --- what is chosen ------------------------------------------------------
+
+    def chosen(self) -> tuple[Path, Path | None] | None:
+        """Return video and log, None while there is no video."""
+        video, log = self.video.text().strip(), self.log.text().strip()
+        return (Path(video), Path(log) if log else None) if video else None
+
+    def choices(self) -> LogChoices | None:
+        """Return what was decided about the log."""
+        return parse_choices(self._words) if self._words else None
+
+    def take(self, paths: list[Path]) -> None:
+        """Take over files that were dropped; a log may follow its video.
+
+        Raises:
+            InputError: when there are two of a kind.
+        """
+        video, log = pair(paths)
+        if video is not None:
+            self.video.setText(str(video))
+            self.log.setText("" if log is None else str(log))
+        elif log is not None:
+            self.log.setText(str(log))
+        self._on_edited()
+
+    def _on_edited(self) -> None:
+        now = (self.video.text().strip(), self.log.text().strip())
+        if now != self._seen:
+            self._seen, self._words, self._before = now, [], []
+            self._asked = None
+            self.changed.emit()
+
+    def _answer(self, words: list[str]) -> None:
+        keys = {word.partition("=")[0] for word in words}
+        kept = [w for w in self._words if w.partition("=")[0] not in keys]
+        self._before, self._words = self._words, [*kept, *words]
+        try:
+            self.choices()
+        except HapticPlayerError as problem:
+            self._words = self._before
+            self.question.show_problem(str(problem))
+        else:
+            self.changed.emit()
+
+    # --- what is shown -------------------------------------------------------
+
+    def forget(self) -> None:
+        """Show nothing until something is recognised."""
+        for widget in (self.problem, self.question, self.triad, self.keep):
+            widget.hide()
+        self.facts.clear()
+        self.notes.clear()
+
+    def show_problem(self, problem: BaseException) -> None:
+        """Say why the files cannot be used, or ask what is doubtful."""
+        self.forget()
+        if isinstance(problem, LogQuestion):
+            self._asked = problem
+            self.question.ask(problem)
+            return
+        if self._asked is not None and self._words != self._before:
+            self._words = self._before  # the answer is none: it is asked again
+            self.question.ask(self._asked)
+            self.question.show_problem(str(problem))
+            return
+        self.problem.setText(str(problem))
+        self.problem.setStyleSheet(f"color: {theme.BAD};")
+        self.problem.show()
+
+    def show_found(self, found: Recognised) -> None:
+        """Show what was recognised."""
+        self.forget()
+        self.facts.setText("\n".join(self._facts(found)))
+        more = len(found.notes) - _MOST_NOTES
+        lines = [f"\u2022 {note}" for note in found.notes[:_MOST_NOTES]]
+        self.notes.setText("\n".join(lines) + (f"\n\u2026 +{more}" if more > 0 else ""))
+        self.triad.show_axes(AS_RECORDED, found.up)
+        self.triad.show()
+        self.keep.setVisible(bool(self._words))
+
+    def _facts(self, found: Recognised) -> list[str]:
+        clip = found.clip
+        sound = self.tr("with sound") if clip.has_audio else self.tr("without sound")
+        video = self.tr(
+            "Video: {camera}{width} \u00d7 {height}, {rate} pictures a second, "
+            "{duration}, {sound}"
+        ).format(
+            camera=f"{found.clip_camera}, " if found.clip_camera else "",
+            width=clip.width,
+            height=clip.height,
+            rate=f"{clip.frame_rate_hz:.4g}",
+            duration=time_text(clip.duration_s),
+            sound=sound,
+        )
+        motion = self.tr(
+            "Motion: {recorder}, {rate} samples a second, {duration}, {gaps} gaps"
+        ).format(
+            recorder=found.recorder,
+            rate=f"{found.rate_hz:.4g}",
+            duration=time_text(found.duration_s),
+            gaps=found.gaps,
+        )
+        return [video, motion, self._axes(found)]
+
+    def _axes(self, found: Recognised) -> str:
+        up = found.up
+        if up is None:
+            return self.tr("It turned so much that gravity does not show its axes.")
+        axis = max(range(3), key=lambda k: abs(up[k]))
+        name = ("-" if up[axis] < 0.0 else "") + "xyz"[axis]
+        return self.tr(
+            "Axes: x to its right, y to its front, z to its top; on average {up} was up"
+        ).format(up=name)
+
+    # --- choosing ------------------------------------------------------------
+
+    def _choose_video(self) -> None:
+        self._choose(self.video, self.tr("Choose a video"), video_filter())
+
+    def _choose_log(self) -> None:
+        kinds = self.tr(
+            "Motion logs (*.csv *.txt *.log *.zip *.gcsv *.json *.bin *.gpmf);;"
+            "All files (*)"
+        )
+        self._choose(self.log, self.tr("Choose a motion log"), kinds)
+
+    def _choose(self, field: QLineEdit, title: str, kinds: str) -> None:
+        text = field.text().strip() or self.video.text().strip()
+        start = str(Path(text).parent) if text else self._folder
+        dialog = file_dialog(self, title, start, kinds)
+        dialog.fileSelected.connect(field.setText)
+        dialog.fileSelected.connect(lambda _path: self._on_edited())
+        dialog.open()
+
+    def _choose_template(self) -> None:
+        kinds = self.tr("Templates (*.json)")
+        dialog = file_dialog(self, self.tr("Choose a template"), self._folder, kinds)
+        dialog.fileSelected.connect(lambda path: self._answer([f"template={path}"]))
+        dialog.open()
+
+    def _choose_kept(self) -> None:
+        kinds = self.tr("Templates (*.json)")
+        title = self.tr("Where shall the template be written?")
+        dialog = file_dialog(self, title, self._folder, kinds)
+        dialog.setAcceptMode(dialog.AcceptMode.AcceptSave)
+        dialog.setFileMode(dialog.FileMode.AnyFile)
+        dialog.setDefaultSuffix("json")
+        dialog.fileSelected.connect(self._keep)
+        dialog.open()
+
+    def _keep(self, path: str) -> None:
+        try:
+            write_template(Path(path), parse_choices(self._words))
+        except HapticPlayerError as problem:
+            self.problem.setText(str(problem))
+            self.problem.show()
+
+    # --- dropping ------------------------------------------------------------
+
+    def dragEnterEvent(self, event: QDragEnterEvent) -> None:
+        """Take files."""
+        if event.mimeData().hasUrls():
+            event.acceptProposedAction()
+
+    def dropEvent(self, event: QDropEvent) -> None:
+        """Look at what is dropped."""
+        urls = event.mimeData().urls()
+        paths = [Path(url.toLocalFile()) for url in urls if url.isLocalFile()]
+        event.acceptProposedAction()
+        try:
+            self.take(paths)
+        except HapticPlayerError as problem:
+            self.show_problem(problem)
+
+
+class _Question(QFrame):
+    """What is doubtful about a log, with the answers that are likely.
+
+    Signals:
+        answered: KEY=VALUE words.
+        template_wanted: the answers are in a file.
+    """
+
+    answered = Signal(list)
+    template_wanted = Signal()
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setObjectName("question")
+        self.setStyleSheet(
+            f"QFrame#question {{ border: 1px solid {theme.WARN}; border-radius: 5px; }}"
+        )
+        self.text, self.problem = QLabel(), QLabel()
+        for label in (self.text, self.problem):
+            label.setWordWrap(True)
+            label.setTextFormat(Qt.TextFormat.PlainText)
+        self.problem.setStyleSheet(f"color: {theme.BAD};")
+        self.answers = QButtonGroup(self)
+        self._choices = QVBoxLayout()
+        self.other = QLineEdit()
+        self.other.setAccessibleName(self.tr("Answer"))
+        self.other.setPlaceholderText(self.tr("KEY=VALUE, several with blanks between"))
+        self.other.returnPressed.connect(self._answer)
+        self.take = text_button(
+            self.tr("&Answer"), self.tr("Read the log with this answer"), "primary"
+        )
+        self.take.clicked.connect(self._answer)
+        template = text_button(
+            self.tr("&Template\u2026"), self.tr("Take the answers from a file")
+        )
+        template.clicked.connect(self.template_wanted)
+        row = QHBoxLayout()
+        for widget in (self.other, template, self.take):
+            row.addWidget(widget)
+        column = QVBoxLayout(self)
+        column.addWidget(self.text)
+        column.addLayout(self._choices)
+        column.addLayout(row)
+        column.addWidget(self.problem)
+
+    def ask(self, question: LogQuestion) -> None:
+        """Put a question."""
+        self.text.setText(f"{Path(question.where).name}: {question.what}")
+        self.problem.clear()
+        for button in self.answers.buttons():
+            self.answers.removeButton(button)
+            button.deleteLater()
+        for answer in _each(question.answers):
+            radio = QRadioButton(answer)
+            radio.clicked.connect(lambda _on, a=answer: self._propose(a))
+            self.answers.addButton(radio)
+            self._choices.addWidget(radio)
+        self.other.clear()
+        self.show()
+
+    def show_problem(self, text: str) -> None:
+        """Say that an answer cannot be one."""
+        self.problem.setText(text)
+
+    def _propose(self, answer: str) -> None:
+        self.other.setText(" ".join(w for w in answer.split() if "=" in w))
+
+    def _answer(self) -> None:
+        words = self.other.text().split()
+        if words:
+            self.answered.emit(words)
+
+
+def _each(answers: tuple[str, ...]) -> list[str]:
+    """Return the answers, one for each of `KEY=A|B|C`."""
+    shown = []
+    for answer in answers:
+        word, blank, more = answer.partition(" ")
+        key, equals, values = word.partition("=")
+        shown += [f"{key}{equals}{value}{blank}{more}" for value in values.split("|")]
+    return shown

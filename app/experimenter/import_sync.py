@@ -1,0 +1,297 @@
+"""Second page of an import: sound and motion on one time line."""
+
+import contextlib
+import dataclasses
+
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QDoubleSpinBox,
+    QHBoxLayout,
+    QLabel,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.bridge.jobs import Job
+from app.experimenter.clip_frame import ClipFrame
+from app.experimenter.sync_strip import STEP_S, SyncStrip
+from app.widgets import theme
+from app.widgets.buttons import text_button
+from hapticplayer.capture import Synchronisation
+from hapticplayer.errors import HapticPlayerError
+from hapticplayer.model import ClockMap
+from hapticplayer.playback.snippet import LONGEST_S, Samples, Snippet, pats_sound
+from hapticplayer.sequence.recognising import Recognised
+from hapticplayer.sequence.synchronizing import moved_to, store_skew
+
+_LONGEST_OFFSET_S = 86_400.0
+_LARGEST_SKEW_MS = 2000.0
+_AROUND_S = 2.0
+
+
+class SyncPage(QWidget):
+    """Shows the proposed shift; a person hears, sees, drags, and takes it.
+
+    Signals:
+        decided: whether it may go on has changed.
+    """
+
+    decided = Signal()
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.strip, self.frame = SyncStrip(), ClipFrame()
+        self.snippet = Snippet()
+        self._sound: Job[Samples] | None = None
+        self._recognised: Recognised | None = None
+        self.verdict, self.problem = QLabel(), QLabel()
+        for label in (self.verdict, self.problem):
+            label.setWordWrap(True)
+        self.problem.setStyleSheet(f"color: {theme.BAD};")
+        self.offset = _spin(_LONGEST_OFFSET_S, 3, STEP_S, self.tr(" s"))
+        self.offset.setAccessibleName(self.tr("Offset"))
+        self.offset.setToolTip(
+            self.tr("Media time at which the log's clock reads zero")
+        )
+        self.skew = _spin(_LARGEST_SKEW_MS, 0, 1.0, self.tr(" ms"))
+        self.skew.setAccessibleName(self.tr("Sound later than picture"))
+        self.skew.setToolTip(
+            self.tr("How much later than its picture the camera's sound comes")
+        )
+        self.keep_skew = QCheckBox(self.tr("keep for this camera"))
+        self.looked = QCheckBox(
+            self.tr("I have looked and listened: this offset is right")
+        )
+        self.looked.toggled.connect(lambda _on: self.decided.emit())
+        self._lay_out()
+        self.strip.shifted.connect(self.offset.setValue)
+        self.strip.pointed.connect(self.frame.want)
+        self.offset.valueChanged.connect(self._on_offset)
+        self.skew.valueChanged.connect(self._on_skew)
+        self._late_s = 0.0
+
+    # --- building ------------------------------------------------------------
+
+    def _lay_out(self) -> None:
+        whole = text_button(self.tr("&Whole clip"), self.tr("Show the whole clip"))
+        whole.clicked.connect(self.strip.show_whole)
+        self.near = text_button(self.tr("The &pats"), self.tr("Show the pats closely"))
+        self.near.clicked.connect(self._show_near)
+        self.hear = text_button(
+            self.tr("&Hear"),
+            self.tr("Play what is shown: the clip left, a tick at each knock right"),
+        )
+        self.hear.clicked.connect(self._hear)
+        row = QHBoxLayout()
+        row.setSpacing(8)
+        caption = QLabel(self.tr("&Offset"))
+        caption.setBuddy(self.offset)
+        for widget in (whole, self.near, self.hear, caption, self.offset):
+            row.addWidget(widget)
+        row.addStretch(1)
+        late = QLabel(self.tr("S&ound later than picture"))
+        late.setBuddy(self.skew)
+        skew = QHBoxLayout()
+        for part in (late, self.skew, self.keep_skew):
+            skew.addWidget(part)
+        skew.addStretch(1)
+        hint = QLabel(
+            self.tr(
+                "Drag the acceleration until it lies under the sound; the arrow keys "
+                "move it by 1 ms, with Shift by 10 ms, with Ctrl by 100 ms. The wheel "
+                "zooms; the picture is that at the cursor, which comma and point move."
+            )
+        )
+        hint.setWordWrap(True)
+        hint.setStyleSheet(f"color: {theme.DIM};")
+        beside = QHBoxLayout()
+        texts = QVBoxLayout()
+        for one in (hint, row, skew, self.looked, self.problem):
+            if isinstance(one, QHBoxLayout):
+                texts.addLayout(one)
+            else:
+                texts.addWidget(one)
+        texts.addStretch(1)
+        beside.addLayout(texts, 1)
+        beside.addWidget(self.frame)
+        self._body = QWidget()
+        inner = QVBoxLayout(self._body)
+        inner.setContentsMargins(0, 0, 0, 0)
+        inner.addWidget(self.strip, 1)
+        inner.addLayout(beside)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.addWidget(self.verdict)
+        column.addWidget(self._body, 1)
+        column.addStretch(0)
+
+    # --- what there is -------------------------------------------------------
+
+    def show_found(self, found: Recognised) -> None:
+        """Show another recording; what was chosen for the one before is forgotten."""
+        self._recognised = found
+        self.looked.setChecked(False)
+        self.problem.clear()
+        sync = found.found
+        offset_s = sync.clock_map.offset_s if sync else -found.begin_s
+        self._late_s = sync.sound_late_s if sync else 0.0
+        for spin, value in ((self.skew, 1e3 * self._late_s), (self.offset, offset_s)):
+            spin.blockSignals(True)
+            spin.setValue(value)
+            spin.blockSignals(False)
+        self.keep_skew.setVisible(bool(found.clip_camera))
+        self.keep_skew.setToolTip(found.clip_camera)
+        pats_s = tuple(pat.heard_s for pat in sync.pats) if sync else ()
+        self.strip.show_streams(found.sound, found.motion, pats_s, offset_s)
+        if not len(found.sound[0]):  # as long as the clip, though there is nothing
+            self.strip.show_span(0.0, found.clip.duration_s)
+        self._show_near()
+        self.near.setEnabled(bool(pats_s))
+        self.hear.setEnabled(found.clip.has_audio)
+        self.frame.use(found.clip.path)
+        self.strip.point_at(pats_s[0] if pats_s else 0.0)
+        self._body.setVisible(not found.knows_clip_clock)
+        self._show_verdict()
+
+    def choice(self) -> Synchronisation | None:
+        """Return what a person has taken; None for the recorder's own clock."""
+        found = self._recognised
+        assert found is not None
+        if found.knows_clip_clock:
+            return None
+        offset_s = self.offset.value()
+        sync = self._shifted()
+        if sync is None:
+            return Synchronisation(ClockMap(offset_s), "offset")
+        return moved_to(sync, offset_s)
+
+    def may_go_on(self) -> bool:
+        """Whether there is nothing that a person still has to look at."""
+        found = self._recognised
+        if found is None:
+            return False
+        choice = self.choice()
+        is_sure = choice is None or (choice.is_confident and choice.method == "pats")
+        return is_sure or self.looked.isChecked()
+
+    def keep(self) -> None:
+        """Keep the camera's skew for its next clips, where that was wanted."""
+        found = self._recognised
+        is_wanted = found is not None and not found.knows_clip_clock
+        if is_wanted and self.keep_skew.isChecked() and found and found.clip_camera:
+            store_skew(found.clip_camera, self._late_s)
+
+    def _shifted(self) -> Synchronisation | None:
+        """Return what was found, with the skew that is wanted now."""
+        sync = self._recognised.found if self._recognised else None
+        if sync is None:
+            return None
+        clock = sync.clock_map
+        by_s = sync.sound_late_s - self._late_s
+        clock = dataclasses.replace(clock, offset_s=clock.offset_s + by_s)
+        return dataclasses.replace(sync, clock_map=clock, sound_late_s=self._late_s)
+
+    # --- what a person does --------------------------------------------------
+
+    def _on_offset(self, offset_s: float) -> None:
+        self.strip.set_shift(offset_s)
+        self._show_verdict()
+
+    def _on_skew(self, late_ms: float) -> None:
+        by_s = self._late_s - 1e-3 * late_ms
+        self._late_s = 1e-3 * late_ms
+        self.offset.setValue(self.offset.value() + by_s)
+        self._show_verdict()
+
+    def _show_near(self) -> None:
+        self.strip.show_pats()
+
+    def _hear(self) -> None:
+        """Play what is shown; where that is too long, what is around the cursor."""
+        found = self._recognised
+        if found is None or self._sound is not None:
+            return
+        begin_s, end_s = self.strip.view_s
+        if end_s - begin_s > LONGEST_S:
+            at_s = self.strip.cursor_s or 0.0
+            begin_s, end_s = at_s - _AROUND_S, at_s + _AROUND_S
+        path, ticks_s = found.clip.path, self.strip.felt_s()
+        self._sound = Job("", lambda _told: pats_sound(path, begin_s, end_s, ticks_s))
+        self._sound.start()
+
+    # --- what happens by itself ----------------------------------------------
+
+    def poll(self) -> None:
+        """Show the picture and play the sound that are ready."""
+        self.frame.poll()
+        job = self._sound
+        if job is None or not job.is_done:
+            return
+        self._sound = None
+        try:
+            if job.problem is not None:
+                raise job.problem
+            assert job.result is not None
+            self.snippet.play(job.result)
+            self.problem.clear()
+        except (HapticPlayerError, OSError) as problem:
+            self.problem.setText(str(problem))
+
+    def close_jobs(self) -> None:
+        """Be silent, and wait for what still decodes."""
+        self.frame.close_jobs()
+        with contextlib.suppress(OSError):
+            self.snippet.stop()
+        if self._sound is not None:
+            self._sound.join()
+            self._sound = None
+
+    def _show_verdict(self) -> None:
+        found = self._recognised
+        if found is None:
+            return
+        text, colour = self._verdict(found)
+        self.verdict.setText(text)
+        self.verdict.setStyleSheet(f"color: {colour};")
+        choice = self.choice()
+        is_sure = choice is None or (choice.is_confident and choice.method == "pats")
+        self.looked.setVisible(not is_sure)
+        self.decided.emit()
+
+    def _verdict(self, found: Recognised) -> tuple[str, str]:
+        if found.knows_clip_clock:
+            text = self.tr("{recorder} keeps its motion on the clip's own clock.")
+            return text.format(recorder=found.recorder), theme.GOOD
+        sync = found.found
+        if sync is None:
+            text = self.tr("Nothing to go by: {why}. Give the offset by hand.")
+            return text.format(why=found.problem), theme.WARN
+        choice = self.choice()
+        confidence = f"{sync.clock_map.confidence:.2f}"
+        if choice is not None and choice.method == "offset":
+            return self.tr("The offset was moved by hand."), theme.WARN
+        if sync.is_confident:
+            text = self.tr(
+                "The pats were found (confidence {confidence}, residual {ms} ms)."
+            )
+            ms = f"{1e3 * sync.clock_map.residual_s:.1f}"
+            return text.format(confidence=confidence, ms=ms), theme.GOOD
+        if sync.pats:
+            text = self.tr(
+                "The pats are not certain (confidence {confidence}). Look whether the "
+                "same events lie under each other, and drag them if not."
+            )
+            return text.format(confidence=confidence), theme.WARN
+        text = self.tr("No three pats are both heard and felt; drag by hand.")
+        return text, theme.WARN
+
+
+def _spin(largest: float, digits: int, step: float, suffix: str) -> QDoubleSpinBox:
+    spin = QDoubleSpinBox()
+    spin.setRange(-largest, largest)
+    spin.setDecimals(digits)
+    spin.setSingleStep(step)
+    spin.setSuffix(suffix)
+    spin.setKeyboardTracking(False)
+    return spin

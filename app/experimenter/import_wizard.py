@@ -1,0 +1,333 @@
+"""From files to a sequence in the library: five steps in one window."""
+
+from pathlib import Path
+from typing import Any
+
+from PySide6.QtCore import Qt, QTimer, Signal
+from PySide6.QtWidgets import (
+    QDialog,
+    QHBoxLayout,
+    QLabel,
+    QProgressBar,
+    QStackedWidget,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.bridge.child import in_child
+from app.bridge.jobs import Jobs, Progress
+from app.experimenter.import_files import FilesPage
+from app.experimenter.import_mounting import MountingPage
+from app.experimenter.import_sync import SyncPage
+from app.experimenter.quality_view import QualityView
+from app.widgets import theme
+from app.widgets.buttons import text_button
+from app.widgets.labels import ElidedLabel
+from hapticplayer.capture import LogQuestion
+from hapticplayer.capture.mounting import AS_RECORDED
+from hapticplayer.errors import HapticPlayerError
+from hapticplayer.sequence import build_sequence, files
+from hapticplayer.sequence.build import Choices
+from hapticplayer.sequence.recognising import Recognised, recognise
+from hapticplayer.sequence.report import quality_report
+from hapticplayer.sequence.store import DESCRIPTION
+from hapticplayer.sequence.synchronizing import SyncChoices
+
+WIDTH_PX, HEIGHT_PX = 940, 640
+_POLL_MS = 30
+_PARTS = 1000
+FILES, SYNC, MOUNTING, REPORT = range(4)
+
+
+class ImportWizard(QDialog):
+    """Leads through an import; what is not certain cannot be passed without a look.
+
+    Signals:
+        play_wanted: the folder of a new sequence, to be played.
+        library_chosen: sequences shall be kept in another folder.
+
+    Args:
+        folder: where choosing files begins.
+        library: where sequences are kept.
+    """
+
+    play_wanted = Signal(object)
+    library_chosen = Signal(object)
+
+    def __init__(
+        self, folder: str, library: Path, parent: QWidget | None = None
+    ) -> None:
+        super().__init__(parent)
+        self.setWindowTitle(self.tr("Import a recording"))
+        room = self.screen().availableGeometry()
+        self.resize(min(WIDTH_PX, room.width()), min(HEIGHT_PX, room.height()))
+        self.recognised: Recognised | None = None
+        self.made: Path | None = None
+        self._is_leaving = False
+        self._is_stale = False
+        self.files, self.sync = FilesPage(folder), SyncPage()
+        self.mounting, self.report = MountingPage(library), QualityView()
+        self.jobs = Jobs(self._on_failed)
+        self._lay_out()
+        self.files.changed.connect(self._look)
+        self.sync.decided.connect(self._show_buttons)
+        self._timer = QTimer(self)
+        self._timer.timeout.connect(self._poll)
+        self._timer.start(_POLL_MS)
+        self._go(FILES)
+
+    # --- building ------------------------------------------------------------
+
+    def _lay_out(self) -> None:
+        self.steps = QLabel()
+        self.steps.setTextFormat(Qt.TextFormat.RichText)
+        self.stack = QStackedWidget()
+        for page in (self.files, self.sync, self.mounting, self.report):
+            self.stack.addWidget(page)
+        self.problem = QLabel()
+        self.problem.setWordWrap(True)
+        self.problem.setTextFormat(Qt.TextFormat.PlainText)
+        self.problem.setStyleSheet(f"color: {theme.BAD};")
+        column = QVBoxLayout(self)
+        column.setContentsMargins(16, 14, 16, 14)
+        column.setSpacing(10)
+        column.addWidget(self.steps)
+        column.addWidget(self.stack, 1)
+        column.addWidget(self.problem)
+        column.addLayout(self._progress_row())
+        column.addLayout(self._button_row())
+
+    def _progress_row(self) -> QHBoxLayout:
+        self.step, self.bar = ElidedLabel(colour=theme.DIM), QProgressBar()
+        self.bar.setRange(0, _PARTS)
+        self.bar.setFixedWidth(240)
+        self.bar.setAccessibleName(self.tr("Progress"))
+        self.stop = text_button(
+            self.tr("&Stop"), self.tr("Stop this work; nothing is left behind")
+        )
+        self.stop.clicked.connect(self.jobs.cancel)
+        row = QHBoxLayout()
+        for widget in (self.step, self.bar, self.stop):
+            row.addWidget(widget, 1 if widget is self.step else 0)
+        return row
+
+    def _button_row(self) -> QHBoxLayout:
+        self.another = text_button(
+            self.tr("&Import another\u2026"), self.tr("Begin again with other files")
+        )
+        self.another.clicked.connect(self._begin_again)
+        self.back = text_button(self.tr("&Back"), self.tr("To the step before"))
+        self.back.clicked.connect(lambda: self._go(self.stack.currentIndex() - 1))
+        self.next = text_button(
+            self.tr("&Next"), self.tr("To the next step"), "primary"
+        )
+        self.next.clicked.connect(self._on_next)
+        self.leave = text_button(self.tr("Close"), self.tr("Close this window"))
+        self.leave.clicked.connect(self.reject)
+        row = QHBoxLayout()
+        row.setSpacing(8)
+        row.addWidget(self.leave)
+        row.addStretch(1)
+        for button in (self.another, self.back, self.next):
+            row.addWidget(button)
+        return row
+
+    # --- going through the steps ---------------------------------------------
+
+    def take(self, paths: list[Path]) -> None:
+        """Begin with files that were dropped or chosen elsewhere."""
+        try:
+            self.files.take(paths)
+        except HapticPlayerError as problem:
+            self.files.show_problem(problem)
+
+    def _go(self, step: int) -> None:
+        self.stack.setCurrentIndex(step)
+        self.problem.clear()
+        if step != SYNC:
+            self.sync.close_jobs()
+        self._show_steps()
+        self._show_buttons()
+
+    def _show_steps(self) -> None:
+        names = (
+            self.tr("Recording"),
+            self.tr("Synchronise"),
+            self.tr("Mounting"),
+            self.tr("Report"),
+        )
+        at = self.stack.currentIndex()
+        shown = [
+            f"<b>{number + 1} {name}</b>"
+            if number == at
+            else f"<span style='color:{theme.DIM}'>{number + 1} {name}</span>"
+            for number, name in enumerate(names)
+        ]
+        self.steps.setText(" &nbsp;\u203a&nbsp; ".join(shown))
+        self.steps.setAccessibleName(names[at])
+
+    def _show_buttons(self) -> None:
+        at, is_busy = self.stack.currentIndex(), self.jobs.is_busy
+        self.back.setVisible(at < REPORT)
+        self.back.setEnabled(at > FILES and not is_busy)
+        self.another.setVisible(at == REPORT)
+        text = {MOUNTING: self.tr("&Import"), REPORT: self.tr("&Play it")}
+        self.next.setText(text.get(at, self.tr("&Next")))
+        may = {
+            FILES: self.recognised is not None,
+            SYNC: self.sync.may_go_on(),
+            MOUNTING: True,
+            REPORT: self.made is not None,
+        }
+        self.next.setEnabled(may[at] and not is_busy)
+        self.stack.setEnabled(not is_busy or at == FILES)
+        for widget in (self.step, self.bar, self.stop):
+            widget.setVisible(is_busy)
+
+    def _on_next(self) -> None:
+        at = self.stack.currentIndex()
+        if at == REPORT:
+            made = self.made
+            self.accept()
+            self.play_wanted.emit(made)
+        elif at == MOUNTING:
+            self._import()
+        else:
+            self._go(at + 1)
+
+    def _begin_again(self) -> None:
+        self.recognised = self.made = None
+        for field in (self.files.video, self.files.log):
+            field.clear()
+        self.files.forget()
+        self.files.take([])
+        self._go(FILES)
+
+    # --- work ----------------------------------------------------------------
+
+    def _look(self) -> None:
+        """Read the files that are chosen now."""
+        self.recognised = None
+        self.files.forget()
+        self._show_buttons()
+        if self.jobs.is_busy:  # with what was chosen before
+            self._is_stale = True
+            self.jobs.cancel()
+            return
+        chosen = self.files.chosen()
+        if chosen is None:
+            return
+        video, log = chosen
+        choices = self.files.choices()
+
+        def work(progress: Progress) -> Recognised:
+            return in_child(recognise, video, log, choices, progress=progress)
+
+        self.jobs.run(
+            self.tr("Looking at {0}").format(video.name), work, self._on_found
+        )
+        self._show_buttons()
+
+    def _on_found(self, found: Recognised) -> None:
+        if self._is_stale:
+            return
+        self.recognised = found
+        self.files.show_found(found)
+        self.sync.show_found(found)
+        self.mounting.show_found(found)
+
+    def _on_failed(self, problem: BaseException) -> None:
+        if self._is_stale:
+            return
+        if not isinstance(problem, HapticPlayerError):
+            self.problem.setText(str(problem))
+            raise problem
+        if self.stack.currentIndex() == FILES or isinstance(problem, LogQuestion):
+            self.files.show_problem(problem)
+        else:
+            self.problem.setText(str(problem))
+
+    def _import(self) -> None:
+        chosen = self.files.chosen()
+        assert chosen is not None
+        try:
+            self.sync.keep()
+            target, choices = self.mounting.target(), self._choices()
+        except HapticPlayerError as problem:
+            self.problem.setText(str(problem))
+            return
+        video, log = chosen
+
+        def work(progress: Progress) -> Path:
+            return in_child(
+                build_sequence,
+                video,
+                target,
+                imu_log=log,
+                choices=choices,
+                progress=progress,
+            )
+
+        self.problem.clear()
+        self.jobs.run(self.tr("Importing {0}").format(video.name), work, self._on_made)
+        self._show_buttons()
+
+    def _choices(self) -> Choices:
+        axes = self.mounting.axes
+        return Choices(
+            title=self.mounting.title.text().strip() or None,
+            mapping=self.mounting.mapping(),
+            log=self.files.choices(),
+            sync=SyncChoices(seen=self.sync.choice()),
+            mounting="" if axes == AS_RECORDED else axes,
+        )
+
+    def _on_made(self, folder: Path) -> None:
+        self.made = folder
+        self.library_chosen.emit(self.mounting.library)
+        description: dict[str, Any] = files.read_json(folder / DESCRIPTION)
+        notes = description["provenance"]["notes"]
+        self.report.show_findings(quality_report(description), notes)
+        self._go(REPORT)
+
+    # --- what happens by itself ----------------------------------------------
+
+    def _poll(self) -> None:
+        was_busy = self.jobs.is_busy
+        self.jobs.poll()
+        self.sync.poll()
+        state = self.jobs.state()
+        if state is not None:
+            text = f"{state.title}: {state.step}" if state.step else state.title
+            self.step.set_text(text)
+            self.bar.setValue(round(_PARTS * min(1.0, max(0.0, state.fraction))))
+        if was_busy and not self.jobs.is_busy:
+            if self._is_leaving:
+                super().reject()
+            elif self._is_stale:
+                self._is_stale = False
+                self._look()
+            else:
+                self._show_buttons()
+
+    def reject(self) -> None:
+        """Close; work that runs is stopped first, without holding the window up."""
+        self.sync.close_jobs()
+        if self.jobs.is_busy:
+            self._is_leaving = True
+            self.jobs.cancel()
+            self.hide()
+        else:
+            super().reject()
+
+    def done(self, result: int) -> None:
+        """Let nothing run on."""
+        self._timer.stop()
+        self.sync.close_jobs()
+        super().done(result)
+
+    def close_jobs(self) -> None:
+        """Stop what runs and wait for it; the program ends."""
+        self._timer.stop()
+        self.jobs.close()
+        self.sync.close_jobs()

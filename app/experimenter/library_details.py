@@ -1,0 +1,299 @@
+"""What is known of one sequence, its force tracks, and its gain."""
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QDoubleSpinBox,
+    QHBoxLayout,
+    QHeaderView,
+    QInputDialog,
+    QLabel,
+    QSlider,
+    QTableWidget,
+    QTableWidgetItem,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.bridge.child import in_child
+from app.bridge.jobs import Job, Progress
+from app.experimenter.quality_view import QualityView
+from app.player.choices import feedbacks
+from app.player.files import file_dialog
+from app.widgets import theme
+from app.widgets.buttons import text_button
+from hapticplayer.errors import HapticPlayerError
+from hapticplayer.model import Feedback
+from hapticplayer.sequence.editing import (
+    GainPreview,
+    add_track,
+    preview_gain,
+    remove_track,
+    rename_track,
+    set_gain,
+)
+from hapticplayer.sequence.library import Entry
+
+_LEAST_GAIN, _LARGEST_GAIN, _STEPS = 0.05, 1.0, 95
+_OWN = [feedback.value for feedback in Feedback]
+_SETTLE_POLLS = 8
+
+Run = Callable[[str, Callable[[Progress], Any], Callable[[Any], None]], None]
+
+
+class LibraryDetails(QWidget):
+    """Shows an entry of the library and changes its tracks.
+
+    Signals:
+        changed: what lies on the disk is another.
+
+    Args:
+        run: begins a piece of work: title, work, what is done with the result.
+    """
+
+    changed = Signal()
+
+    def __init__(self, run: Run) -> None:
+        super().__init__()
+        self._run = run
+        self._entry: Entry | None = None
+        self._preview: Job[GainPreview] | None = None
+        self._wait = 0
+        self.report = QualityView()
+        self.tracks = QTableWidget(0, 4)
+        self.tracks.setAccessibleName(self.tr("Force tracks"))
+        self.tracks.setHorizontalHeaderLabels(
+            [
+                self.tr("Force track"),
+                self.tr("Peak"),
+                self.tr("RMS"),
+                self.tr("Workspace"),
+            ]
+        )
+        self.tracks.verticalHeader().hide()
+        self.tracks.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+        self.tracks.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
+        self.tracks.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
+        header = self.tracks.horizontalHeader()
+        header.setSectionResizeMode(0, QHeaderView.ResizeMode.Stretch)
+        self.tracks.itemSelectionChanged.connect(self._show_buttons)
+        self.gain = QSlider(Qt.Orientation.Horizontal)
+        self.gain.setAccessibleName(self.tr("Gain"))
+        self.gain.setRange(0, _STEPS)
+        self.number = QDoubleSpinBox()
+        self.number.setAccessibleName(self.tr("Gain"))
+        self.number.setRange(_LEAST_GAIN, _LARGEST_GAIN)
+        self.number.setSingleStep(0.01)
+        self.number.setSuffix(self.tr(" N per m/s\u00b2"))
+        self.preview, self.problem = QLabel(), QLabel()
+        for label in (self.preview, self.problem):
+            label.setWordWrap(True)
+        self.problem.setStyleSheet(f"color: {theme.BAD};")
+        self._lay_out()
+        self.gain.valueChanged.connect(
+            lambda step: self.number.setValue(_LEAST_GAIN + 0.01 * step)
+        )
+        self.number.valueChanged.connect(self._on_gain)
+
+    def _lay_out(self) -> None:
+        self.add = text_button(
+            self.tr("&Add a track\u2026"), self.tr("A force track from a CSV file")
+        )
+        self.rename = text_button(self.tr("Rena&me\u2026"), self.tr("Rename the track"))
+        self.remove = text_button(self.tr("&Remove"), self.tr("Remove the track"))
+        self.add.clicked.connect(self._choose_csv)
+        self.rename.clicked.connect(self._ask_name)
+        self.remove.clicked.connect(lambda: self._edit(remove_track, self._track()))
+        tracks = QHBoxLayout()
+        for button in (self.add, self.rename, self.remove):
+            tracks.addWidget(button)
+        tracks.addStretch(1)
+        self.apply = text_button(
+            self.tr("Use this &gain"),
+            self.tr("Make the realistic and the random track anew"),
+        )
+        self.apply.clicked.connect(self._set_gain)
+        gain = QHBoxLayout()
+        caption = QLabel(self.tr("Gain"))
+        for widget in (caption, self.gain, self.number, self.apply):
+            gain.addWidget(widget, 1 if widget is self.gain else 0)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(8, 0, 0, 0)
+        column.addWidget(self.report, 3)
+        column.addWidget(self.tracks, 2)
+        column.addLayout(tracks)
+        column.addLayout(gain)
+        column.addWidget(self.preview)
+        column.addWidget(self.problem)
+
+    # --- what is shown -------------------------------------------------------
+
+    def show_entry(self, entry: Entry | None) -> None:
+        """Show another entry, or none."""
+        is_same = entry == self._entry
+        self._entry = entry
+        self.setEnabled(entry is not None and not entry.problem)
+        if is_same:
+            return
+        self.problem.clear()
+        notes = [entry.problem] if entry is not None and entry.problem else []
+        self.report.show_findings(entry.findings if entry else [], notes)
+        tracks = entry.tracks if entry else ()
+        self.tracks.setRowCount(len(tracks))
+        names = feedbacks(track.name for track in tracks)
+        for row, (track, choice) in enumerate(zip(tracks, names, strict=True)):
+            reach = "\u2013" if track.reach is None else f"{100.0 * track.reach:.0f} %"
+            cells = (
+                choice.text,
+                f"{track.peak_n:.2f} N",
+                f"{track.rms_n:.2f} N",
+                reach,
+            )
+            for column, text in enumerate(cells):
+                item = QTableWidgetItem(text)
+                item.setData(int(Qt.ItemDataRole.UserRole), track.name)
+                self.tracks.setItem(row, column, item)
+        self._show_gain()
+        self._show_buttons()
+
+    def _show_gain(self) -> None:
+        gain = self._entry.gain_n_per_mps2 if self._entry else None
+        self.number.blockSignals(True)
+        self.number.setValue(gain or _LEAST_GAIN)
+        self.number.blockSignals(False)
+        self._move_slider()
+        self._wait = 0
+        self.preview.clear()
+        self.apply.setEnabled(False)
+
+    def _move_slider(self) -> None:
+        self.gain.blockSignals(True)
+        self.gain.setValue(round((self.number.value() - _LEAST_GAIN) / 0.01))
+        self.gain.blockSignals(False)
+
+    def _show_buttons(self) -> None:
+        is_added = self._track() not in ("", *_OWN)
+        self.rename.setEnabled(is_added)
+        self.remove.setEnabled(is_added)
+
+    def _track(self) -> str:
+        items = self.tracks.selectedItems()
+        return str(items[0].data(int(Qt.ItemDataRole.UserRole))) if items else ""
+
+    # --- the gain ------------------------------------------------------------
+
+    def _on_gain(self, gain: float) -> None:
+        """Say at once what follows from the figures, and soon what a hand would do."""
+        self._move_slider()
+        entry = self._entry
+        if entry is None or not entry.gain_n_per_mps2:
+            return
+        self.apply.setEnabled(abs(gain - entry.gain_n_per_mps2) > 1e-9)
+        real = [track for track in entry.tracks if track.name == _OWN[0]]
+        if real:
+            factor = gain / entry.gain_n_per_mps2
+            text = self.tr("about {peak} N at the peak, {rms} N RMS\u2026")
+            peak, rms = (
+                f"{factor * real[0].peak_n:.2f}",
+                f"{factor * real[0].rms_n:.2f}",
+            )
+            self.preview.setText(text.format(peak=peak, rms=rms))
+        self.preview.setStyleSheet(f"color: {theme.DIM};")
+        self._wait = _SETTLE_POLLS
+
+    def poll(self) -> None:
+        """Begin and take over predictions."""
+        job = self._preview
+        if job is not None and job.is_done:
+            self._preview = None
+            if self._wait == 0 and job.result is not None:
+                self._show_preview(job.result)
+        if self._wait > 0:
+            self._wait -= 1
+            if self._wait == 0 and self._preview is not None:
+                self._wait = 1  # of a gain that nobody wants any more
+            elif self._wait == 0 and self._entry is not None:
+                folder, gain = self._entry.folder, self.number.value()
+                self._preview = Job(
+                    "", lambda told: in_child(preview_gain, folder, gain, progress=told)
+                )
+                self._preview.start()
+
+    def _show_preview(self, found: GainPreview) -> None:
+        text = self.tr(
+            "{peak} N at the peak, {rms} N RMS, {share} of the samples at the limit; "
+            "workspace: relaxed hand {relaxed}, normal {normal}, firm {firm}"
+        ).format(
+            peak=f"{found.peak_n:.2f}",
+            rms=f"{found.rms_n:.2f}",
+            share=f"{100.0 * found.saturated_share:.2g} %",
+            **{name: f"{100.0 * r:.0f} %" for name, r in found.reaches.items()},
+        )
+        if found.trips:
+            text += " \u2013 " + self.tr("the force would stop")
+        self.preview.setText(text)
+        colour = theme.BAD if found.trips else theme.TEXT
+        self.preview.setStyleSheet(f"color: {colour};")
+
+    def _set_gain(self) -> None:
+        entry, gain = self._entry, self.number.value()
+        if entry is not None:
+            folder = entry.folder
+            self._run(
+                self.tr("Making the force anew"),
+                lambda told: in_child(set_gain, folder, gain, progress=told),
+                lambda _none: self.changed.emit(),
+            )
+
+    # --- tracks --------------------------------------------------------------
+
+    def _choose_csv(self) -> None:
+        entry = self._entry
+        if entry is None:
+            return
+        kinds = self.tr("Force tracks (*.csv);;All files (*)")
+        title = self.tr("Choose a force track")
+        dialog = file_dialog(self, title, str(entry.folder.parent), kinds)
+        dialog.fileSelected.connect(lambda path: self.add_csv(Path(path)))
+        dialog.open()
+
+    def add_csv(self, csv: Path) -> None:
+        """Add a force track that is named after its file."""
+        entry = self._entry
+        if entry is not None:
+            folder, name = entry.folder, csv.stem[:40]
+            self._run(
+                self.tr("Adding {name}").format(name=csv.name),
+                lambda told: in_child(add_track, folder, name, csv, progress=told),
+                lambda _none: self.changed.emit(),
+            )
+
+    def _ask_name(self) -> None:
+        old = self._track()
+        new, is_meant = QInputDialog.getText(
+            self, self.tr("Rename the track"), self.tr("Name"), text=old
+        )
+        if is_meant:
+            self._edit(rename_track, old, new.strip())
+
+    def _edit(self, change: Callable[..., None], *names: str) -> None:
+        entry = self._entry
+        if entry is None:
+            return
+        try:
+            change(entry.folder, *names)
+        except HapticPlayerError as problem:
+            self.problem.setText(str(problem))
+        else:
+            self.changed.emit()
+
+    def close_jobs(self) -> None:
+        """Wait for a prediction that still runs."""
+        if self._preview is not None:
+            self._preview.cancel()
+            self._preview.join()
+            self._preview = None

@@ -1,0 +1,428 @@
+"""The library: the sequences of a folder, to search, open, check, change and delete."""
+
+from pathlib import Path
+
+from PySide6.QtCore import QFile, QSize, Qt, QTimer, Signal
+from PySide6.QtGui import QColor, QIcon, QImage, QPixmap
+from PySide6.QtWidgets import (
+    QDialog,
+    QHBoxLayout,
+    QInputDialog,
+    QLabel,
+    QLineEdit,
+    QListWidget,
+    QListWidgetItem,
+    QMessageBox,
+    QSplitter,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.bridge.child import in_child
+from app.bridge.jobs import Job, Jobs, Progress
+from app.experimenter.library_details import LibraryDetails
+from app.experimenter.quality_view import colour_of, mark_name
+from app.player.files import folder_dialog
+from app.player.times import time_text
+from app.widgets import theme
+from app.widgets.buttons import text_button
+from app.widgets.labels import ElidedLabel
+from hapticplayer.errors import HapticPlayerError
+from hapticplayer.media import Thumbnail, cover_pictures
+from hapticplayer.sequence import verify_sequence
+from hapticplayer.sequence.editing import rename_sequence
+from hapticplayer.sequence.library import Entry, entries
+from hapticplayer.sequence.report import Mark, worst
+
+WIDTH_PX, HEIGHT_PX = 1080, 680
+PICTURE_PX = 72
+_POLL_MS = 40
+_ENTRY = int(Qt.ItemDataRole.UserRole)
+_LEFT_PX, _RIGHT_PX = 480, 600
+
+
+class LibraryPage(QDialog):
+    """Shows what lies in the library; one piece of work at a time.
+
+    Signals:
+        open_wanted: the folder of a sequence, to be played.
+        import_wanted: a person wants to bring in a recording.
+        library_chosen: another folder is the library.
+
+    Args:
+        library: the folder.
+    """
+
+    open_wanted = Signal(object)
+    import_wanted = Signal()
+    library_chosen = Signal(object)
+
+    def __init__(self, library: Path, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setWindowTitle(self.tr("Library"))
+        room = self.screen().availableGeometry()
+        self.resize(min(WIDTH_PX, room.width()), min(HEIGHT_PX, room.height()))
+        self.library = library
+        self.jobs = Jobs(self._on_failed)
+        self._job: Job[list[Thumbnail | None]] | None = None
+        self._pictured: list[Path] = []
+        self._pictures: dict[Path, QIcon] = {}
+        self._binned: tuple[Path, Path] | None = None
+        self._is_leaving = False
+        self.search = QLineEdit()
+        self.search.setPlaceholderText(self.tr("Search"))
+        self.search.setAccessibleName(self.tr("Search"))
+        self.search.setClearButtonEnabled(True)
+        self.search.textChanged.connect(self._filter)
+        self.list = QListWidget()
+        self.list.setAccessibleName(self.tr("Sequences"))
+        self.list.setIconSize(QSize(PICTURE_PX * 16 // 9, PICTURE_PX))
+        self.list.setSpacing(2)
+        self.list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.list.currentItemChanged.connect(lambda *_: self._on_chosen())
+        self.list.itemActivated.connect(lambda _item: self._open())
+        self.details = LibraryDetails(self._run)
+        self.details.changed.connect(self.refresh)
+        self.told = QLabel()
+        self.told.setWordWrap(True)
+        self.told.setTextFormat(Qt.TextFormat.PlainText)
+        self._lay_out()
+        self._timer = QTimer(self)
+        self._timer.timeout.connect(self._poll)
+        self._timer.start(_POLL_MS)
+        self.refresh()
+        self.list.setFocus()
+
+    # --- building ------------------------------------------------------------
+
+    def _lay_out(self) -> None:
+        self.place = ElidedLabel(
+            str(self.library), theme.DIM, elide=Qt.TextElideMode.ElideMiddle
+        )
+        left, split = QWidget(), QSplitter()
+        inner = QVBoxLayout(left)
+        inner.setContentsMargins(0, 0, 0, 0)
+        for widget in (self.search, self.list, self.place):
+            inner.addWidget(widget)
+        split.addWidget(left)
+        split.addWidget(self.details)
+        split.setSizes([_LEFT_PX, _RIGHT_PX])
+        split.setChildrenCollapsible(False)
+        message = QHBoxLayout()
+        message.addWidget(self.told, 1)
+        self.undo = text_button(
+            self.tr("&Undo"), self.tr("Bring back what was deleted last")
+        )
+        self.undo.clicked.connect(self._undo)
+        self.undo.hide()
+        message.addWidget(self.undo)
+        self.stop = text_button(
+            self.tr("S&top"), self.tr("Stop this work; nothing is left behind")
+        )
+        self.stop.clicked.connect(self.jobs.cancel)
+        self.stop.hide()
+        message.addWidget(self.stop)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(16, 14, 16, 14)
+        column.addWidget(split, 1)
+        column.addLayout(message)
+        column.addLayout(self._button_row())
+
+    def _button_row(self) -> QHBoxLayout:
+        made = (
+            ("import", self.tr("&Import\u2026"), self.tr("Bring in a recording"), ""),
+            ("folder", self.tr("&Folder\u2026"), self.tr("Show another folder"), ""),
+            ("rename", self.tr("Re&name\u2026"), self.tr("Another title"), ""),
+            ("check", self.tr("&Verify"), self.tr("Read every file, check it"), ""),
+            ("delete", self.tr("&Delete\u2026"), self.tr("Move it to the bin"), ""),
+            ("open", self.tr("&Open"), self.tr("Play it (Enter)"), "primary"),
+        )
+        self.buttons = {name: text_button(*rest) for name, *rest in made}
+        slots = {
+            "import": self._import,
+            "folder": self._choose_library,
+            "rename": self._rename,
+            "check": self._check,
+            "delete": self._delete,
+            "open": self._open,
+        }
+        row = QHBoxLayout()
+        row.setSpacing(8)
+        for name, button in self.buttons.items():
+            button.clicked.connect(slots[name])
+            row.addWidget(button)
+            if name == "folder":
+                row.addStretch(1)
+        return row
+
+    # --- what is there -------------------------------------------------------
+
+    def refresh(self) -> None:
+        """Look into the folder anew; what is chosen stays chosen."""
+        chosen = self.chosen()
+        held, found = chosen.folder if chosen else None, entries(self.library)
+        self.list.blockSignals(True)
+        self.list.clear()
+        for entry in found:
+            item = QListWidgetItem(self._text(entry))
+            item.setData(_ENTRY, entry)
+            item.setToolTip(str(entry.folder))
+            mark = Mark.BAD if entry.problem else worst(entry.findings)
+            item.setForeground(
+                QColor(theme.TEXT if mark is Mark.GOOD else colour_of(mark))
+            )
+            item.setIcon(self._pictures.get(entry.folder, _nothing()))
+            self.list.addItem(item)
+            if entry.folder == held:
+                self.list.setCurrentItem(item)
+        self.list.blockSignals(False)
+        self._filter()
+        if self.list.currentItem() is None and self.list.count():
+            self.list.setCurrentRow(0)
+        self._on_chosen()
+
+    def chosen(self) -> Entry | None:
+        """Return the sequence that is chosen, if one is."""
+        item = self.list.currentItem()
+        if item is None or item.isHidden():  # type: ignore[redundant-expr]
+            return None
+        entry: Entry = item.data(_ENTRY)
+        return entry
+
+    def _text(self, entry: Entry) -> str:
+        if entry.problem:
+            return f"{entry.title}\n\u25a0 {entry.problem}"
+        parts = [time_text(entry.duration_s), entry.camera, entry.created_utc[:10]]
+        first = ", ".join(part for part in parts if part)
+        return f"{entry.title}\n{first}\n{mark_name(worst(entry.findings))}"
+
+    def _filter(self) -> None:
+        words = self.search.text()
+        for row in range(self.list.count()):
+            item = self.list.item(row)
+            entry: Entry = item.data(_ENTRY)
+            item.setHidden(not entry.holds(words))
+        self._on_chosen()
+
+    def _on_chosen(self) -> None:
+        entry = self.chosen()
+        self.details.show_entry(entry)
+        is_whole = entry is not None and not entry.problem
+        for name in ("open", "rename"):
+            self.buttons[name].setEnabled(is_whole and not self.jobs.is_busy)
+        for name in ("check", "delete"):
+            self.buttons[name].setEnabled(entry is not None and not self.jobs.is_busy)
+        if not self.list.count():
+            self._tell(self.tr("There is nothing here yet; import a recording."))
+
+    # --- what a person does --------------------------------------------------
+
+    def _open(self) -> None:
+        entry = self.chosen()
+        if entry is not None and not entry.problem and not self.jobs.is_busy:
+            self.accept()
+            self.open_wanted.emit(entry.folder)
+
+    def _import(self) -> None:
+        self.accept()
+        self.import_wanted.emit()
+
+    def _choose_library(self) -> None:
+        title = self.tr("Where are sequences kept?")
+        dialog = folder_dialog(self, title, str(self.library))
+        dialog.fileSelected.connect(self._take_library)
+        dialog.open()
+
+    def _take_library(self, path: str) -> None:
+        self.library = Path(path)
+        self.place.set_text(path)
+        self.library_chosen.emit(self.library)
+        self.refresh()
+
+    def _rename(self) -> None:
+        entry = self.chosen()
+        if entry is None:
+            return
+        title, is_meant = QInputDialog.getText(
+            self, self.tr("Rename"), self.tr("Title"), text=entry.title
+        )
+        if is_meant:
+            self.rename(entry, title)
+
+    def rename(self, entry: Entry, title: str) -> None:
+        """Give a sequence another title."""
+        try:
+            rename_sequence(entry.folder, title)
+        except HapticPlayerError as problem:
+            self._on_failed(problem)
+        self.refresh()
+
+    def _check(self) -> None:
+        entry = self.chosen()
+        if entry is None:
+            return
+        folder, title = entry.folder, entry.title
+
+        def work(progress: Progress) -> None:
+            in_child(verify_sequence, folder, progress=progress)
+
+        self._run(
+            self.tr("Verifying"),
+            work,
+            lambda _none: self._tell(
+                self.tr("{title}: every file is as it was written").format(title=title),
+                theme.GOOD,
+            ),
+        )
+
+    def _delete(self) -> None:
+        entry = self.chosen()
+        if entry is not None and self._is_sure(entry):
+            self.delete(entry)
+
+    def _is_sure(self, entry: Entry) -> bool:
+        text = self.tr("Move {title} to the bin? It can be brought back from there.")
+        buttons = QMessageBox.StandardButton
+        box = QMessageBox(
+            QMessageBox.Icon.Question,
+            self.tr("Delete"),
+            text.format(title=entry.title[:80]),
+            buttons.Yes | buttons.Cancel,
+            self,
+        )
+        return QMessageBox.StandardButton(box.exec()) is buttons.Yes
+
+    def delete(self, entry: Entry) -> None:
+        """Move a sequence to the desktop's bin."""
+        moved = QFile(str(entry.folder))
+        if not moved.moveToTrash():
+            text = self.tr("{title} cannot be moved to the bin; nothing was deleted.")
+            self._tell(text.format(title=entry.title), theme.BAD)
+            return
+        binned = moved.fileName()  # "" where the platform does not say
+        self._binned = (Path(binned), entry.folder) if binned else None
+        self.undo.setVisible(bool(binned))
+        self._tell(self.tr("{title} is in the bin.").format(title=entry.title))
+        self.refresh()
+
+    def _undo(self) -> None:
+        if self._binned is None:
+            return
+        binned, folder = self._binned
+        try:
+            if folder.exists():
+                raise FileExistsError(17, "it exists again", str(folder))
+            binned.rename(folder)
+            info = binned.parent.parent / "info" / f"{binned.name}.trashinfo"
+            info.unlink(missing_ok=True)
+        except OSError as problem:
+            self._tell(str(problem), theme.BAD)
+        else:
+            self._tell("")
+        self._binned = None
+        self.undo.hide()
+        self.refresh()
+
+    # --- work ----------------------------------------------------------------
+
+    def _run(self, title: str, work: object, done: object) -> None:
+        """Begin a piece of work, unless one runs."""
+        if self.jobs.is_busy:
+            return
+        self._tell(title)
+        self.jobs.run(title, work, done)  # type: ignore[arg-type]
+        self.stop.show()
+        self._on_chosen()
+
+    def _on_failed(self, problem: BaseException) -> None:
+        if not isinstance(problem, HapticPlayerError):
+            raise problem
+        self._tell(str(problem), theme.BAD)
+
+    def _tell(self, text: str, colour: str = "") -> None:
+        self.told.setText(text)
+        self.told.setStyleSheet(f"color: {colour or theme.TEXT};")
+
+    def _poll(self) -> None:
+        was_busy = self.jobs.is_busy
+        state = self.jobs.state()
+        if state is not None:
+            self._tell(f"{state.title}: {100.0 * state.fraction:.0f} %")
+        self.jobs.poll()
+        if was_busy and not self.jobs.is_busy:
+            if state is not None and self.told.text().startswith(f"{state.title}: "):
+                self._tell("")
+            self.stop.hide()
+            self._on_chosen()
+            if self._is_leaving:
+                super().reject()
+                return
+        self.details.poll()
+        self._poll_pictures()
+
+    def _poll_pictures(self) -> None:
+        """Take over pictures of clips, and ask for those that are missing."""
+        job = self._job
+        if job is not None:
+            if not job.is_done:
+                return
+            self._job = None
+            made = job.result or [None] * len(self._pictured)
+            for folder, one in zip(self._pictured, made, strict=True):
+                self._pictures[folder] = _nothing() if one is None else _icon(one)
+            self._show_pictures()
+            return
+        held = [self.list.item(row).data(_ENTRY) for row in range(self.list.count())]
+        wanted = [e for e in held if e.folder not in self._pictures and e.clip][:16]
+        if wanted and not self._is_leaving:
+            self._pictured = [entry.folder for entry in wanted]
+            clips = [entry.clip for entry in wanted]
+            self._job = Job(
+                "",
+                lambda told: in_child(cover_pictures, clips, PICTURE_PX, progress=told),
+            )
+            self._job.start()
+
+    def _show_pictures(self) -> None:
+        for row in range(self.list.count()):
+            item = self.list.item(row)
+            if (picture := self._pictures.get(item.data(_ENTRY).folder)) is not None:
+                item.setIcon(picture)
+
+    # --- the end -------------------------------------------------------------
+
+    def reject(self) -> None:
+        """Close; work that runs is stopped first, without holding the window up."""
+        if self.jobs.is_busy:
+            self._is_leaving = True
+            self.jobs.cancel()
+            self.hide()
+        else:
+            super().reject()
+
+    def done(self, result: int) -> None:
+        """Let nothing run on."""
+        self.close_jobs()
+        super().done(result)
+
+    def close_jobs(self) -> None:
+        """Stop what runs and wait for it."""
+        self._timer.stop()
+        self.jobs.close()
+        self.details.close_jobs()
+        if self._job is not None:
+            self._job.cancel()
+            self._job.join()
+            self._job = None
+
+
+def _icon(made: Thumbnail) -> QIcon:
+    kind = QImage.Format.Format_RGB888
+    image = QImage(made.rgb, made.width, made.height, 3 * made.width, kind)
+    return QIcon(QPixmap.fromImage(image))
+
+
+def _nothing() -> QIcon:
+    empty = QPixmap(PICTURE_PX * 16 // 9, PICTURE_PX)
+    empty.fill(theme.RAISED)
+    return QIcon(empty)

@@ -1,0 +1,159 @@
+"""The quality report of a sequence: each figure with its mark and what to do."""
+
+from collections.abc import Sequence
+from html import escape
+
+from PySide6.QtCore import QCoreApplication
+from PySide6.QtWidgets import QTextBrowser
+
+from app.widgets import theme
+from hapticplayer.sequence.report import Finding, Mark, worst
+
+translate = QCoreApplication.translate
+_SIGNS = {Mark.GOOD: "\u25cf", Mark.DOUBTFUL: "\u25b2", Mark.BAD: "\u25a0"}
+
+
+class QualityView(QTextBrowser):
+    """Shows findings, the verdict first, then the notes of the import."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setOpenLinks(False)
+        self.setAccessibleName(self.tr("Quality report"))
+
+    def show_findings(
+        self, findings: Sequence[Finding], notes: Sequence[str] = ()
+    ) -> None:
+        """Show a report."""
+        whole = worst(list(findings))
+        head = f"<h3>{_sign(whole)} {escape(verdict(whole))}</h3>"
+        rows = "".join(_row(one) for one in findings)
+        said = "".join(f"<li>{escape(note)}</li>" for note in notes)
+        more = ""
+        if said:
+            title = escape(self.tr("Notes"))
+            more = f"<p style='color:{theme.DIM}'>{title}</p><ul>{said}</ul>"
+        self.setHtml(
+            f"{head}<table cellspacing='0' cellpadding='4'>{rows}</table>{more}"
+        )
+
+
+def verdict(mark: Mark) -> str:
+    """Return what the whole is worth."""
+    return {
+        Mark.GOOD: translate("Quality", "Good: ready for use"),
+        Mark.DOUBTFUL: translate("Quality", "Doubtful: look at what is marked"),
+        Mark.BAD: translate("Quality", "Bad: better record or import it again"),
+    }[mark]
+
+
+def mark_name(mark: Mark) -> str:
+    """Return a mark in a word."""
+    return {
+        Mark.GOOD: translate("Quality", "good"),
+        Mark.DOUBTFUL: translate("Quality", "doubtful"),
+        Mark.BAD: translate("Quality", "bad"),
+    }[mark]
+
+
+def colour_of(mark: Mark) -> str:
+    """Return the colour of a mark in the look that is in use."""
+    return {Mark.GOOD: theme.GOOD, Mark.DOUBTFUL: theme.WARN, Mark.BAD: theme.BAD}[mark]
+
+
+def _sign(mark: Mark) -> str:
+    return f"<span style='color:{colour_of(mark)}'>{_SIGNS[mark]}</span>"
+
+
+def _row(one: Finding) -> str:
+    advice = "" if one.mark is Mark.GOOD else _advice(one)
+    cells = (
+        f"{_sign(one.mark)} {escape(mark_name(one.mark))}",
+        f"<b>{escape(name_of(one))}</b>",
+        escape(value_of(one)),
+        f"<span style='color:{theme.DIM}'>{escape(advice)}</span>",
+    )
+    return "<tr>" + "".join(f"<td>{cell}</td>" for cell in cells) + "</tr>"
+
+
+def name_of(one: Finding) -> str:
+    """Return what a finding is about."""
+    names = {
+        "sync": translate("Quality", "Synchronisation"),
+        "drift": translate("Quality", "Clock drift"),
+        "rate": translate("Quality", "Sampling"),
+        "leak": translate("Quality", "Gravity left at rest"),
+        "sensor": translate("Quality", "Sensor at its limit"),
+        "gaps": translate("Quality", "Gaps"),
+        "cover": translate("Quality", "Clip without motion"),
+        "force": translate("Quality", "Force at its limit"),
+        "workspace": translate("Quality", "Use of the workspace"),
+        "heat": translate("Quality", "Heat of the motors"),
+    }
+    return names.get(one.name, one.name)
+
+
+def value_of(one: Finding) -> str:
+    """Return the figure with its unit, and what belongs to it."""
+    if one.value is None:
+        return translate("Quality", "not measured")
+    value, more = one.value, one.more
+    percent = f"{100.0 * value:.3g} %"
+    if one.name == "sync":
+        text = translate("Quality", "residual {ms} ms, confidence {confidence} ({how})")
+        return text.format(
+            ms=f"{1e3 * value:.1f}",
+            confidence=f"{more['confidence']:.2f}",
+            how=_method(str(more["method"])),
+        )
+    if one.name == "gaps" and more.get("gaps"):
+        text = translate("Quality", "{share} of the motion; {count}, the longest {s} s")
+        longest = f"{more.get('longest_gap_s') or 0.0:.2f}"
+        return text.format(share=percent, count=int(more["gaps"]), s=longest)
+    if one.name == "force":
+        text = translate("Quality", "{share} of the samples; the peak is {n} N")
+        return text.format(share=percent, n=f"{more.get('peak_n') or 0.0:.2f}")
+    units = {
+        "drift": f"{value:+.1f} ppm",
+        "rate": f"{value:.1f} Hz",
+        "leak": f"{value:.3f} m/s\u00b2",
+        "workspace": ", ".join(
+            f"{_hand(name)} {100.0 * reach:.0f} %"
+            for name, reach in more.get("reaches", {}).items()
+        ),
+    }
+    return units.get(one.name, percent)
+
+
+def _method(name: str) -> str:
+    return {
+        "pats": translate("Quality", "three pats"),
+        "variance": translate("Quality", "variance"),
+        "embedded": translate("Quality", "one clock"),
+        "offset": translate("Quality", "by hand"),
+    }.get(name, name)
+
+
+def _hand(name: str) -> str:
+    return {
+        "relaxed": translate("Quality", "relaxed hand"),
+        "normal": translate("Quality", "normal hand"),
+        "firm": translate("Quality", "firm hand"),
+    }.get(name, name)
+
+
+def _advice(one: Finding) -> str:
+    if one.name == "workspace" and one.more.get("trips"):
+        return translate("Quality", "The force would stop; lower the gain")
+    return {
+        "sync": translate("Quality", "Look again, and give three pats next time"),
+        "drift": translate("Quality", "Pat at the end of a long recording too"),
+        "rate": translate("Quality", "Record at 100 Hz or more"),
+        "leak": translate("Quality", "Stand still for a few seconds at the start"),
+        "sensor": translate("Quality", "Choose a larger range of the accelerometer"),
+        "gaps": translate("Quality", "There is no force there; try another card"),
+        "cover": translate("Quality", "Start the log before the clip, end it after"),
+        "force": translate("Quality", "Lower the gain"),
+        "workspace": translate("Quality", "Lower the gain"),
+        "heat": translate("Quality", "Lower the gain, or play shorter clips"),
+    }.get(one.name, "")

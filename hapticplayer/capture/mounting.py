@@ -1,0 +1,96 @@
+"""How a recorder sat on the actor: from the recorder's frame to frame A.
+
+A camera that looks forward and stands upright needs nothing. Of any other a person
+says which of its axes were right, front and up; which one was up its samples tell.
+"""
+
+import dataclasses
+import itertools
+
+import numpy as np
+
+from hapticplayer.capture.logs.axes import axes_matrix
+from hapticplayer.model import ImuLog
+from hapticplayer.model.arrays import Floats
+
+AS_RECORDED = "x,y,z"
+
+MOUNTINGS = {
+    "forward": AS_RECORDED,
+    "upside-down": "-x,y,-z",
+    "backward": "-x,-y,z",
+    "to-the-right": "y,-x,z",
+    "to-the-left": "-y,x,z",
+    "left-side-up": "z,y,-x",
+    "right-side-up": "-z,y,x",
+    "to-the-sky": "x,-z,y",
+    "to-the-ground": "x,z,-y",
+}
+"""Usual ones: right, front and up of the actor in the recorder's axes, which are x to
+its right, y where it looks, z to its top."""
+
+_LEAST_MEAN = 0.5  # of 1 g; below it gravity turned too much in the recorder
+
+
+def all_mountings() -> list[str]:
+    """Return the 24 there are, the usual ones first."""
+    signed = [sign + axis for axis in "xyz" for sign in ("", "-")]
+    made = (",".join(three) for three in itertools.permutations(signed, 3))
+    proper = [axes for axes in made if _is_proper(axes)]
+    usual = list(MOUNTINGS.values())
+    return usual + [axes for axes in proper if axes not in usual]
+
+
+def _is_proper(axes: str) -> bool:
+    if len({part.lstrip("-") for part in axes.split(",")}) < 3:
+        return False
+    rows = [np.eye(3)["xyz".index(part[-1])] for part in axes.split(",")]
+    signs = [-1.0 if part.startswith("-") else 1.0 for part in axes.split(",")]
+    return bool(np.linalg.det(np.array(rows) * np.array(signs)[:, None]) > 0.0)
+
+
+def mounted(imu: ImuLog, axes: str) -> ImuLog:
+    """Return a log in frame A.
+
+    Args:
+        imu: in the recorder's frame.
+        axes: right, front and up of the actor in that frame; "" for as it is.
+
+    Raises:
+        UsageError: when they are no axes, or mirrored.
+    """
+    if not axes or axes == AS_RECORDED:
+        return imu
+    turn = axes_matrix(axes).T
+    field = imu.magnetic_field_ut
+    return dataclasses.replace(
+        imu,
+        specific_force_mps2=imu.specific_force_mps2 @ turn,
+        angular_rate_radps=imu.angular_rate_radps @ turn,
+        magnetic_field_ut=None if field is None else field @ turn,
+    )
+
+
+def mean_up(imu: ImuLog) -> tuple[float, float, float] | None:
+    """Return where up was on average (unit, recorder's frame); None where it turned."""
+    force = imu.specific_force_mps2
+    mean = np.asarray(force.mean(axis=0), dtype=float)
+    length = float(np.linalg.norm(mean))
+    if length < _LEAST_MEAN * float(np.linalg.norm(force, axis=1).mean()):
+        return None
+    x, y, z = (mean / length).tolist()
+    return x, y, z
+
+
+def up_in_frame_a(up: tuple[float, float, float], axes: str) -> Floats:
+    """Return where up was after a mounting is applied; (0, 0, 1) where it fits."""
+    return np.asarray(axes_matrix(axes) @ np.array(up))
+
+
+def proposed_mounting(up: tuple[float, float, float] | None) -> str:
+    """Return the axes of the usual mounting in which up is up; the front is a guess."""
+    if up is None:
+        return AS_RECORDED
+    fits = {axes: float(up_in_frame_a(up, axes)[2]) for axes in MOUNTINGS.values()}
+    best = max(fits.values())
+    return next(axes for axes, fit in fits.items() if fit > best - 1e-9)

@@ -1,0 +1,59 @@
+"""A value that one process publishes and others read, without a lock between them.
+
+Two slots with a checksum each: a reader that meets a write in progress tries again a
+bounded number of times and then goes on with what it knows, so that a writer killed in
+mid-write can never make a reader spin.
+"""
+
+import mmap
+import struct
+import zlib
+from typing import Any
+
+_CHECKSUM = struct.Struct("<I")
+_TRIES = 3
+
+
+class Slots:
+    """One writer, any readers.
+
+    Args:
+        memory: shared by them.
+        layout: of the value.
+        slots_at: offsets of the two slots, each with room for a checksum of 4 bytes.
+        newest_at: offset of 8 bytes that tell which slot is the newest.
+    """
+
+    def __init__(
+        self,
+        memory: mmap.mmap,
+        layout: struct.Struct,
+        slots_at: tuple[int, int],
+        newest_at: int,
+    ) -> None:
+        self._memory, self._layout, self._slots_at = memory, layout, slots_at
+        self._bytes = layout.size + _CHECKSUM.size
+        self._newest = memoryview(memory)[newest_at : newest_at + 8].cast("Q")
+
+    def write(self, *fields: Any) -> None:
+        """Publish a value."""
+        slot = 1 - int(self._newest[0] & 1)
+        payload = self._layout.pack(*fields)
+        at = self._slots_at[slot]
+        checksum = _CHECKSUM.pack(zlib.crc32(payload))
+        self._memory[at : at + self._bytes] = payload + checksum
+        self._newest[0] = slot
+
+    def read(self) -> tuple[Any, ...] | None:
+        """Return the newest value, or None if none could be read."""
+        for _ in range(_TRIES):
+            raw = self.raw()
+            payload = raw[: self._layout.size]
+            if _CHECKSUM.unpack_from(raw, self._layout.size)[0] == zlib.crc32(payload):
+                return self._layout.unpack(payload)
+        return None
+
+    def raw(self) -> bytes:
+        """Return the newest slot as it is; equal bytes need no second reading."""
+        at = self._slots_at[self._newest[0] & 1]
+        return self._memory[at : at + self._bytes]

@@ -1,0 +1,126 @@
+"""A program that drives a device itself, without the loop, under the eyes of the guard.
+
+For measurements of a device, whose silences no loop would allow. The guard is the one
+of the haptics process: it writes zero when the program dies or stands still.
+"""
+
+import contextlib
+import os
+from collections.abc import Iterator, Sequence
+
+from hapticplayer.clock import Clock
+from hapticplayer.devices import find_device
+from hapticplayer.errors import HapticsError
+from hapticplayer.haptics.contract import GAP_RAMP_S, GUARD_RAMP_S
+from hapticplayer.haptics.crew import Crew
+from hapticplayer.haptics.shared import BLOCK_BYTES, SharedBlock
+from hapticplayer.haptics.track import anonymous_memory
+
+BEAT_S = 0.002
+_STARTING_S = 10.0
+_LOOK_S = 0.005  # from the guard's look to its word
+
+
+class Watched:
+    """Starts a guard for this process; a clock that beats while it waits.
+
+    Hand it as the clock to whatever decides about a force, within `force()`: who
+    neither waits nor asks for the time there for 20 ms stands still. Never to a thread
+    beside it, such as a driver's: that would beat for a dead one.
+
+    Args:
+        clock: of the machine.
+        device: its name.
+        device_options: command line of the process that simulates it.
+        device_descriptors: descriptors that these options name.
+
+    Raises:
+        DeviceError: when there is no such device.
+        HapticsError: when the guard does not start.
+    """
+
+    def __init__(
+        self,
+        clock: Clock,
+        device: str,
+        device_options: Sequence[str] = (),
+        device_descriptors: Sequence[int] = (),
+    ) -> None:
+        self._clock = clock
+        self._is_pushing, self._beat_s, self._was_disturbed = False, 0.0, False
+        self._crew = Crew(find_device(device), None, device_options, device_descriptors)
+        descriptor = anonymous_memory("hapticplayer-watched", BLOCK_BYTES)
+        try:
+            self._block = SharedBlock(descriptor)
+            self._handle = self._crew.start_around(descriptor)
+        except OSError as problem:
+            self._end()
+            raise HapticsError(
+                f"the guard could not be started: {problem}"
+            ) from problem
+        finally:
+            os.close(descriptor)
+        self._wait_for_the_guard()
+
+    def handle(self) -> int:
+        """Return a new descriptor of what a loop gets; it is the caller's."""
+        return os.dup(self._handle)
+
+    @contextlib.contextmanager
+    def force(self) -> Iterator[None]:
+        """Let the guard expect beats for as long as this lasts."""
+        self._is_pushing, self._beat_s = True, self._clock.now_s()
+        try:
+            yield
+        finally:
+            self._is_pushing = False
+            self._block.beat_loop(0.0)
+
+    def now_s(self) -> float:
+        """Return the time, and beat.
+
+        Raises:
+            HapticsError: when a force may be on and the guard is silent.
+        """
+        now_s = self._clock.now_s()
+        if self._is_pushing:
+            if now_s - self._block.guard_s() > GUARD_RAMP_S:
+                raise HapticsError("the guard has ended; measure again")
+            if now_s - self._beat_s > GAP_RAMP_S - _LOOK_S:
+                self._was_disturbed = True
+            self._beat_s = now_s
+            self._block.beat_loop(now_s)
+        return now_s
+
+    def was_disturbed(self) -> bool:
+        """Whether the guard may have spoken since the last call: we stood still."""
+        was, self._was_disturbed = self._was_disturbed, False
+        return was
+
+    def sleep_until(self, deadline_s: float) -> None:
+        """Wait, and beat meanwhile."""
+        while (now_s := self.now_s()) < deadline_s:
+            self._clock.sleep_until(min(deadline_s, now_s + BEAT_S))
+
+    def close(self) -> None:
+        """Let the guard go; the device has been left at zero before."""
+        os.close(self._handle)
+        self._end()
+
+    def _end(self) -> None:
+        if self._crew.guard is not None:
+            self._crew.guard.kill()  # it waits for our death, and ignores the rest
+        self._crew.end()
+
+    def _wait_for_the_guard(self) -> None:
+        end_s = self._clock.now_s() + _STARTING_S
+        while self._block.guard_s() == 0.0:
+            guard = self._crew.guard
+            has_ended = guard is None or guard.poll() is not None
+            if has_ended or self._clock.now_s() > end_s:
+                self.close()
+                raise HapticsError(
+                    "the guard did not start, so nothing is measured; run "
+                    "'hapticplayer doctor'"
+                )
+            self._clock.sleep_until(self._clock.now_s() + BEAT_S)

@@ -1,0 +1,101 @@
+"""A few seconds of a clip's sound, with ticks where a log felt knocks, played once."""
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hapticplayer.media import AudioDecoder
+from hapticplayer.playback.audio import RATE_HZ
+from hapticplayer.playback.sound_block import CHANNELS
+
+LONGEST_S = 20.0
+_PEAK = 0.8
+_TICK_HZ, _TICK_S, _TICK = 2000.0, 0.012, 0.5
+
+Samples = NDArray[np.float32]
+
+
+def pats_sound(
+    clip: Path, begin_s: float, end_s: float, ticks_s: Sequence[float]
+) -> Samples:
+    """Return what is heard in a span (n, 2), with a tick at each of some times.
+
+    The clip is on the left and the ticks are on the right, so that even a few
+    milliseconds between them are heard; on one loudspeaker both are.
+
+    Args:
+        clip: with sound.
+        begin_s: media time.
+        end_s: media time; at most `LONGEST_S` later.
+        ticks_s: media times.
+
+    Raises:
+        MediaError: when the sound cannot be read.
+    """
+    begin_s = max(0.0, begin_s)
+    count = max(1, round(min(end_s - begin_s, LONGEST_S) * RATE_HZ))
+    heard = np.zeros((count, CHANNELS), dtype=np.float32)
+    with AudioDecoder(clip, rate_hz=RATE_HZ, channels=1) as decoder:
+        decoder.seek(begin_s)
+        while (block := decoder.next_block()) is not None:
+            at = round((block.media_s - begin_s) * RATE_HZ)
+            if at >= count:
+                break
+            _lay(heard[:, 0], at, block.samples[:, 0])
+    loudest = float(np.abs(heard).max())
+    if loudest > 0.0:
+        heard *= _PEAK / loudest
+    time_s = np.arange(round(_TICK_S * RATE_HZ)) / RATE_HZ
+    tick = _TICK * np.sin(2 * np.pi * _TICK_HZ * time_s) * np.exp(-time_s / 0.003)
+    for at_s in ticks_s:
+        _lay(heard[:, 1], round((at_s - begin_s) * RATE_HZ), tick.astype(np.float32))
+    return heard
+
+
+def _lay(target: Samples, at: int, samples: Samples) -> None:
+    """Add samples that begin at a row; what lies outside is left out."""
+    first, last = max(0, at), min(len(target), at + len(samples))
+    if last > first:
+        target[first:last] += samples[first - at : last - at]
+
+
+class Output(Protocol):
+    """What a snippet needs of `sounddevice`."""
+
+    def play(self, data: Samples, samplerate: int) -> None:
+        """Begin to play."""
+        ...
+
+    def stop(self) -> None:
+        """Be silent."""
+        ...
+
+
+class Snippet:
+    """Plays samples once; a new one stops the one before."""
+
+    def __init__(self) -> None:
+        self.output: Output | None = None
+
+    def play(self, samples: Samples) -> None:
+        """Begin to play (n, 2) samples at `RATE_HZ`.
+
+        Raises:
+            OSError: when there is no output.
+        """
+        if self.output is None:
+            import sounddevice  # raises OSError without PortAudio
+
+            self.output = sounddevice
+        try:
+            self.output.play(samples, RATE_HZ)
+        except Exception as problem:
+            raise OSError(f"there is no sound output: {problem}") from problem
+
+    def stop(self) -> None:
+        """Be silent."""
+        if self.output is not None:
+            self.output.stop()

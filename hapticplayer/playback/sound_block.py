@@ -1,0 +1,156 @@
+"""The memory that the player and the process of its sound share.
+
+The player writes samples and the `Cue`, the sound process the `Heard` records; none
+ever waits for the other. Standard library only: the sound process loads no numpy.
+"""
+
+import mmap
+import os
+import struct
+from typing import NamedTuple
+
+from hapticplayer.haptics.slots import Slots
+
+CHANNELS = 2
+FRAME_BYTES = 4 * CHANNELS  # float32
+HEARD_RECORDS = 4096  # a minute of callbacks that nobody has looked at
+
+_HEADER = struct.Struct("<qq")  # rate, capacity
+_CUE = struct.Struct("<5q2d2?6xq3d")
+_HEARD = struct.Struct("<qddqqq")
+# the writers have cache lines of their own
+_SLOTS_AT, _NEWEST_AT, _HEAD_AT = (64, 192), 320, 384
+_HEARD_AT = 4096
+_SAMPLES_AT = _HEARD_AT + HEARD_RECORDS * _HEARD.size
+
+
+class Cue(NamedTuple):
+    """What the sound process shall play; indices count samples of (stretched) sound.
+
+    Attributes:
+        number: another one means: begin at `start`.
+        epoch: of the clock, for the records.
+        start: where to begin.
+        begin: the oldest sample that may still be there.
+        written: up to here there are samples.
+        speed: media seconds per second of sound.
+        gain: of the amplitude.
+        is_playing: silence and standstill otherwise.
+        is_complete: nothing follows what is written.
+        join: another one than 0 and than before means: leap to where a line through
+            (`join_monotonic_s`, `join_media_s`) with the slope `join_rate` will be.
+        join_monotonic_s: see `join`.
+        join_media_s: see `join`.
+        join_rate: see `join`.
+    """
+
+    number: int = 0
+    epoch: int = 0
+    start: int = 0
+    begin: int = 0
+    written: int = 0
+    speed: float = 1.0
+    gain: float = 1.0
+    is_playing: bool = False
+    is_complete: bool = False
+    join: int = 0
+    join_monotonic_s: float = 0.0
+    join_media_s: float = 0.0
+    join_rate: float = 0.0
+
+
+class Heard(NamedTuple):
+    """One block of sound: from `monotonic_s` on, `media_s` is heard.
+
+    Attributes:
+        epoch: of the clock.
+        monotonic_s: when the DAC plays the first sample of the block.
+        media_s: media time of that sample.
+        cue: number of the cue that it belongs to.
+        read: the sample that comes next.
+        missing: samples in all, since the first block, that had to be silence.
+    """
+
+    epoch: int = 0
+    monotonic_s: float = 0.0
+    media_s: float = 0.0
+    cue: int = 0
+    read: int = 0
+    missing: int = 0
+
+
+def block_bytes(capacity: int) -> int:
+    """Return how large the memory is for so many samples."""
+    return _SAMPLES_AT + capacity * FRAME_BYTES
+
+
+class SoundBlock:
+    """Typed access to the memory; both sides hold one.
+
+    Attributes:
+        rate_hz: of the samples.
+        capacity: sample number k lies in row k % capacity.
+        samples: bytes of float32, interleaved.
+    """
+
+    def __init__(self, descriptor: int) -> None:
+        size = os.fstat(descriptor).st_size
+        self._map = mmap.mmap(descriptor, size)
+        self.rate_hz, self.capacity = _HEADER.unpack_from(self._map)
+        if size != block_bytes(self.capacity):
+            raise ValueError("the memory of the sound has another size")
+        view = memoryview(self._map)
+        self._cue = Slots(self._map, _CUE, _SLOTS_AT, _NEWEST_AT)
+        self._head = view[_HEAD_AT : _HEAD_AT + 8].cast("Q")
+        self.samples = view[_SAMPLES_AT:]
+
+    @staticmethod
+    def shape(descriptor: int, rate_hz: int, capacity: int) -> None:
+        """Give new memory the size that it needs (player)."""
+        os.ftruncate(descriptor, block_bytes(capacity))
+        os.pwrite(descriptor, _HEADER.pack(rate_hz, capacity), 0)
+
+    def write_cue(self, cue: Cue) -> None:
+        """Say what shall be played (player)."""
+        self._cue.write(*cue)
+
+    def read_cue(self) -> Cue | None:
+        """Return the newest cue, None if none could be read."""
+        fields = self._cue.read()
+        return None if fields is None else Cue(*fields)
+
+    @property
+    def head(self) -> int:
+        """How many blocks have been played."""
+        return self._head[0]
+
+    def write_heard(self, heard: Heard) -> None:
+        """Say what has been handed to the DAC (sound process)."""
+        head = self._head[0]
+        _HEARD.pack_into(self._map, self._at(head), *heard)
+        self._head[0] = head + 1
+
+    def last_heard(self) -> Heard:
+        """Return the newest record; zeros before the first."""
+        head = self._head[0]
+        if not head:
+            return Heard()
+        return Heard(*_HEARD.unpack_from(self._map, self._at(head - 1)))
+
+    def heard_since(self, tail: int) -> tuple[list[Heard], int]:
+        """Return the records from number `tail` on, oldest first, and the next tail.
+
+        What nobody has looked at for a minute is gone.
+        """
+        head = self._head[0]
+        # one slot aside: it may be written while it is read
+        first = max(tail, head - HEARD_RECORDS + 1)
+        records = [
+            Heard(*_HEARD.unpack_from(self._map, self._at(number)))
+            for number in range(first, head)
+        ]
+        return records, head
+
+    @staticmethod
+    def _at(number: int) -> int:
+        return _HEARD_AT + number % HEARD_RECORDS * _HEARD.size

@@ -1,0 +1,136 @@
+"""The sound output itself: `python -m hapticplayer.playback.sound_device`.
+
+Runs in a process of its own, so that neither a window that holds the interpreter nor
+PortAudio, which hangs where its server does, stops anything else. PortAudio's time of
+the DAC was measured to be exact within 0.1 ms, where counting what was handed to the
+server is 16 ms off. The stream runs all the time and plays silence while paused:
+starting it again costs up to 260 ms and the first sound.
+"""
+
+import argparse
+import contextlib
+import os
+import signal
+import socket
+import sys
+import threading
+from typing import Any
+
+from hapticplayer.clock import Clock, SystemClock
+from hapticplayer.haptics.messages import Line, Word
+from hapticplayer.haptics.scheduling import Scheduling, grant
+from hapticplayer.playback.sound_block import CHANNELS, SoundBlock
+from hapticplayer.playback.sound_reader import SoundReader
+
+LATENCY_S = 0.120
+MAX_AHEAD_S = 1.0
+RETRY_S, SLOWEST_RETRY_S = 0.5, 5.0
+
+
+class SoundStream:
+    """A stream through PortAudio.
+
+    Args:
+        block: of memory, emptied by it.
+        clock: of the machine.
+        device: its name; "" for the default one.
+
+    Raises:
+        OSError: when PortAudio is missing or there is no device.
+    """
+
+    def __init__(self, block: SoundBlock, clock: Clock, device: str = "") -> None:
+        import sounddevice
+
+        self._reader = SoundReader(block)
+        self._clock = clock
+        try:
+            self._stream = sounddevice.RawOutputStream(
+                device=device or None,
+                samplerate=block.rate_hz,
+                channels=CHANNELS,
+                dtype="float32",
+                latency=LATENCY_S,
+                callback=self._callback,
+            )
+            self._stream.start()
+        except (sounddevice.PortAudioError, ValueError) as problem:
+            # PortAudio lists the devices once; the next try shall see new ones
+            sounddevice._terminate()  # noqa: SLF001 - no other way
+            sounddevice._initialize()  # noqa: SLF001
+            raise OSError(str(problem)) from problem
+        self.name = str(sounddevice.query_devices(self._stream.device)["name"])
+
+    def _callback(self, out: Any, _frames: int, time_info: Any, _status: Any) -> None:
+        now_s = self._clock.now_s()
+        # PortAudio's own clock is CLOCK_REALTIME on Linux, which a time server may
+        # move: only the difference within one callback is used
+        ahead_s = time_info.outputBufferDacTime - time_info.currentTime
+        ahead_s = min(max(ahead_s, 0.0), MAX_AHEAD_S)  # some drivers say nonsense
+        self._reader.render(memoryview(out), now_s + ahead_s)
+
+
+def sound_outputs() -> list[str]:
+    """Return the names of the outputs that there are, without the default's alias."""
+    try:
+        import sounddevice
+
+        known = sounddevice.query_devices()
+    except Exception:  # noqa: BLE001 - PortAudio is missing or broken: there are none
+        return []
+    names = [str(one["name"]) for one in known if one["max_output_channels"] > 0]
+    return list(dict.fromkeys(names))
+
+
+def main(argv: list[str] | None = None) -> int:
+    """Open the output, say READY, and play until the player hangs up."""
+    parser = argparse.ArgumentParser(prog="hapticplayer.playback.sound_device")
+    parser.add_argument("--block", type=int, required=True, help="descriptor")
+    parser.add_argument("--line", type=int, required=True, help="descriptor")
+    parser.add_argument("--device", default="")
+    options = parser.parse_args(argv)
+    # Ctrl-C and a hang-up reach the whole group: the player decides, and if it
+    # dies of them, the closed line tells
+    for number in (signal.SIGINT, signal.SIGHUP):
+        signal.signal(number, signal.SIG_IGN)
+    _quieten()
+    line = Line(socket.socket(fileno=options.line))
+    grant(0, Scheduling.SLICE)  # its threads inherit it
+    player = threading.Thread(target=_end_with_the_player, args=[line], daemon=True)
+    player.start()
+    stream = _open(SoundBlock(options.block), SystemClock(), options.device, line)
+    line.send(Word.READY, stream.name)
+    player.join()
+    return 0
+
+
+def _end_with_the_player(line: Line) -> None:
+    """End this process whatever it hangs in; the sound server drops what is buffered."""
+    while line.is_open:
+        line.receive(timeout_ms=-1)
+    os._exit(0)
+
+
+def _open(block: SoundBlock, clock: Clock, device: str, line: Line) -> SoundStream:
+    """Return the stream as soon as there is a device for it."""
+    wait_s = RETRY_S
+    while True:
+        try:
+            return SoundStream(block, clock, device)
+        except OSError as problem:
+            line.send(Word.FAILED, str(problem))
+        clock.sleep_until(clock.now_s() + wait_s)
+        wait_s = min(1.5 * wait_s, SLOWEST_RETRY_S)
+
+
+def _quieten() -> None:
+    """Let only Python itself write to stderr: ALSA and PortAudio talk at each try."""
+    with contextlib.suppress(OSError):
+        sys.stderr = os.fdopen(os.dup(2), "w", buffering=1)
+        silence = os.open(os.devnull, os.O_WRONLY)
+        os.dup2(silence, 2)
+        os.close(silence)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

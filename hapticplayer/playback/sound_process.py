@@ -1,0 +1,136 @@
+"""The player's handle on the process that plays the sound."""
+
+import enum
+import os
+import socket
+import subprocess
+import sys
+from typing import Protocol
+
+from hapticplayer.clock import Clock
+from hapticplayer.haptics.messages import Line, Word
+from hapticplayer.playback.audio import AudioRing
+from hapticplayer.playback.sound_block import CHANNELS, FRAME_BYTES, SoundBlock
+from hapticplayer.playback.sound_device import LATENCY_S
+from hapticplayer.playback.sound_reader import SoundReader
+
+QUIT_TIMEOUT_S = 0.3
+
+
+class OutputState(enum.StrEnum):
+    """State of an output as the player sees it."""
+
+    OPENING = "opening"
+    OPEN = "open"
+    FAILED = "failed"  # there is none, but it goes on looking for one
+    GONE = "gone"
+
+
+class AudioOut(Protocol):
+    """Something that empties a ring at its own pace.
+
+    Attributes:
+        name: of the device.
+        problem: why there is none, "" while nothing is wrong.
+    """
+
+    name: str
+    problem: str
+
+    def poll(self) -> OutputState:
+        """Return the state now."""
+        ...
+
+    def close(self) -> None:
+        """Stop and let go of the device."""
+        ...
+
+
+class SoundProcess:
+    """A process that plays the ring through PortAudio, from now until `close`.
+
+    It ends with the player however that ends: the line between them closes.
+
+    Args:
+        ring: emptied by it.
+        clock: of the machine, which both share.
+        device: its name; "" for the default one.
+
+    Raises:
+        OSError: when the process cannot be started.
+    """
+
+    def __init__(self, ring: AudioRing, clock: Clock, device: str = "") -> None:
+        del clock
+        self.name = self.problem = ""
+        self._state = OutputState.OPENING
+        ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
+        with theirs:
+            passed = [ring.descriptor, theirs.fileno()]
+            block, line = map(str, passed)
+            module = "hapticplayer.playback.sound_device"
+            options = ["--block", block, "--line", line, f"--device={device}"]
+            self._process = subprocess.Popen(
+                [sys.executable, "-P", "-m", module, *options],
+                pass_fds=passed,
+                stdin=subprocess.DEVNULL,
+                env={**os.environ, "OPENBLAS_NUM_THREADS": "1"},
+            )
+        self._line = Line(ours)
+
+    @property
+    def pid(self) -> int:
+        """Process id, for supervision and measurements."""
+        return self._process.pid
+
+    def poll(self) -> OutputState:
+        """Return the state now."""
+        while (message := self._line.receive()) is not None:
+            if message.word is Word.READY:
+                self.name, self.problem = message.text, ""
+                self._state = OutputState.OPEN
+            elif message.word is Word.FAILED:
+                self.problem, self._state = message.text, OutputState.FAILED
+        if not self._line.is_open:
+            self._state = OutputState.GONE
+        return self._state
+
+    def close(self) -> None:
+        """End the process; one that hangs with its sound server is killed."""
+        self._line.close()
+        self._state = OutputState.GONE
+        try:
+            self._process.wait(QUIT_TIMEOUT_S)
+        except subprocess.TimeoutExpired:
+            self._process.kill()
+            self._process.wait()
+
+
+class SilentOut:
+    """Consumes a ring without a device; `advance` is its DAC, for tests."""
+
+    name = "silent"
+    problem = ""
+
+    def __init__(
+        self, ring: AudioRing, clock: Clock, *, latency_s: float = LATENCY_S
+    ) -> None:
+        self._reader = SoundReader(SoundBlock(ring.descriptor))
+        self._clock = clock
+        self._latency_s = latency_s
+        self.is_alive = True
+        self.state = OutputState.OPEN
+
+    def poll(self) -> OutputState:
+        """Return the state that it was given."""
+        return self.state
+
+    def advance(self, frames: int) -> "memoryview[float]":
+        """Take the next `frames` samples as a DAC would; float32, (frames, 2)."""
+        out = memoryview(bytearray(frames * FRAME_BYTES))
+        if self.is_alive:
+            self._reader.render(out, self._clock.now_s() + self._latency_s)
+        return out.cast("f", (frames, CHANNELS))
+
+    def close(self) -> None:
+        """Nothing to let go of."""

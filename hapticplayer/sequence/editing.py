@@ -1,0 +1,276 @@
+"""Changes to a sequence that is there: its title, its gain, its force tracks.
+
+New files get new names; then the description is replaced at once, and only then the
+files that it no longer names are removed. Whatever stops it, one whole state is there.
+"""
+
+import dataclasses
+import re
+import secrets
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from hapticplayer import rendering
+from hapticplayer.capture import read_force_csv
+from hapticplayer.errors import SequenceError, UsageError
+from hapticplayer.model import Feedback, ForceTrack
+from hapticplayer.sequence import files, store
+from hapticplayer.sequence.excursion import predict
+
+LONGEST_TITLE = 300
+_NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9 _.-]{0,39}")
+_OWN = tuple(feedback.value for feedback in Feedback)
+
+
+def rename_sequence(folder: Path, title: str) -> None:
+    """Give a sequence another title.
+
+    Raises:
+        UsageError: for an empty or endless one.
+        SequenceError: when the sequence is damaged or cannot be written.
+    """
+    title = title.strip()
+    if not 0 < len(title) <= LONGEST_TITLE:
+        raise UsageError(f"a title has 1 to {LONGEST_TITLE} characters")
+    description = _described(folder)
+    files.replace_json(folder / store.DESCRIPTION, {**description, "title": title})
+
+
+def add_track(
+    folder: Path,
+    name: str,
+    csv: Path,
+    *,
+    progress: files.Progress = files.no_progress,
+) -> None:
+    """Add a force track from a CSV as a feedback of its own.
+
+    Args:
+        folder: of the sequence.
+        name: of the feedback; letters, digits, blanks, dots, hyphens.
+        csv: rows of `time_s,fx_n,fy_n,fz_n`, see `read_force_csv`.
+        progress: told while excursions are predicted; raises Cancelled to stop.
+
+    Raises:
+        UsageError: for a name that is taken or cannot be one.
+        InputError: when the CSV cannot be read.
+        SequenceError: when the sequence is damaged or cannot be written.
+    """
+    sequence = store.open_sequence(folder)
+    _check_new(name, sequence.description)
+    track = read_force_csv(csv)
+    duration_s = _duration_s(sequence.description)
+    if track.time_s[0] >= duration_s:
+        raise SequenceError(
+            f"starts at {track.time_s[0]:.3f} s, but the clip ends at {duration_s:.3f} s",
+            where=csv.name,
+            remedy="give times in seconds of the clip",
+        )
+    _replace_tracks(folder, sequence.description, {name: track}, progress)
+
+
+def rename_track(folder: Path, old: str, new: str) -> None:
+    """Give a track that was added another name.
+
+    Raises:
+        UsageError: for one of the three that every sequence has, or a taken name.
+        SequenceError: when the sequence is damaged or cannot be written.
+    """
+    description = _described(folder)
+    _check_added(old, description)
+    _check_new(new, description)
+    feedbacks = description["feedbacks"]
+    renamed = {(new if name == old else name): one for name, one in feedbacks.items()}
+    files.replace_json(
+        folder / store.DESCRIPTION, {**description, "feedbacks": renamed}
+    )
+
+
+def remove_track(folder: Path, name: str) -> None:
+    """Take a track away that was added.
+
+    Raises:
+        UsageError: for one of the three that every sequence has, or an unknown one.
+        SequenceError: when the sequence is damaged or cannot be written.
+    """
+    description = _described(folder)
+    _check_added(name, description)
+    kept = {k: one for k, one in description["feedbacks"].items() if k != name}
+    _put(folder, {**description, "feedbacks": kept}, {})
+
+
+def set_gain(
+    folder: Path,
+    gain_n_per_mps2: float,
+    *,
+    progress: files.Progress = files.no_progress,
+) -> None:
+    """Render the force anew with another gain, and the random one beside it.
+
+    Raises:
+        InputError: for a gain that is not positive and finite.
+        SequenceError: when the sequence is damaged or cannot be written.
+    """
+    sequence = store.open_sequence(folder)
+    mapping = dataclasses.replace(sequence.mapping, gain_n_per_mps2=gain_n_per_mps2)
+    realistic = rendering.render_force(sequence.motion, mapping)
+    random, real = Feedback.RANDOM.value, Feedback.REALISTIC.value
+    tracks = {real: realistic}
+    if random in sequence.tracks:
+        seed = int(sequence.tracks[random].provenance["seed"])
+        tracks[random] = rendering.random_feedback(realistic, seed)
+    description = {
+        **sequence.description,
+        "mapping": store.describe_mapping(mapping),
+    }
+    _replace_tracks(folder, description, tracks, progress)
+
+
+@dataclasses.dataclass(frozen=True, slots=True)
+class GainPreview:
+    """What a gain would make of a sequence.
+
+    Attributes:
+        peak_n: of the realistic track.
+        rms_n: of all axes together.
+        saturated_share: of its samples, at the force limit.
+        reaches: share of the workspace that each hand would use.
+        trips: hands with which the force would stop.
+    """
+
+    peak_n: float
+    rms_n: float
+    saturated_share: float
+    reaches: dict[str, float]
+    trips: tuple[str, ...]
+
+
+def preview_gain(
+    folder: Path,
+    gain_n_per_mps2: float,
+    *,
+    progress: files.Progress = files.no_progress,
+) -> GainPreview:
+    """Return what `set_gain` would make; nothing is written.
+
+    Raises:
+        InputError: for a gain that is not positive and finite.
+        SequenceError: when the sequence is damaged.
+    """
+    sequence = store.open_sequence(folder)
+    mapping = dataclasses.replace(sequence.mapping, gain_n_per_mps2=gain_n_per_mps2)
+    track = rendering.render_force(sequence.motion, mapping)
+    tell = _telling(progress, 0, 1)
+    hands = predict(track, _duration_s(sequence.description), tell)["hands"]
+    return GainPreview(
+        peak_n=track.peak_n(),
+        rms_n=float(np.linalg.norm(track.rms_n())),
+        saturated_share=float(track.provenance["saturated_share"]),
+        reaches={name: one["reach"] for name, one in hands.items()},
+        trips=tuple(name for name, one in hands.items() if one["trip"] is not None),
+    )
+
+
+def _described(folder: Path) -> Mapping[str, Any]:
+    return store.open_sequence(folder).description
+
+
+def _duration_s(description: Mapping[str, Any]) -> float:
+    return float(description["clip"]["duration_s"])
+
+
+def _check_new(name: str, description: Mapping[str, Any]) -> None:
+    if not _NAME.fullmatch(name):
+        raise UsageError(
+            f"{name!r} cannot be the name of a track; use up to 40 letters, digits, "
+            "blanks, dots and hyphens"
+        )
+    if name.lower() in {*map(str.lower, description["feedbacks"]), *_OWN}:
+        raise UsageError(f"there is a track {name!r} already; choose another name")
+
+
+def _check_added(name: str, description: Mapping[str, Any]) -> None:
+    if name in _OWN:
+        raise UsageError(f"every sequence has the track {name!r}; it stays")
+    if name not in description["feedbacks"]:
+        raise UsageError(f"there is no track {name!r}")
+
+
+def _replace_tracks(
+    folder: Path,
+    description: Mapping[str, Any],
+    tracks: dict[str, ForceTrack],
+    progress: files.Progress,
+) -> None:
+    duration_s, feedbacks = _duration_s(description), dict(description["feedbacks"])
+    made: dict[str, ForceTrack] = {}
+    for number, (name, track) in enumerate(tracks.items()):
+        tell = _telling(progress, number, len(tracks))
+        file = f"force_{secrets.token_hex(4)}.npz"
+        made[file] = track
+        feedbacks[name] = describe_track(track, file, predict(track, duration_s, tell))
+    _put(folder, {**description, "feedbacks": feedbacks}, made)
+
+
+def describe_track(
+    track: ForceTrack, file: str, excursion: dict[str, Any]
+) -> dict[str, Any]:
+    """Return what is stored of a track beside its samples."""
+    return {
+        "file": file,
+        "peak_n": track.peak_n(),
+        "rms_n": [float(value) for value in track.rms_n()],
+        "excursion": excursion,
+        "provenance": dict(track.provenance),
+    }
+
+
+def _telling(
+    progress: files.Progress, number: int, count: int
+) -> Callable[[float], None]:
+    return lambda done: progress((number + done) / count, "predicting excursions")
+
+
+def _put(
+    folder: Path, description: Mapping[str, Any], tracks: dict[str, ForceTrack]
+) -> None:
+    """Write new tracks, then the description, then drop what it no longer names."""
+    written: list[Path] = []
+    try:
+        for file, track in tracks.items():
+            written.append(folder / file)
+            files.write_arrays(folder / file, **store.track_arrays(track))
+        named = {
+            one["file"] for one in description["feedbacks"].values() if "file" in one
+        }
+        listed = {
+            name: entry
+            for name, entry in description["files"].items()
+            if name in named or not name.startswith("force_")
+        }
+        for path in written:
+            listed[path.name] = {
+                "sha256": files.sha256_of(path),
+                "size_bytes": path.stat().st_size,
+            }
+        dropped = set(description["files"]) - set(listed)
+        files.replace_json(folder / store.DESCRIPTION, {**description, "files": listed})
+    except OSError as problem:
+        _remove(written)
+        raise SequenceError(
+            f"cannot be written ({problem.strerror})",
+            where=str(folder),
+            remedy="free some space or copy the sequence to a folder of yours",
+        ) from problem
+    except BaseException:
+        _remove(written)
+        raise
+    _remove([folder / name for name in dropped])
+
+
+def _remove(paths: list[Path]) -> None:
+    for path in paths:
+        path.unlink(missing_ok=True)

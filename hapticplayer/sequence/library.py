@@ -1,0 +1,151 @@
+"""A folder of sequences: what lies in it, told from the descriptions alone."""
+
+import math
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from hapticplayer.errors import InputError, SequenceError
+from hapticplayer.sequence import files
+from hapticplayer.sequence.report import Finding, quality_report
+from hapticplayer.sequence.store import DESCRIPTION, SCHEMA
+
+MOST = 5000
+"""Folders that are looked into."""
+
+_LONGEST_NAME = 60
+
+
+@dataclass(frozen=True, slots=True)
+class Track:
+    """What is known of a force track.
+
+    Attributes:
+        name: of the feedback.
+        peak_n: the largest force.
+        rms_n: of all axes together.
+        reach: of the workspace, by a normal hand as predicted; None where unknown.
+    """
+
+    name: str
+    peak_n: float
+    rms_n: float
+    reach: float | None
+
+
+@dataclass(frozen=True, slots=True)
+class Entry:
+    """A sequence in the library.
+
+    Attributes:
+        folder: where it lies.
+        title: for people.
+        clip: its video, which may be missing.
+        duration_s: of the clip.
+        size_bytes: of all its files, as described.
+        camera: what recorded the motion.
+        created_utc: when it was imported.
+        gain_n_per_mps2: of its mapping.
+        tracks: its force tracks.
+        findings: its quality report.
+        problem: why it cannot be used, "" where it can as far as was looked.
+    """
+
+    folder: Path
+    title: str
+    clip: Path | None = None
+    duration_s: float = 0.0
+    size_bytes: int = 0
+    camera: str = ""
+    created_utc: str = ""
+    gain_n_per_mps2: float | None = None
+    tracks: tuple[Track, ...] = ()
+    findings: list[Finding] = field(default_factory=list)
+    problem: str = ""
+
+    def holds(self, words: str) -> bool:
+        """Whether every one of some words is in what is known of it."""
+        known = f"{self.title} {self.folder.name} {self.camera} {self.created_utc}"
+        known += " " + " ".join(track.name for track in self.tracks)
+        return all(word in known.lower() for word in words.lower().split())
+
+
+def entries(folder: Path) -> list[Entry]:
+    """Return the sequences in a folder by title; those that are damaged too.
+
+    A folder that does not exist holds none.
+    """
+    try:
+        inside = sorted(path for path in folder.iterdir() if path.is_dir())
+    except OSError:
+        return []
+    held = (path for path in inside if not path.name.startswith("."))
+    found = [look_into(path) for path in held if (path / DESCRIPTION).is_file()]
+    return sorted(found[:MOST], key=lambda entry: (entry.title.lower(), entry.folder))
+
+
+def look_into(folder: Path) -> Entry:
+    """Return what a sequence says of itself; its files are not read."""
+    try:
+        description = files.read_json(folder / DESCRIPTION)
+        if description.get("schema") != SCHEMA:
+            raise SequenceError("describes no sequence", where=str(folder))
+        return _entry(folder, description)
+    except InputError as problem:
+        return Entry(folder, folder.name, problem=str(problem))
+    except (KeyError, TypeError, ValueError, AttributeError) as problem:
+        what = f"an entry is missing or of the wrong kind ({problem})"
+        error = SequenceError(what, where=str(folder / DESCRIPTION))
+        return Entry(folder, folder.name, problem=str(error))
+
+
+def _entry(folder: Path, description: Mapping[str, Any]) -> Entry:
+    clip = folder / Path(str(description["clip"]["file"])).name
+    made_of = description.get("provenance", {})
+    return Entry(
+        folder=folder,
+        title=str(description["title"]),
+        clip=clip,
+        duration_s=_finite(description["clip"]["duration_s"]),
+        size_bytes=sum(int(one["size_bytes"]) for one in description["files"].values()),
+        camera=str(made_of.get("camera", "")),
+        created_utc=str(made_of.get("created_utc", "")),
+        gain_n_per_mps2=_finite(description["mapping"]["gain_n_per_mps2"]),
+        tracks=tuple(
+            _track(name, entry)
+            for name, entry in description["feedbacks"].items()
+            if "file" in entry
+        ),
+        findings=quality_report(description),
+        problem="" if clip.is_file() else f"{clip.name} is missing",
+    )
+
+
+def _track(name: str, entry: Mapping[str, Any]) -> Track:
+    rms_n = math.sqrt(sum(_finite(value) ** 2 for value in entry["rms_n"]))
+    hands = (entry.get("excursion") or {}).get("hands", {})
+    reach = hands.get("normal", {}).get("reach")
+    return Track(
+        name,
+        _finite(entry["peak_n"]),
+        rms_n,
+        None if reach is None else _finite(reach),
+    )
+
+
+def _finite(value: Any) -> float:
+    number = float(value)
+    if not math.isfinite(number):
+        raise ValueError(f"{value!r} is no number")
+    return number
+
+
+def free_name(library: Path, title: str) -> Path:
+    """Return a folder in the library that does not exist, named after a title."""
+    name = re.sub(r"[^\w.\- ]+", "_", title).strip(" ._")[:_LONGEST_NAME] or "sequence"
+    candidates = (
+        library / f"{name}-{n}" if n > 1 else library / name for n in range(1, MOST)
+    )
+    return next(path for path in candidates if not path.exists())

@@ -1,0 +1,380 @@
+"""The import wizard is driven as a person would, on rides that were simulated."""
+
+import dataclasses
+import threading
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QMimeData, QPointF, Qt, QUrl
+from PySide6.QtGui import QDropEvent
+from scipy.signal import resample_poly
+
+from app.experimenter.import_wizard import FILES, MOUNTING, REPORT, SYNC, ImportWizard
+from app.experimenter.sync_strip import SyncStrip, columns, tick_step_s
+from app.experimenter.triad import Triad
+from hapticplayer.capture import read_recording, write_imu_csv
+from hapticplayer.capture.gpmf_writer import write_payloads
+from hapticplayer.capture.sync.clips import simulate_pats
+from hapticplayer.media import TelemetryPacket, add_telemetry, write_clip
+from hapticplayer.playback.snapshot import Phase
+from hapticplayer.sequence import open_sequence
+from hapticplayer.sequence.synchronizing import stored_skews
+
+SECONDS = 20
+
+
+@pytest.fixture(scope="module")
+def ride(tmp_path_factory):
+    """A clip with pats, its log, a stranger's log, a GoPro's file, and the truth."""
+    folder = tmp_path_factory.mktemp("pats")
+    made = simulate_pats(41_001, hard=False, rate_hz=200, duration_s=SECONDS)
+    other = simulate_pats(41_002, hard=False, rate_hz=200, duration_s=SECONDS)
+    grey = (np.full((36, 64, 3), k % 250, np.uint8) for k in range(30 * SECONDS))
+    sound = resample_poly(made.audio, 3, 1).astype(np.float32)[:, None]
+    write_clip(folder / "ride.mp4", grey, frame_rate_hz=30, audio=sound)
+    write_imu_csv(folder / "log.csv", made.imu)
+    write_imu_csv(folder / "other.csv", other.imu)
+    own = dataclasses.replace(made.imu, time_s=made.imu.time_s - made.imu.time_s[0])
+    packets = [TelemetryPacket(t, 1.0, p) for t, p in write_payloads(own)]
+    add_telemetry(folder / "ride.mp4", folder / "gopro.mp4", packets)
+    return folder, made
+
+
+@pytest.fixture
+def wizard(application, qtbot, tmp_path, monkeypatch):
+    made = ImportWizard(str(tmp_path), tmp_path / "library")
+    qtbot.addWidget(made)
+    made.show()
+    before = set(threading.enumerate())
+    yield made
+    made.close_jobs()
+    assert not [t for t in threading.enumerate() if t not in before and t.is_alive()]
+
+
+def true_offset_s(made) -> float:
+    log_s = (made.pats_s[1] - made.clock_map.offset_s) / made.clock_map.rate
+    return float(made.pats_s[1] - log_s)
+
+
+def test_a_ride_goes_from_files_to_a_report_in_the_library(
+    wizard, qtbot, ride, wait_for, tmp_path
+):
+    folder, made = ride
+    assert not wizard.next.isEnabled()
+    wizard.take([folder / "log.csv", folder / "ride.mp4"])  # in any order
+    wait_for(wizard.next.isEnabled)
+    assert "64 \u00d7 36" in wizard.files.facts.text()
+    assert "200 samples a second" in wizard.files.facts.text()
+    wizard.next.click()
+    assert wizard.stack.currentIndex() == SYNC
+    assert "were found" in wizard.sync.verdict.text()
+    assert wizard.sync.offset.value() == pytest.approx(true_offset_s(made), abs=0.005)
+    assert wizard.sync.looked.isHidden()
+    wait_for(lambda: wizard.sync.frame.shown_s is not None)
+    assert wizard.sync.frame.shown_s == pytest.approx(made.pats_s[0], abs=0.04)
+    wizard.next.click()
+    wizard.mounting.title.setText("A ride: with / in its name")
+    wizard.next.click()
+    wait_for(lambda: wizard.stack.currentIndex() == REPORT)
+    assert wizard.made == tmp_path / "library" / "A ride_ with _ in its name"
+    sequence = open_sequence(wizard.made)
+    assert sequence.title == "A ride: with / in its name"
+    kept = sequence.description["provenance"]["synchronisation"]
+    assert kept["method"] == "pats"
+    assert kept["seen_by_person"]
+    assert kept["offset_s"] == pytest.approx(true_offset_s(made), abs=0.005)
+    text = wizard.report.toPlainText()
+    for name in ("Synchronisation", "Clock drift", "Gravity left", "Use of the work"):
+        assert name in text
+    with qtbot.waitSignal(wizard.play_wanted) as wanted:
+        wizard.next.click()
+    assert wanted.args == [wizard.made]
+
+
+def test_a_camera_with_its_own_motion_needs_no_pats(wizard, ride, wait_for):
+    wizard.take([ride[0] / "gopro.mp4"])
+    wait_for(wizard.next.isEnabled)
+    wizard.next.click()
+    assert "own clock" in wizard.sync.verdict.text()
+    assert wizard.next.isEnabled()
+    wizard.next.click()
+    wizard.mounting.mounting.setCurrentIndex(
+        wizard.mounting.mounting.findData("-x,-y,z")
+    )
+    wizard.next.click()
+    wait_for(lambda: wizard.stack.currentIndex() == REPORT)
+    made = open_sequence(wizard.made)
+    assert made.description["provenance"]["mounting"] == "-x,-y,z"
+    assert made.description["provenance"]["synchronisation"]["method"] == "embedded"
+    with np.load(wizard.made / "imu.npz") as kept:
+        turned = kept["specific_force_mps2"]
+    camera = read_recording(ride[0] / "gopro.mp4").imu.specific_force_mps2
+    np.testing.assert_allclose(turned, camera * (-1.0, -1.0, 1.0), atol=1e-6)
+
+
+def test_doubt_cannot_be_passed_without_a_look(wizard, ride, wait_for):
+    folder, _ = ride
+    wizard.take([folder / "ride.mp4", folder / "other.csv"])
+    wait_for(wizard.next.isEnabled)
+    wizard.next.click()
+    assert "not certain" in wizard.sync.verdict.text()
+    assert not wizard.next.isEnabled()
+    wizard.sync.offset.setValue(wizard.sync.offset.value() + 0.5)
+    assert not wizard.next.isEnabled()  # moved by hand is no look either
+    wizard.sync.looked.setChecked(True)
+    assert wizard.next.isEnabled()
+    wizard.next.click()
+    wizard.next.click()
+    wait_for(lambda: wizard.stack.currentIndex() == REPORT)
+    described = open_sequence(wizard.made).description
+    assert described["provenance"]["synchronisation"]["method"] == "offset"
+    assert "doubtful" in wizard.report.toPlainText()
+
+
+def test_keys_move_the_log_and_the_cursor(wizard, qtbot, ride, wait_for):
+    folder, _ = ride
+    wizard.take([folder / "ride.mp4", folder / "log.csv"])
+    wait_for(wizard.next.isEnabled)
+    wizard.next.click()
+    page = wizard.sync
+    first_s, cursor_s = page.offset.value(), page.strip.cursor_s
+    qtbot.keyClick(page.strip, Qt.Key.Key_Right)
+    qtbot.keyClick(page.strip, Qt.Key.Key_Left, Qt.KeyboardModifier.ShiftModifier)
+    assert page.offset.value() == pytest.approx(first_s - 0.009, abs=1e-6)
+    assert "moved by hand" in page.verdict.text()
+    qtbot.keyClick(page.strip, Qt.Key.Key_Period)
+    assert page.strip.cursor_s == pytest.approx(cursor_s + 1 / 30)
+    wait_for(lambda: (page.frame.shown_s or 0.0) > cursor_s)
+
+
+def test_the_pats_are_heard_left_and_ticked_right(wizard, ride, wait_for):
+    folder, made = ride
+    played = []
+
+    class Output:
+        def play(self, data, samplerate) -> None:
+            assert samplerate == 48_000
+            played.append(data)
+
+        def stop(self) -> None:
+            played.append(None)
+
+    wizard.take([folder / "ride.mp4", folder / "log.csv"])
+    wait_for(wizard.next.isEnabled)
+    wizard.next.click()
+    wizard.sync.snippet.output = Output()
+    wizard.sync.hear.click()
+    wait_for(lambda: bool(played))
+    begin_s = wizard.sync.strip.view_s[0]
+    left, right = (played[0][:, k] for k in (0, 1))
+    for at_s in made.pats_s[:3]:
+        at = round((at_s - begin_s) * 48_000)
+        near = slice(at - 1500, at + 1500)
+        assert np.abs(left[near]).max() > 0.2
+        ticked = np.flatnonzero(np.abs(right[near]) > 0.1)
+        assert abs(ticked[0] - 1500) / 48_000 < 0.02  # of the peak, not of its onset
+    wizard.reject()
+    assert played[-1] is None
+
+
+def test_stopping_in_the_middle_leaves_nothing(wizard, ride, wait_for, tmp_path):
+    folder, _ = ride
+    wizard.take([folder / "ride.mp4", folder / "log.csv"])
+    wait_for(wizard.next.isEnabled)
+    wizard.next.click()
+    wizard.next.click()
+    wizard.next.click()
+    assert wizard.jobs.is_busy
+    wait_for(lambda: wizard.jobs.state().fraction > 0.0)
+    wizard.stop.click()
+    wait_for(lambda: not wizard.jobs.is_busy)
+    assert wizard.stack.currentIndex() == MOUNTING
+    assert not list(tmp_path.rglob("sequence.json"))
+    assert not list(tmp_path.rglob("*.part"))
+    assert wizard.next.isEnabled()  # and it can be tried again
+
+
+def test_closing_while_it_looks_does_not_hold_the_window_up(wizard, ride, wait_for):
+    folder, _ = ride
+    wizard.take([folder / "ride.mp4", folder / "log.csv"])
+    assert wizard.jobs.is_busy
+    wizard.reject()
+    assert wizard.isHidden()
+    wait_for(lambda: not wizard.jobs.is_busy)
+    assert wizard.recognised is None or not wizard.isVisible()
+
+
+def test_a_doubtful_log_asks_and_takes_the_answer(wizard, ride, wait_for, tmp_path):
+    folder, made = ride
+    imu = made.imu
+    g = np.column_stack(
+        [imu.time_s, imu.specific_force_mps2 / 9.80665, imu.angular_rate_radps]
+    )
+    log = tmp_path / "other logger.csv"
+    np.savetxt(log, g, delimiter=";", header="t;a;b;c;d;e;f", fmt="%.6f")
+    wizard.take([folder / "ride.mp4", log])
+    question = wizard.files.question
+    wait_for(question.isVisible)
+    assert not wizard.next.isEnabled()
+    question.other.setText("columns=rubbish")
+    question.take.click()
+    wait_for(lambda: not wizard.jobs.is_busy and question.isVisible())
+    question.other.setText(
+        "columns=time,ax,ay,az,gx,gy,gz force-unit=g rate-unit=rad/s"
+    )
+    question.take.click()
+    wait_for(lambda: "units" in question.text.text())
+    radio = next(b for b in question.answers.buttons() if b.text() == "time-unit=s")
+    radio.click()
+    assert question.other.text() == "time-unit=s"
+    question.take.click()
+    wait_for(wizard.next.isEnabled)
+    assert "in g" in wizard.files.notes.text()
+    assert wizard.files.keep.isVisible()
+
+
+def test_a_log_that_is_mounted_otherwise_gets_a_proposal(
+    wizard, ride, wait_for, tmp_path
+):
+    from hapticplayer.capture.mounting import mounted
+
+    folder, made = ride
+    # the actor's right, front and up in the recorder's axes, and back again
+    log = tmp_path / "upside-down.csv"
+    write_imu_csv(log, mounted(made.imu, "-x,y,-z"))
+    wizard.take([folder / "ride.mp4", log])
+    wait_for(wizard.next.isEnabled)
+    assert "-z was up" in wizard.files.facts.text()
+    page = wizard.mounting
+    assert page.axes == "-x,y,-z"
+    assert "agrees" in page.gravity.text()
+    page.mounting.setCurrentIndex(0)
+    assert "another side" in page.gravity.text()
+    assert page.triad.axes == "x,y,z"
+
+
+def test_problems_are_told_on_the_page(wizard, ride, wait_for, tmp_path):
+    wizard.take([ride[0] / "ride.mp4"])  # a clip without motion
+    wait_for(wizard.files.problem.isVisible)
+    assert "no motion" in wizard.files.problem.text()
+    assert not wizard.next.isEnabled()
+    wizard.take([ride[0] / "ride.mp4", ride[0] / "gopro.mp4"])
+    assert "two of a kind" in wizard.files.problem.text()
+    wizard.files.log.setText(str(tmp_path / "missing.csv"))
+    wizard.files.log.editingFinished.emit()
+    wait_for(lambda: "missing.csv" in wizard.files.problem.text())
+
+
+def test_a_skew_moves_the_offset_and_is_kept_for_its_camera(
+    wizard, ride, wait_for, tmp_path, monkeypatch
+):
+    folder, _ = ride
+    monkeypatch.setattr(
+        "hapticplayer.sequence.recognising.camera_of", lambda _path: "Cam 5"
+    )
+    from hapticplayer.sequence.recognising import recognise
+
+    found = recognise(folder / "ride.mp4", folder / "log.csv")
+    wizard._on_found(found)
+    wizard._go(SYNC)
+    page = wizard.sync
+    before_s = page.offset.value()
+    page.skew.setValue(40)
+    assert page.offset.value() == pytest.approx(before_s - 0.04, abs=1e-6)
+    assert "were found" in page.verdict.text()  # the pats are as certain as before
+    assert page.choice().sound_late_s == pytest.approx(0.04)
+    page.keep_skew.setChecked(True)
+    page.keep()
+    assert stored_skews() == {"Cam 5": 0.04}
+
+
+def test_files_that_are_dropped_on_the_window_are_imported(
+    window, ride, wait_for, settings, tmp_path
+):
+    settings.keep("library", str(tmp_path / "lib"))
+    content = QMimeData()
+    names = ("ride.mp4", "log.csv")
+    content.setUrls([QUrl.fromLocalFile(str(ride[0] / name)) for name in names])
+    event = QDropEvent(
+        QPointF(50, 50),
+        Qt.DropAction.CopyAction,
+        content,
+        Qt.MouseButton.LeftButton,
+        Qt.KeyboardModifier.NoModifier,
+    )
+    window.dropEvent(event)
+    wizard = window.findChild(ImportWizard)
+    wait_for(wizard.next.isEnabled)
+    for _ in range(3):
+        wizard.next.click()
+    wait_for(lambda: wizard.stack.currentIndex() == REPORT)
+    wizard.next.click()
+    wait_for(lambda: window.player.phase is Phase.PLAYING)
+    assert window.player.source.path == tmp_path / "lib" / "ride"
+
+
+def test_the_window_may_close_while_an_import_looks(window, ride):
+    window.dialogs.import_recording([Path(ride[0] / "gopro.mp4")])
+    assert window.findChild(ImportWizard).stack.currentIndex() == FILES
+    window.close()  # the fixture sees that no thread is left
+
+
+def test_the_triad_says_its_axes(application, qtbot):
+    triad = Triad()
+    qtbot.addWidget(triad)
+    triad.show_axes("y,-x,z", (0.0, 0.0, 1.0))
+    assert triad.accessibleName() == "Right is y, front is -x, up is z"
+    assert not triad.grab().toImage().isNull()
+
+
+def test_dragging_moves_the_log_by_what_the_pointer_moves(application, qtbot):
+    strip = SyncStrip()
+    qtbot.addWidget(strip)
+    strip.resize(1000, 200)
+    times = np.arange(0.0, 10.0, 0.001)
+    strip.show_streams((times, times), (times, times), (1.0, 1.5, 2.0), 0.25)
+    assert strip.view_s == pytest.approx((0.0, 9.999))
+    moved, pointed = [], []
+    strip.shifted.connect(moved.append)
+    strip.pointed.connect(pointed.append)
+    _move(strip, 200, Qt.MouseButton.NoButton)
+    assert pointed[-1] == pytest.approx(200 * 9.999 / 1000)
+    qtbot.mousePress(strip, Qt.MouseButton.LeftButton, pos=QPointF(500, 150).toPoint())
+    _move(strip, 530, Qt.MouseButton.LeftButton)
+    assert moved[-1] == pytest.approx(0.25 + 30 * 9.999 / 1000, abs=0.001)
+    strip.show_pats()
+    assert strip.view_s == pytest.approx((0.6, 2.6))
+
+
+def _move(strip, x: float, held: Qt.MouseButton) -> None:
+    from PySide6.QtCore import QEvent
+    from PySide6.QtGui import QMouseEvent
+
+    at = QPointF(x, 150)
+    event = QMouseEvent(
+        QEvent.Type.MouseMove,
+        at,
+        at,
+        Qt.MouseButton.NoButton,
+        held,
+        Qt.KeyboardModifier.NoModifier,
+    )
+    strip.mouseMoveEvent(event)
+
+
+def test_no_peak_is_lost_when_many_samples_share_a_column():
+    times = np.arange(100_000) / 1000.0
+    values = np.zeros(100_000)
+    values[54_321] = 7.0
+    x, y = columns((times, values), (0.0, 100.0), 500)
+    assert len(x) <= 501
+    assert y.max() == 7.0
+    assert x[y.argmax()] == np.floor(54.321 / 100 * 500)
+
+
+@pytest.mark.parametrize(
+    ("least", "step"), [(0.3, 0.5), (1.0, 1.0), (1.2, 2.0), (7, 10)]
+)
+def test_ticks_are_round_numbers(least, step):
+    assert tick_step_s(least) == pytest.approx(step)

@@ -1,0 +1,156 @@
+"""The library page over a folder of sequences, and what it changes in them."""
+
+import shutil
+
+import numpy as np
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QMessageBox
+
+from app.experimenter.library_page import LibraryPage
+from hapticplayer.playback.snapshot import Phase
+from hapticplayer.sequence import open_sequence, verify_sequence
+from hapticplayer.sequence.editing import rename_sequence
+
+
+@pytest.fixture
+def library(sequence, tmp_path, monkeypatch):
+    """Two sequences, one damaged folder, and one that is none."""
+    monkeypatch.setenv("XDG_DATA_HOME", str(tmp_path / "data"))
+    (tmp_path / "data").mkdir()
+    home = tmp_path / "library"
+    for name, title in (("a", "Bicycle in the park"), ("b", "Horse at a gallop")):
+        shutil.copytree(sequence, home / name)
+        rename_sequence(home / name, title)
+    (home / "c").mkdir()
+    (home / "c" / "sequence.json").write_text("{}")
+    (home / "holidays").mkdir()
+    return home
+
+
+@pytest.fixture
+def page(application, qtbot, library):
+    made = LibraryPage(library)
+    qtbot.addWidget(made)
+    made.show()
+    yield made
+    made.close_jobs()
+
+
+def titles(page) -> list[str]:
+    shown = (page.list.item(row) for row in range(page.list.count()))
+    return [item.text().split("\n")[0] for item in shown if not item.isHidden()]
+
+
+def test_it_shows_titles_durations_and_pictures(page, wait_for):
+    assert titles(page) == ["Bicycle in the park", "c", "Horse at a gallop"]
+    assert "00:02.0" in page.list.item(0).text()
+    empty = page.list.item(0).icon().cacheKey()
+    wait_for(lambda: page.list.item(0).icon().cacheKey() != empty)
+    image = page.list.item(0).icon().pixmap(72).toImage()
+    grey = image.pixelColor(image.width() // 2, image.height() // 2).red()
+    assert grey == pytest.approx(20 + 215 / 3, abs=12)  # a third into the fade
+
+
+def test_search_takes_all_words(page):
+    page.search.setText("gallop HORSE")
+    assert titles(page) == ["Horse at a gallop"]
+    page.search.setText("horse park")
+    assert titles(page) == []
+    assert not page.buttons["open"].isEnabled()
+
+
+def test_enter_opens_and_a_damaged_one_is_not_opened(page, qtbot):
+    page.list.setCurrentRow(1)
+    assert not page.buttons["open"].isEnabled()
+    page.list.setCurrentRow(0)
+    with qtbot.waitSignal(page.open_wanted) as wanted:
+        qtbot.keyClick(page.list, Qt.Key.Key_Return)
+    assert wanted.args[0].name == "a"
+
+
+def test_deleting_asks_and_can_be_undone(page, library, monkeypatch):
+    page.list.setCurrentRow(0)
+    asked = []
+
+    def no(box):
+        asked.append(box.text())
+        return int(QMessageBox.StandardButton.Cancel)
+
+    monkeypatch.setattr(QMessageBox, "exec", no)
+    page.buttons["delete"].click()
+    assert "Bicycle" in asked[0]
+    assert (library / "a").exists()
+    page.delete(page.chosen())
+    assert not (library / "a").exists()
+    assert titles(page) == ["c", "Horse at a gallop"]
+    page.undo.click()
+    assert titles(page)[0] == "Bicycle in the park"
+    verify_sequence(library / "a")
+
+
+def test_verifying_tells_of_a_changed_byte(page, library, wait_for):
+    page.list.setCurrentRow(0)
+    page.buttons["check"].click()
+    wait_for(lambda: "as it was written" in page.told.text())
+    clip = library / "a" / "clip.mp4"
+    content = bytearray(clip.read_bytes())
+    content[-5] ^= 1
+    clip.write_bytes(content)
+    page.buttons["check"].click()
+    wait_for(lambda: "has changed" in page.told.text())
+
+
+def test_a_track_is_added_renamed_and_removed(page, library, wait_for, tmp_path):
+    csv = tmp_path / "my track.csv"
+    csv.write_text("time_s,fx_n,fy_n,fz_n\n0,0,0,0\n0.5,0,1.5,0\n1.5,0,0,0\n")
+    page.list.setCurrentRow(0)
+    page.details.add_csv(csv)
+    wait_for(lambda: page.details.tracks.rowCount() == 3)
+    row = [page.details.tracks.item(2, column).text() for column in range(4)]
+    assert row[:2] == ["my track", "1.50 N"]
+    assert row[3].endswith(" %")
+    track = open_sequence(library / "a").tracks["my track"]
+    np.testing.assert_allclose(track.at(np.array([0.2, 0.7, 1.7]))[:, 1], (0, 1.5, 0))
+    page.details.tracks.selectRow(2)
+    page.details._edit(page_rename, "my track", "Gentle")
+    assert page.details.tracks.item(2, 0).text() == "Gentle"
+    page.details.tracks.selectRow(2)
+    page.details.remove.click()
+    assert page.details.tracks.rowCount() == 2
+    verify_sequence(library / "a")
+    assert len(list((library / "a").glob("force_*"))) == 2
+
+
+def page_rename(folder, old, new) -> None:
+    from hapticplayer.sequence.editing import rename_track
+
+    rename_track(folder, old, new)
+
+
+def test_the_gain_is_previewed_and_then_used(page, library, wait_for):
+    page.list.setCurrentRow(0)
+    before = open_sequence(library / "a").tracks["realistic"]
+    page.details.gain.setValue(15)  # 0.20, half of what it was
+    assert page.details.number.value() == pytest.approx(0.20)
+    assert f"{before.peak_n() / 2:.2f} N" in page.details.preview.text()
+    wait_for(lambda: "relaxed hand" in page.details.preview.text())
+    page.details.apply.click()
+    wait_for(lambda: not page.details.apply.isEnabled() and not page.jobs.is_busy)
+    after = open_sequence(library / "a")
+    np.testing.assert_allclose(
+        after.tracks["realistic"].force_n, before.force_n / 2, atol=1e-6
+    )
+    assert after.mapping.gain_n_per_mps2 == pytest.approx(0.2)
+    assert (page.chosen().tracks[0].peak_n) == pytest.approx(before.peak_n() / 2)
+    verify_sequence(library / "a")
+
+
+def test_a_sequence_is_opened_from_the_window(window, library, settings, wait_for):
+    settings.keep("library", str(library))
+    window.commands.library.trigger()
+    page = window.findChild(LibraryPage)
+    page.list.setCurrentRow(2)
+    page.buttons["open"].click()
+    wait_for(lambda: window.player.phase is Phase.PLAYING)
+    assert window.player.source.path == library / "b"
