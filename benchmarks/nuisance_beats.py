@@ -16,9 +16,15 @@ DEPTH = 10
 
 
 class Beats:
-    """When the window's thread was heard, and what it did in between."""
+    """When the window's thread was heard, and what it did in between.
 
-    def __init__(self) -> None:
+    Args:
+        long_s: of longer gaps everything is kept.
+        silent_s: after so long the thread's functions are noted.
+    """
+
+    def __init__(self, long_s: float = LONG_GAP_S, silent_s: float = SILENT_S) -> None:
+        self._long_s, self._silent_s = long_s, silent_s
         self.gaps_s: list[float] = []
         self.long: list[dict[str, Any]] = []
         self.resyncs_s: list[float] = []
@@ -34,11 +40,11 @@ class Beats:
         self._sampler.start()
 
     def beat(self) -> None:
-        """Call at each heartbeat; the next may be `LONG_GAP_S` away."""
+        """Call at each heartbeat; the next may be `long_s` away."""
         now_s, used = time.monotonic(), self._used()
         gap_s = now_s - self._last_s if self._last_s else 0.0
         self.gaps_s.append(gap_s)
-        if gap_s > LONG_GAP_S:
+        if gap_s > self._long_s:
             computed_s, waited_s = np.subtract(used, self._before)
             self.long.append(
                 {
@@ -66,7 +72,7 @@ class Beats:
         """Note where the window's thread is while it is not heard."""
         while not self._is_over.wait(SAMPLE_S):
             after_s = time.monotonic() - self._last_s
-            if after_s > SILENT_S and len(self._stacks) < MOST_SAMPLES:
+            if after_s > self._silent_s and len(self._stacks) < MOST_SAMPLES:
                 job = next((t for t in threading.enumerate() if t.name == "job"), None)
                 self._stacks.append(
                     {

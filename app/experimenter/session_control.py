@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 
-from PySide6.QtCore import QCoreApplication, Signal
+from PySide6.QtCore import QCoreApplication, QTime, Signal
 from PySide6.QtGui import QCloseEvent
 from PySide6.QtWidgets import (
     QGridLayout,
@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.experimenter.mirror import Mirror
 from app.experimenter.start_panel import StartPanel
 from app.player.health_line import HealthLine
 from app.player.plots_place import PlotsPlace
@@ -39,16 +40,17 @@ class SessionControl(QMainWindow):
 
     Args:
         start: the panel that is shown until a session has begun.
+        mirror: shows the participant's picture.
         shows_force: whether live plots may be seen: they tell the condition.
     """
 
     closing = Signal()
 
-    def __init__(self, start: StartPanel, *, shows_force: bool) -> None:
+    def __init__(self, start: StartPanel, mirror: Mirror, *, shows_force: bool) -> None:
         super().__init__()
         self.setWindowTitle(self.tr("Session \u2013 hapticplayer"))
         self.resize(WIDTH_PX, HEIGHT_PX)
-        self.start = start
+        self.start, self.mirror = start, mirror
         self.messages, self.health = MessageBar(), HealthLine()
         self.plots = PlotsPlace()
         self.plots.setVisible(shows_force)
@@ -58,13 +60,15 @@ class SessionControl(QMainWindow):
         self._may_close = False
         self._runner: SessionRunner | None = None
         self._changed: Callable[[], None] = lambda: None
-        self.where, self.played = QLabel(), QLabel()
-        for label in (self.where, self.played):
+        self.where, self.played, self.volume = QLabel(), QLabel(), QLabel()
+        for label in (self.where, self.played, self.volume):
             label.setWordWrap(True)
         self.where.setFont(theme.scaled(self.font(), 1.4, bold=True))
         self.notes = QPlainTextEdit()
         self.notes.setReadOnly(True)
+        self.notes.setAccessibleName(self.tr("Notes"))
         self.note = QLineEdit()
+        self.note.setAccessibleName(self.tr("New note"))
         self.note.setPlaceholderText(self.tr("A note; Enter keeps it"))
         self.note.returnPressed.connect(self._keep_note)
         self.buttons = self._make_buttons()
@@ -106,9 +110,12 @@ class SessionControl(QMainWindow):
             row.addWidget(button)
         grid.addWidget(self.where, 0, 0)
         grid.addWidget(self.played, 1, 0)
-        grid.addLayout(row, 2, 0)
-        grid.addWidget(self.notes, 3, 0)
-        grid.addWidget(self.note, 4, 0)
+        grid.addWidget(self.volume, 2, 0)
+        grid.addWidget(self.mirror, 0, 1, 3, 1)
+        grid.addLayout(row, 3, 0, 1, 2)
+        grid.addWidget(self.notes, 4, 0, 1, 2)
+        grid.addWidget(self.note, 5, 0, 1, 2)
+        grid.setColumnStretch(0, 1)
         return panel
 
     def _lay_out(self) -> None:
@@ -125,6 +132,8 @@ class SessionControl(QMainWindow):
         """Show this session from now on; `changed` is called after each action."""
         self._runner, self._changed = runner, changed
         self._stack.setCurrentIndex(1)
+        text = self.tr("Volume {n} %, the same for the whole session")
+        self.volume.setText(text.format(n=self.start.volume.value()))
         self.refresh()
 
     def show_message(self, text: str) -> None:
@@ -206,7 +215,8 @@ class SessionControl(QMainWindow):
         text = self.note.text().strip()
         if text and self._runner is not None:
             self._do(lambda runner: runner.note(text))
-            self.notes.appendPlainText(text)
+            now = QTime.currentTime().toString("HH:mm:ss")
+            self.notes.appendPlainText(f"{now}  {text}")
             self.note.clear()
 
     def closeEvent(self, event: QCloseEvent) -> None:

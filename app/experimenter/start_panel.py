@@ -9,6 +9,7 @@ from PySide6.QtWidgets import (
     QFormLayout,
     QHBoxLayout,
     QLabel,
+    QSpinBox,
     QVBoxLayout,
     QWidget,
 )
@@ -27,6 +28,7 @@ class StartPanel(QWidget):
     Signals:
         started: a person wants to begin.
         clip_wanted: a person wants to hear the sound.
+        volume_chosen: per cent.
 
     Args:
         languages: of the study.
@@ -35,6 +37,7 @@ class StartPanel(QWidget):
 
     started = Signal()
     clip_wanted = Signal()
+    volume_chosen = Signal(int)
 
     def __init__(self, languages: Iterable[str], unfinished: Iterable[str]) -> None:
         super().__init__()
@@ -51,6 +54,15 @@ class StartPanel(QWidget):
             self.tr("Play a clip"), self.tr("Listen whether the sound is heard")
         )
         self.hear.clicked.connect(self.clip_wanted)
+        self.volume = QSpinBox()
+        self.volume.setRange(0, 100)
+        self.volume.setValue(100)
+        self.volume.setSuffix(" %")
+        self.volume.setAccessibleName(self.tr("Volume"))
+        self.volume.setToolTip(
+            self.tr("Stays as it is for the whole session, and is kept with it")
+        )
+        self.volume.valueChanged.connect(self.volume_chosen)
         self.sound = QCheckBox(self.tr("The sound is heard"))
         self.override = QCheckBox(self.tr("Begin although something is not in order"))
         self.start = text_button(
@@ -67,6 +79,7 @@ class StartPanel(QWidget):
         form.addRow(self.tr("Participant"), self.who)
         form.addRow(self.tr("Language of the pages"), self.language)
         sound = QHBoxLayout()
+        sound.addWidget(self.volume)
         sound.addWidget(self.hear)
         sound.addWidget(self.sound)
         sound.addStretch(1)
@@ -125,6 +138,7 @@ class StartPanel(QWidget):
             "homed": self.tr("Grip found"),
             "scheduling": self.tr("Real-time class"),
             "sound": self.tr("Sound"),
+            "volume": self.tr("Volume"),
             "screen": self.tr("Participant's screen"),
             "disk": self.tr("Disk"),
         }

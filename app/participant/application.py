@@ -15,6 +15,7 @@ from app.bridge.idle import EVERYTHING, IdleInhibitor
 from app.bridge.interrupts import closing_on_signals
 from app.bridge.pump import Pump
 from app.bridge.settings import Settings, default_path
+from app.experimenter.mirror import Mirror
 from app.experimenter.session_control import SessionControl
 from app.experimenter.start_panel import StartPanel
 from app.participant.window import ParticipantWindow
@@ -28,7 +29,8 @@ from hapticplayer.playback.player import Player
 from hapticplayer.playback.sound import AudioFactory
 from hapticplayer.playback.sound_process import SoundProcess
 from hapticplayer.playback.source import Source
-from hapticplayer.study.preflight import Check, described, look
+from hapticplayer.study.pages import PageKind
+from hapticplayer.study.preflight import Check, described, look, volume_of
 from hapticplayer.study.runner import Observer, SessionRunner
 from hapticplayer.study.session_folder import State
 from hapticplayer.study.session_setup import (
@@ -76,8 +78,12 @@ class StudySession:
         unfinished = [s.code for s in sessions if s.state is State.UNFINISHED]
         self.start_panel = StartPanel(study.definition.languages, unfinished)
         self.start_panel.show_balance(study.balance())
+        self.start_panel.volume_chosen.connect(self._set_volume)
+        self.start_panel.volume.setValue(_last_volume(study))
         self.control = SessionControl(
-            self.start_panel, shows_force=not study.definition.operator_is_blind
+            self.start_panel,
+            Mirror(self.surface),
+            shows_force=not study.definition.operator_is_blind,
         )
         self.participant = ParticipantWindow(self.surface)
         self.gateway = ErrorGateway(self.control.show_message, self._halt)
@@ -125,7 +131,11 @@ class StudySession:
                 "screens": len(QGuiApplication.screens()),
             },
             is_sound_heard=self.start_panel.sound.isChecked(),
+            volume_percent=self.start_panel.volume.value(),
         )
+
+    def _set_volume(self, percent: int) -> None:
+        self.player.set_volume(percent / 100)
 
     def _play_sound(self) -> None:
         source = next(iter(self.material.sources.values()))
@@ -185,6 +195,8 @@ class StudySession:
             self._tell_force()
             self.participant.refresh()
             self.control.refresh()
+            page = self.runner.page.kind if self.runner is not None else None
+            self.control.mirror.follow(now_s, is_clip=page is PageKind.PLAYING)
             if self.runner is not None and self.control.shows_force:
                 plots, player = self.control.plots, self.player
                 plots.follow(player.media_s(), player.feedback, player.link.history)
@@ -274,6 +286,18 @@ def _run_until_closed(application: QApplication, session: StudySession) -> None:
             application.exec()
     finally:
         session.gateway.uninstall()
+
+
+def _last_volume(study: Study) -> int:
+    """Return the volume of the session before: all participants hear the same."""
+    sessions, _ = study.sessions()
+    for session in reversed(sessions):
+        for record in reversed(session.records.intact):
+            if record.kind == "checks":
+                found = volume_of(record.content.get("checks"))
+                if found is not None:
+                    return found
+    return 100
 
 
 def _screens(operator: QScreen) -> tuple[QScreen, QScreen]:

@@ -24,7 +24,7 @@ _MARGIN_SHARE = 0.06
 STYLE = f"""
 QWidget {{ background: {theme.BACKGROUND}; color: {theme.TEXT}; }}
 QPushButton {{ background: {theme.RAISED}; border: 2px solid {theme.BORDER};
-  border-radius: 10px; padding: 0.35em 1.0em; min-height: 1.2em; }}
+  border-radius: 10px; padding: 0.35em 1.0em; min-height: 1.45em; }}
 QPushButton:hover {{ background: {theme.HOVER}; }}
 QPushButton:focus {{ border: 3px solid {theme.FOCUS}; }}
 QPushButton:checked {{ background: #1f5f9e; border: 3px solid {theme.FOCUS};
@@ -33,6 +33,7 @@ QPushButton[role="primary"] {{ background: #1f5f9e; border-color: #2f76bb; }}
 QPushButton[role="primary"]:focus {{ border: 3px solid {theme.FOCUS}; }}
 QSpinBox, QPlainTextEdit {{ background: {theme.PANEL}; border: 2px solid {theme.BORDER};
   border-radius: 8px; padding: 4px; }}
+QSpinBox {{ min-height: 1.7em; }}
 QSpinBox:focus, QPlainTextEdit:focus {{ border: 3px solid {theme.FOCUS}; }}
 QSpinBox::up-button, QSpinBox::down-button {{ width: 2em; }}
 QFrame[role="question"] {{ border: 2px solid transparent; border-radius: 12px; }}

@@ -23,6 +23,7 @@ from hapticplayer.console import (
     say,
     until_s,
     wanted_scheduling,
+    wanted_speed,
 )
 from hapticplayer.devices import DEVICES
 from hapticplayer.playback.haptic_link import NO_DEVICE
@@ -49,6 +50,7 @@ def run(options: argparse.Namespace) -> int:
     source = open_source(options.source, options.force) if options.source else None
     feedback = choose_feedback(source, options.feedback) if source else None
     end_s = until_s(options, source) if source else 0.0
+    speed = wanted_speed(options) if source else 1.0
     settings = Settings(default_path())
     application = make_application(settings)
     clock, surface = SystemClock(), VideoSurface()
@@ -74,6 +76,8 @@ def run(options: argparse.Namespace) -> int:
         window.close()
         raise
     _begin(window, options, source, feedback)
+    if speed != 1.0:
+        window.extras.controls.set_speed(speed)
     player.end_s = min(player.end_s, end_s) if source else player.end_s
     return _run_until_closed(application, window, options)
 

@@ -109,8 +109,7 @@ class Dialogs(QObject):
     def set_up(self, clock: Clock) -> None:
         """Choose a device, and bring it to where it can be used."""
         before = self._session.player.link.device
-        self._session.stop()
-        self._session.choose_device(NO_DEVICE)
+        self._release()
         page = SetupPage(clock, before, self.plugged, self._window)
         wanted, shown = [before], list[str]()
         page.wanted.connect(wanted.append)
@@ -140,12 +139,17 @@ class Dialogs(QObject):
             problem = self.tr("Choose a device first, then get to know its forces")
             self._session.gateway.report(HapticPlayerError(problem))
             return
-        self._session.stop()
-        self._session.choose_device(NO_DEVICE)
+        self._release()
         dialog = DevicePage(clock, device, self._window)
         dialog.finished.connect(lambda _: self._session.choose_device(device))
         dialog.homing_wanted.connect(lambda: self.set_up(clock))
         dialog.open()
+
+    def _release(self) -> None:
+        """Let go of the device, so that a dialog can have it."""
+        self._session.stop()
+        self._session.choose_device(NO_DEVICE)
+        self._session.player.wait_released()
 
     def show(self, make: Callable[[QWidget], QDialog]) -> None:
         """Show one of the dialogs that only tell something."""

@@ -9,7 +9,8 @@ from app.player.session import Session
 from app.player.transport import Transport
 from hapticplayer.clock import Clock
 
-PLOTS_HZ, STILL_PLOTS_HZ, TRANSPORT_HZ, HEALTH_HZ = 20.0, 4.0, 10.0, 2.0
+PLOTS_HZ, STILL_PLOTS_HZ, TRANSPORT_HZ, HEALTH_HZ = 30.0, 4.0, 10.0, 2.0
+GRIP_HZ = 20.0  # a hand is slower than what scrolls
 
 
 class Display:
@@ -35,7 +36,7 @@ class Display:
         self._transport_turn = Cadence(TRANSPORT_HZ)
         self._plots_turn = Cadence(PLOTS_HZ)
         self._still_plots_turn = Cadence(STILL_PLOTS_HZ)
-        self._grip_turn = Cadence(PLOTS_HZ)  # a hand moves on while the clip stands
+        self._grip_turn = Cadence(GRIP_HZ)  # a hand moves on while the clip stands
         self._health_turn = Cadence(HEALTH_HZ)
 
     def refresh(self) -> None:

@@ -54,6 +54,11 @@ class VideoSurface(QWidget):
         return self._target
 
     @property
+    def image(self) -> QImage | None:
+        """What is shown now; its memory is the decoder's, so paint it at once."""
+        return self._image
+
+    @property
     def has_picture_of_target_size(self) -> bool:
         """Whether what is shown needs no scaling."""
         picture = self._picture

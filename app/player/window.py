@@ -229,6 +229,7 @@ class PlayerWindow(QMainWindow):
         name = self.player.link.device
         self.player.pause()
         self.session.choose_device(NO_DEVICE)
+        self.player.wait_released()
         return name
 
     def _on_settings_taken(self) -> None:

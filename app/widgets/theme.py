@@ -91,10 +91,10 @@ QPushButton:pressed {{ background: {BORDER}; }}
 QPushButton:disabled, QComboBox:disabled, QLineEdit:disabled {{ color: {DISABLED}; background: {PANEL}; }}
 QPushButton:focus, QComboBox:focus, QLineEdit:focus {{
   border: 2px solid {FOCUS}; padding: 3px 9px; }}
-QDoubleSpinBox QLineEdit, QDoubleSpinBox QLineEdit:focus,
-QDoubleSpinBox QLineEdit:disabled {{
+QAbstractSpinBox QLineEdit, QAbstractSpinBox QLineEdit:focus,
+QAbstractSpinBox QLineEdit:disabled {{
   border: 0; padding: 0 6px; min-height: 0; background: transparent; }}
-QDoubleSpinBox {{ min-height: 28px; }}
+QAbstractSpinBox {{ min-height: 28px; }}
 QPushButton[role="primary"] {{ background: {PRIMARY}; border-color: {CHOSEN};
   color: {PRIMARY_TEXT}; }}
 QPushButton[role="primary"]:hover {{ background: {CHOSEN}; }}

@@ -88,6 +88,9 @@ def add_play(commands: Any) -> None:
     play.add_argument(
         "--duration", type=_seconds, metavar="S", help="stop after S seconds"
     )
+    play.add_argument(
+        "--speed", type=float, default=1.0, metavar="X", help="0.5 to 4 (default: 1)"
+    )
     play.add_argument("--log", metavar="FILE", help="write what happened as JSON lines")
     play.add_argument(
         "--record",

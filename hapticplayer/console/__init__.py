@@ -15,6 +15,7 @@ if TYPE_CHECKING:
         record_target,
         until_s,
         wanted_scheduling,
+        wanted_speed,
     )
     from hapticplayer.console.processing import process
     from hapticplayer.console.recordings import (
@@ -49,6 +50,7 @@ _HOMES = {
     "sync": "synchronizing",
     "until_s": "playing",
     "wanted_scheduling": "playing",
+    "wanted_speed": "playing",
 }
 
 __all__ = [
@@ -69,6 +71,7 @@ __all__ = [
     "sync",
     "until_s",
     "wanted_scheduling",
+    "wanted_speed",
 ]
 
 

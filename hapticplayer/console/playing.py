@@ -14,7 +14,7 @@ from hapticplayer.haptics.scheduling import Scheduling
 from hapticplayer.playback import headless
 from hapticplayer.playback.haptic_link import NO_DEVICE
 from hapticplayer.playback.log import PlaybackLog
-from hapticplayer.playback.player import Player
+from hapticplayer.playback.player import FASTEST, SLOWEST, Player
 from hapticplayer.playback.source import Source, choose_feedback, open_source
 
 ROUNDING_N = 1e-3  # tracks are stored as float32
@@ -24,7 +24,7 @@ def play(options: argparse.Namespace) -> int:
     """Play in real time without a window, and print the summary."""
     source = open_source(options.source, options.force)
     feedback = choose_feedback(source, options.feedback)
-    end_s = until_s(options, source)
+    end_s, speed = until_s(options, source), wanted_speed(options)
     advise(source, feedback)
     clock = SystemClock()
     record = record_target(options, options.device)
@@ -37,6 +37,8 @@ def play(options: argparse.Namespace) -> int:
             player.link.wait_ready()
             attach_log(player, options.log, source, feedback)
             player.open(source, feedback)
+            if speed != 1.0:
+                player.set_speed(speed)
             headless.run(
                 player,
                 clock,
@@ -101,6 +103,18 @@ def until_s(options: argparse.Namespace, source: Source) -> float:
     if options.duration is None:
         return source.clip.duration_s
     return float(options.start + options.duration)
+
+
+def wanted_speed(options: argparse.Namespace) -> float:
+    """Return the speed to play at.
+
+    Raises:
+        UsageError: when the player cannot play at it.
+    """
+    speed = float(options.speed)
+    if not SLOWEST <= speed <= FASTEST:
+        raise UsageError(f"--speed {speed:g} is not between {SLOWEST} and {FASTEST}")
+    return speed
 
 
 def attach_log(player: Player, path: str | None, source: Source, feedback: str) -> None:

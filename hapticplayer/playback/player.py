@@ -14,6 +14,7 @@ from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.scheduling import Scheduling
 from hapticplayer.playback.clock import AudioReport, MediaClock
 from hapticplayer.playback.clock import Source as ClockSource
+from hapticplayer.playback.farewell import Farewells, is_hardware
 from hapticplayer.playback.feeders import VideoFeeder
 from hapticplayer.playback.haptic_link import NO_DEVICE, HapticLink
 from hapticplayer.playback.log import PlaybackLog
@@ -68,6 +69,7 @@ class Player:
         self._video_feeder: VideoFeeder | None = None
         self._log: PlaybackLog | None = None
         self._link = HapticLink(clock, device, scheduling)
+        self._farewells = Farewells()
         self._size_px = (0, 0)
         self._first_sound_by_s = 0.0
         self._logged_audio_s = float("-inf")
@@ -205,12 +207,21 @@ class Player:
             self._sound.ring.follow(self._media.epoch)
 
     def set_device(self, name: str, record: Path | None = None) -> None:
-        """Let go of the device and take another one, recording its ticks if asked."""
-        self._link.close()
+        """Let go of the device and take another one, recording its ticks if asked.
+
+        Waits for the old one only where both are hardware.
+        """
+        self._farewells.begin(self._link)
+        if is_hardware(name):
+            self.wait_released()
         self._link = HapticLink(self._clock, name, self._scheduling, record)
         if self.source is not None:
             self._link.load(self.source.tracks)
         self._event("device", device=name)
+
+    def wait_released(self) -> None:
+        """Wait until other programs can have the hardware that was let go of."""
+        self._farewells.wait(hardware_only=True)
 
     def set_size(self, width_px: int, height_px: int) -> None:
         """Say how large the pictures shall be; 0 x 0 keeps the clip's size."""
@@ -239,6 +250,7 @@ class Player:
         self.unload()
         self._sound.close()
         self._link.close()
+        self._farewells.wait()
         self._link.poll(self._log)
         if self._log is not None:
             self._log.close(self.summary())

@@ -12,11 +12,12 @@ from hapticplayer.playback.haptic_link import NO_DEVICE
 from hapticplayer.playback.player import Player
 from hapticplayer.study.definition import Checks
 
-DEVICE, HOMED, SCHEDULING, SOUND, SCREEN, DISK = (
+DEVICE, HOMED, SCHEDULING, SOUND, VOLUME, SCREEN, DISK = (
     "device",
     "homed",
     "scheduling",
     "sound",
+    "volume",
     "screen",
     "disk",
 )
@@ -46,6 +47,7 @@ def look(
     screen: Mapping[str, Any],
     *,
     is_sound_heard: bool,
+    volume_percent: int,
 ) -> tuple[Check, ...]:
     """Return the state of everything that a session needs.
 
@@ -55,6 +57,7 @@ def look(
         folder: of the study.
         screen: of the participant: width_px, height_px, refresh_hz, screens.
         is_sound_heard: as a person has confirmed.
+        volume_percent: of the player, the same for the whole session.
     """
     return (
         _device(player, checks),
@@ -65,6 +68,7 @@ def look(
             is_sound_heard or not checks.sound,
             "heard" if is_sound_heard else "not confirmed",
         ),
+        Check(VOLUME, volume_percent > 0 or not checks.sound, f"{volume_percent} %"),
         Check(
             SCREEN,
             bool(screen.get("refresh_hz", 0) >= 30),
@@ -79,6 +83,18 @@ def look(
 def described(checks: tuple[Check, ...]) -> list[dict[str, Any]]:
     """Return the checks as they are kept."""
     return [{"check": c.name, "ok": c.is_good, "found": c.found} for c in checks]
+
+
+def volume_of(checks: object) -> int | None:
+    """Return the volume that kept checks tell, per cent; None where they tell none."""
+    rows = checks if isinstance(checks, list) else []
+    texts = [
+        str(row.get("found", ""))
+        for row in rows
+        if isinstance(row, dict) and row.get("check") == VOLUME
+    ]
+    number = texts[-1].removesuffix(" %") if texts else ""
+    return min(int(number), 100) if number.isdecimal() else None
 
 
 def _device(player: Player, checks: Checks) -> Check:

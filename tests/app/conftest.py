@@ -67,11 +67,17 @@ def source(sequence):
     return open_source(sequence)
 
 
+@pytest.fixture(scope="session")
+def cache(tmp_path_factory) -> Path:
+    """Holds what the program makes once: the clip of the demonstration takes 3 s."""
+    return tmp_path_factory.mktemp("cache")
+
+
 @pytest.fixture(autouse=True)
-def _own_places(tmp_path, monkeypatch) -> None:
+def _own_places(tmp_path, cache, monkeypatch) -> None:
     """Keep settings and caches away from the user's."""
     monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path / "config"))
-    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
+    monkeypatch.setenv("XDG_CACHE_HOME", str(cache))
 
 
 @pytest.fixture

@@ -139,3 +139,28 @@ def test_a_damaged_clip_that_closes_at_the_end_is_a_failure(
     assert status in (0, 1)
     if status:
         assert "cut.mp4" in capsys.readouterr().err
+
+
+def test_the_speed_of_the_command_line(when_playing, sequence, capsys):
+    seen = []
+
+    def look(window) -> None:
+        seen.append((window.player.speed, window.transport.speed.text()))
+        window.close()
+
+    when_playing(look)
+    assert run("play", sequence, "--device", "none", "--speed", "0.5") == 0
+    assert seen == [(0.5, "0.50\u00d7")]
+    assert run("play", sequence, "--device", "none", "--speed", "nan") == 2
+    assert "--speed nan is not between 0.5 and 4.0" in capsys.readouterr().err
+
+
+def test_twice_the_speed_shows_the_clip_in_half_the_time(qapp, sequence, tmp_path):
+    log = tmp_path / "log.jsonl"
+    options = ("--speed", 2, "--log", log, "--device", "none", "--headless")
+    assert run("play", sequence, *options) == 0
+    rows = [json.loads(line) for line in log.read_text().splitlines()]
+    frames = [r for r in rows if r["kind"] == "frame"]
+    first, last = frames[0], frames[-1]
+    wall_s = last["monotonic_s"] - first["monotonic_s"]
+    assert (last["media_s"] - first["media_s"]) / wall_s == pytest.approx(2, rel=0.15)

@@ -2,6 +2,7 @@ import json
 import sys
 import threading
 
+import numpy as np
 import pytest
 
 from app.bridge.cadence import Cadence
@@ -100,6 +101,14 @@ def test_a_cadence_does_not_burst_after_a_stall():
     assert turn.is_due(5.0)
     assert not turn.is_due(5.05)
     assert turn.is_due(5.11)
+
+
+def test_a_cadence_of_pictures_that_come_a_little_early_or_late_misses_none(rng):
+    turn = Cadence(30.0)
+    times_s = np.arange(300) / 30.0 + rng.uniform(-0.004, 0.004, 300)
+    assert sum(turn.is_due(t) for t in times_s) >= 298
+    fast = Cadence(30.0)  # asked at 120 Hz it stays at its own rate
+    assert sum(fast.is_due(k / 120.0) for k in range(1200)) in range(299, 303)
 
 
 # --- jobs --------------------------------------------------------------------

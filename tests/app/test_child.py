@@ -38,7 +38,7 @@ def test_the_result_comes_from_another_process_of_lower_priority():
     )
     assert words == "aaa"
     assert pid != os.getpid()
-    assert niceness == os.nice(0) + NICENESS
+    assert niceness == min(os.nice(0) + NICENESS, 19)  # the lowest there is
     assert (0.5, "half") in steps
 
 

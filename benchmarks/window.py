@@ -1,0 +1,110 @@
+"""How long the window's event loop is away, in a tour of everything a person does.
+
+    python benchmarks/window.py [--offscreen] [--haste 0.4] [--only NAME]
+
+A timer of 5 ms beats in the real window, on a screen of its own with sound and the
+simulated device. A gap is the time between two beats; where one is long, the tour's step
+and the functions the window's thread was in are told, and how long that thread computed
+or waited for a core that other programs had.
+"""
+
+import argparse
+import contextlib
+import json
+import os
+import subprocess
+import sys
+import tempfile
+from collections import defaultdict
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from common import need, save, screen, sound_server, table
+
+LIMIT_MS = 50.0
+SHOWN = 14
+LONGEST_S = 900.0
+
+
+def judge(seen: dict[str, Any]) -> dict[str, Any]:
+    """Return the figures of the gaps."""
+    gaps_ms = 1e3 * np.array(seen.pop("gaps_s"))
+    worst: dict[str, dict[str, Any]] = {}
+    for gap in seen.pop("long_gaps"):
+        name = gap["script"] or "begin"
+        if gap["gap_s"] > worst.get(name, {"gap_s": 0.0})["gap_s"]:
+            worst[name] = gap
+    quantiles = (("p50", 0.5), ("p99", 0.99), ("p999", 0.999), ("max", 1.0))
+    return {
+        **seen,
+        "beats": len(gaps_ms),
+        "gap_ms": {name: float(np.quantile(gaps_ms, q)) for name, q in quantiles},
+        "above_limit": int(np.count_nonzero(gaps_ms > LIMIT_MS)),
+        "worst": sorted(worst.items(), key=lambda item: -item[1]["gap_s"]),
+        "load_average": os.getloadavg(),
+    }
+
+
+def report(figures: dict[str, Any]) -> None:
+    """Print gaps, the worst steps, and where these were."""
+    print(f"{sum(figures['things'].values())} things, {figures['beats']} beats")
+    gap_ms = figures["gap_ms"]
+    print("gap, ms: " + ", ".join(f"{k} {v:.1f}" for k, v in gap_ms.items()))
+    print(f"{figures['above_limit']} gaps above {LIMIT_MS:.0f} ms")
+    rows = [
+        [
+            name,
+            *(1e3 * gap[k] for k in ("gap_s", "computed_s", "waited_for_a_core_s")),
+            where(gap["stacks"]),
+        ]
+        for name, gap in figures["worst"][:SHOWN]
+    ]
+    print(table(["step", "gap ms", "computed", "waited", "in"], rows))
+    for text in figures["failed"]:
+        print(f"failed: {text}")
+
+
+def where(stacks: list[dict[str, Any]]) -> str:
+    """Return the function of ours that most samples were in."""
+    counts: defaultdict[str, int] = defaultdict(int)
+    for stack in stacks:
+        counts[" < ".join(stack["window"][:4])] += 1
+    return max(counts, key=counts.__getitem__) if counts else ""
+
+
+def main() -> int:
+    """Prepare a screen and a sound server, and take the tour on them."""
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("--offscreen", action="store_true")
+    parser.add_argument("--no-sound", action="store_true")
+    parser.add_argument("--haste", type=float, default=0.4)
+    parser.add_argument("--only", default="")
+    parser.add_argument("--folder", default="")
+    options = parser.parse_args()
+    if options.folder:
+        from window_tour import use
+
+        return use(options)
+    need(*([] if options.offscreen else ["Xvfb"]))
+    need(*([] if options.no_sound else ["pulseaudio", "pactl"]))
+    with contextlib.ExitStack() as stack:
+        folder = stack.enter_context(tempfile.TemporaryDirectory(prefix="hp-window-"))
+        environment = {**os.environ, "XDG_CONFIG_HOME": folder}
+        environment["QT_QPA_PLATFORM"] = "offscreen"
+        if not options.offscreen:
+            environment |= stack.enter_context(screen())
+        if not options.no_sound:
+            environment |= stack.enter_context(sound_server())
+        command = [sys.executable, __file__, *sys.argv[1:], "--folder", folder]
+        subprocess.run(command, env=environment, check=True, timeout=LONGEST_S)
+        seen = json.loads((Path(folder) / "seen.json").read_text())
+    figures = judge(seen)
+    report(figures)
+    if not options.only:
+        print(f"saved {save('window', figures).name}")
+    return 0 if figures["gap_ms"]["p999"] <= LIMIT_MS else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,195 @@
+"""Every page and dialog, made one after the other, and what to look at in each."""
+
+from collections.abc import Callable, Iterator
+
+from PySide6.QtCore import QPoint, QRect, Qt
+from PySide6.QtGui import QAccessible, QTextDocument
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import (
+    QAbstractButton,
+    QAbstractItemView,
+    QAbstractScrollArea,
+    QAbstractSlider,
+    QAbstractSpinBox,
+    QApplication,
+    QComboBox,
+    QLabel,
+    QLineEdit,
+    QPlainTextEdit,
+    QScrollBar,
+    QTabBar,
+    QTextEdit,
+    QWidget,
+)
+
+from app.experimenter.analysis_page import AnalysisPage
+from app.experimenter.import_wizard import ImportWizard
+from app.experimenter.library_page import LibraryPage
+from app.experimenter.mirror import Mirror
+from app.experimenter.session_control import SessionControl
+from app.experimenter.start_panel import StartPanel
+from app.experimenter.study_editor import StudyEditor
+from app.player.device_page import DevicePage
+from app.player.help import about_dialog
+from app.player.keys_dialog import KeysDialog
+from app.player.plugged import Plugged
+from app.player.setup_page import SetupPage
+from app.player.window import PlayerWindow
+from app.plots.grip_view import GripView
+from app.plots.playhead_plot import PlayheadPlot
+from hapticplayer.study.creation import create_study
+
+CONTROLS = (
+    QAbstractButton,
+    QAbstractItemView,
+    QAbstractSlider,
+    QAbstractSpinBox,
+    QComboBox,
+    QLineEdit,
+    QTextEdit,
+    QPlainTextEdit,
+    GripView,
+    PlayheadPlot,
+)
+EVERY_PLACE = 80  # more stops of the Tab key than any page has
+SEEN = 40  # of 255: a change of colour that is no rounding
+MARGIN_PX = 4
+
+
+def dialogs(window: PlayerWindow, folder) -> dict[str, Callable[[], QWidget]]:
+    """Return what makes each page that belongs to a window."""
+    study = create_study(folder / "study")
+    surface = window.surface
+    return {
+        "import": lambda: ImportWizard("", folder, window),
+        "library": lambda: LibraryPage(folder, window),
+        "keyboard": lambda: KeysDialog(window.settings, window),
+        "about": lambda: about_dialog(window),
+        "set-up": lambda: SetupPage(
+            window.clock, "simulated", Plugged(list, window), window
+        ),
+        "forces": lambda: DevicePage(window.clock, "simulated", window),
+        "study": lambda: StudyEditor(study, window),
+        "analysis": lambda: AnalysisPage("Rides", list, print, window.clock),
+        "session": lambda: SessionControl(
+            StartPanel(["en", "de"], ["P01"]), Mirror(surface), shows_force=True
+        ),
+    }
+
+
+# --- the keyboard --------------------------------------------------------------
+
+
+def controls(face: QWidget) -> list[QWidget]:
+    """Return what a person can use now, as far as the page has made it itself."""
+    return [
+        w
+        for w in face.findChildren(QWidget)
+        if isinstance(w, CONTROLS)
+        and not isinstance(w, QScrollBar)
+        and w.isVisibleTo(face)
+        and w.isEnabled()
+        and w.window() is face.window()
+        and not w.objectName().startswith("qt_")
+        and not isinstance(w.parent(), QAbstractSpinBox | QAbstractItemView)
+    ]
+
+
+def reached_by_tab(face: QWidget) -> list[QWidget]:
+    """Press Tab until it comes round; return where it has stopped."""
+    stops: list[QWidget] = []
+    for _ in range(EVERY_PLACE):
+        at = face.focusWidget() or face
+        QTest.keyClick(at, Qt.Key.Key_Tab)
+        now = face.focusWidget()
+        if now is None or now in stops:
+            break
+        stops.append(now)
+    return stops
+
+
+def focus_shows(widget: QWidget) -> int:
+    """Return how many pixels in and around a widget tell that it has the focus."""
+    window = widget.window()
+    at = QRect(widget.mapTo(window, QPoint()), widget.size())
+    at = at.adjusted(-MARGIN_PX, -MARGIN_PX, MARGIN_PX, MARGIN_PX)
+    at = at.intersected(window.rect())
+    QApplication.setCursorFlashTime(0)
+    widget.setFocus(Qt.FocusReason.TabFocusReason)
+    with_focus = window.grab(at).toImage()
+    widget.clearFocus()
+    without = window.grab(at).toImage()
+    return sum(
+        _differs(with_focus.pixelColor(x, y), without.pixelColor(x, y))
+        for x in range(with_focus.width())
+        for y in range(with_focus.height())
+        if x % 2 == 0 or y % 2 == 0
+    )
+
+
+def _differs(one, other) -> bool:
+    pairs = zip(one.getRgb()[:3], other.getRgb()[:3], strict=True)
+    return max(abs(a - b) for a, b in pairs) > SEEN
+
+
+def spoken_name(widget: QWidget) -> str:
+    """Return what a screen reader says."""
+    face = QAccessible.queryAccessibleInterface(widget)
+    return face.text(QAccessible.Text.Name) if face else ""
+
+
+# --- the texts -----------------------------------------------------------------
+
+
+def cut_off(face: QWidget) -> Iterator[str]:
+    """Yield each text that has less room than it needs."""
+    for widget in face.findChildren(QWidget):
+        if not widget.isVisibleTo(face) or not widget.width():
+            continue
+        if isinstance(widget, QLabel) and widget.text():
+            yield from _cut_label(widget)
+        elif isinstance(widget, QAbstractButton) and widget.text():
+            needed = widget.sizeHint()
+            if widget.width() < needed.width() or widget.height() < needed.height():
+                yield f"button {widget.text()!r}: {widget.size()} of {needed}"
+        elif isinstance(widget, QTabBar):
+            for k in range(widget.count()):
+                needed_px = _wide(widget, widget.tabText(k))
+                if widget.tabRect(k).width() < needed_px:
+                    yield f"tab {widget.tabText(k)!r}"
+        if not isinstance(widget.parent(), QAbstractScrollArea | QAbstractItemView):
+            yield from _outside(widget)
+
+
+def _cut_label(label: QLabel) -> Iterator[str]:
+    room = label.contentsRect()
+    if label.wordWrap() or "<" in label.text():
+        document = QTextDocument()
+        document.setDocumentMargin(0)
+        document.setDefaultFont(label.font())
+        if "<" in label.text():
+            document.setHtml(label.text())
+        else:
+            document.setPlainText(label.text())
+        document.setTextWidth(room.width())
+        high, wide = document.size().height(), document.idealWidth()
+    else:
+        lines = label.text().split("\n")
+        high = label.fontMetrics().height() * len(lines)
+        wide = max(_wide(label, line) for line in lines)
+    if high > room.height() + 2 or wide > room.width() + 2:
+        needed = f"{wide:.0f} x {high:.0f}"
+        yield f"label {label.text()!r}: {room.width()} x {room.height()} of {needed}"
+
+
+def _wide(widget: QWidget, text: str) -> int:
+    plain = text.replace("&&", "\0").replace("&", "").replace("\0", "&")
+    return widget.fontMetrics().horizontalAdvance(plain)
+
+
+def _outside(widget: QWidget) -> Iterator[str]:
+    parent = widget.parentWidget()
+    if parent is None or widget.isWindow() or not isinstance(widget, CONTROLS):
+        return
+    if not parent.rect().contains(widget.geometry()):
+        yield f"{type(widget).__name__} {spoken_name(widget)!r} reaches out of its place"

@@ -1,0 +1,133 @@
+"""Every page by keyboard, for screen readers, and with every text whole."""
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import faces
+import pytest
+from sitting import Person
+
+from app.bridge import languages
+from app.player.remake import dress
+from app.widgets import theme
+from hapticplayer.study.pages import PageKind
+
+ROOT = Path(__file__).resolve().parents[2]
+LEAST_TOUCH_PX = 44  # WCAG 2.2, 2.5.5
+
+
+@pytest.fixture
+def dressed(application, settings):
+    """Set look and language; English and dark again afterwards."""
+
+    def set_to(**values) -> None:
+        for name, value in values.items():
+            settings.keep(name, value)
+        dress(application, settings)
+
+    yield set_to
+    set_to(language=languages.ENGLISH, look=theme.DARK)
+
+
+def check_keyboard(face, qtbot) -> None:
+    """Every control is reached, shows it, and has a name."""
+    qtbot.waitActive(face.window())
+    wanted = faces.controls(face)
+    assert wanted
+    reached = faces.reached_by_tab(face)
+    # Tab goes to one of exclusive buttons, the arrows to the others
+    left = [w for w in wanted if w not in reached and not _is_in_group(w, reached)]
+    assert left == []
+    unseen = {
+        f"{type(w).__name__} {faces.spoken_name(w)!r}": shown
+        for w in reached
+        if (shown := faces.focus_shows(w)) < min(w.width(), w.height())
+    }
+    assert unseen == {}
+    assert [w for w in (*wanted, *reached) if not faces.spoken_name(w)] == []
+
+
+def _is_in_group(widget, reached) -> bool:
+    group = getattr(widget, "group", lambda: None)()
+    return group is not None and any(b in reached for b in group.buttons())
+
+
+@pytest.mark.parametrize("look", list(theme.LOOKS))
+def test_the_window_and_every_dialog_can_be_used_by_keyboard_alone(
+    make_window, dressed, source, look, tmp_path, qtbot
+):
+    dressed(look=look)
+    window = make_window()
+    window.session.show_source(source)
+    window.transport.set_devices([])
+    check_keyboard(window, qtbot)
+    for make in faces.dialogs(window, tmp_path).values():
+        face = make()
+        qtbot.addWidget(face)
+        face.show()
+        check_keyboard(face, qtbot)
+        face.close()
+
+
+def test_the_participants_pages_can_be_used_by_keyboard_and_by_finger(
+    make_study, sit, wait_for, qtbot
+):
+    session = sit(make_study(), size=(1024, 768))
+    person = Person(session, wait_for)
+    window, maker = session.participant, session.runner.maker
+    for kind, step in (
+        (PageKind.CONSENT, "consent"),
+        (PageKind.QUESTIONS, "sheet"),
+        (PageKind.QUESTIONS, "trial-01"),
+        (PageKind.QUESTIONS, "post-test"),
+        (PageKind.PAUSED, "trial-01"),
+    ):
+        window._show_page(maker.page(kind, step, 99))
+        qtbot.wait(20)  # the letters take their size
+        check_keyboard(person.page, qtbot)
+        for control in faces.controls(person.page):
+            assert control.height() >= LEAST_TOUCH_PX, faces.spoken_name(control)
+            assert control.width() >= LEAST_TOUCH_PX, faces.spoken_name(control)
+
+
+def whole_texts(window, source, folder, qtbot) -> list[str]:
+    window.session.show_source(source)
+    window.extras.statistics.setVisible(True)
+    window.extras.statistics.refresh(window.player)
+    qtbot.wait(20)
+    found = [f"window: {text}" for text in faces.cut_off(window)]
+    for name, make in faces.dialogs(window, folder).items():
+        face = make()
+        qtbot.addWidget(face)
+        face.show()
+        qtbot.wait(1)
+        found += [f"{name}: {text}" for text in faces.cut_off(face)]
+        face.close()
+    return found
+
+
+@pytest.mark.parametrize("language", list(languages.NAMES))
+def test_every_text_is_whole(make_window, dressed, source, language, tmp_path, qtbot):
+    dressed(language=language)
+    assert whole_texts(make_window(), source, tmp_path, qtbot) == []
+
+
+@pytest.mark.parametrize(
+    ("scale", "language"), [("1.5", "fr"), ("2", "en"), ("3", "de")]
+)
+def test_every_text_is_whole_where_everything_is_larger(scale, language):
+    """Qt takes the scale when it begins: in a process of its own."""
+    if os.environ.get("QT_SCALE_FACTOR"):
+        pytest.skip("this is that process")
+    here = f"{__file__}::test_every_text_is_whole[{language}]"
+    done = subprocess.run(
+        [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", here],
+        env={**os.environ, "QT_SCALE_FACTOR": scale},
+        cwd=ROOT,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == 0, done.stdout[-4000:]
