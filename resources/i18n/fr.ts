@@ -1389,6 +1389,34 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <source>Disk</source>
         <translation>Disque</translation>
     </message>
+    <message>
+        <source>heard</source>
+        <translation>entendu</translation>
+    </message>
+    <message>
+        <source>not confirmed</source>
+        <translation>non confirmé</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>aucun</translation>
+    </message>
+    <message>
+        <source>no device</source>
+        <translation>pas d’appareil</translation>
+    </message>
+    <message>
+        <source>the device has said nothing yet</source>
+        <translation>l’appareil n’a encore rien dit</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>oui</translation>
+    </message>
+    <message>
+        <source>not yet</source>
+        <translation>pas encore</translation>
+    </message>
 </context>
 <context>
     <name>Statistics</name>
