@@ -13,6 +13,7 @@ from sitting import KEYS, Person
 
 from app.bridge.idle import EVERYTHING, IdleInhibitor
 from app.bridge.mpris import NAME, Mpris
+from app.experimenter.study_process import StudyProcess
 from hapticplayer.study.creation import change_definition, create_study
 from hapticplayer.study.pages import PageKind
 
@@ -103,6 +104,22 @@ def test_a_session_takes_the_device_of_the_window(
     said = seen.read_text().split()
     assert said[:4] == ["-m", "app", "study", "run"]
     assert said[4:] == [str(study.folder), "--device", "simulated"]
+
+
+def test_the_real_program_is_started_and_its_complaint_is_heard(
+    application, qtbot, tmp_path
+):
+    process = StudyProcess(application)
+    for arguments, told in (
+        (["study", "run", str(tmp_path / "gone")], "gone/study.json"),
+        (["study", "simulate", str(tmp_path / "s"), "--participants", "1"], ""),
+    ):
+        with qtbot.waitSignal(process.ended, timeout=60_000) as ended:
+            process.start(arguments)
+        assert told in ended.args[0]
+        assert bool(told) == bool(ended.args[0])
+        assert not process.is_running
+    assert (tmp_path / "s" / "study.json").is_file()
 
 
 def test_a_study_without_clips_is_refused_before_anything_is_let_go(
