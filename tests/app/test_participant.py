@@ -20,13 +20,15 @@ from hapticplayer.study.pages import PageKind
 from hapticplayer.study.session_folder import State
 from hapticplayer.study.study_folder import open_study
 
+CLIP_S = 2.0
+
 
 def test_twelve_conditions_by_keys_alone(make_study, sit, wait_for):
     session = sit(make_study())
     person = Person(session, wait_for)
     person.to_trials()
     for _ in range(12):
-        person.trial()
+        person.trial(end_s=CLIP_S)
     person.wait_page(PageKind.QUESTIONS, "post-test")
     rows = {row.asked.name: row for row in person.page.rows}
     QTest.keyClicks(rows["tiring"].box, "no 1 2 3")
@@ -43,10 +45,12 @@ def test_twelve_conditions_by_keys_alone(make_study, sit, wait_for):
     assert who.used_device_before is True
     assert who.complete
     assert [a.text for a in answers.open_answers] == ["no 1 2 3"]
-    trial = next(
-        r for r in session.study.session(who.code).records.intact if r.kind == "trial"
-    )
-    assert trial.content["playback"]["pictures_shown"] > 0
+    records = session.study.session(who.code).records.intact
+    played = [r.content["playback"] for r in records if r.kind == "trial"]
+    assert len(played) == 12
+    for playback in played:
+        assert playback["media_s"] == pytest.approx(CLIP_S, abs=0.1)
+        assert playback["pictures_shown"] > 0
 
 
 def test_by_mouse_alone(make_study, sit, wait_for, qtbot):

@@ -150,6 +150,21 @@ def test_a_media_key_changes_nothing_on_the_participants_screen(
         assert session.runner.page.number == page
 
 
+def test_another_program_in_front_takes_the_force_away(
+    make_study, sit, wait_for, application
+):
+    session = sit(make_study())
+    person = Person(session, wait_for)
+    person.to_trials()
+    person.key(Qt.Key.Key_Enter)
+    person.wait_page(PageKind.PLAYING)
+    application.applicationStateChanged.emit(Qt.ApplicationState.ApplicationInactive)
+    person.wait_page(PageKind.PAUSED)
+    assert not session.player.is_playing
+    assert session.runner.last_trial.reasons[0] == "focus_lost"
+    application.applicationStateChanged.emit(Qt.ApplicationState.ApplicationActive)
+
+
 def everything_told(window: QWidget) -> list[str]:
     """Return each text that a widget of a window could show or speak."""
     told = [window.windowTitle(), window.windowFilePath(), window.windowIconText()]
