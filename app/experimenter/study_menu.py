@@ -110,9 +110,17 @@ class StudyMenu(QObject):
     def _open_report(self, folder: Path) -> None:
         AnalysisWindow(open_study(folder), self._clock, self._window).begin()
 
+    def take_over(self, other: "StudyMenu") -> None:
+        """Watch the session that another window has watched until now."""
+        if other.process.is_running:
+            other.process.ended.disconnect()
+            other.process.setParent(self)
+            self.process = other.process
+            self.process.ended.connect(self._on_ended)
+            self.running.emit(True)
+
     def close(self) -> None:
-        """Close the reports; a session goes on."""
-        self.process.leave()
+        """Close the reports."""
         for report in self._window.findChildren(AnalysisWindow):
             report.close()
 

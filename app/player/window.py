@@ -325,6 +325,7 @@ class PlayerWindow(QMainWindow):
         event.accept()
         if self._is_over:
             return
+        self.study_menu.process.leave()  # a session goes on
         self.hand_over()
         self.session.close()
 

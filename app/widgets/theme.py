@@ -117,6 +117,10 @@ QComboBox::down-arrow {{ image: url({_ICONS}/{arrow}.svg); width: 12px; height: 
 QComboBox::down-arrow:disabled {{ image: none; }}
 QComboBox QAbstractItemView {{ background: {PANEL}; border: 1px solid {BORDER};
   selection-background-color: {HOVER}; selection-color: {TEXT}; outline: 0; }}
+QCheckBox::indicator {{ width: 14px; height: 14px; border: 1px solid {DIM};
+  border-radius: 3px; background: {PANEL}; }}
+QCheckBox::indicator:checked {{ background: {CHOSEN}; image: url({_ICONS}/check.svg); }}
+QCheckBox::indicator:focus {{ border: 2px solid {FOCUS}; }}
 QProgressBar {{ background: {RAISED}; border: 1px solid {BORDER}; border-radius: 4px;
   text-align: center; min-height: 18px; }}
 QProgressBar::chunk {{ background: {CHOSEN}; border-radius: 3px; }}

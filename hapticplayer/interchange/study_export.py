@@ -10,6 +10,7 @@ from typing import Any
 from hapticplayer.errors import UsageError
 from hapticplayer.interchange.bids import write_bids
 from hapticplayer.interchange.session_data import (
+    Marker,
     finite,
     markers_of,
     tick_chunks,
@@ -82,6 +83,9 @@ def _write_csv(answers: Answers, sessions: list[StoredSession], folder: Path) ->
 def _write_xdf(session: StoredSession, folder: Path, remarks: list[str]) -> None:
     """Write one file for each run: the device, and markers on the same clock."""
     markers = markers_of(session)
+    if not tick_files(session):
+        remarks.append(f"{session.code}: there is no record of a device, markers only")
+        _write_markers_alone(folder / f"{session.code}_markers.xdf", markers)
     for number, path in enumerate(tick_files(session), 1):
         target = folder / f"{session.code}_run-{number}.xdf"
         private.write_new(target, b"")
@@ -98,6 +102,14 @@ def _write_xdf(session: StoredSession, folder: Path, remarks: list[str]) -> None
             private.sync_file(out)
         if span_s is None:
             target.unlink()
+
+
+def _write_markers_alone(target: Path, markers: list[Marker]) -> None:
+    private.write_new(target, b"")
+    with target.open("wb") as out:
+        told = [(marker.monotonic_s, marker.text) for marker in markers]
+        _write_markers(XdfWriter(out), told)
+        private.sync_file(out)
 
 
 def _write_device(

@@ -145,6 +145,7 @@ def read_answers(study_folder: str | Path) -> Answers:
 def collect_answers(study: Study) -> Answers:
     """Return all answers of an opened study, as `read_answers`."""
     sessions, remarks = study.sessions()
+    remarks += _about(sessions)
     sessions = [s for s in sessions if any(answered_trials(s.records))]
     definition = study.definition
     collected = [_Collector(session, definition, remarks) for session in sessions]
@@ -159,6 +160,21 @@ def collect_answers(study: Study) -> Answers:
         judgements=tuple(j for one in collected for j in one.judgements()),
         remarks=tuple(remarks),
     )
+
+
+def _about(sessions: list[StoredSession]) -> Iterator[str]:
+    """Yield what a reader has to know of sessions as a whole."""
+    answered = [s for s in sessions if any(answered_trials(s.records))]
+    if empty := len(sessions) - len(answered):
+        yield f"{empty} of {len(sessions)} sessions hold no answer to a trial"
+    if early := sum(s.state is not State.COMPLETE for s in answered):
+        yield f"{early} of {len(sessions)} sessions have answers and no end"
+    scripted = sum(
+        any(r.kind == "begin" and "scripted" in r.content for r in s.records.intact)
+        for s in sessions
+    )
+    if scripted:
+        yield f"{scripted} of {len(sessions)} sessions are simulated: nobody sat there"
 
 
 class _Collector:

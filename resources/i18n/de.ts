@@ -1404,6 +1404,17 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     </message>
 </context>
 <context>
+    <name>Mirror</name>
+    <message>
+        <source>The participant&apos;s picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A page is shown</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>MountingPage</name>
     <message>
         <source>Mounting</source>
@@ -1814,6 +1825,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>Sitzung – hapticplayer</translation>
     </message>
     <message>
+        <source>Notes</source>
+        <translation type="unfinished">Hinweise</translation>
+    </message>
+    <message>
+        <source>New note</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>A note; Enter keeps it</source>
         <translation>Eine Notiz; Eingabe behält sie</translation>
     </message>
@@ -1864,6 +1883,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     <message>
         <source>Take the force away (Esc)</source>
         <translation>Die Kraft wegnehmen (Esc)</translation>
+    </message>
+    <message>
+        <source>Volume {n} %, the same for the whole session</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Go on</source>
@@ -2135,6 +2158,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>Hören, ob der Ton ankommt</translation>
     </message>
     <message>
+        <source>Volume</source>
+        <translation type="unfinished">Lautstärke</translation>
+    </message>
+    <message>
+        <source>Stays as it is for the whole session, and is kept with it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The sound is heard</source>
         <translation>Der Ton ist zu hören</translation>
     </message>
@@ -2189,6 +2220,34 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     <message>
         <source>Disk</source>
         <translation>Datenträger</translation>
+    </message>
+    <message>
+        <source>heard</source>
+        <translation>gehört</translation>
+    </message>
+    <message>
+        <source>not confirmed</source>
+        <translation>nicht bestätigt</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keines</translation>
+    </message>
+    <message>
+        <source>no device</source>
+        <translation>kein Gerät</translation>
+    </message>
+    <message>
+        <source>the device has said nothing yet</source>
+        <translation>das Gerät hat sich noch nicht gemeldet</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>not yet</source>
+        <translation>noch nicht</translation>
     </message>
 </context>
 <context>

@@ -1404,6 +1404,17 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
 </context>
 <context>
+    <name>Mirror</name>
+    <message>
+        <source>The participant&apos;s picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A page is shown</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>MountingPage</name>
     <message>
         <source>Mounting</source>
@@ -1814,6 +1825,14 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>Séance – hapticplayer</translation>
     </message>
     <message>
+        <source>Notes</source>
+        <translation type="unfinished">Remarques</translation>
+    </message>
+    <message>
+        <source>New note</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>A note; Enter keeps it</source>
         <translation>Une note ; Entrée la conserve</translation>
     </message>
@@ -1864,6 +1883,10 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     <message>
         <source>Take the force away (Esc)</source>
         <translation>Retirer la force (Échap)</translation>
+    </message>
+    <message>
+        <source>Volume {n} %, the same for the whole session</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Go on</source>
@@ -2135,6 +2158,14 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>Vérifier que le son s’entend</translation>
     </message>
     <message>
+        <source>Volume</source>
+        <translation type="unfinished">Volume</translation>
+    </message>
+    <message>
+        <source>Stays as it is for the whole session, and is kept with it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The sound is heard</source>
         <translation>Le son s’entend</translation>
     </message>
@@ -2189,6 +2220,34 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     <message>
         <source>Disk</source>
         <translation>Disque</translation>
+    </message>
+    <message>
+        <source>heard</source>
+        <translation>entendu</translation>
+    </message>
+    <message>
+        <source>not confirmed</source>
+        <translation>non confirmé</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>aucun</translation>
+    </message>
+    <message>
+        <source>no device</source>
+        <translation>pas d’appareil</translation>
+    </message>
+    <message>
+        <source>the device has said nothing yet</source>
+        <translation>l’appareil n’a encore rien dit</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>oui</translation>
+    </message>
+    <message>
+        <source>not yet</source>
+        <translation>pas encore</translation>
     </message>
 </context>
 <context>

@@ -107,7 +107,7 @@ def test_no_export_names_a_person_a_machine_or_a_path(study, tmp_path, form):
 
 def test_xdf_is_what_pyxdf_reads(study, tmp_path):
     export_study(study, tmp_path / "out", "xdf")
-    file = next((tmp_path / "out").glob("*.xdf"))
+    file = next((tmp_path / "out").glob("*_run-1.xdf"))
     streams, _ = pyxdf.load_xdf(str(file))
     by_name = {stream["info"]["name"][0]: stream for stream in streams}
     device, markers = by_name["device"], by_name["markers"]
@@ -120,6 +120,15 @@ def test_xdf_is_what_pyxdf_reads(study, tmp_path):
     assert len(markers["time_series"]) == 13
     channel = device["info"]["desc"][0]["channels"][0]["channel"][3]
     assert channel["unit"] == ["newton"]
+
+
+def test_a_session_without_a_device_has_its_markers_in_xdf(study, tmp_path):
+    report = export_study(study, tmp_path / "out", "xdf")
+    code = study.codes()[1]
+    (markers,), _ = pyxdf.load_xdf(str(tmp_path / "out" / f"{code}_markers.xdf"))
+    assert len(markers["time_series"]) == 13  # no beginnings, for it is scripted
+    assert markers["time_series"][-1] == ["session end"]
+    assert any(code in remark and "no record" in remark for remark in report["remarks"])
 
 
 def test_texts_of_any_language_survive_xdf(tmp_path):

@@ -8,7 +8,9 @@ import numpy as np
 import pytest
 
 from hapticplayer.errors import StudyError
-from hapticplayer.study.answers import read_answers
+from hapticplayer.study.answers import collect_answers, read_answers
+from hapticplayer.study.journal import Journal
+from hapticplayer.study.plan import describe_condition
 from hapticplayer.study.reviews import keep_reviewed, text_digest
 from hapticplayer.study.session_folder import State
 from hapticplayer.study.study_folder import (
@@ -201,6 +203,24 @@ def test_texts_are_unreviewed_until_a_person_lets_them_pass(study, manual_clock)
     keep_reviewed(session.folder, [text_digest(session.code, "label@random", "wobbly")])
     found = read_answers(study.folder).open_answers
     assert {a.question for a in found if a.reviewed} == {"label"}
+
+
+def test_who_left_early_and_who_never_was_there_is_told(study, scripted, manual_clock):
+    scripted(study)
+    begin_session(study, "en", {}, manual_clock)
+    left = begin_session(study, "en", {}, manual_clock)
+    journal = Journal(left.folder / "answers.jsonl", manual_clock)
+    condition = describe_condition(left.plan.assignment.conditions[0])
+    name = {"step": "trial-01", "attempt": 1, "condition": condition}
+    journal.append("answers", **name, values=VALUES)
+    journal.close()
+    found = collect_answers(study)
+    assert found.remarks == (
+        "1 of 3 sessions hold no answer to a trial",
+        "1 of 3 sessions have answers and no end",
+        "1 of 3 sessions are simulated: nobody sat there",
+    )
+    assert len(found.participants) == 2
 
 
 def test_dropping_ends_a_session_for_good(study, manual_clock):
