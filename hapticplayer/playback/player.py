@@ -235,10 +235,14 @@ class Player:
             self._media.renew()
             self._ring.follow(self._media.epoch)
 
-    def set_device(self, name: str, record: Path | None = None) -> None:
+    def set_device(
+        self, name: str, record: Path | None = None, *, takes_faults: bool = False
+    ) -> None:
         """Let go of the device and take another one, recording its ticks if asked."""
         self._link.close()
-        self._link = HapticLink(self._clock, name, self._scheduling, record)
+        self._link = HapticLink(
+            self._clock, name, self._scheduling, record, takes_faults=takes_faults
+        )
         if self.source is not None:
             self._link.load(self.source.tracks)
         self._event("device", device=name)
