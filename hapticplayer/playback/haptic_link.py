@@ -9,7 +9,9 @@ from numpy.typing import NDArray
 
 from hapticplayer.clock import Clock
 from hapticplayer.devices import find_device
+from hapticplayer.errors import UsageError
 from hapticplayer.haptics.contract import Cause, Mode
+from hapticplayer.haptics.injection import Fault
 from hapticplayer.haptics.process import HapticsProcess, Health
 from hapticplayer.haptics.scheduling import Scheduling
 from hapticplayer.model import ForceTrack, PlaybackClock, SyncStats
@@ -31,8 +33,10 @@ class HapticLink:
         device: name of the device; "none" runs no process at all.
         scheduling: None for the best there is.
         record: a new file for every tick of the loop; None records nothing.
+        takes_faults: whether `inject` may be called; for simulated devices only.
 
     Raises:
+        UsageError: when a real device shall take faults.
         InputError: when the record cannot be created.
     """
 
@@ -42,6 +46,8 @@ class HapticLink:
         device: str,
         scheduling: Scheduling | None = None,
         record: Path | None = None,
+        *,
+        takes_faults: bool = False,
     ) -> None:
         self.device = device
         self.history = TickHistory()
@@ -60,7 +66,11 @@ class HapticLink:
         if device != NO_DEVICE:
             self._capabilities = find_device(device).capabilities
             self._process = HapticsProcess(
-                clock, device, scheduling=scheduling, record=record
+                clock,
+                device,
+                scheduling=scheduling,
+                record=record,
+                takes_faults=takes_faults,
             )
 
     @property
@@ -122,6 +132,17 @@ class HapticLink:
         """Let the force come back."""
         if self._process:
             self._process.rearm()
+
+    @property
+    def takes_faults(self) -> bool:
+        """Whether `inject` may be called."""
+        return self._process is not None and self._process.takes_faults
+
+    def inject(self, fault: Fault) -> float:
+        """Make a fault happen; see `HapticsProcess.inject`."""
+        if self._process is None:
+            raise UsageError("there is no device that could have a fault")
+        return self._process.inject(fault)
 
     def poll(self, log: PlaybackLog | None) -> bool:
         """Read what the process has done since; False when it has just died."""

@@ -206,7 +206,9 @@ class Player:
             self._media.renew()
             self._sound.ring.follow(self._media.epoch)
 
-    def set_device(self, name: str, record: Path | None = None) -> None:
+    def set_device(
+        self, name: str, record: Path | None = None, *, takes_faults: bool = False
+    ) -> None:
         """Let go of the device and take another one, recording its ticks if asked.
 
         Waits for the old one only where both are hardware.
@@ -214,7 +216,9 @@ class Player:
         self._farewells.begin(self._link)
         if is_hardware(name):
             self.wait_released()
-        self._link = HapticLink(self._clock, name, self._scheduling, record)
+        self._link = HapticLink(
+            self._clock, name, self._scheduling, record, takes_faults=takes_faults
+        )
         if self.source is not None:
             self._link.load(self.source.tracks)
         self._event("device", device=name)
