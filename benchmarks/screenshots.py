@@ -19,6 +19,7 @@ from PySide6.QtWidgets import QApplication, QWidget
 from app.bridge import languages
 from app.bridge.settings import Settings
 from app.player.application import make_application
+from app.player.fault_panel import FaultPanel
 from app.player.help import about_dialog
 from app.player.import_dialog import ImportDialog
 from app.player.keys_dialog import KeysDialog
@@ -116,6 +117,7 @@ def _dialogs(
         ("keyboard", lambda: KeysDialog(settings, window)),
         ("about", lambda: about_dialog(window)),
         ("set-up", lambda: _homing(window)),
+        ("faults", lambda: FaultPanel(SystemClock(), window.session, window)),
     ]
 
 

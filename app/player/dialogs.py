@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QDialog, QFileDialog, QWidget
 
 from app.bridge.settings import Settings
 from app.player.device_page import DevicePage
+from app.player.fault_panel import FaultPanel
 from app.player.files import (
     file_dialog,
     folder_dialog,
@@ -112,6 +113,12 @@ class Dialogs(QObject):
         dialog.finished.connect(lambda _: self._session.choose_device(device))
         dialog.homing_wanted.connect(lambda: self.set_up(clock))
         dialog.open()
+
+    def faults(self, clock: Clock) -> None:
+        """Show the panel that makes faults happen to the simulated device."""
+        shown = self._window.findChild(FaultPanel)
+        panel = shown or FaultPanel(clock, self._session, self._window)
+        panel.show()
 
     def show(self, make: Callable[[QWidget], QDialog]) -> None:
         """Show one of the dialogs that only tell something."""
