@@ -189,6 +189,7 @@ class FaultPanel(QDialog):
             zero = "\u2013" if found.zero_s is None else f"{1e3 * found.zero_s:.0f}"
             texts = (rule_text(found.cause), f"{1e3 * found.reaction_s:.0f}", zero)
             for column, text in enumerate(texts, start=1):
-                self.table.item(self.table.rowCount() - rows, column).setText(text)
+                row = self.table.rowCount() - rows  # newer ones stand above it
+                self.table.setItem(row, column, QTableWidgetItem(text))
         if self._clock.now_s() > at_s + FOLLOWED_S:
             self._followed = None
