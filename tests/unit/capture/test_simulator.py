@@ -316,8 +316,10 @@ def test_two_painters_make_the_clip_that_one_makes(
     assert (two.frame_count, two.duration_s) == (one.frame_count, one.duration_s)
     pictures = decoded(tmp_path / "one.mp4"), decoded(tmp_path / "two.mp4")
     apart = np.abs(pictures[0] - pictures[1]).mean(axis=(1, 2, 3))
-    change = np.abs(np.diff(pictures[0], axis=0)).mean(axis=(1, 2, 3))
-    assert apart.max() < 0.25 * np.median(change)  # coded apart, drawn alike
+    assert apart.max() < 4.0  # grey levels: coded apart
+    for k in range(1, 49):  # and drawn alike: no picture is lost or comes twice
+        near = np.abs(pictures[0][k] - pictures[1][k - 1 : k + 2]).mean(axis=(1, 2, 3))
+        assert np.argmin(near) == 1
     with VideoDecoder(tmp_path / "two.mp4") as video:
         times_s = [frame.pts_s for frame in video.frames()]
     np.testing.assert_allclose(np.diff(times_s), 0.2, atol=1e-6)
