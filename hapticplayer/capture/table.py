@@ -19,14 +19,12 @@ from typing import IO
 import numpy as np
 
 from hapticplayer.capture.limits import MAX_CSV_BYTES, MAX_CSV_ROWS, MAX_LINE_BYTES
-from hapticplayer.capture.whole_rows import whole_rows
 from hapticplayer.errors import InputError
 from hapticplayer.media.files import resolve_regular
 from hapticplayer.model.arrays import Floats
 
 TIME = "time_s"
 
-_BLOCK_BYTES = 1 << 22
 _HOLE = re.compile(r"(^|,)\s*(?=,|$)")
 
 
@@ -86,9 +84,7 @@ def read_table(path: str | os.PathLike[str], layout: Layout) -> Table:
         )
     with _text_errors(file), file.open(encoding="utf-8-sig") as lines:
         columns = _read_header(lines, layout, file)
-        values = _plain(file, len(columns))
-        if values is None:
-            values = _parse(_short_lines(lines), len(columns))
+        values = _parse(_short_lines(lines), len(columns))
         if values is None and layout.has_holes:
             _rewind(lines)
             values = _parse(_without_holes(lines), len(columns))
@@ -167,39 +163,6 @@ def _what_is_wrong(line: str, names: tuple[str, ...], layout: Layout) -> str:
     ):
         return "the columns are in another order"
     return f"the header is {line.strip()[:80]!r}"
-
-
-def _plain(file: Path, width: int) -> Floats | None:
-    """Return the numbers of a file that holds nothing else, or None."""
-    parts: list[Floats] = []
-    rest, count = b"", 0
-    with file.open("rb") as stream:
-        stream.readline(MAX_LINE_BYTES)
-        while content := stream.read(_BLOCK_BYTES):
-            whole, newline, rest = (rest + content).rpartition(b"\n")
-            if not newline:
-                return None  # a line without an end
-            found = whole_rows((whole + newline).replace(b"\r", b""), width)
-            if found is None or (count := count + len(found)) > MAX_CSV_ROWS:
-                return None
-            parts.append(found)
-    if rest.strip():
-        found = whole_rows(rest.replace(b"\r", b"") + b"\n", width)
-        if found is None:
-            return None
-        parts.append(found)
-    return joined(parts, width) if parts else None
-
-
-def joined(parts: list[Floats], width: int) -> Floats:
-    """Return all parts in one array; each is given up as soon as it is copied."""
-    values = np.empty((sum(map(len, parts)), width))
-    end = len(values)
-    while parts:
-        part = parts.pop()
-        values[end - len(part) : end] = part
-        end -= len(part)
-    return values
 
 
 def _parse(lines: Iterable[str], width: int) -> Floats | None:

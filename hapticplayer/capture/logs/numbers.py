@@ -15,8 +15,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hapticplayer.capture.limits import MAX_CSV_ROWS, MAX_LINE_BYTES
-from hapticplayer.capture.table import joined
-from hapticplayer.capture.whole_rows import whole_integers, whole_rows
 from hapticplayer.errors import InputError
 from hapticplayer.model.arrays import Floats
 
@@ -94,7 +92,7 @@ def read_numbers(stream: BinaryIO, shape: Shape, where: str) -> Numbers:
     """
     state = _State(shape)
     parts = [_parse(chunk, state, where) for chunk in _chunks(stream, state, where)]
-    values = joined(parts, len(shape.columns))
+    values = _joined(parts, len(shape.columns))
     if len(values) < 2 or state.damaged > MAX_DAMAGED * len(values):
         damaged = f" and {state.damaged} damaged lines"
         raise InputError(
@@ -104,6 +102,17 @@ def read_numbers(stream: BinaryIO, shape: Shape, where: str) -> Numbers:
             remedy="export the log again or choose another one",
         )
     return Numbers(values, state.origin or 0, state.damaged, state.first_damaged)
+
+
+def _joined(parts: list[Floats], columns: int) -> Floats:
+    """Return all parts in one array; each is given up as soon as it is copied."""
+    values = np.empty((sum(map(len, parts)), columns))
+    end = len(values)
+    while parts:
+        part = parts.pop()
+        values[end - len(part) : end] = part
+        end -= len(part)
+    return values
 
 
 def _chunks(stream: BinaryIO, state: _State, where: str) -> Iterator[bytes]:
@@ -136,9 +145,7 @@ def _parse(chunk: bytes, state: _State, where: str) -> Floats:
     if shape.decimal == ",":
         chunk = chunk.replace(b",", b".")
     lines = chunk.count(b"\n") + (not chunk.endswith(b"\n"))
-    values = _parse_plain(chunk, state)
-    if values is None:
-        values = _parse_whole(chunk, state)
+    values = _parse_whole(chunk, state)
     if values is None:
         values = _parse_lines(chunk, state)
     state.line += lines
@@ -149,24 +156,6 @@ def _parse(chunk: bytes, state: _State, where: str) -> Floats:
             where=where,
             remedy="cut the log into parts",
         )
-    return values
-
-
-def _parse_plain(chunk: bytes, state: _State) -> Floats | None:
-    """Return all rows of a chunk that is nothing but numbers, or None."""
-    shape = state.shape
-    block = chunk if chunk.endswith(b"\n") else chunk + b"\n"
-    found = whole_rows(block, shape.width, shape.separator)
-    if found is None or len(found) != block.count(b"\n"):
-        return None
-    values = found[:, list(shape.columns)]
-    if shape.integer is not None:
-        exact = whole_integers(block, shape.width, shape.integer, shape.separator)
-        if exact is None:
-            return None
-        if state.origin is None:
-            state.origin = int(exact[0])
-        values[:, shape.columns.index(shape.integer)] = exact - np.int64(state.origin)
     return values
 
 
