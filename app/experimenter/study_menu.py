@@ -6,7 +6,6 @@ from pathlib import Path
 from PySide6.QtCore import QCoreApplication, QObject, Signal
 from PySide6.QtWidgets import QFileDialog, QInputDialog, QMainWindow
 
-from app.experimenter.analysis_window import AnalysisWindow
 from app.experimenter.study_editor import StudyEditor
 from app.experimenter.study_process import StudyProcess
 from hapticplayer.clock import Clock
@@ -108,6 +107,9 @@ class StudyMenu(QObject):
             self._try(lambda: self._open_report(folder))
 
     def _open_report(self, folder: Path) -> None:
+        # loads scipy and its kin: half of the time that the window takes to start
+        from app.experimenter.analysis_window import AnalysisWindow
+
         AnalysisWindow(open_study(folder), self._clock, self._window).begin()
 
     def take_over(self, other: "StudyMenu") -> None:
@@ -121,7 +123,7 @@ class StudyMenu(QObject):
 
     def close(self) -> None:
         """Close the reports."""
-        for report in self._window.findChildren(AnalysisWindow):
+        for report in self._window.findChildren(QMainWindow):
             report.close()
 
     def _ask(self) -> Path | None:
