@@ -401,8 +401,6 @@ class Player:
         if self._media.source is not self._led_by:
             self._led_by = self._media.source
             self._event("clock", source=self._led_by.value)
-            if self._sound.is_wanted and self._led_by is ClockSource.MONOTONIC:
-                self.told.append("the sound was lost; picture and force go on")
 
     def _is_ready(self, feeder: VideoFeeder, now_s: float) -> bool:
         has_picture = feeder.peek(1) is not None or feeder.is_at_end
@@ -416,6 +414,8 @@ class Player:
             self.told.append(NO_OUTPUT)
         elif happened:
             self._event(happened)
+            if happened == "sound_lost":
+                self.told.append("the sound was lost; picture and force go on")
             if self.phase is Phase.STARTING:
                 self.phase = Phase.BUFFERING  # what was begun is not heard
 
