@@ -7,7 +7,7 @@ text that nobody has reviewed.
 from pathlib import Path
 from typing import Any
 
-from hapticplayer.errors import UsageError
+from hapticplayer.errors import StudyError, UsageError
 from hapticplayer.interchange.bids import write_bids
 from hapticplayer.interchange.session_data import (
     Marker,
@@ -41,11 +41,15 @@ def export_study(study: Study, target: Path, form: str) -> dict[str, Any]:
 
     Raises:
         UsageError: for another format.
-        StudyError: when it cannot be written; nothing is left then.
+        StudyError: when there are no answers, or it cannot be written; nothing is left then.
     """
     if form not in FORMATS:
         raise UsageError(f"there is no format {form!r}; there is {', '.join(FORMATS)}")
     answers = collect_answers(study)
+    if not answers.participants:
+        raise StudyError(
+            "has no answers yet", where=study.folder.name, remedy="run a participant"
+        )
     known = {participant.code for participant in answers.participants}
     sessions = [s for s in study.sessions()[0] if s.code in known]
     remarks = list(answers.remarks)

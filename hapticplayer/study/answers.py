@@ -92,6 +92,7 @@ class Participant:
         handedness: the definition's word for it.
         used_device_before: whether the device was known.
         complete: whether the session came to its end.
+        simulated: whether nobody sat there.
     """
 
     code: str
@@ -100,6 +101,7 @@ class Participant:
     handedness: str | None
     used_device_before: bool | None
     complete: bool = True
+    simulated: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -169,12 +171,13 @@ def _about(sessions: list[StoredSession]) -> Iterator[str]:
         yield f"{empty} of {len(sessions)} sessions hold no answer to a trial"
     if early := sum(s.state is not State.COMPLETE for s in answered):
         yield f"{early} of {len(sessions)} sessions have answers and no end"
-    scripted = sum(
-        any(r.kind == "begin" and "scripted" in r.content for r in s.records.intact)
-        for s in sessions
-    )
-    if scripted:
+    if scripted := sum(map(_is_simulated, sessions)):
         yield f"{scripted} of {len(sessions)} sessions are simulated: nobody sat there"
+
+
+def _is_simulated(session: StoredSession) -> bool:
+    begun = [r for r in session.records.intact if r.kind == "begin"]
+    return any("scripted" in record.content for record in begun)
 
 
 class _Collector:
@@ -212,6 +215,7 @@ class _Collector:
             handedness=_of_type(sheet.get("handedness"), str),
             used_device_before=_of_type(sheet.get("used_device_before"), bool),
             complete=self._session.state is State.COMPLETE,
+            simulated=_is_simulated(self._session),
         )
 
     def ratings(self) -> Iterator[Rating]:

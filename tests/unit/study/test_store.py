@@ -160,14 +160,35 @@ def test_reports_that_still_name_a_deleted_participant_are_told(study, scripted)
     assert delete_participant(study, code) == ["report.html"]
 
 
+def test_a_session_damaged_beyond_use_is_deleted_all_the_same(study, scripted):
+    code = scripted(study)
+    folder = study.session_folder(code)
+    (folder / "answers.jsonl").unlink()
+    (folder / "session.json").write_bytes(b"{")
+    assert delete_participant(study, code) == []
+    assert not folder.exists()
+    assert study.deleted_count() == 1
+
+
+def test_what_cannot_be_read_is_named_without_the_path_of_the_study(study, scripted):
+    code = scripted(study)
+    (study.session_folder(code) / "answers.jsonl").unlink()
+    (remark,) = read_answers(study.folder).remarks
+    assert code in remark
+    assert "answers.jsonl" in remark
+    assert str(study.folder) not in remark
+
+
 def test_a_participant_who_sits_there_is_not_deleted(study, manual_clock):
     from hapticplayer.study.journal import Journal
 
     session = begin_session(study, "en", {}, manual_clock)
+    keep_consent(study, session.code, given=True, text="yes?", language="en")
     journal = Journal(session.folder / "answers.jsonl", manual_clock)
     with pytest.raises(StudyError, match="another window"):
         delete_participant(study, session.code)
     journal.close()
+    assert (study.folder / "consents" / f"{session.code}.json").is_file()
     assert study.codes() == [session.code]
 
 
