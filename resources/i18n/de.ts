@@ -1404,6 +1404,17 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     </message>
 </context>
 <context>
+    <name>Mirror</name>
+    <message>
+        <source>The participant&apos;s picture</source>
+        <translation>Das Bild der teilnehmenden Person</translation>
+    </message>
+    <message>
+        <source>A page is shown</source>
+        <translation>Eine Seite wird gezeigt</translation>
+    </message>
+</context>
+<context>
     <name>MountingPage</name>
     <message>
         <source>Mounting</source>
@@ -1814,6 +1825,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>Sitzung – hapticplayer</translation>
     </message>
     <message>
+        <source>Notes</source>
+        <translation>Notizen</translation>
+    </message>
+    <message>
+        <source>New note</source>
+        <translation>Neue Notiz</translation>
+    </message>
+    <message>
         <source>A note; Enter keeps it</source>
         <translation>Eine Notiz; Eingabe behält sie</translation>
     </message>
@@ -1864,6 +1883,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     <message>
         <source>Take the force away (Esc)</source>
         <translation>Die Kraft wegnehmen (Esc)</translation>
+    </message>
+    <message>
+        <source>Volume {n} %, the same for the whole session</source>
+        <translation>Lautstärke {n} %, für die ganze Sitzung gleich</translation>
     </message>
     <message>
         <source>Go on</source>
@@ -2133,6 +2156,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     <message>
         <source>Listen whether the sound is heard</source>
         <translation>Hören, ob der Ton ankommt</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Lautstärke</translation>
+    </message>
+    <message>
+        <source>Stays as it is for the whole session, and is kept with it</source>
+        <translation>Bleibt für die ganze Sitzung gleich und wird mit ihr gespeichert</translation>
     </message>
     <message>
         <source>The sound is heard</source>

@@ -1404,6 +1404,17 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
 </context>
 <context>
+    <name>Mirror</name>
+    <message>
+        <source>The participant&apos;s picture</source>
+        <translation>L’image du participant</translation>
+    </message>
+    <message>
+        <source>A page is shown</source>
+        <translation>Une page est affichée</translation>
+    </message>
+</context>
+<context>
     <name>MountingPage</name>
     <message>
         <source>Mounting</source>
@@ -1814,6 +1825,14 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>Séance – hapticplayer</translation>
     </message>
     <message>
+        <source>Notes</source>
+        <translation>Notes</translation>
+    </message>
+    <message>
+        <source>New note</source>
+        <translation>Nouvelle note</translation>
+    </message>
+    <message>
         <source>A note; Enter keeps it</source>
         <translation>Une note ; Entrée la conserve</translation>
     </message>
@@ -1864,6 +1883,10 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     <message>
         <source>Take the force away (Esc)</source>
         <translation>Retirer la force (Échap)</translation>
+    </message>
+    <message>
+        <source>Volume {n} %, the same for the whole session</source>
+        <translation>Volume {n} %, le même pour toute la séance</translation>
     </message>
     <message>
         <source>Go on</source>
@@ -2133,6 +2156,14 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     <message>
         <source>Listen whether the sound is heard</source>
         <translation>Vérifier que le son s’entend</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volume</translation>
+    </message>
+    <message>
+        <source>Stays as it is for the whole session, and is kept with it</source>
+        <translation>Reste le même pendant toute la séance et est enregistré avec elle</translation>
     </message>
     <message>
         <source>The sound is heard</source>
