@@ -115,8 +115,9 @@ QPushButton[role="stop"]:hover {{ background: {STOP_HOVER}; }}
 QPushButton[role="rearm"] {{ background: #8a5a00; border-color: #b37800;
   color: #ffffff; font-weight: bold; }}
 QPushButton[role="rearm"]:hover {{ background: #a06a00; }}
-QPushButton[role="stop"]:focus, QPushButton[role="rearm"]:focus,
-QPushButton[role="primary"]:focus {{ border: 2px solid {FOCUS}; }}
+QPushButton[role="stop"]:focus, QPushButton[role="rearm"]:focus {{
+  border: 2px solid {FOCUS}; }}
+QPushButton[role="primary"]:focus {{ border: 2px solid {TEXT}; }}
 QPushButton[role="tool"] {{ padding: 4px; }}
 QPushButton[role="tool"]:focus {{ padding: 3px; }}
 QPushButton[role="small"] {{ padding: 0; min-height: 0; background: transparent; }}
