@@ -1,6 +1,7 @@
 """A picture of every page in every language, in every look, without a screen.
 
     python -m benchmarks.screenshots -o FOLDER [--languages en de] [--looks dark light]
+        [--scale 2]
 
 The clip stands at one moment and nothing moves, so that two runs are alike.
 """
@@ -50,6 +51,7 @@ def main() -> int:
     """Make the pictures that are asked for, and print their names."""
     options = _options()
     options.output.mkdir(parents=True, exist_ok=True)
+    os.environ["QT_SCALE_FACTOR"] = str(options.scale)
     application = make_application()
     source = open_source(demo_folder(progress=lambda _share, _step: None))
     for language in options.languages:
@@ -71,6 +73,7 @@ def _options() -> argparse.Namespace:
     spoken, looks = list(languages.NAMES), list(theme.LOOKS)
     parser.add_argument("--languages", nargs="+", choices=spoken, default=spoken)
     parser.add_argument("--looks", nargs="+", choices=looks, default=looks)
+    parser.add_argument("--scale", type=float, default=1.0, help="1 to 3")
     return parser.parse_args()
 
 

@@ -4,8 +4,8 @@
 
 A timer of 5 ms beats in the real window, on a screen of its own with sound and the
 simulated device. A gap is the time between two beats; where one is long, the tour's step
-and the functions the window's thread was in are told, and how long that thread computed
-or waited for a core that other programs had.
+and the functions the window's thread was in are told. Judged is the gap without the time
+in which that thread could have run but other programs had the cores.
 """
 
 import argparse
@@ -29,38 +29,47 @@ LONGEST_S = 900.0
 
 def judge(seen: dict[str, Any]) -> dict[str, Any]:
     """Return the figures of the gaps."""
-    gaps_ms = 1e3 * np.array(seen.pop("gaps_s"))
+    gaps_ms, long = 1e3 * np.array(seen.pop("gaps_s")), seen.pop("long_gaps")
     worst: dict[str, dict[str, Any]] = {}
-    for gap in seen.pop("long_gaps"):
+    for gap in long:
+        gap["own_s"] = max(0.0, gap["gap_s"] - gap["waited_for_a_core_s"])
         name = gap["script"] or "begin"
-        if gap["gap_s"] > worst.get(name, {"gap_s": 0.0})["gap_s"]:
+        if gap["own_s"] > worst.get(name, {"own_s": 0.0})["own_s"]:
             worst[name] = gap
-    quantiles = (("p50", 0.5), ("p99", 0.99), ("p999", 0.999), ("max", 1.0))
+    short_ms = gaps_ms[gaps_ms <= 1e3 * seen["long_s"]]
+    own_ms = np.append(short_ms, [1e3 * gap["own_s"] for gap in long])
     return {
         **seen,
         "beats": len(gaps_ms),
-        "gap_ms": {name: float(np.quantile(gaps_ms, q)) for name, q in quantiles},
-        "above_limit": int(np.count_nonzero(gaps_ms > LIMIT_MS)),
-        "worst": sorted(worst.items(), key=lambda item: -item[1]["gap_s"]),
+        "gap_ms": _quantiles(gaps_ms),
+        "own_ms": _quantiles(own_ms),
+        "above_limit": int(np.count_nonzero(own_ms > LIMIT_MS)),
+        "worst": sorted(worst.items(), key=lambda item: -item[1]["own_s"]),
         "load_average": os.getloadavg(),
     }
+
+
+def _quantiles(gaps_ms: Any) -> dict[str, float]:
+    quantiles = (("p50", 0.5), ("p99", 0.99), ("p999", 0.999), ("max", 1.0))
+    return {name: float(np.quantile(gaps_ms, q)) for name, q in quantiles}
 
 
 def report(figures: dict[str, Any]) -> None:
     """Print gaps, the worst steps, and where these were."""
     print(f"{sum(figures['things'].values())} things, {figures['beats']} beats")
-    gap_ms = figures["gap_ms"]
-    print("gap, ms: " + ", ".join(f"{k} {v:.1f}" for k, v in gap_ms.items()))
-    print(f"{figures['above_limit']} gaps above {LIMIT_MS:.0f} ms")
+    for name, text in (("gap_ms", "gap"), ("own_ms", "without waiting for a core")):
+        values = ", ".join(f"{k} {v:.1f}" for k, v in figures[name].items())
+        print(f"{text}, ms: {values}")
+    print(f"{figures['above_limit']} of our own gaps are above {LIMIT_MS:.0f} ms")
     rows = [
         [
             name,
-            *(1e3 * gap[k] for k in ("gap_s", "computed_s", "waited_for_a_core_s")),
+            *(1e3 * gap[k] for k in ("own_s", "gap_s", "computed_s")),
             where(gap["stacks"]),
         ]
         for name, gap in figures["worst"][:SHOWN]
     ]
-    print(table(["step", "gap ms", "computed", "waited", "in"], rows))
+    print(table(["step", "own ms", "gap", "computed", "in"], rows))
     for text in figures["failed"]:
         print(f"failed: {text}")
 
@@ -103,7 +112,7 @@ def main() -> int:
     report(figures)
     if not options.only:
         print(f"saved {save('window', figures).name}")
-    return 0 if figures["gap_ms"]["p999"] <= LIMIT_MS else 1
+    return 0 if figures["own_ms"]["p999"] <= LIMIT_MS else 1
 
 
 if __name__ == "__main__":

@@ -323,6 +323,7 @@ def use(options: argparse.Namespace) -> int:
         "things": tour.done,
         "told": tour.told,
         "failed": tour.failed,
+        "long_s": LONG_S,
         "gaps_s": beats.gaps_s,
         "long_gaps": beats.long,
     }

@@ -15,6 +15,7 @@ from PySide6.QtDBus import (
 )
 
 from app.bridge.idle import has_session_bus
+from app.bridge.int64 import int64
 from hapticplayer.playback.player import FASTEST, SLOWEST, Player
 
 NAME = "org.mpris.MediaPlayer2.hapticplayer"
@@ -91,6 +92,8 @@ class Mpris(QObject):
         changed = {n: v for n, v in now.items() if self._told.get(n) != key[n]}
         if changed:
             self._told = key
+            if "Metadata" in changed:
+                changed["Metadata"] = sent(self.metadata())
             message = QDBusMessage.createSignal(PATH, _PROPERTIES, "PropertiesChanged")
             message.setArguments([PLAYER, changed, []])
             self._bus.send(message)
@@ -111,6 +114,12 @@ class Mpris(QObject):
             "mpris:length": round(_US * source.clip.duration_s),
             "xesam:title": source.title,
         }
+
+
+def sent(metadata: dict[str, Any]) -> dict[str, Any]:
+    """Return what a clip is, in the types of the protocol."""
+    length = {n: int64(v) for n, v in metadata.items() if n == "mpris:length"}
+    return {**metadata, **length}
 
 
 @_info({"D-Bus Interface": ROOT})
@@ -160,7 +169,7 @@ class _Player(QDBusAbstractAdaptor):
         return self._player.speed
 
     PlaybackStatus = _property(str, lambda self: self._mpris.status())
-    Metadata = _property("QVariantMap", lambda self: self._mpris.metadata())
+    Metadata = _property("QVariantMap", lambda self: sent(self._mpris.metadata()))
     Position = _property("qlonglong", _position_us)
     Rate = _property(float, _speed, lambda self, speed: self._player.set_speed(speed))
     MinimumRate = _property(float, lambda _: SLOWEST)

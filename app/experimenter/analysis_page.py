@@ -1,33 +1,26 @@
 """The page that shows the report of a study."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from pathlib import Path
 
 from PySide6.QtCore import QTimer, QUrl
 from PySide6.QtGui import QImage, QTextDocument
 from PySide6.QtWidgets import QHBoxLayout, QTextBrowser, QVBoxLayout, QWidget
 
+from app.bridge.child import in_child
 from app.bridge.jobs import Jobs, Progress
+from app.experimenter.report_work import SCHEME, Report, made_report, written_report
 from app.player.files import folder_dialog
 from app.widgets import theme
 from app.widgets.buttons import text_button
 from app.widgets.job_bar import JobBar
 from app.widgets.labels import ElidedLabel
 from hapticplayer.clock import Clock
-from hapticplayer.study.analysis.figures import DPI, pngs
-from hapticplayer.study.analysis.html import body
-from hapticplayer.study.analysis.parts import (
-    StudyAnalysis,
-    analyse_study,
-    parts_of,
-)
-from hapticplayer.study.analysis.report import write_report
+from hapticplayer.study.analysis.figures import DPI
 from hapticplayer.study.answers import Answers
 
 _POLL_MS = 50
 _SCREEN_DPI = 100.0
-_SCHEME = "figure:"
 _STYLE = f"""
 h2 {{ color: {theme.ACCENT}; }}
 table {{ margin-top: 4px; margin-bottom: 14px; }}
@@ -36,15 +29,6 @@ td {{ padding: 1px 9px; text-align: right; }}
 caption {{ font-weight: bold; }}
 img {{ max-width: 100%; }}
 """
-
-
-@dataclass(frozen=True, slots=True)
-class _Report:
-    """What a job hands over: text and pictures, ready to be shown."""
-
-    analysis: StudyAnalysis
-    html: str
-    pictures: dict[str, bytes]
 
 
 class AnalysisPage(QWidget):
@@ -66,7 +50,7 @@ class AnalysisPage(QWidget):
     ) -> None:
         super().__init__()
         self._title, self._read, self._clock = title, read, clock
-        self._report: _Report | None = None
+        self._report: Report | None = None
         self.jobs = Jobs(failed)
         self.job_bar = JobBar()
         self.job_bar.cancelled.connect(self.jobs.cancel)
@@ -104,8 +88,7 @@ class AnalysisPage(QWidget):
         analysis, title = self._report.analysis, self._title
 
         def work(progress: Progress) -> Path:
-            write_report(analysis, target, title, progress)
-            return target
+            return in_child(written_report, analysis, target, title, progress=progress)
 
         self.jobs.run(self.tr("Writing the report"), work, self._saved)
         self._begin()
@@ -129,19 +112,12 @@ class AnalysisPage(QWidget):
         column.addWidget(self.job_bar)
         column.addWidget(self.text, 1)
 
-    def _work(self, progress: Progress) -> _Report:
+    def _work(self, progress: Progress) -> Report:
         progress(0.0, "reading the answers")
         answers = self._read()
-        found = analyse_study(
-            answers, progress=lambda fraction, step: progress(0.7 * fraction, step)
-        )
-        progress(0.7, "drawing the figures")
-        parts = parts_of(found)
-        pictures = pngs(parts.draw())
-        html = body(parts.blocks, lambda name: _SCHEME + name)
-        return _Report(found, html, pictures)
+        return in_child(made_report, answers, progress=progress)
 
-    def _show(self, report: _Report) -> None:
+    def _show(self, report: Report) -> None:
         self._report = report
         document = self.text.document()
         document.clear()
@@ -149,7 +125,7 @@ class AnalysisPage(QWidget):
             image = QImage.fromData(png)
             image.setDevicePixelRatio(DPI / _SCREEN_DPI)
             kind = QTextDocument.ResourceType.ImageResource
-            document.addResource(kind.value, QUrl(_SCHEME + name), image)
+            document.addResource(kind.value, QUrl(SCHEME + name), image)
         self.text.setHtml(report.html)
 
     def _saved(self, target: Path) -> None:

@@ -41,6 +41,7 @@ from hapticplayer.sequence.library import Entry
 _LEAST_GAIN, _LARGEST_GAIN, _STEPS = 0.05, 1.0, 95
 _OWN = [feedback.value for feedback in Feedback]
 _SETTLE_POLLS = 8
+_LEAST_SLIDER_PX = 80
 
 Run = Callable[[str, Callable[[Progress], Any], Callable[[Any], None]], None]
 
@@ -79,11 +80,13 @@ class LibraryDetails(QWidget):
         self.tracks.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
         self.tracks.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
         header = self.tracks.horizontalHeader()
-        header.setSectionResizeMode(0, QHeaderView.ResizeMode.Stretch)
+        header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
+        header.setStretchLastSection(True)
         self.tracks.itemSelectionChanged.connect(self._show_buttons)
         self.gain = QSlider(Qt.Orientation.Horizontal)
         self.gain.setAccessibleName(self.tr("Gain"))
         self.gain.setRange(0, _STEPS)
+        self.gain.setMinimumWidth(_LEAST_SLIDER_PX)
         self.number = QDoubleSpinBox()
         self.number.setAccessibleName(self.tr("Gain"))
         self.number.setRange(_LEAST_GAIN, _LARGEST_GAIN)
@@ -117,16 +120,19 @@ class LibraryDetails(QWidget):
             self.tr("Make the realistic and the random track anew"),
         )
         self.apply.clicked.connect(self._set_gain)
-        gain = QHBoxLayout()
+        gain, last = QHBoxLayout(), QHBoxLayout()
         caption = QLabel(self.tr("Gain"))
-        for widget in (caption, self.gain, self.number, self.apply):
+        for widget in (caption, self.gain, self.number):
             gain.addWidget(widget, 1 if widget is self.gain else 0)
+        last.addStretch(1)
+        last.addWidget(self.apply)
         column = QVBoxLayout(self)
         column.setContentsMargins(8, 0, 0, 0)
         column.addWidget(self.report, 3)
         column.addWidget(self.tracks, 2)
         column.addLayout(tracks)
         column.addLayout(gain)
+        column.addLayout(last)
         column.addWidget(self.preview)
         column.addWidget(self.problem)
 

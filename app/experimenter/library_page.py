@@ -354,11 +354,10 @@ class LibraryPage(QDialog):
                 self._tell("")
             self.stop.hide()
             self._on_chosen()
-            if self._is_leaving:
-                super().reject()
-                return
         self.details.poll()
         self._poll_pictures()
+        if self._is_leaving and not self._is_working:
+            super().reject()
 
     def _poll_pictures(self) -> None:
         """Take over pictures of clips, and ask for those that are missing."""
@@ -393,12 +392,19 @@ class LibraryPage(QDialog):
 
     def reject(self) -> None:
         """Close; work that runs is stopped first, without holding the window up."""
-        if self.jobs.is_busy:
+        if self._is_working:
             self._is_leaving = True
             self.jobs.cancel()
+            if self._job is not None:
+                self._job.cancel()
             self.hide()
         else:
             super().reject()
+
+    @property
+    def _is_working(self) -> bool:
+        is_looking = self._job is not None and not self._job.is_done
+        return self.jobs.is_busy or is_looking
 
     def done(self, result: int) -> None:
         """Let nothing run on."""

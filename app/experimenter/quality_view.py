@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from html import escape
 
 from PySide6.QtCore import QCoreApplication
+from PySide6.QtGui import QTextOption
 from PySide6.QtWidgets import QTextBrowser
 
 from app.widgets import theme
@@ -19,6 +20,7 @@ class QualityView(QTextBrowser):
     def __init__(self) -> None:
         super().__init__()
         self.setOpenLinks(False)
+        self.setWordWrapMode(QTextOption.WrapMode.WordWrap)  # never within a word
         self.setAccessibleName(self.tr("Quality report"))
 
     def show_findings(
@@ -105,7 +107,7 @@ def value_of(one: Finding) -> str:
             ms=f"{1e3 * value:.1f}",
             confidence=f"{more['confidence']:.2f}",
             how=_method(str(more["method"])),
-        )
+        ).removesuffix(" ()")  # a simulated camera has nothing to find
     if one.name == "gaps" and more.get("gaps"):
         text = translate("Quality", "{share} of the motion; {count}, the longest {s} s")
         longest = f"{more.get('longest_gap_s') or 0.0:.2f}"

@@ -6,6 +6,7 @@ from pathlib import Path
 from PySide6.QtCore import QCoreApplication, QObject, Signal
 from PySide6.QtWidgets import QFileDialog, QInputDialog, QMainWindow
 
+from app.bridge.settings import Settings
 from app.experimenter.study_editor import StudyEditor
 from app.experimenter.study_process import StudyProcess
 from hapticplayer.clock import Clock
@@ -15,6 +16,9 @@ from hapticplayer.study.session_setup import load_material
 from hapticplayer.study.study_folder import open_study
 
 translate = QCoreApplication.translate
+
+FOLDER = "study_folder"
+"""Name in the settings."""
 
 
 class StudyMenu(QObject):
@@ -28,6 +32,7 @@ class StudyMenu(QObject):
         clock: of the machine.
         report: shows what went wrong.
         release: stops what plays, lets go of the device, and tells its name.
+        settings: keeps where the last study was.
     """
 
     running = Signal(bool)
@@ -38,10 +43,11 @@ class StudyMenu(QObject):
         clock: Clock,
         report: Callable[[HapticPlayerError], None],
         release: Callable[[], str],
+        settings: Settings,
     ) -> None:
         super().__init__(window)
         self._window, self._clock = window, clock
-        self._report, self._release = report, release
+        self._report, self._release, self._settings = report, release, settings
         self.process = StudyProcess(self)
         self.process.ended.connect(self._on_ended)
         menu = window.menuBar().addMenu(translate("StudyMenu", "&Study"))
@@ -56,9 +62,11 @@ class StudyMenu(QObject):
     def new(self) -> None:
         """Ask for a name and a template, and open the editor."""
         title = translate("StudyMenu", "New study")
-        path, _ = QFileDialog.getSaveFileName(self._window, title)
+        before = self._settings.text(FOLDER)
+        path, _ = QFileDialog.getSaveFileName(self._window, title, before)
         if not path:
             return
+        self._settings.keep(FOLDER, str(Path(path).parent))
         template, is_meant = QInputDialog.getItem(
             self._window,
             title,
@@ -128,8 +136,12 @@ class StudyMenu(QObject):
 
     def _ask(self) -> Path | None:
         folder = QFileDialog.getExistingDirectory(
-            self._window, translate("StudyMenu", "Folder of a study")
+            self._window,
+            translate("StudyMenu", "Folder of a study"),
+            self._settings.text(FOLDER),
         )
+        if folder:
+            self._settings.keep(FOLDER, str(Path(folder).parent))
         return Path(folder) if folder else None
 
     def _try(self, action: Callable[[], None]) -> None:

@@ -8,10 +8,12 @@ smallest have capitals of 6 mm.
 from PySide6.QtCore import QSize, Qt, QTimer
 from PySide6.QtGui import QFont, QResizeEvent
 from PySide6.QtWidgets import (
+    QAbstractButton,
     QFrame,
     QLabel,
     QScrollArea,
     QSizePolicy,
+    QSpinBox,
     QVBoxLayout,
     QWidget,
 )
@@ -21,12 +23,14 @@ from app.widgets import theme
 LARGEST, SMALLEST = 22.0, 36.0  # letters are the height divided by these
 STEPS = 7
 SCROLLED = 3  # the step for what has to be scrolled anyway
+TOUCH_PX = 44  # no finger misses it (WCAG 2.2, 2.5.5)
+_HIGH = 2.0  # a button, in letters
 _MARGIN_SHARE = 0.06
 
 STYLE = f"""
 QWidget {{ background: {theme.BACKGROUND}; color: {theme.TEXT}; }}
 QPushButton {{ background: {theme.RAISED}; border: 2px solid {theme.BORDER};
-  border-radius: 10px; padding: 0.35em 1.0em; min-height: 1.45em; }}
+  border-radius: 10px; padding: 0.35em 1.0em; }}
 QPushButton:hover {{ background: {theme.HOVER}; }}
 QPushButton:focus {{ border: 3px solid {theme.FOCUS}; }}
 QPushButton:checked {{ background: #1f5f9e; border: 3px solid {theme.FOCUS};
@@ -35,7 +39,6 @@ QPushButton[role="primary"] {{ background: #1f5f9e; border-color: #2f76bb; }}
 QPushButton[role="primary"]:focus {{ border: 3px solid {theme.FOCUS}; }}
 QSpinBox, QPlainTextEdit {{ background: {theme.PANEL}; border: 2px solid {theme.BORDER};
   border-radius: 8px; padding: 4px; }}
-QSpinBox {{ min-height: 1.7em; }}
 QSpinBox:focus, QPlainTextEdit:focus {{ border: 3px solid {theme.FOCUS}; }}
 QSpinBox::up-button, QSpinBox::down-button {{ width: 2em; }}
 QFrame[role="question"] {{ border: 2px solid transparent; border-radius: 12px; }}
@@ -104,6 +107,8 @@ class FittedPage(QScrollArea):
         self.body.setFont(font)
         for child in self.body.findChildren(QWidget):
             child.setFont(font)
+            if isinstance(child, QAbstractButton | QSpinBox):
+                child.setMinimumHeight(max(TOUCH_PX, round(_HIGH * letters_px)))
         self.column.setSpacing(letters_px // 2)
         self.column.activate()
 

@@ -15,6 +15,8 @@ from hapticplayer import __version__
 
 translate = QCoreApplication.translate
 
+_TEXT_PX = 320
+
 
 def about_dialog(parent: QWidget) -> QDialog:
     """Return a dialog that says what this is."""
@@ -31,7 +33,9 @@ def about_dialog(parent: QWidget) -> QDialog:
     )
     text.setTextFormat(Qt.TextFormat.RichText)
     text.setWordWrap(True)
-    text.setMinimumWidth(320)
+    text.setMinimumWidth(_TEXT_PX)
+    # a dialog asks for the height of its texts at another width than they get
+    text.setMinimumHeight(text.heightForWidth(_TEXT_PX))
     row = QHBoxLayout()
     row.setSpacing(16)
     row.addWidget(picture, 0, Qt.AlignmentFlag.AlignTop)

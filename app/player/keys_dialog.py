@@ -9,6 +9,7 @@ from PySide6.QtWidgets import (
     QHeaderView,
     QKeySequenceEdit,
     QLabel,
+    QLineEdit,
     QTableWidget,
     QTableWidgetItem,
     QVBoxLayout,
@@ -20,6 +21,7 @@ from app.player.keymap import BY_NAME, COMMANDS, KEYS, Command, keys_of, owner_o
 from app.widgets.buttons import text_button
 
 _WIDTH_PX, _HEIGHT_PX = 520, 560
+_FIELD_MARGIN_PX = 36
 _NAME = Qt.ItemDataRole.UserRole
 
 
@@ -42,8 +44,11 @@ class KeysDialog(QDialog):
         self.key.setMaximumSequenceLength(1)
         self.key.setAccessibleName(self.tr("New key"))
         self.key.setToolTip(self.tr("Press the key that the chosen command shall have"))
-        for inner in self.key.findChildren(QWidget):
+        for inner in self.key.findChildren(QLineEdit):
             inner.setAccessibleName(self.key.accessibleName())
+            text = inner.placeholderText()
+            wide = inner.fontMetrics().horizontalAdvance(text) + _FIELD_MARGIN_PX
+            self.key.setMinimumWidth(wide)
         self.assign = text_button(
             self.tr("Use this key"), self.tr("Give the key to the chosen command")
         )

@@ -119,6 +119,7 @@ class PlayerWindow(QMainWindow):
             self.clock,
             self.session.gateway.report,
             self._release_device,
+            self.settings,
         )
         self.stage = QStackedWidget()
         self.stage.addWidget(self.empty_page)

@@ -95,12 +95,12 @@ class ForcePlot(PlayheadPlot):
         span_s = self.new_page(media_s)
         if span_s:
             self.set_lines(_PLANNED, self._planned(*span_s))
-        if history is not self._history:
+        is_other = history is not self._history
+        if is_other:
             self._history, self._trail = history, Trail()
-        self._trail.add(history.since(self._trail.last_tick_s))
-        self.set_lines(
-            _SENT, thin(cut(*self._trail.page(), *self.span.around(media_s)))
-        )
+        has_more = self._trail.add(history.since(self._trail.last_tick_s))
+        if has_more or is_other or span_s:  # ticks are read less often than drawn
+            self.set_lines(_SENT, thin(cut(*self._trail.page(), *self.page_s)))
         self.set_playhead(media_s)
 
     def _planned(self, first_s: float, last_s: float) -> Page:

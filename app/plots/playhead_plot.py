@@ -66,7 +66,7 @@ class PlayheadPlot(pg.PlotWidget):
         self._notice = ""
         self._media_s = 0.0
         self.span = span or ViewSpan()
-        self._page_s = (math.inf, -math.inf)
+        self.page_s = (math.inf, -math.inf)  # what the lines cover
         self._view: Any = self.getPlotItem().getViewBox()
         self._set_up_item(self.getPlotItem())
         self._groups = [self._make_group(width) for width in widths_px]
@@ -116,14 +116,14 @@ class PlayheadPlot(pg.PlotWidget):
     def new_page(self, media_s: float) -> tuple[float, float] | None:
         """Return the span to draw anew, None while the present page covers the view."""
         first_s, last_s = self.span.around(media_s)
-        if self._page_s[0] <= first_s and last_s <= self._page_s[1]:
+        if self.page_s[0] <= first_s and last_s <= self.page_s[1]:
             return None
-        self._page_s = (first_s - PAGE_MARGIN_S, last_s + PAGE_MARGIN_S)
-        return self._page_s
+        self.page_s = (first_s - PAGE_MARGIN_S, last_s + PAGE_MARGIN_S)
+        return self.page_s
 
     def forget_page(self) -> None:
         """Draw the next page whatever the view is."""
-        self._page_s = (math.inf, -math.inf)
+        self.page_s = (math.inf, -math.inf)
 
     def set_playhead(self, media_s: float) -> None:
         """Move the middle of the view to a media time."""

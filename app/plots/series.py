@@ -95,15 +95,15 @@ class Trail:
         self._head = EMPTY
         self.last_tick_s = float("-inf")
 
-    def add(self, ticks: NDArray[Any]) -> None:
-        """Append ticks that are newer than those before.
+    def add(self, ticks: NDArray[Any]) -> bool:
+        """Append ticks that are newer than those before; return whether there are any.
 
         Args:
             ticks: records of TICK, oldest first; those already known are skipped.
         """
         ticks = ticks[ticks["monotonic_s"] > self.last_tick_s]
         if not len(ticks):
-            return
+            return False
         self.last_tick_s = float(ticks["monotonic_s"][-1])
         time_s = np.append(self._rows.time_s, ticks["media_s"])
         values = np.append(self._rows.values, ticks["force_n"], axis=0)
@@ -118,6 +118,7 @@ class Trail:
         rows = np.concatenate([np.arange(start, known), keep]).astype(np.intp)
         self._rows = Page(time_s[rows], values[rows])
         self._head = Page(time_s[-1:], values[-1:])
+        return True
 
     def page(self) -> Page:
         """Return the points, the newest tick last."""

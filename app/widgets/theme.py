@@ -64,6 +64,7 @@ def use(look: str) -> None:
 use(DARK)
 
 _SMALLEST_PT = 10.0
+_WORN = "hapticplayer_look"  # property of the application that wears it
 _ICONS = FOLDER.as_posix()
 
 
@@ -94,7 +95,15 @@ QPushButton:focus, QComboBox:focus, QLineEdit:focus {{
 QAbstractSpinBox QLineEdit, QAbstractSpinBox QLineEdit:focus,
 QAbstractSpinBox QLineEdit:disabled {{
   border: 0; padding: 0 6px; min-height: 0; background: transparent; }}
-QAbstractSpinBox {{ min-height: 28px; }}
+QAbstractSpinBox {{ min-height: 26px; background: {RAISED};
+  border: 1px solid {BORDER}; border-radius: 5px; padding: 1px 1px 1px 7px; }}
+QAbstractSpinBox:focus {{ border: 2px solid {FOCUS}; padding: 0 0 0 6px; }}
+QAbstractSpinBox:disabled {{ color: {DISABLED}; background: {PANEL}; }}
+QAbstractSpinBox::up-button, QAbstractSpinBox::down-button {{ border: 0; width: 20px; }}
+QAbstractSpinBox::up-arrow {{ image: url({_ICONS}/{arrow.replace("down", "up")}.svg);
+  width: 10px; height: 10px; }}
+QAbstractSpinBox::down-arrow {{ image: url({_ICONS}/{arrow}.svg);
+  width: 10px; height: 10px; }}
 QPushButton[role="primary"] {{ background: {PRIMARY}; border-color: {CHOSEN};
   color: {PRIMARY_TEXT}; }}
 QPushButton[role="primary"]:hover {{ background: {CHOSEN}; }}
@@ -106,12 +115,32 @@ QPushButton[role="stop"]:hover {{ background: {STOP_HOVER}; }}
 QPushButton[role="rearm"] {{ background: #8a5a00; border-color: #b37800;
   color: #ffffff; font-weight: bold; }}
 QPushButton[role="rearm"]:hover {{ background: #a06a00; }}
-QPushButton[role="stop"]:focus, QPushButton[role="rearm"]:focus,
-QPushButton[role="primary"]:focus {{ border: 2px solid {FOCUS}; }}
+QPushButton[role="stop"]:focus, QPushButton[role="rearm"]:focus {{
+  border: 2px solid {FOCUS}; }}
+QPushButton[role="primary"]:focus {{ border: 2px solid {TEXT}; }}
 QPushButton[role="tool"] {{ padding: 4px; }}
 QPushButton[role="tool"]:focus {{ padding: 3px; }}
 QPushButton[role="small"] {{ padding: 0; min-height: 0; background: transparent; }}
 QPushButton[role="small"]:focus {{ padding: 0; }}
+QListView, QTableView, QTreeView, QTextEdit, QPlainTextEdit {{
+  border: 1px solid {BORDER}; padding: 1px; }}
+QListView:focus, QTableView:focus, QTreeView:focus, QTextEdit:focus,
+QPlainTextEdit:focus {{ border: 2px solid {FOCUS}; padding: 0; }}
+QCheckBox, QRadioButton {{ border: 2px solid transparent; border-radius: 5px;
+  padding: 1px 3px; }}
+QCheckBox:focus, QRadioButton:focus {{ border-color: {FOCUS}; }}
+QTabBar::tab {{ background: {PANEL}; border: 1px solid {BORDER}; padding: 6px 13px;
+  margin-right: 2px; border-top-left-radius: 5px; border-top-right-radius: 5px; }}
+QTabBar::tab:selected {{ background: {HOVER}; }}
+QTabBar::tab:focus {{ border: 2px solid {FOCUS}; padding: 5px 12px; }}
+.QSlider {{ border: 2px solid transparent; border-radius: 5px; }}
+.QSlider::groove:horizontal {{ height: 4px; border-radius: 2px;
+  background: {BORDER}; }}
+.QSlider::sub-page:horizontal {{ border-radius: 2px; background: {ACCENT}; }}
+.QSlider::handle:horizontal {{ width: 14px; margin: -5px 0; border-radius: 7px;
+  background: {TEXT}; }}
+.QSlider::handle:horizontal:disabled {{ background: {DISABLED}; }}
+.QSlider:focus {{ border-color: {FOCUS}; }}
 QComboBox::drop-down {{ border: 0; width: 22px; }}
 QComboBox::down-arrow {{ image: url({_ICONS}/{arrow}.svg); width: 12px; height: 12px; }}
 QComboBox::down-arrow:disabled {{ image: none; }}
@@ -143,14 +172,23 @@ def wanted(application: QApplication, chosen: str) -> str:
 
 
 def apply(application: QApplication, chosen: str = DARK) -> None:
-    """Give the application a look."""
+    """Give the application a look.
+
+    Each call of Qt in here polishes every widget there is, in 30 to 60 ms: another
+    language keeps the look, and another look keeps style and font.
+    """
     use(wanted(application, chosen))
-    application.setStyle("Fusion")
+    before = application.property(_WORN)
+    if before == name:
+        return
+    if before is None:
+        application.setStyle("Fusion")
+        font = QFont(application.font())
+        font.setPointSizeF(max(_SMALLEST_PT, font.pointSizeF()))
+        application.setFont(fixed_digits(font))
     application.setPalette(palette())
-    font = QFont(application.font())
-    font.setPointSizeF(max(_SMALLEST_PT, font.pointSizeF()))
-    application.setFont(fixed_digits(font))
     application.setStyleSheet(style_sheet())
+    application.setProperty(_WORN, name)
 
 
 def palette() -> QPalette:

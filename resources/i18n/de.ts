@@ -1533,11 +1533,11 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     <name>Mirror</name>
     <message>
         <source>The participant&apos;s picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Bild der teilnehmenden Person</translation>
     </message>
     <message>
         <source>A page is shown</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Seite wird gezeigt</translation>
     </message>
 </context>
 <context>
@@ -1952,11 +1952,11 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     </message>
     <message>
         <source>Notes</source>
-        <translation type="unfinished">Hinweise</translation>
+        <translation>Notizen</translation>
     </message>
     <message>
         <source>New note</source>
-        <translation type="unfinished"></translation>
+        <translation>Neue Notiz</translation>
     </message>
     <message>
         <source>A note; Enter keeps it</source>
@@ -2012,7 +2012,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     </message>
     <message>
         <source>Volume {n} %, the same for the whole session</source>
-        <translation type="unfinished"></translation>
+        <translation>Lautstärke {n} %, für die ganze Sitzung gleich</translation>
     </message>
     <message>
         <source>Go on</source>
@@ -2285,11 +2285,11 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     </message>
     <message>
         <source>Volume</source>
-        <translation type="unfinished">Lautstärke</translation>
+        <translation>Lautstärke</translation>
     </message>
     <message>
         <source>Stays as it is for the whole session, and is kept with it</source>
-        <translation type="unfinished"></translation>
+        <translation>Bleibt für die ganze Sitzung gleich und wird mit ihr gespeichert</translation>
     </message>
     <message>
         <source>The sound is heard</source>

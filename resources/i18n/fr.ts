@@ -1533,11 +1533,11 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     <name>Mirror</name>
     <message>
         <source>The participant&apos;s picture</source>
-        <translation type="unfinished"></translation>
+        <translation>L’image du participant</translation>
     </message>
     <message>
         <source>A page is shown</source>
-        <translation type="unfinished"></translation>
+        <translation>Une page est affichée</translation>
     </message>
 </context>
 <context>
@@ -1952,11 +1952,11 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>Notes</source>
-        <translation type="unfinished">Remarques</translation>
+        <translation>Notes</translation>
     </message>
     <message>
         <source>New note</source>
-        <translation type="unfinished"></translation>
+        <translation>Nouvelle note</translation>
     </message>
     <message>
         <source>A note; Enter keeps it</source>
@@ -2012,7 +2012,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>Volume {n} %, the same for the whole session</source>
-        <translation type="unfinished"></translation>
+        <translation>Volume {n} %, le même pour toute la séance</translation>
     </message>
     <message>
         <source>Go on</source>
@@ -2285,11 +2285,11 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>Volume</source>
-        <translation type="unfinished">Volume</translation>
+        <translation>Volume</translation>
     </message>
     <message>
         <source>Stays as it is for the whole session, and is kept with it</source>
-        <translation type="unfinished"></translation>
+        <translation>Reste le même pendant toute la séance et est enregistré avec elle</translation>
     </message>
     <message>
         <source>The sound is heard</source>

@@ -3,7 +3,9 @@
 import os
 import sys
 
-os.environ["QT_QPA_PLATFORM"] = "offscreen"
+os.environ["QT_QPA_PLATFORM"] = os.environ.get(
+    "HAPTICPLAYER_TEST_TWO_SCREENS", "offscreen"
+)
 
 import threading
 from collections.abc import Callable, Iterator

@@ -16,6 +16,7 @@ from PySide6.QtWidgets import (
     QLabel,
     QLineEdit,
     QPlainTextEdit,
+    QScrollArea,
     QScrollBar,
     QTabBar,
     QTextEdit,
@@ -111,10 +112,15 @@ def reached_by_tab(face: QWidget) -> list[QWidget]:
 def focus_shows(widget: QWidget) -> int:
     """Return how many pixels in and around a widget tell that it has the focus."""
     window = widget.window()
+    QApplication.setCursorFlashTime(0)
+    above: QWidget | None = widget
+    while above is not None and not isinstance(above, QScrollArea):
+        above = above.parentWidget()
+    if above is not None:
+        above.ensureWidgetVisible(widget)
     at = QRect(widget.mapTo(window, QPoint()), widget.size())
     at = at.adjusted(-MARGIN_PX, -MARGIN_PX, MARGIN_PX, MARGIN_PX)
     at = at.intersected(window.rect())
-    QApplication.setCursorFlashTime(0)
     widget.setFocus(Qt.FocusReason.TabFocusReason)
     with_focus = window.grab(at).toImage()
     widget.clearFocus()
@@ -163,15 +169,13 @@ def cut_off(face: QWidget) -> Iterator[str]:
 
 def _cut_label(label: QLabel) -> Iterator[str]:
     room = label.contentsRect()
-    if label.wordWrap() or "<" in label.text():
+    if label.wordWrap():
+        wide, high = 0.0, float(label.heightForWidth(label.width()))
+    elif "<" in label.text():
         document = QTextDocument()
         document.setDocumentMargin(0)
         document.setDefaultFont(label.font())
-        if "<" in label.text():
-            document.setHtml(label.text())
-        else:
-            document.setPlainText(label.text())
-        document.setTextWidth(room.width())
+        document.setHtml(label.text())
         high, wide = document.size().height(), document.idealWidth()
     else:
         lines = label.text().split("\n")

@@ -33,7 +33,8 @@ def dressed(application, settings):
 
 def check_keyboard(face, qtbot) -> None:
     """Every control is reached, shows it, and has a name."""
-    qtbot.waitActive(face.window())
+    face.window().activateWindow()
+    qtbot.waitUntil(face.window().isActiveWindow)
     wanted = faces.controls(face)
     assert wanted
     reached = faces.reached_by_tab(face)

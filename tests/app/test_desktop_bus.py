@@ -132,7 +132,7 @@ def test_other_programs_see_what_plays_and_can_seek(mpris, playing, ask):
     playing.player.pause()
     everything = ask("org.freedesktop.DBus.Properties.GetAll", f"string:{PLAYER}")
     assert "A ride whose title" in everything
-    assert "2000000\n" in everything  # its length, microseconds
+    assert "int64 2000000\n" in everything  # its length, microseconds
     assert 'object path "/org/hapticplayer/clip"' in everything
     playing.player.seek(0.5)
     ask(f"{PLAYER}.Seek", "int64:250000")

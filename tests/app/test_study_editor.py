@@ -3,6 +3,7 @@
 import json
 
 import pytest
+from PySide6.QtWidgets import QFileDialog, QInputDialog
 
 from app.experimenter.study_editor import StudyEditor
 from hapticplayer.study.creation import create_study
@@ -54,3 +55,21 @@ def test_the_player_offers_studies(window, tmp_path, monkeypatch):
     monkeypatch.setattr(window.study_menu, "_ask", lambda: tmp_path)
     window.study_menu.edit()
     assert "study.json" in str(told[0])
+
+
+def test_the_next_dialog_begins_where_the_last_study_was(window, tmp_path, monkeypatch):
+    asked = []
+
+    def choose(_parent, _title, before) -> str:
+        asked.append(before)
+        return str(tmp_path / "studies" / "rides")
+
+    monkeypatch.setattr(QFileDialog, "getExistingDirectory", choose)
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *a: (choose(*a), ""))
+    monkeypatch.setattr(QInputDialog, "getItem", lambda *_, **__: ("", False))
+    window.study_menu.edit()  # there is none: told, and nothing else
+    window.study_menu.new()
+    assert asked == ["", str(tmp_path / "studies")]
+    exported = tmp_path / "settings.json"
+    window.settings.export(exported)
+    assert "studies" not in exported.read_text()

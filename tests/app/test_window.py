@@ -11,6 +11,7 @@ from PySide6.QtTest import QTest
 
 from app.experimenter.import_wizard import ImportWizard
 from hapticplayer.haptics.contract import Mode
+from hapticplayer.playback.haptic_link import HapticLink
 from hapticplayer.playback.snapshot import Phase
 
 
@@ -227,9 +228,41 @@ def test_changing_feedback_and_device_while_it_plays(make_window, source, wait_f
     first = window.player.link.pid
     window.transport.device_chosen.emit("none")
     assert window.player.link.pid is None
-    with pytest.raises(ProcessLookupError):
-        os.kill(first, 0)
+    wait_for(lambda: not is_alive(first))  # it ends beside the window
     wait_for(lambda: window.health.entries[0].text() == "none")
+
+
+def is_alive(process: int) -> bool:
+    try:
+        os.kill(process, 0)
+    except ProcessLookupError:
+        return False
+    return True
+
+
+def test_a_device_is_let_go_of_without_holding_the_window_up(
+    make_window, source, wait_for, monkeypatch
+):
+    may_end = threading.Event()
+    close = HapticLink.close
+
+    def close_slowly(link) -> None:
+        if link.device == "simulated":
+            assert threading.current_thread() is not threading.main_thread()
+            may_end.wait(20)
+        close(link)
+
+    window = make_window("simulated")
+    window.session.show_source(source)
+    wait_for(lambda: window.player.snapshot().device_health == "ready")
+    first = window.player.link.pid
+    monkeypatch.setattr(HapticLink, "close", close_slowly)
+    window.transport.device_chosen.emit("none")
+    assert window.player.link.device == "none"  # we are back although it still leaves
+    assert is_alive(first)
+    window.player.wait_released()  # nothing that only one process can have
+    may_end.set()
+    wait_for(lambda: not is_alive(first))
 
 
 def test_a_haptics_process_that_dies_is_told_and_can_be_had_again(

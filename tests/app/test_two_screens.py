@@ -1,0 +1,126 @@
+"""Two screens: the clip on the one that was chosen, the operator on the other.
+
+Qt's offscreen platform takes its screens when it begins, so the tests that need two run in
+a process of their own; there, `beside` is the only one that is run.
+"""
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QGuiApplication
+from PySide6.QtTest import QTest
+from sitting import Person
+
+from app.participant.application import StudySession
+from app.player.extras import SCREEN
+from hapticplayer.clock import SystemClock
+from hapticplayer.study.pages import PageKind
+from hapticplayer.study.session_setup import load_material
+
+ROOT = Path(__file__).resolve().parents[2]
+SCREENS = [
+    {"name": "left", "x": 0, "y": 0, "width": 1000, "height": 700},
+    {"name": "right", "x": 1000, "y": 0, "width": 1280, "height": 720},
+]
+_MORE = {"logicalDpi": 96, "logicalBaseDpi": 96, "dpr": 1}
+HERE = "HAPTICPLAYER_TEST_TWO_SCREENS"
+beside = pytest.mark.skipif(HERE not in os.environ, reason="needs two screens")
+
+
+def test_everything_that_needs_two_screens(tmp_path):
+    if HERE in os.environ:
+        pytest.skip("this is that process")
+    config = tmp_path / "screens.json"
+    config.write_text(json.dumps({"screens": [{**s, **_MORE} for s in SCREENS]}))
+    done = subprocess.run(
+        [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", __file__],
+        env={**os.environ, HERE: f"offscreen:configfile={config}"},
+        cwd=ROOT,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == 0, done.stdout[-6000:]
+    assert "4 passed" in done.stdout
+
+
+def screens():
+    return {screen.name(): screen for screen in QGuiApplication.screens()}
+
+
+@beside
+def test_fullscreen_goes_to_the_screen_that_was_chosen_and_back(playing, wait_for):
+    left, right = screens()["left"], screens()["right"]
+    before = playing.geometry()
+    menu = playing.extras.menus.screens
+    menu.fill()
+    choices = {action.data(): action for action in menu._menu.actions()}
+    assert {"", "left", "right"} == set(choices)
+    choices["right"].trigger()
+    assert playing.settings.text(SCREEN) == "right"
+    assert playing.screen() is left
+    playing.toggle_fullscreen()
+    wait_for(lambda: playing.geometry() == right.geometry())
+    wait_for(lambda: playing.surface.size() == right.geometry().size())
+    playing.toggle_fullscreen()
+    wait_for(lambda: playing.geometry() == before)
+
+
+@beside
+def test_a_screen_that_is_gone_leaves_the_window_where_it_is(playing, wait_for):
+    playing.fullscreen.screen_name = "a screen of yesterday"
+    playing.toggle_fullscreen()
+    wait_for(lambda: playing.geometry() == screens()["left"].geometry())
+
+
+@pytest.fixture
+def session(make_study, application):
+    study = make_study()
+    made = StudySession(study, load_material(study), "none", SystemClock(), audio=None)
+    made.participant._guard.setInterval(0)
+    made.show(windowed=False)
+    yield made
+    made.close()
+
+
+@beside
+def test_the_participant_has_the_other_screen_for_nothing_but_the_clip(
+    session, wait_for
+):
+    mine = session.control.screen()
+    (theirs,) = set(QGuiApplication.screens()) - {mine}
+    session.begin_session("", "en")
+    participant = session.participant
+    wait_for(lambda: participant.geometry() == theirs.geometry())
+    assert participant.isFullScreen()
+    assert mine.geometry().contains(session.control.geometry().center())
+    person = Person(session, wait_for)
+    person.to_trials()
+    person.key(Qt.Key.Key_Enter)
+    person.wait_page(PageKind.PLAYING)
+    assert participant.cursor().shape() == Qt.CursorShape.BlankCursor
+    assert participant._stack.currentWidget() is session.surface
+    wait_for(lambda: session.surface.size() == theirs.geometry().size())
+    wait_for(lambda: session.control.mirror._is_clip)
+    assert session.control.mirror.screen() is mine
+
+
+@beside
+def test_escape_stops_the_force_whichever_screen_has_the_keyboard(session, wait_for):
+    session.begin_session("", "en")
+    person = Person(session, wait_for)
+    person.to_trials()
+    for window in (session.participant, session.control):
+        person.key(Qt.Key.Key_Enter)
+        person.wait_page(PageKind.PLAYING)
+        stopped = session.player.snapshot().phase
+        QTest.keyClick(window.windowHandle(), Qt.Key.Key_Escape)
+        person.wait_page(PageKind.PAUSED)
+        assert session.player.snapshot().phase != stopped
+        person.key(Qt.Key.Key_Enter)
+        person.wait_page(PageKind.READY)
