@@ -15,7 +15,8 @@ VERSION = 1
 """Of the file; files without one are of the days before it and read the same."""
 
 _VERSION, _GEOMETRY = "version", "geometry"
-_PRIVATE = (_GEOMETRY, "folder", "recent", "positions")
+LATENCIES = "latencies"
+_PRIVATE = (_GEOMETRY, "folder", "recent", "positions", LATENCIES)
 """What is of this machine, or tells what somebody has watched: never exported."""
 
 _MAX_BYTES = 1 << 20
