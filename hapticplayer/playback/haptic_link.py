@@ -22,6 +22,7 @@ from hapticplayer.rendering import adapted
 
 NO_DEVICE = "none"
 SYNC_LOG_PERIOD_S = 1.0
+TICKS_BEFORE_S = 0.02  # of an event: the tick that it falls into, even a late one
 READ_PERIOD_S = 0.05  # plots draw at 30 Hz; more often costs more than it shows
 
 
@@ -201,7 +202,10 @@ class HapticLink:
         self, what: str, meter: SyncMeter, alarm: SyncAlarm, log: PlaybackLog | None
     ) -> None:
         """Measure how much later the force came, and tell when that can be felt."""
-        if not (meter.is_waiting and alarm.add(meter.compare(self.history.newest()))):
+        if not meter.is_waiting:
+            return
+        ticks = self.history.since(meter.oldest_s - TICKS_BEFORE_S)
+        if not alarm.add(meter.compare(ticks)):
             return
         if alarm.is_on:
             self.told.append(alarm.sentence())
