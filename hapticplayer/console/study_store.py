@@ -20,7 +20,9 @@ class StudyFolders:
         return collect_answers(open_study(folder))
 
     def design(self, folder: Path) -> Answers:
-        """Return a study's answers; a missing study is made."""
+        """Return a study's answers; a missing study is made, an empty folder is one."""
+        if folder.is_dir() and not any(folder.iterdir()):
+            folder.rmdir()
         study = open_study(folder) if folder.exists() else create_study(folder)
         return collect_answers(study)
 

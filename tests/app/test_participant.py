@@ -12,6 +12,7 @@ from sitting import KEYS, Person
 
 from app.participant.pages import QuestionsPage, TextPage
 from app.participant.questions import ButtonsRow, NumberRow
+from hapticplayer.haptics.contract import Cause
 from hapticplayer.study.answers import read_answers
 from hapticplayer.study.creation import change_definition
 from hapticplayer.study.journal import read_journal
@@ -220,7 +221,7 @@ def test_a_session_is_resumed_in_new_windows(make_study, sit, wait_for):
 def test_a_disk_that_is_gone_stops_the_participant_until_it_is_back(
     make_study, sit, wait_for
 ):
-    session = sit(make_study())
+    session = sit(make_study(), device="simulated")
     person = Person(session, wait_for)
     person.to_trials()
     person.key(Qt.Key.Key_Enter)
@@ -233,6 +234,7 @@ def test_a_disk_that_is_gone_stops_the_participant_until_it_is_back(
         person.key(digit)
     person.key(Qt.Key.Key_Enter)
     person.wait_page(PageKind.PROBLEM)
+    wait_for(lambda: session.player.snapshot().cause is Cause.STOPPED)
     wait_for(session.control.buttons["retry"].isVisible)
     assert "could not be saved" in session.control.messages.text()
     folder.with_name("unplugged").rename(folder)
@@ -240,6 +242,7 @@ def test_a_disk_that_is_gone_stops_the_participant_until_it_is_back(
     person.wait_page(PageKind.READY, "trial-02")
     ratings = read_answers(folder).ratings
     assert sum(r.value is not None for r in ratings) == 4
+    wait_for(lambda: session.player.snapshot().cause is not Cause.STOPPED)
 
 
 @pytest.mark.parametrize("size", [(1920, 1080), (1024, 768), (960, 540), (800, 480)])

@@ -22,6 +22,19 @@ def test_simulated_participants_are_analysed_as_the_paper_reports(tmp_path, caps
     assert all(test["p"] < 0.05 for test in found["friedman"].values())
 
 
+def test_an_empty_folder_becomes_a_study_and_a_full_one_stays(tmp_path, capsys):
+    empty, full = tmp_path / "empty", tmp_path / "full"
+    empty.mkdir()
+    full.mkdir()
+    (full / "letter.txt").write_text("mine")
+    simulate = ["study", "simulate", "--participants", "1"]
+    assert cli.main([*simulate, str(empty)]) == 0
+    assert len(list((empty / "sessions").iterdir())) == 1
+    assert cli.main([*simulate, str(full)]) == 1
+    assert [path.name for path in full.iterdir()] == ["letter.txt"]
+    assert "full" in capsys.readouterr().err
+
+
 def test_a_study_that_is_not_there_is_refused(tmp_path, capsys):
     assert cli.main(["study", "analyse", str(tmp_path / "none")]) == 1
     assert "none" in capsys.readouterr().err
