@@ -30,13 +30,14 @@ def _open_window(options: argparse.Namespace) -> int:
 
     hold_signals()
     try:
-        from app.participant.application import run as run_study
-        from app.player import application
+        if getattr(options, "study", None) is not None:
+            from app.participant.application import run
+        else:
+            from app.player.application import run
     except ImportError as problem:
         sys.stderr.write(f"hapticplayer: {explain_import_error(problem)}\n")
         return 1
-    is_study = getattr(options, "study", None) is not None
-    return run_study(options) if is_study else application.run(options)
+    return run(options)
 
 
 if __name__ == "__main__":

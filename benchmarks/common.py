@@ -38,15 +38,18 @@ def need(*programs: str) -> None:
 
 
 @contextlib.contextmanager
-def screen(memory: Path | None = None) -> Iterator[dict[str, str]]:
+def screen(
+    memory: Path | None = None, size: tuple[int, int] = (WIDTH, HEIGHT)
+) -> Iterator[dict[str, str]]:
     """Run an X server of the clip's size and yield the environment for it.
 
     Args:
         memory: folder in which its pixels are to be seen, as the file Xvfb_screen0.
+        size: width and height, px.
     """
     reader, writer = os.pipe()
     command = ["Xvfb", "-displayfd", str(writer), "-nolisten", "tcp"]
-    command += ["-screen", "0", f"{WIDTH}x{HEIGHT}x24"]
+    command += ["-screen", "0", f"{size[0]}x{size[1]}x24"]
     command += ["-fbdir", str(memory)] if memory else []
     server = subprocess.Popen(
         command, pass_fds=(writer,), stderr=subprocess.DEVNULL, start_new_session=True
@@ -167,15 +170,34 @@ def moving_clip(folder: Path, seconds: float) -> Path:
     return path
 
 
+def scrolling_clip(folder: Path, seconds: float, size: str, rate_hz: int) -> Path:
+    """Write a clip of the usual bit rate that scrolls, with sound; e.g. "1920x1080"."""
+    path = folder / f"scrolling-{size}-{rate_hz}.mp4"
+    pictures = f"testsrc2=size={size}:rate={rate_hz},scroll=h=0.004:v=0.003"
+    command = ["ffmpeg", "-nostdin", "-loglevel", "error", "-y", "-f", "lavfi"]
+    command += ["-i", pictures, "-f", "lavfi", "-i", "sine=220:sample_rate=48000"]
+    command += ["-t", str(seconds), "-c:v", "libx264", "-preset", "veryfast"]
+    command += ["-pix_fmt", "yuv420p", "-g", str(2 * rate_hz), "-ac", "2", str(path)]
+    if not path.exists():
+        subprocess.run(command, check=True)
+    return path
+
+
 class Usage:
-    """CPU seconds of a process tree, kept up to date while it lives."""
+    """CPU seconds and memory of a process tree, kept up to date while it lives.
+
+    Attributes:
+        peak_mb: the most that the tree had of its own at once (PSS).
+    """
 
     def __init__(self, pid: int) -> None:
         self._pid = pid
         self.by_pid: dict[int, tuple[str, float]] = {}
+        self.peak_mb = 0.0
 
     def sample(self) -> None:
         """Read what the tree has used so far."""
+        total_kb = 0
         for pid in self._tree(self._pid):
             with contextlib.suppress(OSError):
                 text = Path(f"/proc/{pid}/stat").read_text()
@@ -183,6 +205,9 @@ class Usage:
                 seconds = (int(fields[11]) + int(fields[12])) / _TICKS_PER_S
                 command = Path(f"/proc/{pid}/cmdline").read_bytes()
                 self.by_pid[pid] = (command.replace(b"\0", b" ").decode(), seconds)
+                rollup = Path(f"/proc/{pid}/smaps_rollup").read_text()
+                total_kb += int(rollup.split("Pss:")[1].split()[0])
+        self.peak_mb = max(self.peak_mb, total_kb / 1024.0)
 
     def of(self, part: str) -> float:
         """Return the seconds of the processes whose command holds `part`."""

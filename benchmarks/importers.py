@@ -97,7 +97,7 @@ def _keep(found: dict[str, list[Any]]) -> None:
 
 def _is_broken(clips: list[Any], faults: list[Any], long: list[Any]) -> bool:
     slow = any(
-        c["seconds"] > MAX_CLIP_S or c["read_mb"] > MAX_CLIP_READ_MB for c in clips[:1]
+        c["seconds"] > MAX_CLIP_S or c["read_mb"] > MAX_CLIP_READ_MB for c in clips
     )
     bad = any(
         row.get("cpu_s", row["longest_s"]) > MAX_S or row["peak_mb"] > MAX_MB

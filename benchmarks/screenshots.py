@@ -22,6 +22,7 @@ from app.bridge.settings import Settings
 from app.experimenter.import_wizard import ImportWizard
 from app.experimenter.library_page import LibraryPage
 from app.player.application import make_application
+from app.player.fault_panel import FaultPanel
 from app.player.help import about_dialog
 from app.player.keys_dialog import KeysDialog
 from app.player.look_menus import LANGUAGE, LOOK
@@ -121,6 +122,7 @@ def _dialogs(
         ("keyboard", lambda: KeysDialog(settings, window)),
         ("about", lambda: about_dialog(window)),
         ("set-up", lambda: _homing(window)),
+        ("faults", lambda: FaultPanel(SystemClock(), window.session, window)),
     ]
 
 

@@ -15,7 +15,9 @@ VERSION = 1
 """Of the file; files without one are of the days before it and read the same."""
 
 _VERSION, _GEOMETRY = "version", "geometry"
-_PRIVATE = (_GEOMETRY, "folder", "study_folder", "library", "recent", "positions")
+LATENCIES = "latencies"
+_OWN_PLACES = ("folder", "study_folder", "library", "recent", "positions")
+_PRIVATE = (_GEOMETRY, *_OWN_PLACES, LATENCIES)
 """What is of this machine, or tells what somebody has watched: never exported."""
 
 _MAX_BYTES = 1 << 20

@@ -27,6 +27,7 @@ table {{ margin-top: 4px; margin-bottom: 14px; }}
 th {{ color: {theme.DIM}; padding: 1px 9px; text-align: right; }}
 td {{ padding: 1px 9px; text-align: right; }}
 caption {{ font-weight: bold; }}
+img {{ max-width: 100%; }}
 """
 
 

@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QMainWindow, QVBoxLayout, QWidget
 
 from app.experimenter.analysis_page import AnalysisPage
 from app.widgets.message_bar import MessageBar
+from app.widgets.room import resize_within_screen
 from hapticplayer.clock import Clock
 from hapticplayer.study.answers import collect_answers
 from hapticplayer.study.study_folder import Study, open_study
@@ -42,7 +43,7 @@ class AnalysisWindow(QMainWindow):
         column.addWidget(self.messages)
         column.addWidget(self.page, 1)
         self.setCentralWidget(middle)
-        self.resize(WIDTH_PX, HEIGHT_PX)
+        resize_within_screen(self, WIDTH_PX, HEIGHT_PX)
 
     def begin(self) -> None:
         """Show the window and analyse."""

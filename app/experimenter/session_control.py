@@ -25,6 +25,7 @@ from app.player.plots_place import PlotsPlace
 from app.widgets import theme
 from app.widgets.buttons import Button, text_button
 from app.widgets.message_bar import MessageBar
+from app.widgets.room import resize_within_screen
 from hapticplayer.study.pages import PageKind
 from hapticplayer.study.runner import SessionRunner
 
@@ -49,7 +50,7 @@ class SessionControl(QMainWindow):
     def __init__(self, start: StartPanel, mirror: Mirror, *, shows_force: bool) -> None:
         super().__init__()
         self.setWindowTitle(self.tr("Session \u2013 hapticplayer"))
-        self.resize(WIDTH_PX, HEIGHT_PX)
+        resize_within_screen(self, WIDTH_PX, HEIGHT_PX)
         self.start, self.mirror = start, mirror
         self.messages, self.health = MessageBar(), HealthLine()
         self.plots = PlotsPlace()

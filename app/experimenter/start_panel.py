@@ -14,6 +14,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.bridge.languages import NAMES
 from app.widgets import theme
 from app.widgets.buttons import set_role, text_button
 from hapticplayer.study.orders import Balance
@@ -49,7 +50,7 @@ class StartPanel(QWidget):
         self.language = QComboBox()
         self.language.setAccessibleName(self.tr("Language"))
         for language in languages:
-            self.language.addItem(language, language)
+            self.language.addItem(NAMES.get(language, language), language)
         self.hear = text_button(
             self.tr("Play a clip"), self.tr("Listen whether the sound is heard")
         )
@@ -116,14 +117,14 @@ class StartPanel(QWidget):
 
     def show_checks(self, checks: tuple[Check, ...]) -> None:
         """Show what was found; begin only when all is well, or somebody insists."""
-        names = self._names()
+        names, found = self._names(), self._findings()
         lines = []
         for check in checks:
             sign = _GOOD if check.is_good else _BAD
             colour = theme.GOOD if check.is_good else theme.BAD
             lines.append(
                 f"<span style='color:{colour}'>{sign}</span> "
-                f"{names[check.name]}: {check.found}"
+                f"{names[check.name]}: {found.get(check.found, check.found)}"
             )
         text = "<br>".join(lines)
         if text != self.checks.text():
@@ -141,4 +142,18 @@ class StartPanel(QWidget):
             "volume": self.tr("Volume"),
             "screen": self.tr("Participant's screen"),
             "disk": self.tr("Disk"),
+        }
+
+    def _findings(self) -> dict[str, str]:
+        """Return what may be found, in the operator's words; the record has its own."""
+        return {
+            "heard": self.tr("heard"),
+            "not confirmed": self.tr("not confirmed"),
+            "none": self.tr("none"),
+            "no device": self.tr("no device"),
+            "the device has said nothing yet": self.tr(
+                "the device has said nothing yet"
+            ),
+            "yes": self.tr("yes"),
+            "not yet": self.tr("not yet"),
         }

@@ -24,6 +24,7 @@ from PySide6.QtWidgets import (
 
 from app.widgets import theme
 from app.widgets.buttons import text_button
+from app.widgets.room import resize_within_screen
 from hapticplayer.errors import StudyError
 from hapticplayer.study.creation import change_definition
 from hapticplayer.study.definition import OrderMethod
@@ -48,7 +49,7 @@ class StudyEditor(QDialog):
         self.setWindowTitle(
             self.tr("Study \u2013 {name}").format(name=study.folder.name)
         )
-        self.resize(WIDTH_PX, HEIGHT_PX)
+        resize_within_screen(self, WIDTH_PX, HEIGHT_PX)
         self.texts: dict[tuple[str, ...], QLineEdit] = {}
         self.folders: dict[str, QLineEdit] = {}
         self.problem = QLabel()

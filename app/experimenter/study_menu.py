@@ -7,7 +7,6 @@ from PySide6.QtCore import QCoreApplication, QObject, Signal
 from PySide6.QtWidgets import QFileDialog, QInputDialog, QMainWindow
 
 from app.bridge.settings import Settings
-from app.experimenter.analysis_window import AnalysisWindow
 from app.experimenter.study_editor import StudyEditor
 from app.experimenter.study_process import StudyProcess
 from hapticplayer.clock import Clock
@@ -116,12 +115,23 @@ class StudyMenu(QObject):
             self._try(lambda: self._open_report(folder))
 
     def _open_report(self, folder: Path) -> None:
+        # loads scipy and its kin: half of the time that the window takes to start
+        from app.experimenter.analysis_window import AnalysisWindow
+
         AnalysisWindow(open_study(folder), self._clock, self._window).begin()
 
+    def take_over(self, other: "StudyMenu") -> None:
+        """Watch the session that another window has watched until now."""
+        if other.process.is_running:
+            other.process.ended.disconnect()
+            other.process.setParent(self)
+            self.process = other.process
+            self.process.ended.connect(self._on_ended)
+            self.running.emit(True)
+
     def close(self) -> None:
-        """Close the reports; a session goes on."""
-        self.process.leave()
-        for report in self._window.findChildren(AnalysisWindow):
+        """Close the reports."""
+        for report in self._window.findChildren(QMainWindow):
             report.close()
 
     def _ask(self) -> Path | None:

@@ -70,7 +70,7 @@ class Triad(QWidget):
         painter.setPen(QColor(theme.DIM))
         names = (self.tr("right"), self.tr("front"), self.tr("up"))
         for way, name in zip(np.eye(3), names, strict=True):
-            self._paint_text(painter, self._at(1.62 * way), name)
+            self._paint_text(painter, self._at(1.8 * way), name)
 
     def _paint_text(self, painter: QPainter, at: QPointF, text: str) -> None:
         metrics = self.fontMetrics()

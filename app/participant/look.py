@@ -1,7 +1,8 @@
 """The look of the participant's pages: one size that fits, read from two metres.
 
 A letter 1/22 of the picture's height is 14 mm on a 24-inch screen: capitals of 10 mm,
-1.7 times what an acuity of 0.3 needs at 2 m.
+1.7 times what an acuity of 0.5 needs at 2 m (5 minutes of arc / 0.5 = 5.8 mm). The
+smallest have capitals of 6 mm.
 """
 
 from PySide6.QtCore import QSize, Qt, QTimer
@@ -19,8 +20,9 @@ from PySide6.QtWidgets import (
 
 from app.widgets import theme
 
-LARGEST, SMALLEST = 22.0, 40.0  # letters are the height divided by these
+LARGEST, SMALLEST = 22.0, 36.0  # letters are the height divided by these
 STEPS = 7
+SCROLLED = 3  # the step for what has to be scrolled anyway
 TOUCH_PX = 44  # no finger misses it (WCAG 2.2, 2.5.5)
 _HIGH = 2.0  # a button, in letters
 _MARGIN_SHARE = 0.06
@@ -93,6 +95,9 @@ class FittedPage(QScrollArea):
         width, height = self._fitted_for.width(), self._fitted_for.height()
         while self.needed_px(width) > height and self._size_step < STEPS - 1:
             self._size_step += 1
+            self._take_step()
+        if self.needed_px(width) > height:
+            self._size_step = SCROLLED
             self._take_step()
 
     def set_letters(self, letters_px: int) -> None:

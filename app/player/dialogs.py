@@ -11,6 +11,7 @@ from app.bridge.settings import Settings
 from app.experimenter.import_wizard import ImportWizard
 from app.experimenter.library_page import LibraryPage
 from app.player.device_page import DevicePage
+from app.player.fault_panel import FaultPanel
 from app.player.files import (
     file_dialog,
     folder_dialog,
@@ -144,6 +145,12 @@ class Dialogs(QObject):
         dialog.finished.connect(lambda _: self._session.choose_device(device))
         dialog.homing_wanted.connect(lambda: self.set_up(clock))
         dialog.open()
+
+    def faults(self, clock: Clock) -> None:
+        """Show the panel that makes faults happen to the simulated device."""
+        shown = self._window.findChild(FaultPanel)
+        panel = shown or FaultPanel(clock, self._session, self._window)
+        panel.show()
 
     def _release(self) -> None:
         """Let go of the device, so that a dialog can have it."""

@@ -70,6 +70,7 @@ class OpenWindow(QObject):
         self.window.setGeometry(geometry)
         self.window.show()
         self.begin()
+        self.window.study_menu.take_over(old.study_menu)
         old.close()
 
 

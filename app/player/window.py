@@ -170,6 +170,7 @@ class PlayerWindow(QMainWindow):
             (commands.fullscreen, self.toggle_fullscreen),
             (commands.set_up_device, lambda: self.dialogs.set_up(self.clock)),
             (commands.get_to_know, lambda: self.dialogs.get_to_know(self.clock)),
+            (commands.faults, lambda: self.dialogs.faults(self.clock)),
             (commands.shortcuts, self.dialogs.shortcuts),
             (commands.about, self.dialogs.about),
             (commands.open_log, self.dialogs.open_log),
@@ -326,6 +327,7 @@ class PlayerWindow(QMainWindow):
         event.accept()
         if self._is_over:
             return
+        self.study_menu.process.leave()  # a session goes on
         self.hand_over()
         self.session.close()
 

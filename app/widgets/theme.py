@@ -146,6 +146,15 @@ QComboBox::down-arrow {{ image: url({_ICONS}/{arrow}.svg); width: 12px; height: 
 QComboBox::down-arrow:disabled {{ image: none; }}
 QComboBox QAbstractItemView {{ background: {PANEL}; border: 1px solid {BORDER};
   selection-background-color: {HOVER}; selection-color: {TEXT}; outline: 0; }}
+QCheckBox::indicator, QRadioButton::indicator {{ width: 14px; height: 14px;
+  background: {PANEL}; border: 1px solid {DIM}; border-radius: 3px; }}
+QRadioButton::indicator {{ border-radius: 8px; }}
+QCheckBox::indicator:checked {{ background: {CHOSEN}; border-color: {FOCUS};
+  image: url({_ICONS}/check.svg); }}
+QRadioButton::indicator:checked {{ background: {CHOSEN}; border: 4px solid {PANEL};
+  outline: 0; }}
+QCheckBox:focus, QRadioButton:focus {{ color: {FOCUS}; }}
+QCheckBox::indicator:focus, QRadioButton::indicator:focus {{ border: 2px solid {FOCUS}; }}
 QProgressBar {{ background: {RAISED}; border: 1px solid {BORDER}; border-radius: 4px;
   text-align: center; min-height: 18px; }}
 QProgressBar::chunk {{ background: {CHOSEN}; border-radius: 3px; }}

@@ -92,7 +92,7 @@ def read_motion_log(path: str | os.PathLike[str]) -> MotionLog:
 def _repaired(table: Table) -> MotionLog:
     from hapticplayer.motion import repair_samples  # brings scipy along
 
-    values = table.values
+    values, count = table.values, len(table.values)
     try:
         done = repair_samples(
             values[:, 0],
@@ -111,7 +111,7 @@ def _repaired(table: Table) -> MotionLog:
     notes = []
     for repair in done.repairs:
         note = _ROW.sub(_naming_lines(lines), repair.text)
-        if note == repair.text and repair.count < len(values):
+        if note == repair.text and repair.count < count:
             note += f" (first in line {lines[repair.first_row]})"
         notes.append(note)
     return MotionLog(done.imu, tuple(notes))

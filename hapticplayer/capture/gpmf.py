@@ -70,7 +70,7 @@ class Entry(NamedTuple):
 
     def find(self, key: str) -> "Entry | None":
         """Return the last child of this key (metadata may repeat), or None."""
-        for entry in self.children[::-1]:
+        for entry in reversed(self[4]):  # by number: asked 20 times for each second
             if entry[0] == key:
                 return entry
         return None
@@ -78,6 +78,9 @@ class Entry(NamedTuple):
     def find_all(self, key: str) -> Iterator["Entry"]:
         """Yield the children of this key."""
         return (entry for entry in self.children if entry.key == key)
+
+
+_new = tuple.__new__  # without the call of a Python function for each
 
 
 def parse(payload: bytes) -> Entry:
@@ -105,13 +108,15 @@ def _parse_list(payload: memoryview, depth: int) -> tuple[tuple[Entry, ...], boo
         end = start + struct_bytes * repeat
         if end > length or not key.isascii():
             return tuple(entries), True
-        name, letter, value = key.decode(), kind.decode("latin-1"), payload[start:end]
+        name, letter, value = key.decode(), chr(kind[0]), payload[start:end]
         if letter == NESTED:
             children, is_child_cut = _parse_list(value, depth + 1)
             is_cut = is_cut or is_child_cut
-            entry = Entry(name, letter, struct_bytes, b"", children, is_child_cut)
+            entry = _new(
+                Entry, (name, letter, struct_bytes, b"", children, is_child_cut)
+            )
         else:
-            entry = Entry(name, letter, struct_bytes, value)
+            entry = _new(Entry, (name, letter, struct_bytes, value, (), False))
         entries.append(entry)
         offset = start + -(-(end - start) // 4) * 4
     return tuple(entries), is_cut or offset < length

@@ -3,6 +3,7 @@
 import argparse
 import json
 from collections.abc import Callable
+from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
@@ -191,10 +192,11 @@ def merge(options: argparse.Namespace) -> int:
     """Add the sessions of another machine; 1 where there were conflicts."""
     merged = merge_sessions(open_study(options.study), open_study(options.other))
     if options.json:
-        report = {"added": merged.added, "same": merged.same}
-        say(json.dumps({**report, "conflicts": merged.conflicts}))
+        say(json.dumps(asdict(merged)))
     else:
         say(f"{len(merged.added)} sessions added, {len(merged.same)} were here already")
+    for remark in merged.remarks:
+        say_aside(remark)
     for conflict in merged.conflicts:
         complain(conflict)
     return 1 if merged.conflicts else 0

@@ -9,6 +9,7 @@ from hapticplayer.clock import SystemClock
 from hapticplayer.devices import find_device
 from hapticplayer.errors import DeviceError
 from hapticplayer.haptics.centring import centring_of
+from hapticplayer.haptics.faulty_loop import FaultyLoop
 from hapticplayer.haptics.limiter import limits_of
 from hapticplayer.haptics.loop import Loop
 from hapticplayer.haptics.messages import Line, Word
@@ -24,8 +25,11 @@ def main(argv: list[str] | None = None) -> int:
     parser.add_argument("--device", required=True)
     parser.add_argument("--handle", type=int, required=True, help="descriptor")
     parser.add_argument("--guarded", action="store_true")
+    parser.add_argument("--faults", action="store_true", help="take faults")
     parser.add_argument("--scheduling", choices=[s.value for s in Scheduling])
     options = parser.parse_args(argv)
+    if options.faults and not find_device(options.device).server:
+        parser.error("a real device takes no faults")
 
     # Ctrl-C and a hang-up reach the whole group: the player decides, and if it
     # dies of them, the closed line tells.
@@ -41,7 +45,7 @@ def main(argv: list[str] | None = None) -> int:
     try:
         wanted = Scheduling(options.scheduling) if options.scheduling else None
         limits = limits_of(device.capabilities)
-        loop = Loop(
+        loop = (FaultyLoop if options.faults else Loop)(
             SystemClock(),
             SharedBlock(options.block),
             line,

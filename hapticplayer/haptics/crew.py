@@ -26,6 +26,7 @@ class Crew:
         scheduling: of the loop; None for the best there is.
         device_options: for a simulated device: command line of its process.
         device_descriptors: descriptors that these options name.
+        takes_faults: whether the loop may be told to go wrong.
     """
 
     def __init__(
@@ -34,6 +35,8 @@ class Crew:
         scheduling: Scheduling | None = None,
         device_options: Sequence[str] = (),
         device_descriptors: Sequence[int] = (),
+        *,
+        takes_faults: bool = False,
     ) -> None:
         self.loop: subprocess.Popen[bytes] | None = None
         self.guard: subprocess.Popen[bytes] | None = None
@@ -41,6 +44,7 @@ class Crew:
         self._entry, self._scheduling = entry, scheduling
         self._device_options = list(device_options)
         self._device_descriptors = list(device_descriptors)
+        self._takes_faults = takes_faults
         self._all: list[subprocess.Popen[bytes]] = []
 
     def start(self, block: int, line: int) -> None:
@@ -53,6 +57,8 @@ class Crew:
             loops, guards = self._start_device(stack)
             shared = ["--block", str(block), "--device", self._entry.name]
             options = [*shared, "--handle", str(loops), "--line", str(line)]
+            if self._takes_faults:
+                options += ["--faults"]
             if self._scheduling is not None:
                 options += ["--scheduling", self._scheduling.value]
             self.loop = self._run(

@@ -185,6 +185,11 @@ class Loop:
             self._request = Request.REARM
         elif message.word is Word.QUIT:
             self._is_asked_to_quit = True
+        elif message.word is Word.FAULT:
+            self._inject(message.text)
+
+    def _inject(self, _text: str) -> None:
+        self.line.send(Word.FAILED, "faults are refused: this loop is not for them")
 
     def _load(self, track_id: int, descriptor: int) -> None:
         try:

@@ -20,6 +20,7 @@ class Word(enum.Enum):
     STOP = b"S"
     REARM = b"A"
     QUIT = b"Q"
+    FAULT = b"X"  # + its name; for simulated devices only
     READY = b"R"  # + scheduling class
     FAILED = b"E"  # + one sentence
     LOST = b"L"  # + one sentence: the device is gone

@@ -11,8 +11,10 @@ from numpy.typing import NDArray
 
 from hapticplayer.clock import Clock
 from hapticplayer.devices import find_device
-from hapticplayer.errors import DeviceError, HapticsError, InputError
+from hapticplayer.devices.simulated import Controls
+from hapticplayer.errors import DeviceError, HapticsError, InputError, UsageError
 from hapticplayer.haptics.crew import Crew
+from hapticplayer.haptics.injection import DEVICE_ACTS, Fault
 from hapticplayer.haptics.messages import Line, Word
 from hapticplayer.haptics.recorder import Recording
 from hapticplayer.haptics.scheduling import Scheduling
@@ -40,14 +42,16 @@ class HapticsProcess:
         record: a new file for every tick of the loop; None records nothing.
         device_options: command line of the process that simulates the device.
         device_descriptors: descriptors that these options name.
+        takes_faults: whether `inject` may be called; for simulated devices only.
 
     Raises:
+        UsageError: when a real device shall take faults.
         DeviceError: when this version has no driver for the device.
         InputError: when the record cannot be created.
         HapticsError: when the process cannot be started.
     """
 
-    def __init__(
+    def __init__(  # noqa: PLR0913 - two of them only simulated devices know
         self,
         clock: Clock,
         device: str = "simulated",
@@ -56,8 +60,10 @@ class HapticsProcess:
         record: Path | None = None,
         device_options: Sequence[str] = (),
         device_descriptors: Sequence[int] = (),
+        takes_faults: bool = False,
     ) -> None:
         self.device = device
+        self._controls: Controls | None = None
         self.health = Health.STARTING
         self.scheduling = Scheduling.NORMAL
         self.problem = ""
@@ -66,6 +72,8 @@ class HapticsProcess:
         self._next_track_id = 1
         self._is_loop_ready = False
         entry = find_device(device)
+        if takes_faults and not entry.server:
+            raise UsageError(f"{device} is a real device and takes no faults")
         self._patience_s = entry.patience_s
         descriptor = anonymous_memory("hapticplayer-loop", BLOCK_BYTES)
         try:
@@ -76,7 +84,18 @@ class HapticsProcess:
         ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
         self._block = SharedBlock(descriptor)
         self.beat()
-        self._crew = Crew(entry, scheduling, device_options, device_descriptors)
+        act, acted_on = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
+        if takes_faults:
+            device_options = [*device_options, "--control", str(acted_on.fileno())]
+            device_descriptors = [*device_descriptors, acted_on.fileno()]
+            self._controls = Controls(act.detach())
+        self._crew = Crew(
+            entry,
+            scheduling,
+            device_options,
+            device_descriptors,
+            takes_faults=takes_faults,
+        )
         try:
             self._crew.start(descriptor, theirs.fileno())
         except OSError as problem:
@@ -87,7 +106,8 @@ class HapticsProcess:
                 f"the haptics process could not be started: {problem}"
             ) from problem
         finally:
-            theirs.close()
+            for end in (theirs, act, acted_on):
+                end.close()
             os.close(descriptor)
         self._line = Line(ours)
 
@@ -175,6 +195,30 @@ class HapticsProcess:
         """Let the force fade in again after a TRIP."""
         self._line.send(Word.REARM)
 
+    @property
+    def takes_faults(self) -> bool:
+        """Whether `inject` may be called."""
+        return self._controls is not None
+
+    def inject(self, fault: Fault) -> float:
+        """Make a fault happen, and return the monotonic time.
+
+        Raises:
+            UsageError: when this process was not started to take faults.
+            DeviceError: when the simulated device is gone.
+        """
+        if self._controls is None:
+            raise UsageError(
+                "faults are only for simulated devices that were chosen with them"
+            )
+        now_s = self._clock.now_s()
+        act = DEVICE_ACTS.get(fault)
+        if act is None:
+            self._line.send(Word.FAULT, fault.value)
+        else:
+            act(self._controls)
+        return now_s
+
     def read_ticks(self) -> tuple[NDArray[Any], int]:
         """Return the ticks since the last call (see TICK) and how many were lost."""
         records, self._tail, lost = self._block.read_ticks(self._tail)
@@ -187,6 +231,8 @@ class HapticsProcess:
         if self._recording:
             self._recording.finish()
         self._line.close()
+        if self._controls is not None:
+            self._controls.close()
         if self.health is not Health.FAILED:
             self.health = Health.GONE
 

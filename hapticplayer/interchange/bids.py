@@ -36,6 +36,7 @@ _BEH = (
     Column("delay_s", "by which the force came later than recorded"),
     Column("gain", "of the force, 1 as recorded"),
     Column("sound", "whether the playback was without a fault"),
+    Column("response_time", "from the page of questions to its answer"),
 )
 _CHANNELS = (
     # name, component, type, unit, decimals
@@ -65,12 +66,13 @@ def write_bids(
     _json(folder / "participants.json", _participants_sidecar())
     keys = [question.key for question in definition.trial_questions]
     _json(folder / f"task-{TASK}_beh.json", _beh_sidecar(definition))
-    _json(folder / f"task-{TASK}_events.json", _events_sidecar())
     known = {participant.code for participant in answers.participants}
     task = _task(definition)
     for session in sessions:
         if session.code in known:
             _subject(session, keys, task, folder / f"sub-{session.code}", remarks)
+    if any(folder.rglob("*_events.tsv")):  # a sidecar of nothing is an error
+        _json(folder / f"task-{TASK}_events.json", _events_sidecar())
 
 
 def _dataset(definition: Definition) -> dict[str, Any]:
@@ -98,7 +100,10 @@ def _readme(definition: Definition) -> bytes:
 
 
 def _participants(answers: Answers) -> bytes:
-    names = ("participant_id", "age", "gender", "handedness", "used_device_before")
+    names = (
+        *("participant_id", "age", "gender", "handedness", "used_device_before"),
+        *("complete", "simulated"),
+    )
     rows = [_participant_row(participant) for participant in answers.participants]
     columns = [Column(name, "") for name in names]
     return separated(Table("participants.tsv", columns, rows), "\t", "n/a")
@@ -106,7 +111,8 @@ def _participants(answers: Answers) -> bytes:
 
 def _participant_row(who: Participant) -> tuple[Any, ...]:
     used = who.used_device_before
-    return (f"sub-{who.code}", who.age, who.gender, who.handedness, used)
+    row = (f"sub-{who.code}", who.age, who.gender, who.handedness, used)
+    return (*row, who.complete, who.simulated)
 
 
 def _participants_sidecar() -> dict[str, Any]:
@@ -116,6 +122,14 @@ def _participants_sidecar() -> dict[str, Any]:
         "handedness": {"Description": "hand that writes"},
         "used_device_before": {
             "Description": "whether such a device was known",
+            "Levels": {"true": "yes", "false": "no"},
+        },
+        "complete": {
+            "Description": "whether the session came to its end",
+            "Levels": {"true": "yes", "false": "no"},
+        },
+        "simulated": {
+            "Description": "whether the program made the answers and nobody sat there",
             "Levels": {"true": "yes", "false": "no"},
         },
     }
@@ -147,7 +161,7 @@ def _beh_sidecar(definition: Definition) -> dict[str, Any]:
     made = _task(definition)
     for column in _BEH:
         made[column.name] = {"Description": column.meaning}
-    for name in ("delay_s",):
+    for name in ("delay_s", "response_time"):
         made[name]["Units"] = "s"
     for question in definition.trial_questions:
         made[question.key] = {
@@ -165,7 +179,8 @@ def _subject(
     remarks: list[str],
 ) -> None:
     behaviour = folder / "beh"
-    behaviour.mkdir(mode=private.FOLDER_MODE, parents=True)
+    folder.mkdir(mode=private.FOLDER_MODE)
+    behaviour.mkdir(mode=private.FOLDER_MODE)
     rows = [_beh_row(trial, keys) for trial in answered_trials(session.records)]
     columns = [*_BEH, *[Column(key, "") for key in keys]]
     name = f"sub-{session.code}_task-{TASK}"
@@ -195,6 +210,7 @@ def _beh_row(trial: AnsweredTrial, keys: list[str]) -> tuple[Any, ...]:
         condition.delay_s,
         condition.gain,
         trial.sound,
+        trial.response_s,
         *(trial.values.get(key) for key in keys),
     )
 

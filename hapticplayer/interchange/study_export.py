@@ -7,9 +7,10 @@ text that nobody has reviewed.
 from pathlib import Path
 from typing import Any
 
-from hapticplayer.errors import UsageError
+from hapticplayer.errors import StudyError, UsageError
 from hapticplayer.interchange.bids import write_bids
 from hapticplayer.interchange.session_data import (
+    Marker,
     finite,
     markers_of,
     tick_chunks,
@@ -40,11 +41,15 @@ def export_study(study: Study, target: Path, form: str) -> dict[str, Any]:
 
     Raises:
         UsageError: for another format.
-        StudyError: when it cannot be written; nothing is left then.
+        StudyError: when there are no answers, or it cannot be written; nothing is left then.
     """
     if form not in FORMATS:
         raise UsageError(f"there is no format {form!r}; there is {', '.join(FORMATS)}")
     answers = collect_answers(study)
+    if not answers.participants:
+        raise StudyError(
+            "has no answers yet", where=study.folder.name, remedy="run a participant"
+        )
     known = {participant.code for participant in answers.participants}
     sessions = [s for s in study.sessions()[0] if s.code in known]
     remarks = list(answers.remarks)
@@ -82,6 +87,9 @@ def _write_csv(answers: Answers, sessions: list[StoredSession], folder: Path) ->
 def _write_xdf(session: StoredSession, folder: Path, remarks: list[str]) -> None:
     """Write one file for each run: the device, and markers on the same clock."""
     markers = markers_of(session)
+    if not tick_files(session):
+        remarks.append(f"{session.code}: there is no record of a device, markers only")
+        _write_markers_alone(folder / f"{session.code}_markers.xdf", markers)
     for number, path in enumerate(tick_files(session), 1):
         target = folder / f"{session.code}_run-{number}.xdf"
         private.write_new(target, b"")
@@ -98,6 +106,14 @@ def _write_xdf(session: StoredSession, folder: Path, remarks: list[str]) -> None
             private.sync_file(out)
         if span_s is None:
             target.unlink()
+
+
+def _write_markers_alone(target: Path, markers: list[Marker]) -> None:
+    private.write_new(target, b"")
+    with target.open("wb") as out:
+        told = [(marker.monotonic_s, marker.text) for marker in markers]
+        _write_markers(XdfWriter(out), told)
+        private.sync_file(out)
 
 
 def _write_device(

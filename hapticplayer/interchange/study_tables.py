@@ -49,6 +49,7 @@ _TRIAL_COLUMNS = (
     _SOUND,
     Column("reasons", "why it was not, separated by semicolons"),
     *_PLAYED,
+    Column("response_s", "from the page of questions to its answer", "s"),
     Column("answers", "all answers as JSON"),
 )
 
@@ -73,9 +74,13 @@ def _participants(answers: Answers) -> Table:
         Column("handedness", "hand that writes"),
         Column("used_device_before", "knew such a device", "true|false"),
         Column("complete", "the session came to its end", "true|false"),
+        Column("simulated", "made by the program, nobody sat there", "true|false"),
     )
     rows = [
-        (p.code, p.age, p.gender, p.handedness, p.used_device_before, p.complete)
+        (
+            *(p.code, p.age, p.gender, p.handedness, p.used_device_before),
+            *(p.complete, p.simulated),
+        )
         for p in answers.participants
     ]
     return Table("participants.csv", columns, rows)
@@ -146,6 +151,7 @@ def _trial_rows(sessions: Iterable[StoredSession]) -> Iterator[Sequence[Any]]:
                 trial.sound,
                 ";".join(trial.reasons),
                 *(trial.playback.get(column.name) for column in _PLAYED),
+                trial.response_s,
                 json.dumps(dict(trial.values), sort_keys=True),
             )
 

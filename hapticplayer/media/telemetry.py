@@ -2,6 +2,7 @@
 
 import os
 from dataclasses import dataclass
+from fractions import Fraction
 
 from av.container import InputContainer
 from av.stream import DataStream
@@ -77,6 +78,7 @@ def read_telemetry_packets(path: str | os.PathLike[str]) -> list[TelemetryPacket
             return []
         start_s = origin_s(container)
         read_only(container, stream)
+        base = (stream.time_base or Fraction(0)).as_integer_ratio()
         packets: list[TelemetryPacket] = []
         total_bytes = 0
         for packet in container.demux(stream):
@@ -86,8 +88,8 @@ def read_telemetry_packets(path: str | os.PathLike[str]) -> list[TelemetryPacket
             _check_limits(packet.size, total_bytes, len(packets), path)
             packets.append(
                 TelemetryPacket(
-                    start_s=float(packet.pts * packet.time_base) - start_s,
-                    duration_s=float((packet.duration or 0) * packet.time_base),
+                    start_s=packet.pts * base[0] / base[1] - start_s,
+                    duration_s=(packet.duration or 0) * base[0] / base[1],
                     payload=bytes(packet),
                 )
             )

@@ -1,7 +1,7 @@
 """Maps between the clocks of a recording, of the media and of the machine."""
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from hapticplayer.errors import InputError
 
@@ -59,6 +59,10 @@ class PlaybackClock:
         if self.rate == 0.0:
             return math.inf
         return self.monotonic0_s + (media_s - self.media0_s) / self.rate
+
+    def ahead(self, latency_s: float) -> "PlaybackClock":
+        """Return the clock of an output whose doing is met so much later."""
+        return replace(self, monotonic0_s=self.monotonic0_s - latency_s)
 
     def is_running(self, monotonic_s: float) -> bool:
         """Whether the media moves at this time and the clock may be trusted."""

@@ -155,14 +155,18 @@ def _estimate(task: Task, method: str) -> Estimate:
 
 def _removed(task: Task, method: str) -> tuple[MotionTrack, Estimate]:
     estimate = _estimate(task, method)
-    gravity = STANDARD_GRAVITY_MPS2 * estimate.vertical
     gain = task.gain
     if estimate.at_rest is not None and gain != 1.0:
         # what only seemed to stand still has no say in the scale
         gain = estimate_accelerometer_gain(task.imu, _at_rest(task, estimate)).gain
+    # in place: of ten hours, what costs is memory that nobody has touched before
+    gravity, sigma = estimate.vertical, estimate.sigma_rad
+    gravity *= STANDARD_GRAVITY_MPS2
     acceleration = gain * task.imu.specific_force_mps2
     acceleration -= gravity
-    sigma = estimate.sigma_rad
+    if sigma is not None:
+        sigma *= STANDARD_GRAVITY_MPS2
+        sigma.setflags(write=False)
     for fresh in (gravity, acceleration):
         fresh.setflags(write=False)  # or the track would copy it
     track = MotionTrack(
@@ -171,7 +175,7 @@ def _removed(task: Task, method: str) -> tuple[MotionTrack, Estimate]:
         gravity_mps2=gravity,
         accelerometer_gain=gain,
         quaternion_wxyz=estimate.quaternion_wxyz,
-        gravity_sigma_mps2=None if sigma is None else STANDARD_GRAVITY_MPS2 * sigma,
+        gravity_sigma_mps2=sigma,
         valid=task.flaws.valid,
     )
     return track, estimate

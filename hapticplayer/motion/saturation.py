@@ -16,6 +16,8 @@ from hapticplayer.model.arrays import Floats
 
 Flags = NDArray[np.bool_]
 
+# Samples at a time: of a long log no copy is made.
+_CHUNK = 1 << 16
 # Relative widths below an extreme value. Nexus 5 phones: 95 % of the samples within
 # 2 % of the rail are within 0.05 % of it; a sinusoid has 19 % of them there.
 ON_RAIL = 5e-4
@@ -70,20 +72,20 @@ def saturated_mask(values: Floats, sensor: SensorRange) -> tuple[Flags, float | 
         full_scale: the known range within 4 % of the rail, else the largest rail
             that was found; None when nothing is clipped.
     """
-    # by axis: numpy is slow along axes of three
-    columns = np.ascontiguousarray(values.T)
-    mask = np.zeros(columns.shape, dtype=np.bool_)
-    if not len(values):
-        return mask.T, None
-    tops = np.stack([columns.max(axis=1), -columns.min(axis=1)])
+    tops = np.full((2, 3), -np.inf)
+    for first in range(0, len(values), _CHUNK):
+        # by axis: numpy is slow along axes of three
+        part = np.ascontiguousarray(values[first : first + _CHUNK].T)
+        np.maximum(tops, [part.max(axis=1), -part.min(axis=1)], out=tops)
     if tops.max() < sensor.least:
-        return mask.T, None
+        return np.zeros(values.shape, np.bool_), None
     rails = np.zeros((2, 3))
     for side, sign in enumerate((1.0, -1.0)):
         for axis in range(3):
             top = float(tops[side, axis])
-            if top >= sensor.least and _is_rail(columns[axis], sign, top, sensor):
+            if top >= sensor.least and _is_rail(values[:, axis], sign, top, sensor):
                 rails[side, axis] = top
+    mask = np.zeros(values.shape[::-1], np.bool_)
     if not rails.any():
         return mask.T, None
     _add_siblings(rails, tops)
@@ -91,7 +93,7 @@ def saturated_mask(values: Floats, sensor: SensorRange) -> tuple[Flags, float | 
         for axis in range(3):
             if rails[side, axis] > 0.0:
                 rail = (1.0 - MARKED) * rails[side, axis]
-                mask[axis] |= sign * columns[axis] >= rail
+                mask[axis] |= sign * values[:, axis] >= rail
     largest = float(rails.max())
     return mask.T, _known(largest, sensor) or largest
 

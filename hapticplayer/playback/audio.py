@@ -31,10 +31,12 @@ class AudioRing:
     Attributes:
         rate_hz: of the samples.
         descriptor: of the shared memory, a `SoundBlock`.
+        latency_s: from the time that the output states to the ear.
     """
 
     def __init__(self, rate_hz: int = RATE_HZ) -> None:
         self.rate_hz = rate_hz
+        self.latency_s = 0.0
         capacity = round((AHEAD_S + HISTORY_S) * rate_hz)
         self.descriptor = anonymous_memory("hapticplayer-sound", block_bytes(capacity))
         SoundBlock.shape(self.descriptor, rate_hz, capacity)
@@ -108,7 +110,8 @@ class AudioRing:
         self._say(is_playing=True)
 
     def join(self, clock: PlaybackClock) -> None:
-        """Play on from where a running clock will be when the next sample sounds."""
+        """Play on from where a running clock will be when the next sample is heard."""
+        clock = clock.ahead(self.latency_s)
         self._say(
             is_playing=True,
             join=self._cue.join + 1,
@@ -163,10 +166,14 @@ class AudioRing:
         return max(0, self._cue.written - self._read()) / self.rate_hz
 
     def reports(self) -> list[AudioReport]:
-        """Return the reports since the last call, oldest first."""
+        """Return what is heard when, since the last call, oldest first."""
         heard, self._tail = self._block.heard_since(self._tail)
-        epoch = self._cue.epoch
-        return [AudioReport(*one[:3]) for one in heard if one.epoch == epoch]
+        epoch, later_s = self._cue.epoch, self.latency_s
+        return [
+            AudioReport(epoch, one.monotonic_s + later_s, one.media_s)
+            for one in heard
+            if one.epoch == epoch
+        ]
 
     def _read(self) -> int:
         """Where the reader is, or will begin."""

@@ -19,6 +19,7 @@ from hapticplayer.playback.audio import AudioRing
 from hapticplayer.playback.sound_block import CHANNELS
 
 QUEUE_PICTURES = 5
+ROOM_S = 0.2  # seconds of sound lie ahead: there is no hurry
 MAX_STARVED_DROPS = 15  # show one picture in half a second whatever happens
 
 
@@ -254,5 +255,5 @@ class AudioFeeder(Feeder):
         """Wait a little; False when there is something better to do."""
         with self._wake:
             if self._target is None and not self._is_stopping:
-                self._wake.wait(0.05)
+                self._wake.wait(ROOM_S)
             return self._target is None and not self._is_stopping

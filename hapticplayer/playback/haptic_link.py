@@ -9,7 +9,9 @@ from numpy.typing import NDArray
 
 from hapticplayer.clock import Clock
 from hapticplayer.devices import find_device
+from hapticplayer.errors import UsageError
 from hapticplayer.haptics.contract import Cause, Mode
+from hapticplayer.haptics.injection import Fault
 from hapticplayer.haptics.process import HapticsProcess, Health
 from hapticplayer.haptics.scheduling import Scheduling
 from hapticplayer.model import ForceTrack, PlaybackClock, SyncStats
@@ -20,6 +22,7 @@ from hapticplayer.rendering import adapted
 
 NO_DEVICE = "none"
 SYNC_LOG_PERIOD_S = 1.0
+TICKS_BEFORE_S = 0.02  # of an event: the tick that it falls into, even a late one
 READ_PERIOD_S = 0.05  # plots draw at 30 Hz; more often costs more than it shows
 
 
@@ -31,8 +34,10 @@ class HapticLink:
         device: name of the device; "none" runs no process at all.
         scheduling: None for the best there is.
         record: a new file for every tick of the loop; None records nothing.
+        takes_faults: whether `inject` may be called; for simulated devices only.
 
     Raises:
+        UsageError: when a real device shall take faults.
         InputError: when the record cannot be created.
     """
 
@@ -42,6 +47,8 @@ class HapticLink:
         device: str,
         scheduling: Scheduling | None = None,
         record: Path | None = None,
+        *,
+        takes_faults: bool = False,
     ) -> None:
         self.device = device
         self.history = TickHistory()
@@ -60,7 +67,11 @@ class HapticLink:
         if device != NO_DEVICE:
             self._capabilities = find_device(device).capabilities
             self._process = HapticsProcess(
-                clock, device, scheduling=scheduling, record=record
+                clock,
+                device,
+                scheduling=scheduling,
+                record=record,
+                takes_faults=takes_faults,
             )
 
     @property
@@ -123,6 +134,17 @@ class HapticLink:
         if self._process:
             self._process.rearm()
 
+    @property
+    def takes_faults(self) -> bool:
+        """Whether `inject` may be called."""
+        return self._process is not None and self._process.takes_faults
+
+    def inject(self, fault: Fault) -> float:
+        """Make a fault happen; see `HapticsProcess.inject`."""
+        if self._process is None:
+            raise UsageError("there is no device that could have a fault")
+        return self._process.inject(fault)
+
     def poll(self, log: PlaybackLog | None) -> bool:
         """Read what the process has done since; False when it has just died."""
         if not self._process:
@@ -180,7 +202,10 @@ class HapticLink:
         self, what: str, meter: SyncMeter, alarm: SyncAlarm, log: PlaybackLog | None
     ) -> None:
         """Measure how much later the force came, and tell when that can be felt."""
-        if not (meter.is_waiting and alarm.add(meter.compare(self.history.newest()))):
+        if not meter.is_waiting:
+            return
+        ticks = self.history.since(meter.oldest_s - TICKS_BEFORE_S)
+        if not alarm.add(meter.compare(ticks)):
             return
         if alarm.is_on:
             self.told.append(alarm.sentence())

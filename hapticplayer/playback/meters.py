@@ -1,7 +1,6 @@
 """What is measured while playing: lateness of the loop, force against picture and sound."""
 
 from collections import deque
-from collections.abc import Collection
 from typing import Any
 
 import numpy as np
@@ -13,6 +12,7 @@ from hapticplayer.model import LoopStats, SyncStats
 
 HISTORY_TICKS = 12_000
 STATS_TICKS = 10_000
+TRACE_EVENTS = 1800  # 30 s of pictures at 60 Hz
 _EMPTY = np.empty(0, dtype=TICK)
 
 
@@ -51,12 +51,6 @@ class TickHistory:
             newer.append(chunk)
         return _joined(newer[::-1])
 
-    def newest(self) -> NDArray[Any]:
-        """Return the ticks of the last two reads, for comparing fresh events."""
-        if len(self._chunks) < 2:
-            return self._chunks[0] if self._chunks else _EMPTY
-        return joined([self._chunks[-2], self._chunks[-1]])
-
     def latest(self) -> Any:
         """Return the newest tick, or None."""
         return self._chunks[-1][-1] if self._chunks else None
@@ -75,20 +69,6 @@ class TickHistory:
         return _loop_stats(np.concatenate(self._lateness_us), self.missed)
 
 
-def joined(chunks: Collection[NDArray[Any]]) -> NDArray[Any]:
-    """Return chunks of ticks as one array.
-
-    As np.concatenate, which spends more on comparing the fields of the dtypes than
-    on copying.
-    """
-    made = np.empty(sum(map(len, chunks)), dtype=TICK)
-    at = 0
-    for chunk in chunks:
-        made[at : at + len(chunk)] = chunk
-        at += len(chunk)
-    return made
-
-
 class SyncMeter:
     """How much later the force of a moment comes than its picture or its sound.
 
@@ -101,6 +81,12 @@ class SyncMeter:
         self._pending: list[tuple[float, float]] = []
         self._differences_ms: list[NDArray[np.float64]] = []
         self._recent_ms: deque[float] = deque(maxlen=600)
+        self._trace: deque[tuple[float, float]] = deque(maxlen=TRACE_EVENTS)
+
+    @property
+    def oldest_s(self) -> float:
+        """Monotonic time of the oldest event that waits, infinity without one."""
+        return min((event[0] for event in self._pending), default=float("inf"))
 
     @property
     def is_waiting(self) -> bool:
@@ -139,7 +125,12 @@ class SyncMeter:
         self._differences_ms.append(difference_ms)
         fresh_ms: list[float] = difference_ms.tolist()
         self._recent_ms.extend(fresh_ms)
+        self._trace.extend(zip(at_s[moving].tolist(), fresh_ms, strict=True))
         return fresh_ms
+
+    def trace(self) -> NDArray[np.float64]:
+        """Return (monotonic s, difference ms) of the last events, (n, 2), oldest first."""
+        return np.array(self._trace).reshape(-1, 2)
 
     def recent(self) -> SyncStats | None:
         """Return the last 600 events (20 s of pictures at 30 Hz)."""

@@ -6,6 +6,7 @@ process of their own. A front end that stops polling stops the heartbeat, and th
 force with it.
 """
 
+from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
@@ -17,6 +18,7 @@ from hapticplayer.playback.clock import Source as ClockSource
 from hapticplayer.playback.farewell import Farewells, is_hardware
 from hapticplayer.playback.feeders import VideoFeeder
 from hapticplayer.playback.haptic_link import NO_DEVICE, HapticLink
+from hapticplayer.playback.latency import Latencies, Latency
 from hapticplayer.playback.log import PlaybackLog
 from hapticplayer.playback.screen import POLL_S, FrameSink, NullSink, Screen
 from hapticplayer.playback.snapshot import Phase, Snapshot
@@ -69,6 +71,7 @@ class Player:
         self._video_feeder: VideoFeeder | None = None
         self._log: PlaybackLog | None = None
         self._link = HapticLink(clock, device, scheduling)
+        self._latencies, self.latency = Latencies(), Latency()
         self._farewells = Farewells()
         self._size_px = (0, 0)
         self._first_sound_by_s = 0.0
@@ -85,6 +88,11 @@ class Player:
     def link(self) -> HapticLink:
         """The haptics process and its records."""
         return self._link
+
+    @property
+    def sound(self) -> Sound:
+        """The sound of the clip and its output."""
+        return self._sound
 
     @property
     def is_playing(self) -> bool:
@@ -191,6 +199,12 @@ class Player:
         """Set the loudness: 0 is silent, 1 as recorded; its cube is the amplitude."""
         self._sound.ring.gain = min(max(share, 0.0), 1.0) ** 3
 
+    def set_latencies(self, latencies: Latencies) -> None:
+        """Begin earlier from here on what reaches the person later."""
+        self._latencies = latencies
+        if self._note_latency():
+            self.seek(self.media_s())
+
     def set_sound_output(self, make: AudioFactory) -> None:
         """Play through another output from here on."""
         self._sound.use(make)
@@ -206,7 +220,9 @@ class Player:
             self._media.renew()
             self._sound.ring.follow(self._media.epoch)
 
-    def set_device(self, name: str, record: Path | None = None) -> None:
+    def set_device(
+        self, name: str, record: Path | None = None, *, takes_faults: bool = False
+    ) -> None:
         """Let go of the device and take another one, recording its ticks if asked.
 
         Waits for the old one only where both are hardware.
@@ -214,10 +230,13 @@ class Player:
         self._farewells.begin(self._link)
         if is_hardware(name):
             self.wait_released()
-        self._link = HapticLink(self._clock, name, self._scheduling, record)
+        self._link = HapticLink(
+            self._clock, name, self._scheduling, record, takes_faults=takes_faults
+        )
         if self.source is not None:
             self._link.load(self.source.tracks)
         self._event("device", device=name)
+        self._note_latency()
 
     def wait_released(self) -> None:
         """Wait until other programs can have the hardware that was let go of."""
@@ -243,6 +262,7 @@ class Player:
     def attach_log(self, log: PlaybackLog) -> None:
         """Write everything from now on into a log, until `close`."""
         self._log = log
+        self._event("latency", **asdict(self.latency))
 
     def close(self) -> None:
         """Bring the hand to rest, end all threads and finish the log."""
@@ -321,7 +341,8 @@ class Player:
         self._advance(now_s)
         next_s = self._present(self._clock.now_s())
         feedback = NO_TRACK if self._has_picture_stopped(now_s) else self.feedback
-        self._link.publish(self._media.snapshot(self._clock.now_s()), feedback)
+        clock = self._media.snapshot(self._clock.now_s())
+        self._link.publish(clock.ahead(self.latency.device_s), feedback)
         return min(next_s, now_s + POLL_S)
 
     def _has_picture_stopped(self, now_s: float) -> bool:
@@ -358,7 +379,8 @@ class Player:
         if report.monotonic_s < self._logged_audio_s + AUDIO_LOG_PERIOD_S:
             return
         self._logged_audio_s = report.monotonic_s
-        self._link.audio_sync.event(report.monotonic_s, report.media_s)
+        commanded_s = report.monotonic_s - self.latency.device_s
+        self._link.audio_sync.event(commanded_s, report.media_s)
         if self._log:
             self._log.line(
                 "audio", monotonic_s=report.monotonic_s, media_s=report.media_s
@@ -397,8 +419,6 @@ class Player:
         if self._media.source is not self._led_by:
             self._led_by = self._media.source
             self._event("clock", source=self._led_by.value)
-            if self._sound.is_wanted and self._led_by is ClockSource.MONOTONIC:
-                self.told.append("the sound was lost; picture and force go on")
 
     def _is_ready(self, feeder: VideoFeeder, now_s: float) -> bool:
         has_picture = feeder.peek(1) is not None or feeder.is_at_end
@@ -412,12 +432,25 @@ class Player:
             self.told.append(NO_OUTPUT)
         elif happened:
             self._event(happened)
+            self._note_latency()
+            if happened == "sound_lost":
+                self.told.append("the sound was lost; picture and force go on")
             if self.phase is Phase.STARTING:
                 self.phase = Phase.BUFFERING  # what was begun is not heard
 
+    def _note_latency(self) -> bool:
+        """Follow outputs that are others now; return whether a latency is another."""
+        before = self.latency
+        self.latency = self._latencies.of(self._sound.name, self._link.device)
+        self._sound.ring.latency_s = self.latency.sound_s
+        if self.latency == before:
+            return False
+        self._event("latency", **asdict(self.latency))
+        return True
+
     def _start(self, now_s: float) -> None:
         if not self._sound.is_open:
-            self._media.start(now_s)
+            self._media.start(now_s + self.latency.lead_s)
             self.phase = Phase.PLAYING
         else:
             # the clock starts with the first sound: its delay is never assumed
@@ -450,12 +483,14 @@ class Player:
         if feeder is None:
             return now_s + POLL_S
         clock = self._media.snapshot(now_s) if self._media.is_running else None
+        clock = clock.ahead(self.latency.display_s) if clock else None
         return self._screen.present(now_s, feeder, clock)
 
     def _note_picture(self, shown_s: float, pts_s: float) -> None:
-        self._link.video_sync.event(shown_s, pts_s)
+        seen_s = shown_s + self.latency.display_s
+        self._link.video_sync.event(seen_s - self.latency.device_s, pts_s)
         if self._log:
-            self._log.line("frame", monotonic_s=shown_s, media_s=pts_s)
+            self._log.line("frame", monotonic_s=seen_s, media_s=pts_s)
 
     def _event(self, name: str, **fields: Any) -> None:
         if self._log:

@@ -1,5 +1,6 @@
 """The side of the sound: decoder, ring and output of one clip after the other."""
 
+from collections import deque
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
@@ -12,6 +13,7 @@ from hapticplayer.playback.sound_keeper import PREBUFFER_S, SoundKeeper
 from hapticplayer.playback.sound_process import AudioOut
 
 AudioFactory = Callable[[AudioRing, Clock], AudioOut]
+AHEAD_REPORTS = 50
 NO_OUTPUT = "there is no sound output, so the clip plays silently"
 
 
@@ -36,6 +38,7 @@ class Sound:
         self._has_outputs = make is not None
         self._keeper = SoundKeeper(self.ring, media, bound)
         self._underruns = 0
+        self._ahead_s: deque[float] = deque(maxlen=AHEAD_REPORTS)
 
     @property
     def is_wanted(self) -> bool:
@@ -48,11 +51,25 @@ class Sound:
         return self.is_wanted and self._keeper.is_open
 
     @property
+    def name(self) -> str:
+        """Name of the output that plays, "" for none."""
+        return self._keeper.name if self.is_wanted else ""
+
+    @property
     def output(self) -> str:
         """Name of the output, "lost" while there is none any more, "" for none."""
         if not self.is_wanted:
             return ""
         return "lost" if self._keeper.was_lost else self._keeper.name
+
+    @property
+    def reported_latency_s(self) -> float:
+        """How far ahead the output asks for its samples, s; 0 before it is known.
+
+        Each poll comes a little after the callback, so the larger values are right.
+        """
+        known = sorted(self._ahead_s)
+        return known[len(known) * 9 // 10] if len(known) == AHEAD_REPORTS else 0.0
 
     @property
     def problem(self) -> str:
@@ -120,11 +137,18 @@ class Sound:
         """Look after the output; return what has happened, "" for nothing."""
         if self.feeder is None:
             return ""
-        return self._keeper.look(now_s, self.feeder.request, is_playing=is_playing)
+        happened = self._keeper.look(now_s, self.feeder.request, is_playing=is_playing)
+        if happened:
+            self._ahead_s.clear()  # of another output
+        return happened
 
     def reports(self) -> list[AudioReport]:
         """Return what was heard since the last call, oldest first."""
-        return self.ring.reports()
+        reports = self.ring.reports()
+        if reports:
+            handed_s = reports[-1].monotonic_s - self.ring.latency_s
+            self._ahead_s.append(handed_s - self._clock.now_s())
+        return reports
 
     def missing_s(self) -> float:
         """Return how much sound came too late since the last call, s."""

@@ -12,7 +12,8 @@ from hapticplayer.playback.clock import MediaClock, Source
 from hapticplayer.playback.sound_process import AudioOut, OutputState
 
 LOST_AFTER_S = 1.0
-"""Without a report for so long, an output is lost; a busy computer is back sooner."""
+"""Without a report for so long, an output is lost; a busy computer is back sooner.
+A new one may take its time: after the first blocks a null sink wanted none for 1.3 s."""
 RETRY_S, SLOWEST_RETRY_S = 0.5, 8.0
 OPENING_S = 3.0
 """So long does the clip wait for an output; a server that wakes its device took 1.3 s."""
@@ -119,7 +120,7 @@ class SoundKeeper:
             self._join_when_ready(now_s)
         elif not is_silent and self._align_s < now_s < self._align_until_s:
             self._align(now_s)
-        elif now_s > self._heard_s + LOST_AFTER_S:
+        elif now_s > max(self._heard_s + LOST_AFTER_S, self._opening_s + OPENING_S):
             return self._lose(now_s)
         return happened
 

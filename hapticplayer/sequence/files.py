@@ -72,8 +72,8 @@ def config_home() -> Path:
 
 
 @contextmanager
-def written_aside(target: Path) -> Iterator[Path]:
-    """Yield a new folder that becomes `target` when the block ends well.
+def written_aside(target: Path, mode: int = 0o755) -> Iterator[Path]:
+    """Yield a new folder that becomes `target`, of this mode, when the block ends well.
 
     However the block ends otherwise, nothing is left behind.
 
@@ -84,7 +84,7 @@ def written_aside(target: Path) -> Iterator[Path]:
     with scratch_beside(target) as aside:
         try:
             yield aside
-            aside.chmod(0o755)
+            aside.chmod(mode)
             sync_folder(aside)
             target.parent.mkdir(parents=True, exist_ok=True)
             aside.rename(target)

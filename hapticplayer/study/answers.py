@@ -92,6 +92,7 @@ class Participant:
         handedness: the definition's word for it.
         used_device_before: whether the device was known.
         complete: whether the session came to its end.
+        simulated: whether nobody sat there.
     """
 
     code: str
@@ -100,6 +101,7 @@ class Participant:
     handedness: str | None
     used_device_before: bool | None
     complete: bool = True
+    simulated: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -145,6 +147,7 @@ def read_answers(study_folder: str | Path) -> Answers:
 def collect_answers(study: Study) -> Answers:
     """Return all answers of an opened study, as `read_answers`."""
     sessions, remarks = study.sessions()
+    remarks += _about(sessions)
     sessions = [s for s in sessions if any(answered_trials(s.records))]
     definition = study.definition
     collected = [_Collector(session, definition, remarks) for session in sessions]
@@ -159,6 +162,22 @@ def collect_answers(study: Study) -> Answers:
         judgements=tuple(j for one in collected for j in one.judgements()),
         remarks=tuple(remarks),
     )
+
+
+def _about(sessions: list[StoredSession]) -> Iterator[str]:
+    """Yield what a reader has to know of sessions as a whole."""
+    answered = [s for s in sessions if any(answered_trials(s.records))]
+    if empty := len(sessions) - len(answered):
+        yield f"{empty} of {len(sessions)} sessions hold no answer to a trial"
+    if early := sum(s.state is not State.COMPLETE for s in answered):
+        yield f"{early} of {len(sessions)} sessions have answers and no end"
+    if scripted := sum(map(_is_simulated, sessions)):
+        yield f"{scripted} of {len(sessions)} sessions are simulated: nobody sat there"
+
+
+def _is_simulated(session: StoredSession) -> bool:
+    begun = [r for r in session.records.intact if r.kind == "begin"]
+    return any("scripted" in record.content for record in begun)
 
 
 class _Collector:
@@ -196,6 +215,7 @@ class _Collector:
             handedness=_of_type(sheet.get("handedness"), str),
             used_device_before=_of_type(sheet.get("used_device_before"), bool),
             complete=self._session.state is State.COMPLETE,
+            simulated=_is_simulated(self._session),
         )
 
     def ratings(self) -> Iterator[Rating]:

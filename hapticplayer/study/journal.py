@@ -35,7 +35,7 @@ class Journal:
         except OSError as problem:
             failed(problem, path)
         try:
-            self._take()
+            _take(self._file, path)
             found = read_journal(path)
         except BaseException:
             os.close(self._file)
@@ -43,16 +43,6 @@ class Journal:
         self.found = found
         self._next = found.next_number
         self._is_torn = found.is_torn
-
-    def _take(self) -> None:
-        try:
-            fcntl.flock(self._file, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        except OSError as problem:
-            raise StudyError(
-                "is open in another window",
-                where=str(self._path.parent),
-                remedy="close it there first",
-            ) from problem
 
     def append(self, kind: str, **content: Any) -> Record:
         """Keep one record; when this returns, it is on the disk.
@@ -91,6 +81,29 @@ class Journal:
         if self._file >= 0:
             os.close(self._file)
             self._file = -1
+
+
+def refuse_if_open(path: Path) -> None:
+    """Raise StudyError when another program has the file; it may be damaged or gone."""
+    try:
+        descriptor = os.open(path, os.O_RDONLY | os.O_NOFOLLOW)
+    except OSError:
+        return  # nor could a `Journal` open it
+    try:
+        _take(descriptor, path)
+    finally:
+        os.close(descriptor)
+
+
+def _take(descriptor: int, path: Path) -> None:
+    try:
+        fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except OSError as problem:
+        raise StudyError(
+            "is open in another window",
+            where=str(path.parent),
+            remedy="close it there first",
+        ) from problem
 
 
 def _write_whole(descriptor: int, line: bytes) -> None:

@@ -19,11 +19,13 @@ class Merged:
         added: codes that are new here.
         same: codes whose session is the same on both sides.
         conflicts: one sentence for each that was left alone, and why.
+        remarks: one sentence for each that was added and played other clips.
     """
 
     added: tuple[str, ...]
     same: tuple[str, ...]
     conflicts: tuple[str, ...]
+    remarks: tuple[str, ...] = ()
 
 
 def merge_sessions(study: Study, other: Study) -> Merged:
@@ -57,7 +59,24 @@ def merge_sessions(study: Study, other: Study) -> Merged:
             conflicts.append(f"{code}: {problem}")
         else:
             (same if code in here else added).append(code)
-    return Merged(tuple(added), tuple(same), tuple(conflicts))
+    remarks = _other_clips(study, here, added)
+    return Merged(tuple(added), tuple(same), tuple(conflicts), remarks)
+
+
+def _other_clips(study: Study, here: set[str], added: list[str]) -> tuple[str, ...]:
+    """Name the sequences that are not those of the sessions that were here before."""
+    sessions, _ = study.sessions()
+    known: dict[str, set[str]] = {}
+    for session in sessions:
+        for key, checksum in session.plan.clips.items():
+            if session.code in here:
+                known.setdefault(key, set()).add(checksum)
+    return tuple(
+        f"{session.code}: played another sequence {key!r} than the sessions here"
+        for session in sessions
+        for key, checksum in session.plan.clips.items()
+        if session.code in added and key in known and checksum not in known[key]
+    )
 
 
 def _take(study: Study, other: Study, code: str) -> str:

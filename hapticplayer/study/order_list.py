@@ -49,10 +49,10 @@ def _rows(path: Path) -> Iterator[tuple[int, Mapping[str, str]]]:
     except UnicodeDecodeError as problem:
         raise StudyError("is no UTF-8 text", where=str(path)) from problem
     reader = csv.DictReader(text.splitlines(), strict=True)
-    names = reader.fieldnames or ()
-    if not set(COLUMNS) <= set(names) <= {*COLUMNS, *OPTIONAL}:
-        _refuse(path, 1, f"the columns have to be {','.join(COLUMNS)}")
     try:
+        names = reader.fieldnames or ()
+        if not set(COLUMNS) <= set(names) <= {*COLUMNS, *OPTIONAL}:
+            _refuse(path, 1, f"the columns have to be {','.join(COLUMNS)}")
         for row in reader:
             if None in row or None in row.values():
                 _refuse(path, reader.line_num, "has another number of columns")

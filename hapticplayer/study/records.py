@@ -85,7 +85,7 @@ def encode(
         allow_nan=False,
         separators=(",", ":"),
     )
-    body = text.encode("utf-8", errors="strict")[:-1]
+    body = text.encode("utf-8", errors="replace")[:-1]  # half a character: "?"
     line = body + b',"crc":"%08x"}\n' % zlib.crc32(body)
     if len(line) > MAX_RECORD_BYTES:
         raise ValueError("the record is too long")

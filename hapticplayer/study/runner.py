@@ -331,6 +331,7 @@ class SessionRunner:
         if self._pending is not None:
             pending, self._pending = self._pending, None
             self.problem, self._mode = "", self._before_problem
+            self.stage.rearm()
             pending()
 
     def close(self) -> None:
@@ -364,7 +365,11 @@ class SessionRunner:
     def _fail(self, problem: StudyError, again: Callable[[], None]) -> None:
         """Stop the participant with a message until an operator has helped."""
         self.stage.halt()
-        self.problem, self._pending = str(problem), again
+        self.problem = str(problem)
+        if self._mode is Mode.PROBLEM and self._pending is not None:
+            self._pending = _both(self._pending, again)
+            return
+        self._pending = again
         self._before_problem, self._mode = self._mode, Mode.PROBLEM
         self._turn_page()
 
@@ -453,3 +458,11 @@ class SessionRunner:
     def _mark(self, text: str) -> None:
         if self._observer is not None:
             self._observer.marker(text, self._clock.now_s())
+
+
+def _both(first: Callable[[], None], second: Callable[[], None]) -> Callable[[], None]:
+    def call() -> None:
+        first()
+        second()
+
+    return call

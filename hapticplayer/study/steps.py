@@ -31,6 +31,7 @@ class AnsweredTrial:
         sound: whether the playback was without a fault.
         reasons: why it was not.
         playback: what was really played.
+        response_s: from the page to its answer, s; None where it was not measured.
     """
 
     position: int
@@ -40,6 +41,7 @@ class AnsweredTrial:
     sound: bool
     reasons: tuple[str, ...]
     playback: Mapping[str, Any]
+    response_s: float | None = None
 
 
 def trial_step(position: int) -> str:
@@ -131,4 +133,5 @@ def _trial(
         trial.get("sound") is True,
         tuple(str(reason) for reason in trial.get("reasons", ["record damaged"])),
         trial.get("playback", {}),
+        answers.get("response_s"),
     )

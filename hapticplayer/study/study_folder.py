@@ -14,13 +14,13 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from hapticplayer import __version__
-from hapticplayer.clock import Clock, SystemClock, utc_now_iso
+from hapticplayer.clock import Clock, utc_now_iso
 from hapticplayer.errors import StudyError
 from hapticplayer.study import private
 from hapticplayer.study.codes import checked_code, is_code, new_code
 from hapticplayer.study.definition import Condition, Definition, OrderMethod
 from hapticplayer.study.definition_reader import DEFINITION, parse_definition
-from hapticplayer.study.journal import Journal
+from hapticplayer.study.journal import Journal, refuse_if_open
 from hapticplayer.study.order_list import ORDERS, read_orders
 from hapticplayer.study.orders import Assignment, Balance, assign, balance_of
 from hapticplayer.study.plan import Plan
@@ -84,13 +84,17 @@ class Study:
         return read_session(folder, self.content)
 
     def sessions(self) -> tuple[list[StoredSession], list[str]]:
-        """Return all sessions in order of their beginning, and what is wrong."""
+        """Return all sessions in order of their beginning, and what is wrong.
+
+        The remarks go into reports: they name files by their place in the study.
+        """
         found, remarks = [], []
         for code in self.codes():
             try:
                 found.append(self.session(code))
             except StudyError as problem:
-                remarks.append(f"session {code} cannot be used: {problem}")
+                what = str(problem).replace(f"{self.folder}{os.sep}", "")
+                remarks.append(f"session {code} cannot be used: {what}")
             else:
                 remarks += found[-1].remarks
         found.sort(key=lambda session: (session.plan.created_utc, session.code))
@@ -210,15 +214,16 @@ def delete_participant(study: Study, code: str) -> list[str]:
     consent = study.folder / CONSENTS / f"{code}.json"
     if not folder.exists() and not consent.exists():
         study.session(code)
+    refuse_if_open(folder / ANSWERS)
     private.make_folder(study.folder / DELETED)
     try:
         consent.unlink(missing_ok=True)
         if folder.exists():
-            Journal(folder / ANSWERS, SystemClock()).close()  # nobody is writing
             leaving = folder.with_name(f"{_LEAVING}{secrets.token_hex(8)}")
             folder.rename(leaving)
-        private.sync(study.folder / SESSIONS)
-        private.sync(consent.parent)
+        for changed in (consent.parent, study.folder / SESSIONS):
+            if changed.is_dir():
+                private.sync(changed)
     except OSError as problem:
         private.failed(problem, folder)
     _finish_deletions(study)

@@ -1,7 +1,6 @@
 """Reads untrusted JSON value by value; every refusal names the field it means."""
 
 import json
-import math
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from pathlib import Path
 from typing import Any, NoReturn, TypeVar
@@ -110,8 +109,8 @@ class Branch:
         value = self.value
         if isinstance(value, bool) or not isinstance(value, int | float):
             self.refuse(f"is {_kind(value)} instead of a number")
-        if not math.isfinite(value) or not least <= value <= most:
-            self.refuse(f"{value} lies outside {least:g} to {most:g}")
+        if not least <= value <= most:  # also NaN, and whole numbers beyond a float
+            self.refuse(f"{str(value)[:20]} lies outside {least:g} to {most:g}")
         return float(value)
 
     def whole(self, least: int, most: int) -> int:

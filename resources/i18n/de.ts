@@ -148,6 +148,10 @@
         <translation>&amp;Statistik</translation>
     </message>
     <message>
+        <source>Fa&amp;ults of the simulated device…</source>
+        <translation>Fe&amp;hler des simulierten Geräts…</translation>
+    </message>
+    <message>
         <source>&amp;Fullscreen</source>
         <translation>&amp;Vollbild</translation>
     </message>
@@ -482,6 +486,128 @@
     <message>
         <source>Goes on at {time}; Home for the beginning</source>
         <translation>Weiter bei {time}; Pos1 für den Anfang</translation>
+    </message>
+</context>
+<context>
+    <name>FaultPanel</name>
+    <message>
+        <source>Re-arm</source>
+        <translation>Freigeben</translation>
+    </message>
+    <message>
+        <source>Let the force come back (Ctrl+R)</source>
+        <translation>Die Kraft wiederkommen lassen (Strg+R)</translation>
+    </message>
+    <message>
+        <source>Device anew</source>
+        <translation>Gerät neu</translation>
+    </message>
+    <message>
+        <source>Start the simulated device again</source>
+        <translation>Das simulierte Gerät neu starten</translation>
+    </message>
+    <message>
+        <source>Faults of the simulated device</source>
+        <translation>Fehler des simulierten Geräts</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>No faults any more</source>
+        <translation>Keine Fehler mehr</translation>
+    </message>
+    <message>
+        <source>Fault</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>Rule that answered</source>
+        <translation>Regel, die griff</translation>
+    </message>
+    <message>
+        <source>Reaction, ms</source>
+        <translation>Reaktion, ms</translation>
+    </message>
+    <message>
+        <source>No force, ms</source>
+        <translation>Kraftlos, ms</translation>
+    </message>
+    <message>
+        <source>What came of the faults</source>
+        <translation>Was aus den Fehlern wurde</translation>
+    </message>
+    <message>
+        <source>Only a simulated device takes faults, and only while this panel is open: choose it in the window, then press Device anew.</source>
+        <translation>Nur ein simuliertes Gerät nimmt Fehler an, und nur, solange dieses Feld offen ist: wählen Sie es im Fenster, dann drücken Sie Gerät neu.</translation>
+    </message>
+    <message>
+        <source>Play a clip with force, so that there is one to take away.</source>
+        <translation>Spielen Sie einen Clip mit Kraft, damit es eine wegzunehmen gibt.</translation>
+    </message>
+    <message>
+        <source>There is a force. Press a fault and watch what takes it away.</source>
+        <translation>Es wirkt eine Kraft. Drücken Sie einen Fehler und sehen Sie, was sie wegnimmt.</translation>
+    </message>
+</context>
+<context>
+    <name>FaultTexts</name>
+    <message>
+        <source>Unplug it</source>
+        <translation>Abziehen</translation>
+    </message>
+    <message>
+        <source>Stall, 60 ms</source>
+        <translation>Stockt 60 ms</translation>
+    </message>
+    <message>
+        <source>Stall, 300 ms</source>
+        <translation>Stockt 300 ms</translation>
+    </message>
+    <message>
+        <source>Nonsense answers</source>
+        <translation>Unsinnige Antworten</translation>
+    </message>
+    <message>
+        <source>Lose the homing</source>
+        <translation>Referenz verlieren</translation>
+    </message>
+    <message>
+        <source>Let go of the grip</source>
+        <translation>Griff loslassen</translation>
+    </message>
+    <message>
+        <source>Press a grip button</source>
+        <translation>Taste am Griff</translation>
+    </message>
+    <message>
+        <source>Position is NaN</source>
+        <translation>Position ist NaN</translation>
+    </message>
+    <message>
+        <source>Force is NaN</source>
+        <translation>Kraft ist NaN</translation>
+    </message>
+    <message>
+        <source>Loop late, 35 ms</source>
+        <translation>Schleife 35 ms zu spät</translation>
+    </message>
+    <message>
+        <source>Loop still, 80 ms</source>
+        <translation>Schleife steht 80 ms</translation>
+    </message>
+    <message>
+        <source>Command 25 ms old</source>
+        <translation>Befehl 25 ms alt</translation>
+    </message>
+    <message>
+        <source>Window hangs, 0.4 s</source>
+        <translation>Fenster hängt 0,4 s</translation>
+    </message>
+    <message>
+        <source>Window hangs, 1.3 s</source>
+        <translation>Fenster hängt 1,3 s</translation>
     </message>
 </context>
 <context>
@@ -2220,6 +2346,34 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     <message>
         <source>Disk</source>
         <translation>Datenträger</translation>
+    </message>
+    <message>
+        <source>heard</source>
+        <translation>gehört</translation>
+    </message>
+    <message>
+        <source>not confirmed</source>
+        <translation>nicht bestätigt</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keines</translation>
+    </message>
+    <message>
+        <source>no device</source>
+        <translation>kein Gerät</translation>
+    </message>
+    <message>
+        <source>the device has said nothing yet</source>
+        <translation>das Gerät hat sich noch nicht gemeldet</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>not yet</source>
+        <translation>noch nicht</translation>
     </message>
 </context>
 <context>

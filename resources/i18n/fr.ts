@@ -148,6 +148,10 @@
         <translation>&amp;Statistiques</translation>
     </message>
     <message>
+        <source>Fa&amp;ults of the simulated device…</source>
+        <translation>Pa&amp;nnes du dispositif simulé…</translation>
+    </message>
+    <message>
         <source>&amp;Fullscreen</source>
         <translation>&amp;Plein écran</translation>
     </message>
@@ -482,6 +486,128 @@
     <message>
         <source>Goes on at {time}; Home for the beginning</source>
         <translation>Reprise à {time} ; Origine pour le début</translation>
+    </message>
+</context>
+<context>
+    <name>FaultPanel</name>
+    <message>
+        <source>Re-arm</source>
+        <translation>Réarmer</translation>
+    </message>
+    <message>
+        <source>Let the force come back (Ctrl+R)</source>
+        <translation>Laisser revenir la force (Ctrl+R)</translation>
+    </message>
+    <message>
+        <source>Device anew</source>
+        <translation>Relancer</translation>
+    </message>
+    <message>
+        <source>Start the simulated device again</source>
+        <translation>Relancer le dispositif simulé</translation>
+    </message>
+    <message>
+        <source>Faults of the simulated device</source>
+        <translation>Pannes du dispositif simulé</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>No faults any more</source>
+        <translation>Plus de pannes</translation>
+    </message>
+    <message>
+        <source>Fault</source>
+        <translation>Panne</translation>
+    </message>
+    <message>
+        <source>Rule that answered</source>
+        <translation>Règle appliquée</translation>
+    </message>
+    <message>
+        <source>Reaction, ms</source>
+        <translation>Réaction, ms</translation>
+    </message>
+    <message>
+        <source>No force, ms</source>
+        <translation>Sans force, ms</translation>
+    </message>
+    <message>
+        <source>What came of the faults</source>
+        <translation>Ce que les pannes ont donné</translation>
+    </message>
+    <message>
+        <source>Only a simulated device takes faults, and only while this panel is open: choose it in the window, then press Device anew.</source>
+        <translation>Seul un dispositif simulé accepte des pannes, et seulement tant que ce panneau est ouvert : choisissez-le dans la fenêtre, puis appuyez sur Relancer.</translation>
+    </message>
+    <message>
+        <source>Play a clip with force, so that there is one to take away.</source>
+        <translation>Lisez un clip avec force, pour qu&apos;il y en ait une à retirer.</translation>
+    </message>
+    <message>
+        <source>There is a force. Press a fault and watch what takes it away.</source>
+        <translation>Il y a une force. Choisissez une panne et regardez ce qui la retire.</translation>
+    </message>
+</context>
+<context>
+    <name>FaultTexts</name>
+    <message>
+        <source>Unplug it</source>
+        <translation>Débrancher</translation>
+    </message>
+    <message>
+        <source>Stall, 60 ms</source>
+        <translation>Bloque 60 ms</translation>
+    </message>
+    <message>
+        <source>Stall, 300 ms</source>
+        <translation>Bloque 300 ms</translation>
+    </message>
+    <message>
+        <source>Nonsense answers</source>
+        <translation>Réponses absurdes</translation>
+    </message>
+    <message>
+        <source>Lose the homing</source>
+        <translation>Perdre le zéro</translation>
+    </message>
+    <message>
+        <source>Let go of the grip</source>
+        <translation>Lâcher la poignée</translation>
+    </message>
+    <message>
+        <source>Press a grip button</source>
+        <translation>Bouton de la poignée</translation>
+    </message>
+    <message>
+        <source>Position is NaN</source>
+        <translation>Position NaN</translation>
+    </message>
+    <message>
+        <source>Force is NaN</source>
+        <translation>Force NaN</translation>
+    </message>
+    <message>
+        <source>Loop late, 35 ms</source>
+        <translation>Boucle en retard, 35 ms</translation>
+    </message>
+    <message>
+        <source>Loop still, 80 ms</source>
+        <translation>Boucle figée, 80 ms</translation>
+    </message>
+    <message>
+        <source>Command 25 ms old</source>
+        <translation>Commande âgée de 25 ms</translation>
+    </message>
+    <message>
+        <source>Window hangs, 0.4 s</source>
+        <translation>Fenêtre figée, 0,4 s</translation>
+    </message>
+    <message>
+        <source>Window hangs, 1.3 s</source>
+        <translation>Fenêtre figée, 1,3 s</translation>
     </message>
 </context>
 <context>
@@ -2220,6 +2346,34 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     <message>
         <source>Disk</source>
         <translation>Disque</translation>
+    </message>
+    <message>
+        <source>heard</source>
+        <translation>entendu</translation>
+    </message>
+    <message>
+        <source>not confirmed</source>
+        <translation>non confirmé</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>aucun</translation>
+    </message>
+    <message>
+        <source>no device</source>
+        <translation>pas d’appareil</translation>
+    </message>
+    <message>
+        <source>the device has said nothing yet</source>
+        <translation>l’appareil n’a encore rien dit</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>oui</translation>
+    </message>
+    <message>
+        <source>not yet</source>
+        <translation>pas encore</translation>
     </message>
 </context>
 <context>

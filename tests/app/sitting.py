@@ -112,11 +112,11 @@ class Person:
         self.key(Qt.Key.Key_Enter)
         self.wait_page(PageKind.READY, "trial-01")
 
-    def trial(self, digits=(3, 2, 5, 1)):
+    def trial(self, digits=(3, 2, 5, 1), *, end_s=0.2):
         self.wait_page(PageKind.READY)
         self.key(Qt.Key.Key_Enter)
         self.wait_page(PageKind.PLAYING)
-        self.session.player.end_s = 0.2
+        self.session.player.end_s = min(end_s, self.session.player.end_s)
         self.wait_page(PageKind.QUESTIONS)
         for digit in digits:
             self.key(Qt.Key(Qt.Key.Key_0 + digit))

@@ -45,6 +45,8 @@ def test_the_report_is_shown_with_its_figures_and_can_be_saved(
     assert "6 participants" in shown
     assert "Kendall's W" in shown
     assert shown.count("\ufffc") == 2  # an embedded picture
+    page.resize(800, 600)
+    wait_for(lambda: page.text.horizontalScrollBar().maximum() == 0)
     page.save(tmp_path / "report")
     wait_for(lambda: not page.jobs.is_busy)
     assert (tmp_path / "report" / "report.pdf").stat().st_size > 10_000

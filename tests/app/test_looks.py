@@ -66,6 +66,27 @@ def test_another_language_keeps_clip_and_place(shown, wait_for):
     wait_for(lambda: player.phase is Phase.PLAYING)
 
 
+def test_a_session_is_watched_by_the_window_that_takes_the_place(
+    shown, tmp_path, monkeypatch, wait_for
+):
+    gate, program = tmp_path / "gate", tmp_path / "session"
+    os.mkfifo(gate)
+    program.write_text(f"#!/bin/sh\ncat {gate} >&2\nexit 1\n")
+    program.chmod(0o700)
+    monkeypatch.setattr("app.experimenter.study_process.sys.executable", str(program))
+    before, told = shown.window, []
+    before.study_menu.process.start([])
+    shown.window.settings.keep("look", theme.LIGHT)
+    before.looks.changed.emit()
+    after = shown.window
+    monkeypatch.setattr(after.study_menu, "_report", told.append)
+    assert after is not before
+    assert after.study_menu.process.is_running
+    gate.write_text("hapticplayer: it was the cable\n")
+    wait_for(lambda: not after.study_menu.process.is_running)
+    assert [str(problem) for problem in told] == ["it was the cable"]
+
+
 @pytest.mark.parametrize("look", list(theme.LOOKS))
 def test_another_look_colours_everything(shown, look, wait_for):
     shown.window.settings.keep("look", look)

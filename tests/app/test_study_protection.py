@@ -13,6 +13,7 @@ from sitting import KEYS, Person
 
 from app.bridge.idle import EVERYTHING, IdleInhibitor
 from app.bridge.mpris import NAME, Mpris
+from app.experimenter.study_process import StudyProcess
 from hapticplayer.study.creation import change_definition, create_study
 from hapticplayer.study.pages import PageKind
 
@@ -105,6 +106,22 @@ def test_a_session_takes_the_device_of_the_window(
     assert said[4:] == [str(study.folder), "--device", "simulated"]
 
 
+def test_the_real_program_is_started_and_its_complaint_is_heard(
+    application, qtbot, tmp_path
+):
+    process = StudyProcess(application)
+    for arguments, told in (
+        (["study", "run", str(tmp_path / "gone")], "gone/study.json"),
+        (["study", "simulate", str(tmp_path / "s"), "--participants", "1"], ""),
+    ):
+        with qtbot.waitSignal(process.ended, timeout=60_000) as ended:
+            process.start(arguments)
+        assert told in ended.args[0]
+        assert bool(told) == bool(ended.args[0])
+        assert not process.is_running
+    assert (tmp_path / "s" / "study.json").is_file()
+
+
 def test_a_study_without_clips_is_refused_before_anything_is_let_go(
     window, tmp_path, monkeypatch
 ):
@@ -131,6 +148,21 @@ def test_a_media_key_changes_nothing_on_the_participants_screen(
         QTest.keyClick(window.windowHandle(), key)
         assert session.player.is_playing
         assert session.runner.page.number == page
+
+
+def test_another_program_in_front_takes_the_force_away(
+    make_study, sit, wait_for, application
+):
+    session = sit(make_study())
+    person = Person(session, wait_for)
+    person.to_trials()
+    person.key(Qt.Key.Key_Enter)
+    person.wait_page(PageKind.PLAYING)
+    application.applicationStateChanged.emit(Qt.ApplicationState.ApplicationInactive)
+    person.wait_page(PageKind.PAUSED)
+    assert not session.player.is_playing
+    assert session.runner.last_trial.reasons[0] == "focus_lost"
+    application.applicationStateChanged.emit(Qt.ApplicationState.ApplicationActive)
 
 
 def everything_told(window: QWidget) -> list[str]:

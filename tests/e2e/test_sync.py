@@ -180,3 +180,32 @@ def test_a_batch_imports_what_it_can_and_sums_up(ride, tmp_path):
     assert lines[3] == "3 videos: 1 done, 1 refused, 1 to be decided"
     assert [path.name for path in out.iterdir()] == ["a"]
     refused(hapticplayer("import", *videos, "-o", out, "--offset", 0), status=2)
+
+
+def test_the_skew_of_a_camera_that_its_clip_names_is_used_everywhere(ride, tmp_path):
+    import av
+
+    folder, _ = ride
+    clip = tmp_path / "named.mp4"
+    with av.open(str(folder / "ride.mp4")) as source:
+        options = {"movflags": "use_metadata_tags"}
+        with av.open(str(clip), "w", options=options) as target:
+            target.metadata.update({"make": "Acme", "model": "Cam 5"})
+            streams = {
+                s.index: target.add_stream_from_template(s) for s in source.streams
+            }
+            for packet in source.demux():
+                if packet.dts is not None:
+                    packet.stream = streams[packet.stream_index]
+                    target.mux(packet)
+    home = {"XDG_CONFIG_HOME": str(tmp_path / "home")}
+    both = (clip, "--imu", folder / "log.csv", "--json")
+    plain = json.loads(hapticplayer("sync", *both, env=home).stdout)
+    kept = ("--camera", "Acme Cam 5", "--skew", 0.06, "--store-skew")
+    assert hapticplayer("sync", *both, *kept, env=home).returncode == 0
+    late = json.loads(hapticplayer("sync", *both, env=home).stdout)
+    assert plain["offset_s"] - late["offset_s"] == pytest.approx(0.06, abs=2e-6)
+    done = hapticplayer("import", *both, "-o", tmp_path / "out", env=home)
+    made = json.loads(done.stdout)
+    assert made["clock_map"]["offset_s"] == pytest.approx(late["offset_s"], abs=2e-6)
+    assert made["provenance"]["synchronisation"]["sound_late_s"] == 0.06

@@ -116,6 +116,8 @@ def repair_samples(
     field = _field(sensors[2], line, repairs) if len(sensors) > 2 else None
     _check_motion(line, force, rate, repairs, source)
     is_valid = ~(lost_force | lost_rate)
+    for own in (force, rate, *([] if field is None else [field])):
+        own.setflags(write=False)  # then the log takes it instead of another copy
     imu = ImuLog(
         time_s=line.time_s,
         specific_force_mps2=force,

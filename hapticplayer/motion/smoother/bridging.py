@@ -20,6 +20,8 @@ def bridged(samples: Samples) -> tuple[Samples, NDArray[np.intp] | None]:
 
     The places are None where nothing was dropped.
     """
+    if samples.step_s.max() < (2.0 - _WHOLE) * samples.interval_s:
+        return samples, None
     steps = samples.step_s / samples.interval_s
     whole = np.round(steps)
     dropped = (whole >= 2.0) & (np.abs(steps - whole) < _WHOLE)

@@ -133,16 +133,19 @@ def _described(analysis: Analysis) -> Iterator[Block]:
             )
             for k, s in one.feedbacks.items()
         )
-        yield Table(f"{name}; W and p of Shapiro-Wilk", head, tuple(rows))
+        yield Table(f"{_label(name)}; W and p of Shapiro-Wilk", head, tuple(rows))
     for name, one in analysis.measures.items():
         rows = (
             _summary_row(f"{sequence}, {feedback}", summary)
             for sequence, by_feedback in one.conditions.items()
             for feedback, summary in by_feedback.items()
         )
-        yield Table(
-            f"{name} by condition, all answers", ("condition", *head[1:8]), tuple(rows)
-        )
+        title = f"{_label(name)} by condition, all answers"
+        yield Table(title, ("condition", *head[1:8]), tuple(rows))
+
+
+def _label(measure: str) -> str:
+    return "QoE" if measure == QOE else measure
 
 
 def _summary_row(name: str, one: Summary) -> tuple[str, ...]:
@@ -206,13 +209,13 @@ def _rows(
 ) -> Iterator[tuple[str, ...]]:
     for name, one in measures:
         for first, *rest in part(one):
-            yield (f"{'QoE' if name == QOE else name}: {first}", *rest)
+            yield (f"{_label(name)}: {first}", *rest)
 
 
 def _friedman_row(name: str, one: MeasureAnalysis) -> tuple[str, ...]:
     test = one.friedman
     return (
-        name,
+        _label(name),
         str(test.n),
         number(test.chi2),
         str(test.df),

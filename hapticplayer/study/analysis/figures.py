@@ -122,7 +122,9 @@ def _figure(
         panel.set_xticks(range(len(groups)), list(groups))
         panel.tick_params(axis="x", length=0)
         panel.set_ylabel(label)
-        panel.set_ylim(limits[0] - 0.02 * (limits[1] - limits[0]), limits[1] * 1.04)
+        drawn = panel.dataLim  # a mean and its SD may leave the scale
+        low, high = min(limits[0], drawn.y0), max(limits[1], drawn.y1)
+        panel.set_ylim(low - 0.02 * (limits[1] - limits[0]), high * 1.04)
         panel.grid(visible=True, axis="y", color="#dddddd", linewidth=0.6)
         panel.set_axisbelow(True)
         _draw_legend(figure, feedbacks)

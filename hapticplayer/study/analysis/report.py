@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from hapticplayer.sequence import files
+from hapticplayer.study import private
 from hapticplayer.study.analysis import figures
 from hapticplayer.study.analysis.analysis import Progress
 from hapticplayer.study.analysis.html import page
@@ -31,7 +32,7 @@ def write_report(
         Cancelled: by `progress`; nothing is left behind.
     """
     parts = parts_of(analysis)
-    with files.written_aside(target) as aside:
+    with files.written_aside(target, private.FOLDER_MODE) as aside:
         for place, (name, figure) in enumerate(parts.draw().items()):
             progress(0.2 + 0.2 * place, f"drawing {name}")
             for suffix in figures.FORMATS:
@@ -48,6 +49,8 @@ def write_report(
         files.write_json(aside / "numbers.json", parts.numbers)
         for name, rows in parts.tables.items():
             _write_text(aside / name, _csv(rows))
+        for path in aside.iterdir():  # codes, and what each of them answered
+            path.chmod(private.FILE_MODE)
 
 
 def _csv(rows: Iterable[list[Any]]) -> str:

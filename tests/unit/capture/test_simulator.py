@@ -1,4 +1,5 @@
 import dataclasses
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -14,7 +15,7 @@ from hapticplayer.capture import (
 )
 from hapticplayer.capture.ride.picture import PictureMaker
 from hapticplayer.capture.ride.view import Pose
-from hapticplayer.errors import Cancelled, UsageError
+from hapticplayer.errors import Cancelled, MediaError, UsageError
 from hapticplayer.media import AudioDecoder, VideoDecoder, probe
 from hapticplayer.model import STANDARD_GRAVITY_MPS2
 
@@ -292,4 +293,69 @@ def test_cancelled_clip_leaves_nothing(
     small = dataclasses.replace(ride, width=64, height=36, frame_rate_hz=2)
     with pytest.raises(Cancelled):
         write_simulated_clip(small, tmp_path / "demo.mp4", stop)
+    assert list(tmp_path.iterdir()) == []
+
+
+def decoded(path: Path) -> NDArray[np.int64]:
+    with VideoDecoder(path) as video:
+        return np.array(
+            [video.convert(f, 160, 90).as_rgb().astype(int) for f in video.frames()]
+        )
+
+
+def test_two_painters_make_the_clip_that_one_makes(
+    tmp_path: Path, ride: SimulatedRecording, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    small = dataclasses.replace(ride, width=160, height=90, frame_rate_hz=5)
+    write_simulated_clip(small, tmp_path / "one.mp4")
+    monkeypatch.setattr("hapticplayer.capture.simulator._WORTH_PX", 0)
+    told: list[float] = []
+    write_simulated_clip(small, tmp_path / "two.mp4", told.append)
+    assert told[-1] == 1.0
+    one, two = probe(tmp_path / "one.mp4"), probe(tmp_path / "two.mp4")
+    assert (two.frame_count, two.duration_s) == (one.frame_count, one.duration_s)
+    pictures = decoded(tmp_path / "one.mp4"), decoded(tmp_path / "two.mp4")
+    drawn = np.array([f[:, :, :3].astype(int) for f in small.film.frames(0, 50)])
+    lost = [np.abs(coded - drawn).mean(axis=(1, 2, 3)) for coded in pictures]
+    np.testing.assert_allclose(lost[1], lost[0], rtol=0.5)  # of equal quality
+    assert lost[1].mean() == pytest.approx(lost[0].mean(), rel=0.05)
+    moves = np.abs(np.diff(drawn, axis=0)).mean(axis=(1, 2, 3)) > 12.0
+    assert moves.sum() > 10
+    for k in 1 + np.flatnonzero(
+        moves[:-1] & moves[1:]
+    ):  # and drawn alike: no picture is lost or comes twice
+        near = np.abs(drawn[k] - pictures[1][k - 1 : k + 2]).mean(axis=(1, 2, 3))
+        assert np.argmin(near) == 1
+    with VideoDecoder(tmp_path / "two.mp4") as video:
+        times_s = [frame.pts_s for frame in video.frames()]
+    np.testing.assert_allclose(np.diff(times_s), 0.2, atol=1e-6)
+    sounds = []
+    for name in ("one.mp4", "two.mp4"):
+        with AudioDecoder(tmp_path / name) as sound:
+            blocks = iter(sound.next_block, None)
+            sounds.append(np.concatenate([block.samples for block in blocks]))
+    np.testing.assert_array_equal(*sounds)
+
+
+def test_the_same_seed_gives_the_same_clip_byte_for_byte(
+    tmp_path: Path, ride: SimulatedRecording, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("hapticplayer.capture.simulator._WORTH_PX", 0)
+    small = dataclasses.replace(ride, width=64, height=36, frame_rate_hz=5)
+    written = []
+    for name in ("first.mp4", "again.mp4"):
+        write_simulated_clip(small, tmp_path / name)
+        written.append((tmp_path / name).read_bytes())
+    assert written[0] == written[1]
+
+
+def test_a_painter_that_dies_is_told_and_leaves_nothing(
+    tmp_path: Path, ride: SimulatedRecording, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("hapticplayer.capture.simulator._WORTH_PX", 0)
+    broken = (sys.executable, "-c", "raise SystemExit('no memory')")
+    monkeypatch.setattr("hapticplayer.capture.film._COMMAND", broken)
+    small = dataclasses.replace(ride, width=64, height=36, frame_rate_hz=2)
+    with pytest.raises(MediaError, match="no memory"):
+        write_simulated_clip(small, tmp_path / "demo.mp4")
     assert list(tmp_path.iterdir()) == []

@@ -6,6 +6,7 @@ import io
 import json
 import shutil
 import socket
+import stat
 import subprocess
 import sys
 from pathlib import Path
@@ -21,9 +22,10 @@ from hapticplayer.interchange.study_export import export_study
 from hapticplayer.interchange.xdf import XdfWriter
 from hapticplayer.study.creation import create_study
 from hapticplayer.study.journal import Journal
+from hapticplayer.study.plan import describe_condition
 from hapticplayer.study.reviews import keep_reviewed, text_digest
 from hapticplayer.study.scripted import write_scripted_session
-from hapticplayer.study.study_folder import open_study
+from hapticplayer.study.study_folder import begin_session, open_study
 
 VALUES = {"realism": 3, "sensory": 2, "comfort": 5, "satisfaction": 1}
 SHEET = {"age": 31, "gender": "female", "handedness": "left"}
@@ -107,7 +109,7 @@ def test_no_export_names_a_person_a_machine_or_a_path(study, tmp_path, form):
 
 def test_xdf_is_what_pyxdf_reads(study, tmp_path):
     export_study(study, tmp_path / "out", "xdf")
-    file = next((tmp_path / "out").glob("*.xdf"))
+    file = next((tmp_path / "out").glob("*_run-1.xdf"))
     streams, _ = pyxdf.load_xdf(str(file))
     by_name = {stream["info"]["name"][0]: stream for stream in streams}
     device, markers = by_name["device"], by_name["markers"]
@@ -120,6 +122,15 @@ def test_xdf_is_what_pyxdf_reads(study, tmp_path):
     assert len(markers["time_series"]) == 13
     channel = device["info"]["desc"][0]["channels"][0]["channel"][3]
     assert channel["unit"] == ["newton"]
+
+
+def test_a_session_without_a_device_has_its_markers_in_xdf(study, tmp_path):
+    report = export_study(study, tmp_path / "out", "xdf")
+    code = study.codes()[1]
+    (markers,), _ = pyxdf.load_xdf(str(tmp_path / "out" / f"{code}_markers.xdf"))
+    assert len(markers["time_series"]) == 13  # no beginnings, for it is scripted
+    assert markers["time_series"][-1] == ["session end"]
+    assert any(code in remark and "no record" in remark for remark in report["remarks"])
 
 
 def test_texts_of_any_language_survive_xdf(tmp_path):
@@ -206,6 +217,60 @@ def test_the_official_validator_finds_no_error(study, tmp_path, validate):
     assert left <= LEFT_TO_PEOPLE
     others = {i["code"] for i in issues if not i["code"].endswith("_RECOMMENDED")}
     assert others <= {"TOO_FEW_AUTHORS", "NO_AUTHORS"}
+
+
+def test_the_official_validator_finds_no_error_where_no_device_was(
+    study, tmp_path, validate
+):
+    next(study.folder.rglob("*.hprec")).unlink()
+    export_study(study, tmp_path / "out", "bids")
+    issues = validate(tmp_path / "out")["issues"]["issues"]
+    assert [i for i in issues if i["severity"] == "error"] == []
+
+
+def test_who_was_simulated_and_how_long_an_answer_took_is_exported(
+    study, tmp_path, manual_clock
+):
+    session = begin_session(study, "en", {}, manual_clock)
+    journal = Journal(session.folder / "answers.jsonl", manual_clock)
+    condition = describe_condition(session.plan.assignment.conditions[0])
+    trial = {"step": "trial-01", "attempt": 1, "condition": condition}
+    journal.append("begin", program="hapticplayer", step="consent")
+    journal.append("trial", **trial, sound=True, reasons=[], playback={})
+    journal.append("answers", **trial, values=VALUES, response_s=4.25)
+    journal.close()
+    export_study(study, tmp_path / "csv", "csv")
+    people = table(tmp_path / "csv" / "participants.csv")
+    real = {p["participant"]: (p["simulated"], p["complete"]) for p in people}
+    assert real.pop(session.code) == ("false", "false")
+    assert set(real.values()) == {("true", "true")}
+    times = {
+        row["response_s"]
+        for row in table(tmp_path / "csv" / "trials.csv")
+        if row["participant"] == session.code
+    }
+    assert times == {"4.25"}
+    export_study(study, tmp_path / "bids", "bids")
+    (beh,) = (tmp_path / "bids").rglob(f"sub-{session.code}*_beh.tsv")
+    assert [row["response_time"] for row in table(beh, "\t")] == ["4.25"]
+    people = table(tmp_path / "bids" / "participants.tsv", "\t")
+    assert {p["simulated"] for p in people} == {"true", "false"}
+
+
+def test_an_export_is_private_as_the_study_is(study, tmp_path):
+    for form in ("csv", "bids", "xdf"):
+        export_study(study, tmp_path / form, form)
+        for path in (tmp_path / form, *(tmp_path / form).rglob("*")):
+            mode = stat.S_IMODE(path.stat().st_mode)
+            assert mode == (0o700 if path.is_dir() else 0o600), path
+
+
+def test_nothing_is_exported_of_a_study_without_answers(tmp_path):
+    made = create_study(tmp_path / "study")
+    for form in ("csv", "bids", "xdf"):
+        with pytest.raises(StudyError, match="no answers"):
+            export_study(made, tmp_path / form, form)
+        assert not (tmp_path / form).exists()
 
 
 def test_the_official_validator_would_find_an_error(study, tmp_path, validate):

@@ -194,6 +194,7 @@ def test_a_clip_that_breaks_ends_with_a_sentence(theatre, monkeypatch):
 def test_a_sound_output_that_was_lost_comes_back_without_a_jump(theatre, monkeypatch):
     monkeypatch.setattr(sound_keeper, "RETRY_S", 0.001)
     monkeypatch.setattr(sound_keeper, "SETTLED_S", 0.3)
+    monkeypatch.setattr(sound_keeper, "OPENING_S", 0.5)
     player, first = theatre.player, theatre.out
     player.play()
     theatre.run(0.6)

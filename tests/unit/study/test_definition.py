@@ -77,6 +77,7 @@ SPOILT = [
     (lambda d: d["order"].update(seed=True), "order.seed"),
     (lambda d: d["order"].update(method="dice"), "williams"),
     (lambda d: d["limits"].update(sync_ms=-1), "limits.sync_ms"),
+    (lambda d: d["limits"].update(silence_s=10**400), "limits.silence_s"),
     (lambda d: d.update(feedbacks=[]), "feedbacks"),
     (lambda d: d.update(factors=[]), "factors"),
     (lambda d: d["texts"].update(consent="yes"), "texts.consent"),

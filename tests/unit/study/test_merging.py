@@ -9,7 +9,7 @@ from hapticplayer.study.answers import read_answers
 from hapticplayer.study.creation import create_study
 from hapticplayer.study.merging import merge_sessions
 from hapticplayer.study.records import encode
-from hapticplayer.study.study_folder import open_study
+from hapticplayer.study.study_folder import begin_session, open_study
 from tests.unit.study.conftest import tree
 
 
@@ -43,6 +43,19 @@ def test_two_sessions_of_one_code_are_a_conflict_and_stay(study, other, scripted
     assert len(merged.conflicts) == 1
     assert code in merged.conflicts[0]
     assert tree(study.folder) == before
+
+
+def test_sessions_that_played_other_clips_are_named(study, other, manual_clock):
+    for place, checksum in ((study, "a1"), (other, "a1"), (other, "b2")):
+        clips = {"bike": checksum, "horse": "same"}
+        last = begin_session(place, "en", clips, manual_clock)
+    merged = merge_sessions(study, other)
+    assert len(merged.added) == 2
+    assert merged.conflicts == ()
+    (remark,) = merged.remarks
+    assert (
+        remark == f"{last.code}: played another sequence 'bike' than the sessions here"
+    )
 
 
 def test_another_study_is_refused(study, scripted, tmp_path):

@@ -156,6 +156,7 @@ def test_orders_made_elsewhere_are_given_in_turn(template, study, manual_clock):
         (3, "1,x,bike,none", "'x'"),
         (3, "1,2,bike,realistic", "lacks"),
         (3, "1,2,bike", "columns"),
+        (1, 'order,"position', "unexpected end"),
     ],
 )
 def test_a_wrong_line_of_a_list_is_named(study, tmp_path, line, text, told):

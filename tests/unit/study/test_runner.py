@@ -99,6 +99,10 @@ def sitting(study, manual_clock):
     made.runner.close()
 
 
+def no_room(*_args):
+    raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
+
 def kinds(sitting):
     return [record.kind for record in sitting.records().intact]
 
@@ -314,6 +318,56 @@ def test_a_full_disk_stops_the_participant_before_an_answer_counts(
     assert sitting.runner.page.position == 2
     ratings = read_answers(sitting.study.folder).ratings
     assert sum(r.value is not None for r in ratings) == 4
+
+
+@pytest.mark.parametrize("at", ["trial-begin", "trial", "answers"])
+def test_once_the_disk_has_room_again_the_force_is_back(sitting, monkeypatch, at):
+    sitting.to_trials()
+    if at != "trial-begin":
+        sitting.play() if at == "answers" else sitting.runner.go_on()
+    with monkeypatch.context() as patch:
+        patch.setattr(journals, "_write_whole", no_room)
+        if at == "answers":
+            sitting.runner.answer(VALUES)
+        elif at == "trial":
+            sitting.stage.ended = True
+            sitting.runner.poll()
+        else:
+            sitting.runner.go_on()
+        assert sitting.kind is PageKind.PROBLEM
+        assert not sitting.stage.is_armed
+    sitting.runner.retry()
+    assert sitting.stage.is_armed
+    assert (
+        sitting.kind
+        is {
+            "trial-begin": PageKind.PLAYING,
+            "trial": PageKind.QUESTIONS,
+            "answers": PageKind.READY,
+        }[at]
+    )
+
+
+def test_a_note_while_nothing_can_be_saved_takes_no_answer_away(sitting, monkeypatch):
+    sitting.to_trials()
+    sitting.play()
+    with monkeypatch.context() as patch:
+        patch.setattr(journals, "_write_whole", no_room)
+        sitting.runner.answer(VALUES)
+        sitting.runner.note("the disk is full")
+        sitting.runner.retry()
+        sitting.runner.note("still")
+        assert sitting.kind is PageKind.PROBLEM
+    sitting.runner.retry()
+    assert sitting.kind is PageKind.READY
+    assert sitting.runner.page.position == 2
+    assert kinds(sitting)[-3:] == ["answers", "note", "note"]
+
+
+def test_half_a_character_in_a_text_does_not_stop_the_session(sitting):
+    sitting.runner.note("a\ud83d b")
+    assert sitting.records().intact[-1].content["text"] == "a? b"
+    assert sitting.records().damaged == ()
 
 
 def test_a_folder_that_is_removed_stops_the_participant(sitting):

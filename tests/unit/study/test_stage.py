@@ -150,9 +150,11 @@ def test_checks_say_what_is_missing(tmp_path):
     player = Player(ManualClock(), device="none", audio=None)
     screen = {"width_px": 1920, "height_px": 1080, "refresh_hz": 60.0, "screens": 2}
     wanted = Checks(disk_free_mb=10**9)
-    found = look(player, wanted, tmp_path, screen, is_sound_heard=False)
+    silent = {"volume_percent": 0, "is_sound_heard": False}
+    found = look(player, wanted, tmp_path, screen, **silent)
     bad = [check.name for check in found if not check.is_good]
-    assert bad == ["device", "homed", "scheduling", "sound", "disk"]
-    found = look(player, NOTHING, tmp_path, screen, is_sound_heard=True)
+    assert bad == ["device", "homed", "scheduling", "sound", "volume", "disk"]
+    heard = {"volume_percent": 70, "is_sound_heard": True}
+    found = look(player, NOTHING, tmp_path, screen, **heard)
     assert all(check.is_good for check in found)
     player.close()

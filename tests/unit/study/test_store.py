@@ -8,7 +8,9 @@ import numpy as np
 import pytest
 
 from hapticplayer.errors import StudyError
-from hapticplayer.study.answers import read_answers
+from hapticplayer.study.answers import collect_answers, read_answers
+from hapticplayer.study.journal import Journal
+from hapticplayer.study.plan import describe_condition
 from hapticplayer.study.reviews import keep_reviewed, text_digest
 from hapticplayer.study.session_folder import State
 from hapticplayer.study.study_folder import (
@@ -158,14 +160,35 @@ def test_reports_that_still_name_a_deleted_participant_are_told(study, scripted)
     assert delete_participant(study, code) == ["report.html"]
 
 
+def test_a_session_damaged_beyond_use_is_deleted_all_the_same(study, scripted):
+    code = scripted(study)
+    folder = study.session_folder(code)
+    (folder / "answers.jsonl").unlink()
+    (folder / "session.json").write_bytes(b"{")
+    assert delete_participant(study, code) == []
+    assert not folder.exists()
+    assert study.deleted_count() == 1
+
+
+def test_what_cannot_be_read_is_named_without_the_path_of_the_study(study, scripted):
+    code = scripted(study)
+    (study.session_folder(code) / "answers.jsonl").unlink()
+    (remark,) = read_answers(study.folder).remarks
+    assert code in remark
+    assert "answers.jsonl" in remark
+    assert str(study.folder) not in remark
+
+
 def test_a_participant_who_sits_there_is_not_deleted(study, manual_clock):
     from hapticplayer.study.journal import Journal
 
     session = begin_session(study, "en", {}, manual_clock)
+    keep_consent(study, session.code, given=True, text="yes?", language="en")
     journal = Journal(session.folder / "answers.jsonl", manual_clock)
     with pytest.raises(StudyError, match="another window"):
         delete_participant(study, session.code)
     journal.close()
+    assert (study.folder / "consents" / f"{session.code}.json").is_file()
     assert study.codes() == [session.code]
 
 
@@ -201,6 +224,24 @@ def test_texts_are_unreviewed_until_a_person_lets_them_pass(study, manual_clock)
     keep_reviewed(session.folder, [text_digest(session.code, "label@random", "wobbly")])
     found = read_answers(study.folder).open_answers
     assert {a.question for a in found if a.reviewed} == {"label"}
+
+
+def test_who_left_early_and_who_never_was_there_is_told(study, scripted, manual_clock):
+    scripted(study)
+    begin_session(study, "en", {}, manual_clock)
+    left = begin_session(study, "en", {}, manual_clock)
+    journal = Journal(left.folder / "answers.jsonl", manual_clock)
+    condition = describe_condition(left.plan.assignment.conditions[0])
+    name = {"step": "trial-01", "attempt": 1, "condition": condition}
+    journal.append("answers", **name, values=VALUES)
+    journal.close()
+    found = collect_answers(study)
+    assert found.remarks == (
+        "1 of 3 sessions hold no answer to a trial",
+        "1 of 3 sessions have answers and no end",
+        "1 of 3 sessions are simulated: nobody sat there",
+    )
+    assert len(found.participants) == 2
 
 
 def test_dropping_ends_a_session_for_good(study, manual_clock):

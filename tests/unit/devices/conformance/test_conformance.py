@@ -180,3 +180,12 @@ def test_the_example_is_about_sixty_lines_and_stands_alone(tmp_path):
     )
     subprocess.run([sys.executable, "-c", code], cwd=tmp_path, check=True, timeout=60)
     example.close()
+
+
+def test_the_example_of_the_documentation_has_sixty_lines():
+    example = WORLDS["example"]()
+    try:
+        lines = [line for line in example.code.splitlines() if line.strip()]
+        assert 40 < len(lines) <= 60
+    finally:
+        example.close()

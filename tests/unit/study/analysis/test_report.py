@@ -1,13 +1,16 @@
 import csv
 import json
 import re
+import stat
 from dataclasses import replace
 from html.parser import HTMLParser
 
+import numpy as np
 import pytest
 
 from hapticplayer.errors import Cancelled, SequenceError
 from hapticplayer.study.analysis import Choices, analyse
+from hapticplayer.study.analysis.figures import factors_by_feedback
 from hapticplayer.study.analysis.report import write_report
 from hapticplayer.study.analysis.summary import summary
 
@@ -33,6 +36,24 @@ def test_everything_is_there(report):
     for figure in ("qoe-by-sequence", "factors-by-feedback"):
         names |= {f"{figure}{suffix}" for suffix in (".svg", ".pdf", ".png")}
     assert {path.name for path in report.iterdir()} == names
+
+
+def test_a_spread_beyond_the_scale_is_drawn_whole(make_answers, quick):
+    lowest = make_answers(5, 8, sequences=1)
+    ratings = [
+        replace(r, value=2 if r.participant == lowest.participants[0].code else 1)
+        for r in lowest.ratings
+    ]
+    found = analyse(replace(lowest, ratings=tuple(ratings)), Choices(resampling=quick))
+    (panel,) = factors_by_feedback(found).axes
+    ends = np.concatenate([line.get_ydata() for line in panel.lines])
+    assert ends.min() == pytest.approx(1.125 - np.sqrt(1 / 8))
+    assert panel.get_ylim()[0] < ends.min()
+
+
+def test_only_its_owner_can_read_it(report):
+    assert stat.S_IMODE(report.stat().st_mode) == 0o700
+    assert {stat.S_IMODE(path.stat().st_mode) for path in report.iterdir()} == {0o600}
 
 
 def test_the_same_answers_give_the_same_bytes(analysis, report, tmp_path):

@@ -1,0 +1,195 @@
+"""A panel for developers: make a fault happen, and watch the contract work."""
+
+from PySide6.QtCore import Qt, QTimer
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QDialog,
+    QGridLayout,
+    QHBoxLayout,
+    QHeaderView,
+    QLabel,
+    QTableWidget,
+    QTableWidgetItem,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.player import health
+from app.player.fault_texts import HANGS, expected, fault_text, names, rule_text
+from app.player.session import Session
+from app.widgets import theme
+from app.widgets.buttons import set_role, text_button
+from hapticplayer.clock import Clock
+from hapticplayer.devices import find_device
+from hapticplayer.errors import HapticPlayerError
+from hapticplayer.haptics.contract import Mode
+from hapticplayer.haptics.injection import Fault, outcome_of
+from hapticplayer.playback.haptic_link import NO_DEVICE
+
+POLL_MS = 100
+FOLLOWED_S = 3.0
+"""For so long a fault's outcome may still change."""
+_BEFORE_S = 0.001
+_COLUMNS, _WIDTH_PX, _HEIGHT_PX = 3, 620, 560
+
+
+class FaultPanel(QDialog):
+    """Stays beside the window; while it is open the simulated device takes faults.
+
+    Args:
+        clock: of the machine.
+        session: whose device it is.
+        parent: Qt's owner.
+    """
+
+    def __init__(self, clock: Clock, session: Session, parent: QWidget) -> None:
+        super().__init__(parent)
+        self._clock, self._session = clock, session
+        self._followed: tuple[int, float] | None = None  # row of the table, since when
+        self.state, self.hint = QLabel(), QLabel()
+        self.table = QTableWidget(0, 4)
+        self.buttons = {
+            name: text_button(fault_text(name), expected(name)) for name in names()
+        }
+        self.rearm = text_button(
+            self.tr("Re-arm"), self.tr("Let the force come back (Ctrl+R)"), "rearm"
+        )
+        self.again = text_button(
+            self.tr("Device anew"), self.tr("Start the simulated device again")
+        )
+        self._lay_out()
+        self._timer = QTimer(self)
+        self._timer.setInterval(POLL_MS)
+        self._timer.timeout.connect(self._poll)
+        self._timer.start()
+        self.start()
+
+    def start(self) -> None:
+        """Take the simulated device anew, so that it takes faults."""
+        player = self._session.player
+        device = player.link.device
+        if device != NO_DEVICE and find_device(device).server:
+            player.set_device(device, takes_faults=True)
+            self._session.changed.emit()
+        self._poll()
+
+    def inject(self, name: str) -> None:
+        """Make one thing happen."""
+        link = self._session.player.link
+        self._note(name)
+        if name in HANGS:
+            now_s = self._clock.now_s()
+            self._follow(now_s)
+            self._clock.sleep_until(now_s + HANGS[name][0])  # this is the fault
+            return
+        try:
+            self._follow(link.inject(Fault(name)))
+        except HapticPlayerError as problem:
+            self._session.gateway.report(problem)
+
+    def done(self, result: int) -> None:
+        """Give the window a device back that takes no faults."""
+        self._timer.stop()
+        player = self._session.player
+        if player.link.takes_faults:
+            player.set_device(player.link.device)
+            self._session.changed.emit()
+        super().done(result)
+
+    # --- building ------------------------------------------------------------
+
+    def _lay_out(self) -> None:
+        self.setWindowTitle(self.tr("Faults of the simulated device"))
+        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        self.resize(_WIDTH_PX, _HEIGHT_PX)
+        self.state.setFont(theme.scaled(self.font(), 1.2, bold=True))
+        self.hint.setWordWrap(True)
+        self.hint.setStyleSheet(f"color: {theme.DIM};")
+        grid = QGridLayout()
+        for place, (name, button) in enumerate(self.buttons.items()):
+            button.clicked.connect(lambda _=False, name=name: self.inject(name))
+            grid.addWidget(button, place // _COLUMNS, place % _COLUMNS)
+        self._lay_out_table()
+        self.rearm.clicked.connect(self._session.rearm)
+        self.again.clicked.connect(self.start)
+        close = text_button(self.tr("Close"), self.tr("No faults any more"))
+        close.clicked.connect(self.reject)
+        row = QHBoxLayout()
+        for button in (self.rearm, self.again):
+            row.addWidget(button)
+        row.addStretch(1)
+        row.addWidget(close)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(18, 16, 18, 14)
+        column.setSpacing(12)
+        for part in (self.state, self.hint):
+            column.addWidget(part)
+        column.addLayout(grid)
+        column.addWidget(self.table, 1)
+        column.addLayout(row)
+
+    def _lay_out_table(self) -> None:
+        self.table.setHorizontalHeaderLabels(
+            [
+                self.tr("Fault"),
+                self.tr("Rule that answered"),
+                self.tr("Reaction, ms"),
+                self.tr("No force, ms"),
+            ]
+        )
+        self.table.setAccessibleName(self.tr("What came of the faults"))
+        self.table.verticalHeader().hide()
+        self.table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+        self.table.setSelectionMode(QAbstractItemView.SelectionMode.NoSelection)
+        header = self.table.horizontalHeader()
+        header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
+        header.setSectionResizeMode(1, QHeaderView.ResizeMode.Stretch)
+
+    # --- what is shown -------------------------------------------------------
+
+    def _note(self, name: str) -> None:
+        self.table.insertRow(0)
+        for column, text in enumerate((fault_text(name), "\u2026", "\u2013", "\u2013")):
+            self.table.setItem(0, column, QTableWidgetItem(text))
+
+    def _follow(self, at_s: float) -> None:
+        self._followed = (self.table.rowCount(), at_s)
+
+    def _poll(self) -> None:
+        player = self._session.player
+        link, latest = player.link, player.link.history.latest()
+        mode = Mode(int(latest["mode"])) if latest is not None else Mode.IDLE
+        self.state.setText(health.device(player.snapshot()).text)
+        self.hint.setText(self._hint(is_acting=mode in (Mode.ENTERING, Mode.FOLLOWING)))
+        for button in self.buttons.values():
+            button.setEnabled(link.takes_faults)
+        self.rearm.setEnabled(mode is Mode.TRIPPED)
+        set_role(self.rearm, "rearm" if mode is Mode.TRIPPED else "")
+        self._show_outcome()
+
+    def _hint(self, *, is_acting: bool) -> str:
+        link = self._session.player.link
+        if not link.takes_faults:
+            return self.tr(
+                "Only a simulated device takes faults, and only while this panel is "
+                "open: choose it in the window, then press Device anew."
+            )
+        if not is_acting:
+            return self.tr("Play a clip with force, so that there is one to take away.")
+        return self.tr("There is a force. Press a fault and watch what takes it away.")
+
+    def _show_outcome(self) -> None:
+        """Tell what has come of the newest fault; a stall has its end later."""
+        if self._followed is None:
+            return
+        rows, at_s = self._followed
+        ticks = self._session.player.link.history.since(at_s - _BEFORE_S)
+        found = outcome_of(ticks, at_s) if len(ticks) else None
+        if found is not None:
+            zero = "\u2013" if found.zero_s is None else f"{1e3 * found.zero_s:.0f}"
+            texts = (rule_text(found.cause), f"{1e3 * found.reaction_s:.0f}", zero)
+            for column, text in enumerate(texts, start=1):
+                row = self.table.rowCount() - rows  # newer ones stand above it
+                self.table.setItem(row, column, QTableWidgetItem(text))
+        if self._clock.now_s() > at_s + FOLLOWED_S:
+            self._followed = None

@@ -1,0 +1,97 @@
+"""The developer's panel: faults through the real window, processes and contract."""
+
+import pytest
+
+from app.player.fault_panel import FaultPanel
+from app.player.fault_texts import expected, fault_text, names
+from hapticplayer.haptics.contract import Mode
+from hapticplayer.haptics.process import Health
+
+
+@pytest.fixture
+def window(make_window, source, wait_for):
+    """The clip plays again and again on the simulated device, without faults."""
+    made = make_window("simulated")
+    made.session.show_source(source)
+    made.player.loop_s = (0.0, 1.5)
+    made.player.play()
+    return made
+
+
+@pytest.fixture
+def panel(window, wait_for):
+    window.commands.faults.trigger()
+    made = window.findChild(FaultPanel)
+    wait_for(lambda: is_acting(window))
+    return made
+
+
+def is_acting(window):
+    latest = window.player.link.history.latest()
+    return latest is not None and latest["mode"] in (Mode.ENTERING, Mode.FOLLOWING)
+
+
+def told(panel, row=0):
+    return [panel.table.item(row, column).text() for column in range(4)]
+
+
+@pytest.mark.parametrize(
+    ("fault", "rule"),
+    [
+        ("position-nan", "NOT_FINITE (TRIP)"),
+        ("force-nan", "NOT_FINITE (TRIP)"),
+        ("unplug", "UNPLUGGED (TRIP)"),
+        ("long-stall", "REPLY_LOST (TRIP)"),
+        ("hang-long", "HEARTBEAT_LOST (TRIP)"),
+    ],
+)
+def test_a_fault_is_answered_by_its_rule_and_told(panel, window, wait_for, fault, rule):
+    panel.buttons[fault].click()
+    wait_for(lambda: told(panel)[1] == rule)
+    wait_for(lambda: told(panel)[3] != "\u2013")
+    assert told(panel)[0] == fault_text(fault)
+    assert rule in expected(fault)
+    _, _, reaction_ms, zero_ms = told(panel)
+    assert 0 <= int(reaction_ms) <= int(zero_ms)
+    assert panel.rearm.isEnabled()
+    assert "STOPPED" in panel.state.text() or fault == "unplug"
+
+
+def test_the_force_comes_back_after_re_arming(panel, window, wait_for):
+    panel.buttons["position-nan"].click()
+    wait_for(panel.rearm.isEnabled)
+    window.player.play()
+    panel.rearm.click()
+    wait_for(lambda: is_acting(window))
+    panel.buttons["short-stall"].click()
+    wait_for(lambda: told(panel)[1] == "REPLY_LATE (RAMP)")
+    assert told(panel, 1)[1] == "NOT_FINITE (TRIP)"  # the one before is kept
+
+
+def test_an_unplugged_device_is_started_anew(panel, window, wait_for):
+    panel.buttons["unplug"].click()
+    wait_for(lambda: window.player.link.health is Health.FAILED)
+    panel.again.click()
+    wait_for(lambda: window.player.link.health is Health.READY)
+    assert window.player.link.takes_faults
+
+
+def test_faults_are_over_when_the_panel_closes(panel, window, wait_for):
+    assert window.player.link.takes_faults
+    panel.reject()
+    assert window.player.link.device == "simulated"
+    assert not window.player.link.takes_faults
+
+
+def test_without_a_simulated_device_no_fault_can_be_pressed(make_window, wait_for):
+    window = make_window("none")
+    window.commands.faults.trigger()
+    panel = window.findChild(FaultPanel)
+    assert not any(button.isEnabled() for button in panel.buttons.values())
+    assert "Only a simulated device" in panel.hint.text()
+    panel.reject()
+
+
+def test_every_fault_has_words_and_a_rule():
+    assert len({fault_text(name) for name in names()}) == len(names()) == 14
+    assert all("TRIP" in expected(n) or "RAMP" in expected(n) for n in names())

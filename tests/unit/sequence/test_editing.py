@@ -1,0 +1,121 @@
+"""Whatever stops a change, one whole state of the sequence is there."""
+
+import numpy as np
+import pytest
+
+from hapticplayer.capture import Recording
+from hapticplayer.errors import Cancelled, InputError, SequenceError, UsageError
+from hapticplayer.model import ClockMap
+from hapticplayer.sequence import (
+    editing,
+    files,
+    library,
+    open_sequence,
+    verify_sequence,
+)
+from hapticplayer.sequence.build import write_sequence
+
+
+@pytest.fixture
+def folder(tmp_path, tiny_clip, still_log):
+    recording = Recording(still_log, ClockMap(), "test")
+    return write_sequence(tiny_clip, recording, tmp_path / "seq")
+
+
+@pytest.fixture
+def csv(tmp_path):
+    path = tmp_path / "push.csv"
+    path.write_text("time_s,fx_n,fy_n,fz_n\n0,0,1.5,0\n0.4,0,0,0\n")
+    return path
+
+
+def names(folder) -> list[str]:
+    return sorted(path.name for path in folder.iterdir())
+
+
+def test_a_track_is_added_under_its_name_and_removed_with_its_file(folder, csv):
+    before = names(folder)
+    editing.add_track(folder, "push", csv)
+    verify_sequence(folder)
+    track = open_sequence(folder).tracks["push"]
+    assert track.at(np.array([0.2]))[0].tolist() == [0.0, 1.5, 0.0]
+    (entry,) = [t for t in library.look_into(folder).tracks if t.name == "push"]
+    assert entry.peak_n == 1.5
+    assert 0.0 < entry.reach < 1.0
+    editing.rename_track(folder, "push", "Pull")
+    assert "Pull" in open_sequence(folder).tracks
+    editing.remove_track(folder, "Pull")
+    verify_sequence(folder)
+    assert names(folder) == before
+
+
+@pytest.mark.parametrize("stop", ["cancel", "disk"])
+def test_what_stops_a_change_leaves_the_old_state(folder, csv, stop, monkeypatch):
+    before = {path.name: path.read_bytes() for path in folder.iterdir()}
+
+    def full(*_):
+        raise SequenceError("writing failed (No space left on device)")
+
+    def cancelled(_fraction, _step):
+        raise Cancelled
+
+    progress = cancelled if stop == "cancel" else files.no_progress
+    if stop == "disk":
+        monkeypatch.setattr(files, "replace_json", full)
+    for change in (
+        lambda: editing.add_track(folder, "push", csv, progress=progress),
+        lambda: editing.set_gain(folder, 0.3, progress=progress),
+    ):
+        with pytest.raises((Cancelled, SequenceError)):
+            change()
+        assert {p.name: p.read_bytes() for p in folder.iterdir()} == before
+
+
+@pytest.mark.parametrize(
+    "name", ["", "realistic", "None", "a/b", "../x", "x" * 41, "."]
+)
+def test_names_that_cannot_be_are_refused(folder, csv, name):
+    with pytest.raises(UsageError):
+        editing.add_track(folder, name, csv)
+
+
+def test_the_three_tracks_of_every_sequence_stay(folder):
+    for name in ("realistic", "random", "none"):
+        with pytest.raises(UsageError, match="stays"):
+            editing.remove_track(folder, name)
+    with pytest.raises(UsageError):
+        editing.rename_track(folder, "unknown", "x")
+    with pytest.raises(UsageError):
+        editing.rename_sequence(folder, "  ")
+
+
+def test_a_gain_scales_the_force_and_its_preview_says_so(folder):
+    before = open_sequence(folder)
+    found = editing.preview_gain(folder, 0.2)
+    editing.set_gain(folder, 0.2)
+    after = open_sequence(folder)
+    real = after.tracks["realistic"]
+    np.testing.assert_allclose(
+        real.force_n, before.tracks["realistic"].force_n / 2.0, atol=1e-7
+    )
+    assert found.peak_n == pytest.approx(real.peak_n())
+    assert (
+        after.tracks["random"].provenance["seed"]
+        == (before.tracks["random"].provenance["seed"])
+    )
+    for gain in (0.0, -1.0, float("nan")):
+        with pytest.raises(InputError):
+            editing.set_gain(folder, gain)
+
+
+def test_the_library_lists_what_is_damaged_and_finds_free_names(folder, tmp_path):
+    (tmp_path / "broken").mkdir()
+    (tmp_path / "broken" / "sequence.json").write_text('{"schema": 1}')
+    (tmp_path / ".hidden").mkdir()
+    found = {entry.folder.name: entry for entry in library.entries(tmp_path)}
+    assert sorted(found) == ["broken", "seq"]
+    assert found["broken"].problem
+    assert not found["seq"].problem
+    assert library.entries(tmp_path / "nowhere") == []
+    assert library.free_name(tmp_path, "seq") == tmp_path / "seq-2"
+    assert library.free_name(tmp_path, "../..//") == tmp_path / "sequence"

@@ -1,0 +1,101 @@
+"""The quality report marks what is wrong, and only that."""
+
+import pytest
+
+from hapticplayer.sequence.report import Mark, marked, quality_report, worst
+
+
+def described(**changed):
+    made_of = {
+        "synchronisation": {
+            "method": "pats",
+            "drift_ppm": 40.0,
+            "drift_is_fitted": True,
+        },
+        "imu_rate_hz": 200.0,
+        "gaps": 0,
+        "longest_gap_s": 0.0,
+        "uncovered_share": 0.0,
+        "motion_summary": {
+            "leak_at_rest_mps2": 0.01,
+            "saturated_share": 0.0,
+            "invalid_share": 0.0,
+        },
+    }
+    hands = {
+        "relaxed": {"reach": 0.4, "trip": None},
+        "firm": {"reach": 0.1, "trip": None},
+    }
+    description = {
+        "clock_map": {"residual_s": 0.002, "confidence": 0.9},
+        "provenance": made_of,
+        "feedbacks": {
+            "realistic": {
+                "peak_n": 3.0,
+                "provenance": {"saturated_share": 0.0},
+                "excursion": {"hands": hands, "thermal_share": 0.3},
+            }
+        },
+    }
+    for path, value in changed.items():
+        *parents, last = path.split("__")
+        at = description
+        for name in parents:
+            at = at[name]
+        at[last] = value
+    return description
+
+
+def marks(**changed) -> dict[str, Mark]:
+    return {one.name: one.mark for one in quality_report(described(**changed))}
+
+
+def test_a_good_recording_has_nothing_marked():
+    found = quality_report(described())
+    assert worst(found) is Mark.GOOD
+    assert [one.name for one in found] == [
+        "sync", "drift", "rate", "leak", "sensor", "gaps", "cover", "force",
+        "workspace", "heat",
+    ]  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("path", "value", "name", "mark"),
+    [
+        ("clock_map__confidence", 0.3, "sync", Mark.DOUBTFUL),
+        ("clock_map__confidence", 0.0, "sync", Mark.BAD),
+        ("clock_map__residual_s", 0.06, "sync", Mark.BAD),
+        ("provenance__synchronisation__method", "offset", "sync", Mark.DOUBTFUL),
+        ("provenance__synchronisation__drift_ppm", -200.0, "drift", Mark.DOUBTFUL),
+        ("provenance__imu_rate_hz", 30.0, "rate", Mark.DOUBTFUL),
+        ("provenance__imu_rate_hz", 20.0, "rate", Mark.BAD),
+        ("provenance__motion_summary__leak_at_rest_mps2", 0.1, "leak", Mark.DOUBTFUL),
+        ("provenance__motion_summary__leak_at_rest_mps2", None, "leak", Mark.DOUBTFUL),
+        ("provenance__motion_summary__saturated_share", 0.001, "sensor", Mark.DOUBTFUL),
+        ("provenance__longest_gap_s", 0.5, "gaps", Mark.DOUBTFUL),
+        ("provenance__uncovered_share", 0.5, "cover", Mark.BAD),
+        ("feedbacks__realistic__provenance__saturated_share", 0.1, "force", Mark.BAD),
+        ("feedbacks__realistic__excursion__thermal_share", 0.9, "heat", Mark.DOUBTFUL),
+    ],
+)
+def test_one_flaw_marks_one_line(path, value, name, mark):
+    found = marks(**{path: value})
+    assert found[name] is mark
+    assert all(m is Mark.GOOD for other, m in found.items() if other != name)
+
+
+def test_a_force_that_would_stop_is_bad():
+    hands = {"normal": {"reach": 0.5, "trip": "runaway"}}
+    found = marks(feedbacks__realistic__excursion__hands=hands)
+    assert found["workspace"] is Mark.BAD
+
+
+def test_what_an_old_sequence_lacks_is_left_out():
+    assert quality_report({}) == []
+    assert worst([]) is Mark.DOUBTFUL
+    names = [one.name for one in quality_report({"provenance": {"imu_rate_hz": 50}})]
+    assert names == ["rate"]
+
+
+def test_more_hertz_are_better():
+    assert marked("rate_hz", 100.0, is_low_bad=True) is Mark.GOOD
