@@ -44,8 +44,21 @@ def judge(seen: dict[str, Any]) -> dict[str, Any]:
         "gap_ms": _quantiles(gaps_ms),
         "own_ms": _quantiles(own_ms),
         "above_limit": int(np.count_nonzero(own_ms > LIMIT_MS)),
-        "worst": sorted(worst.items(), key=lambda item: -item[1]["own_s"]),
+        "worst": sorted(
+            (_shown(name, gap) for name, gap in worst.items()),
+            key=lambda row: -row["own_ms"],
+        ),
         "load_average": os.getloadavg(),
+    }
+
+
+def _shown(name: str, gap: dict[str, Any]) -> dict[str, Any]:
+    return {
+        "step": name,
+        "own_ms": 1e3 * gap["own_s"],
+        "gap_ms": 1e3 * gap["gap_s"],
+        "computed_ms": 1e3 * gap["computed_s"],
+        "in": where(gap["stacks"]),
     }
 
 
@@ -61,14 +74,7 @@ def report(figures: dict[str, Any]) -> None:
         values = ", ".join(f"{k} {v:.1f}" for k, v in figures[name].items())
         print(f"{text}, ms: {values}")
     print(f"{figures['above_limit']} of our own gaps are above {LIMIT_MS:.0f} ms")
-    rows = [
-        [
-            name,
-            *(1e3 * gap[k] for k in ("own_s", "gap_s", "computed_s")),
-            where(gap["stacks"]),
-        ]
-        for name, gap in figures["worst"][:SHOWN]
-    ]
+    rows = [list(row.values()) for row in figures["worst"][:SHOWN]]
     print(table(["step", "own ms", "gap", "computed", "in"], rows))
     for text in figures["failed"]:
         print(f"failed: {text}")

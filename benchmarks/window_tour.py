@@ -321,7 +321,6 @@ def use(options: argparse.Namespace) -> int:
         "platform": application.platformName(),
         "sound": player.snapshot().audio,
         "things": tour.done,
-        "told": tour.told,
         "failed": tour.failed,
         "long_s": LONG_S,
         "gaps_s": beats.gaps_s,

@@ -35,6 +35,9 @@ RATE_HZ, CLIP_S, WIDTH, HEIGHT = 25, 2, 160, 90
 LONG_TITLE = "A ride whose title is as long as titles can be. " * 8
 PATIENCE_MS = 20_000  # for a busy machine; nothing waits that long where all is well
 
+CACHE = "HAPTICPLAYER_TEST_CACHE"
+"""Variable that names the folder, for tests in a process of their own."""
+
 MakeWindow = Callable[..., PlayerWindow]
 
 
@@ -72,7 +75,8 @@ def source(sequence):
 @pytest.fixture(scope="session")
 def cache(tmp_path_factory) -> Path:
     """Holds what the program makes once: the clip of the demonstration takes 3 s."""
-    return tmp_path_factory.mktemp("cache")
+    given = os.environ.get(CACHE)
+    return Path(given) if given else tmp_path_factory.mktemp("cache")
 
 
 @pytest.fixture(autouse=True)

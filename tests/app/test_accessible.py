@@ -15,6 +15,7 @@ from app.widgets import theme
 from hapticplayer.study.pages import PageKind
 
 ROOT = Path(__file__).resolve().parents[2]
+SCALE = "QT_SCALE_FACTOR"
 LEAST_TOUCH_PX = 44  # WCAG 2.2, 2.5.5
 
 
@@ -115,20 +116,22 @@ def test_every_text_is_whole(make_window, dressed, source, language, tmp_path, q
     assert whole_texts(make_window(), source, tmp_path, qtbot) == []
 
 
-@pytest.mark.parametrize(
-    ("scale", "language"), [("1.5", "fr"), ("2", "en"), ("3", "de")]
-)
-def test_every_text_is_whole_where_everything_is_larger(scale, language):
-    """Qt takes the scale when it begins: in a process of its own."""
-    if os.environ.get("QT_SCALE_FACTOR"):
-        pytest.skip("this is that process")
-    here = f"{__file__}::test_every_text_is_whole[{language}]"
-    done = subprocess.run(
-        [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", here],
-        env={**os.environ, "QT_SCALE_FACTOR": scale},
-        cwd=ROOT,
-        capture_output=True,
-        text=True,
-        check=False,
-    )
-    assert done.returncode == 0, done.stdout[-4000:]
+def test_every_text_is_whole_where_everything_is_larger():
+    """Qt takes the scale when it begins: in processes of their own, side by side."""
+    if os.environ.get(SCALE):
+        pytest.skip("this is one of them")
+    here = f"{__file__}::test_every_text_is_whole"
+    command = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider"]
+    running = [
+        subprocess.Popen(
+            [*command, f"{here}[{language}]"],
+            env={**os.environ, SCALE: scale},
+            cwd=ROOT,
+            stdout=subprocess.PIPE,
+            text=True,
+        )
+        for scale, language in (("1.5", "fr"), ("2", "en"), ("3", "de"))
+    ]
+    for one in running:
+        said, _ = one.communicate()
+        assert one.returncode == 0, said[-4000:]

@@ -32,14 +32,18 @@ HERE = "HAPTICPLAYER_TEST_TWO_SCREENS"
 beside = pytest.mark.skipif(HERE not in os.environ, reason="needs two screens")
 
 
-def test_everything_that_needs_two_screens(tmp_path):
+def test_everything_that_needs_two_screens(tmp_path, cache):
     if HERE in os.environ:
         pytest.skip("this is that process")
     config = tmp_path / "screens.json"
     config.write_text(json.dumps({"screens": [{**s, **_MORE} for s in SCREENS]}))
     done = subprocess.run(
         [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", __file__],
-        env={**os.environ, HERE: f"offscreen:configfile={config}"},
+        env={
+            **os.environ,
+            HERE: f"offscreen:configfile={config}",
+            "HAPTICPLAYER_TEST_CACHE": str(cache),
+        },
         cwd=ROOT,
         capture_output=True,
         text=True,

@@ -3,6 +3,7 @@
 import os
 import signal
 import threading
+from pathlib import Path
 
 import pytest
 from PySide6.QtCore import QMimeData, QPointF, Qt, QTimer, QUrl
@@ -314,14 +315,28 @@ def test_hidden_plots_are_not_drawn(playing, wait_for, monkeypatch):
     assert not drawn
 
 
+def programs_we_started() -> set[str]:
+    """Return the command lines of our children; Python's own helper stays on purpose."""
+    pids = {
+        pid
+        for task in Path("/proc/self/task").iterdir()
+        for pid in (task / "children").read_text().split()
+    }
+    lines = {pid: Path(f"/proc/{pid}/cmdline").read_bytes().decode() for pid in pids}
+    return {f"{pid} {line}" for pid, line in lines.items() if "tracker" not in line}
+
+
 def test_closing_leaves_nothing_running(make_window, source, wait_for):
+    before = programs_we_started()
     window = make_window("simulated")
     window.session.show_source(source)
     wait_for(lambda: window.player.snapshot().device_health == "ready")
     window.player.play()
     wait_for(lambda: window.player.snapshot().mode is Mode.FOLLOWING)
     process = window.player.link.pid
+    assert len(programs_we_started() - before) >= 3  # loop, guard, simulated device
     window.close()
+    assert programs_we_started() <= before
     with pytest.raises(ProcessLookupError):
         os.kill(process, 0)
     assert not [t for t in window.findChildren(QTimer) if t.isActive()]
