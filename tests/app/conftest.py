@@ -4,7 +4,7 @@ import os
 import sys
 
 os.environ["QT_QPA_PLATFORM"] = os.environ.get(
-    "HAPTICPLAYER_TEST_TWO_SCREENS", "offscreen"
+    "HAPTICPLAYER_TEST_PLATFORM", "offscreen"
 )
 
 import threading

@@ -32,6 +32,7 @@ from app.experimenter.session_control import SessionControl
 from app.experimenter.start_panel import StartPanel
 from app.experimenter.study_editor import StudyEditor
 from app.player.device_page import DevicePage
+from app.player.fault_panel import FaultPanel
 from app.player.help import about_dialog
 from app.player.keys_dialog import KeysDialog
 from app.player.plugged import Plugged
@@ -70,6 +71,7 @@ def dialogs(window: PlayerWindow, folder) -> dict[str, Callable[[], QWidget]]:
         "set-up": lambda: SetupPage(
             window.clock, "simulated", Plugged(list, window), window
         ),
+        "faults": lambda: FaultPanel(window.clock, window.session, window),
         "forces": lambda: DevicePage(window.clock, "simulated", window),
         "study": lambda: StudyEditor(study, window),
         "analysis": lambda: AnalysisPage("Rides", list, print, window.clock),

@@ -1,5 +1,6 @@
 """Every page by keyboard, for screen readers, and with every text whole."""
 
+import json
 import os
 import subprocess
 import sys
@@ -15,6 +16,16 @@ from app.widgets import theme
 from hapticplayer.study.pages import PageKind
 
 ROOT = Path(__file__).resolve().parents[2]
+LARGE_SCREEN = {
+    "name": "large",
+    "x": 0,
+    "y": 0,
+    "width": 3840,
+    "height": 2160,
+    "logicalDpi": 96,
+    "logicalBaseDpi": 96,
+    "dpr": 1,
+}
 SCALE = "QT_SCALE_FACTOR"
 LEAST_TOUCH_PX = 44  # WCAG 2.2, 2.5.5
 
@@ -116,22 +127,24 @@ def test_every_text_is_whole(make_window, dressed, source, language, tmp_path, q
     assert whole_texts(make_window(), source, tmp_path, qtbot) == []
 
 
-def test_every_text_is_whole_where_everything_is_larger():
+def test_every_text_is_whole_where_everything_is_larger(tmp_path):
     """Qt takes the scale when it begins: in processes of their own, side by side."""
     if os.environ.get(SCALE):
         pytest.skip("this is one of them")
     here = f"{__file__}::test_every_text_is_whole"
+    config = tmp_path / "screens.json"
+    config.write_text(json.dumps({"screens": [LARGE_SCREEN]}))
+    platform = {"HAPTICPLAYER_TEST_PLATFORM": f"offscreen:configfile={config}"}
     command = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider"]
     running = [
         subprocess.Popen(
             [*command, f"{here}[{language}]"],
-            env={**os.environ, SCALE: scale},
+            env={**os.environ, **platform, SCALE: scale},
             cwd=ROOT,
             stdout=subprocess.PIPE,
             text=True,
         )
         for scale, language in (("1.5", "fr"), ("2", "en"), ("3", "de"))
     ]
-    for one in running:
-        said, _ = one.communicate()
-        assert one.returncode == 0, said[-4000:]
+    said = [one.communicate()[0] for one in running]
+    assert [one.returncode for one in running] == [0, 0, 0], "\n".join(said)[-6000:]

@@ -28,7 +28,7 @@ SCREENS = [
     {"name": "right", "x": 1000, "y": 0, "width": 1280, "height": 720},
 ]
 _MORE = {"logicalDpi": 96, "logicalBaseDpi": 96, "dpr": 1}
-HERE = "HAPTICPLAYER_TEST_TWO_SCREENS"
+HERE = "HAPTICPLAYER_TEST_PLATFORM"
 beside = pytest.mark.skipif(HERE not in os.environ, reason="needs two screens")
 
 
