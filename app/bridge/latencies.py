@@ -3,6 +3,8 @@
 import math
 from typing import Any
 
+from PySide6.QtWidgets import QWidget
+
 from app.bridge.settings import LATENCIES, Settings
 from hapticplayer.playback.latency import MOST_S, Latencies
 
@@ -10,6 +12,11 @@ DISPLAY, SOUND, DEVICE = "display", "sound", "device"
 """Tables within the table of the settings: milliseconds by the name of the output."""
 
 _MOST_NAMES = 64
+
+
+def screen_name(widget: QWidget) -> str:
+    """Return the name of the screen that a widget is on; some have none."""
+    return widget.screen().name() or "screen"
 
 
 def latencies_of(settings: Settings, screen: str) -> Latencies:

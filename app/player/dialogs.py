@@ -1,6 +1,7 @@
 """The dialogs that the window opens; none of them stops the event loop."""
 
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
@@ -10,6 +11,7 @@ from app.bridge.places import choose_library, library_folder
 from app.bridge.settings import Settings
 from app.experimenter.import_wizard import ImportWizard
 from app.experimenter.library_page import LibraryPage
+from app.player.controls import OUTPUT
 from app.player.device_page import DevicePage
 from app.player.fault_panel import FaultPanel
 from app.player.files import (
@@ -20,12 +22,16 @@ from app.player.files import (
 )
 from app.player.help import about_dialog
 from app.player.keys_dialog import KeysDialog
+from app.player.latency_page import LatencyPage
 from app.player.plugged import Plugged
 from app.player.session import Session
 from app.player.setup_page import SetupPage
+from app.player.video_surface import SurfaceSink
 from hapticplayer.clock import Clock
 from hapticplayer.errors import HapticPlayerError
 from hapticplayer.playback.haptic_link import NO_DEVICE
+from hapticplayer.playback.player import Player
+from hapticplayer.playback.sound_process import SoundProcess
 
 _FOLDER = "folder"
 
@@ -151,6 +157,21 @@ class Dialogs(QObject):
         shown = self._window.findChild(FaultPanel)
         panel = shown or FaultPanel(clock, self._session, self._window)
         panel.show()
+
+    def latencies(self, clock: Clock) -> None:
+        """Measure how late picture, sound and force reach the person."""
+        device = self._session.player.link.device
+        self._release()
+        page = LatencyPage(
+            clock, device, self._settings, self._own_player, self._window
+        )
+        page.measured.connect(self.settings_taken)
+        page.finished.connect(lambda _: self._session.choose_device(device))
+        page.open()
+
+    def _own_player(self, clock: Clock, sink: SurfaceSink, device: str) -> Player:
+        sound = partial(SoundProcess, device=self._settings.text(OUTPUT))
+        return Player(clock, sink, device=device, audio=sound)
 
     def _release(self) -> None:
         """Let go of the device, so that a dialog can have it."""

@@ -10,6 +10,7 @@ from app.player.controls import Controls
 from app.player.fullscreen import Fullscreen
 from app.player.heat import heat_image, heat_of
 from app.player.history import History
+from app.player.latency_watch import LatencyWatch
 from app.player.session import Session
 from app.player.statistics import REFRESH_HZ, Statistics
 from app.player.thumbnails import Thumbnails
@@ -58,6 +59,7 @@ class Extras(QObject):
         self.history = History(settings)
         self.toast, self.statistics = Toast(surface), Statistics(surface)
         self.thumbnails = Thumbnails(transport.slider, transport.window(), self._player)
+        self.latency_watch = LatencyWatch(session, settings, surface)
         self._statistics_turn = Cadence(REFRESH_HZ)
         self._heat_of: object = None
         fullscreen.screen_name = settings.text(SCREEN)
@@ -95,6 +97,7 @@ class Extras(QObject):
     def refresh(self, now_s: float) -> None:
         """Look after what runs beside, and what the figures are."""
         self.thumbnails.poll()
+        self.latency_watch.look(now_s)
         if self.statistics.isVisible() and self._statistics_turn.is_due(now_s):
             self.statistics.refresh(self._player)
 
@@ -115,6 +118,7 @@ class Extras(QObject):
     def take_settings(self) -> None:
         """Do as the settings say: they came from a file."""
         self.controls.take_settings()
+        self.latency_watch.take()
         self._fullscreen.screen_name = self._settings.text(SCREEN)
 
     def close(self) -> None:

@@ -82,6 +82,7 @@ def figures(player: Player) -> list[tuple[str, str]]:
             translate("Statistics", "Force \u2212 sound, ms"),
             _sync(snapshot.force_minus_audio),
         ),
+        (translate("Statistics", "Latency, ms"), _latency(player)),
     ]
     return rows + _tick(player.link.history.latest())
 
@@ -103,6 +104,16 @@ def _tick(latest: Any) -> list[tuple[str, str]]:
 def _vector(values: list[float]) -> str:
     parts = "  ".join(f"{value:+7.2f}" for value in values)
     return f"{parts}  |{math.hypot(*values):6.2f}|"
+
+
+def _latency(player: Player) -> str:
+    """Return what is compensated, and what the sound output says of itself."""
+    known, reported_s = player.latency, player.sound.reported_latency_s
+    values = (known.display_s, known.sound_s, known.device_s, reported_s)
+    text = translate(
+        "Statistics", "picture {0:.0f}  sound {1:.0f}  force {2:.0f}  output {3:.0f}"
+    )
+    return text.format(*(1e3 * value for value in values))
 
 
 def _sync(stats: SyncStats | None) -> str:

@@ -26,6 +26,7 @@ from app.player.health_line import HealthLine
 from app.player.look_menus import LookMenus
 from app.player.plots_place import PlotsPlace
 from app.player.session import SKIP_S, Session
+from app.player.sync_plot import SyncPlot
 from app.player.transport import Transport
 from app.player.video_surface import VideoSurface
 from app.widgets.icons import icon
@@ -73,10 +74,12 @@ class PlayerWindow(QMainWindow):
         self.messages, self.job_bar = MessageBar(), JobBar()
         self.empty_page, self.plots = EmptyPage(), PlotsPlace()
         self.transport, self.health = Transport(), HealthLine()
+        self.sync_plot = SyncPlot()
         self.commands = Actions(self, settings)
         self._lay_out()
         parts = (self.transport, self.plots, self.health)
-        self.fullscreen = Fullscreen(self, surface, [self.menuBar(), *parts])
+        hidden = [self.menuBar(), *parts, self.sync_plot]
+        self.fullscreen = Fullscreen(self, surface, hidden)
         self._display = Display(self, self.session, clock, parts)
         self.extras = Extras(
             self.session,
@@ -125,7 +128,7 @@ class PlayerWindow(QMainWindow):
         self.stage.addWidget(self.empty_page)
         self.stage.addWidget(self.surface)
         above: list[QWidget] = [self.messages, self.job_bar]
-        below: list[QWidget] = [self.transport, self.health]
+        below: list[QWidget] = [self.transport, self.sync_plot, self.health]
         layout.arrange(self, above, self.stage, self.plots, below)
 
     def _connect(self) -> None:
@@ -171,6 +174,7 @@ class PlayerWindow(QMainWindow):
             (commands.set_up_device, lambda: self.dialogs.set_up(self.clock)),
             (commands.get_to_know, lambda: self.dialogs.get_to_know(self.clock)),
             (commands.faults, lambda: self.dialogs.faults(self.clock)),
+            (commands.latencies, lambda: self.dialogs.latencies(self.clock)),
             (commands.shortcuts, self.dialogs.shortcuts),
             (commands.about, self.dialogs.about),
             (commands.open_log, self.dialogs.open_log),
@@ -183,6 +187,9 @@ class PlayerWindow(QMainWindow):
         self.dialogs.device_wanted.connect(self._on_device_chosen)
         self.dialogs.plugged.changed.connect(self._offer_devices)
         self.transport.device_opening.connect(self.dialogs.plugged.look)
+        commands.sync_plot.toggled.connect(
+            lambda on: self.fullscreen.will_show(self.sync_plot, is_wanted=on)
+        )
         commands.plots.toggled.connect(lambda on: self.show_plots(are_wanted=on))
         commands.grip.toggled.connect(lambda on: self.plots.show_grip(is_wanted=on))
 
@@ -264,6 +271,7 @@ class PlayerWindow(QMainWindow):
             state = self.session.jobs.state()
             self.job_bar.show_state(state, self.clock.now_s())
         self._display.refresh()
+        self.sync_plot.follow(self.clock.now_s(), self.player.link)
         self.extras.refresh(self.clock.now_s())
 
     def _on_opening(self, source: Source) -> None:

@@ -10,8 +10,10 @@ starting it again costs up to 260 ms and the first sound.
 import argparse
 import contextlib
 import os
+import shutil
 import signal
 import socket
+import subprocess
 import sys
 import threading
 from typing import Any
@@ -24,6 +26,10 @@ from hapticplayer.playback.sound_reader import SoundReader
 
 LATENCY_S = 0.120
 MAX_AHEAD_S = 1.0
+SERVERS = ("default", "pulse", "pipewire")
+"""What ALSA calls them: headphones and loudspeakers have the same name there."""
+SERVER_ANSWERS_S = 0.5
+LONGEST_NAME = 200
 RETRY_S, SLOWEST_RETRY_S = 0.5, 5.0
 
 
@@ -59,7 +65,8 @@ class SoundStream:
             sounddevice._terminate()  # noqa: SLF001 - no other way
             sounddevice._initialize()  # noqa: SLF001
             raise OSError(str(problem)) from problem
-        self.name = str(sounddevice.query_devices(self._stream.device)["name"])
+        name = str(sounddevice.query_devices(self._stream.device)["name"])
+        self.name = f"{name} ({sink})" if (sink := _sink_behind(name)) else name
 
     def _callback(self, out: Any, _frames: int, time_info: Any, _status: Any) -> None:
         now_s = self._clock.now_s()
@@ -80,6 +87,25 @@ def sound_outputs() -> list[str]:
         return []
     names = [str(one["name"]) for one in known if one["max_output_channels"] > 0]
     return list(dict.fromkeys(names))
+
+
+def _sink_behind(name: str) -> str:
+    """Return which output of the sound server a name of no device leads to, or ""."""
+    pactl = shutil.which("pactl")
+    if name not in SERVERS or pactl is None:
+        return ""
+    try:
+        asked = subprocess.run(
+            [pactl, "get-default-sink"],
+            stdin=subprocess.DEVNULL,
+            capture_output=True,
+            timeout=SERVER_ANSWERS_S,
+            check=True,
+            text=True,
+        )
+    except (OSError, subprocess.SubprocessError):
+        return ""  # nobody is worse off: the latency is kept for the server's name
+    return asked.stdout.strip()[:LONGEST_NAME]
 
 
 def main(argv: list[str] | None = None) -> int:

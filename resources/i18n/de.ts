@@ -136,12 +136,20 @@
         <translation>Die Kräfte &amp;kennenlernen…</translation>
     </message>
     <message>
+        <source>Measure l&amp;atencies…</source>
+        <translation>L&amp;atenzen messen …</translation>
+    </message>
+    <message>
         <source>Live &amp;plots</source>
         <translation>&amp;Kurven</translation>
     </message>
     <message>
         <source>Simulated &amp;grip</source>
         <translation>Simulierter &amp;Griff</translation>
+    </message>
+    <message>
+        <source>S&amp;ync plot</source>
+        <translation>S&amp;ync-Verlauf</translation>
     </message>
     <message>
         <source>&amp;Statistics</source>
@@ -1275,6 +1283,112 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     <message>
         <source>{key} is taken by “{command}”</source>
         <translation>{key} gehört schon zu „{command}“</translation>
+    </message>
+</context>
+<context>
+    <name>LatencyPage</name>
+    <message>
+        <source>Preparing</source>
+        <translation>Wird vorbereitet</translation>
+    </message>
+    <message>
+        <source>All together, compensated</source>
+        <translation>Alles zusammen, ausgeglichen</translation>
+    </message>
+    <message>
+        <source>Tap to the picture</source>
+        <translation>Zum Bild tippen</translation>
+    </message>
+    <message>
+        <source>Tap to the sound</source>
+        <translation>Zum Ton tippen</translation>
+    </message>
+    <message>
+        <source>Tap to the force</source>
+        <translation>Zur Kraft tippen</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>Play a beat each second</source>
+        <translation>Jede Sekunde einen Schlag abspielen</translation>
+    </message>
+    <message>
+        <source>STOP</source>
+        <translation>STOPP</translation>
+    </message>
+    <message>
+        <source>Take the force away at once (Esc)</source>
+        <translation>Die Kraft sofort wegnehmen (Esc)</translation>
+    </message>
+    <message>
+        <source>Tap</source>
+        <translation>Tippen</translation>
+    </message>
+    <message>
+        <source>Tap with each beat (space bar)</source>
+        <translation>Mit jedem Schlag tippen (Leertaste)</translation>
+    </message>
+    <message>
+        <source>Use</source>
+        <translation>Verwenden</translation>
+    </message>
+    <message>
+        <source>Remember these numbers for these outputs</source>
+        <translation>Diese Zahlen für diese Ausgaben merken</translation>
+    </message>
+    <message>
+        <source> ms</source>
+        <translation> ms</translation>
+    </message>
+    <message>
+        <source>Measure latencies</source>
+        <translation>Latenzen messen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Change nothing</source>
+        <translation>Nichts ändern</translation>
+    </message>
+    <message>
+        <source>{n} of {least} taps</source>
+        <translation>{n} von {least} Mal getippt</translation>
+    </message>
+    <message>
+        <source>{n} taps: {ms:.0f} ± {spread:.0f} ms</source>
+        <translation>{n} Mal: {ms:.0f} ± {spread:.0f} ms</translation>
+    </message>
+    <message>
+        <source>Each second there are a flash, a beep and a gentle push. Hold the grip loosely and press Start. Esc, STOP or a button on the grip ends it.</source>
+        <translation>Jede Sekunde kommen ein Blitz, ein Ton und ein sanfter Stoß. Halten Sie den Griff locker und drücken Sie Start. Esc, STOPP oder eine Taste am Griff beendet es.</translation>
+    </message>
+    <message>
+        <source>Change the numbers until flash, beep and push come together. What comes late needs a larger number.</source>
+        <translation>Ändern Sie die Zahlen, bis Blitz, Ton und Stoß zusammen kommen. Was zu spät kommt, braucht eine größere Zahl.</translation>
+    </message>
+    <message>
+        <source>Press the space bar with each beat, at least eight times; first to the picture, then to the sound and the force. The differences are put into the numbers; refine them with all together.</source>
+        <translation>Drücken Sie mit jedem Schlag die Leertaste, mindestens achtmal; erst zum Bild, dann zum Ton und zur Kraft. Die Unterschiede werden in die Zahlen übernommen; verfeinern Sie sie mit allem zusammen.</translation>
+    </message>
+</context>
+<context>
+    <name>LatencyWatch</name>
+    <message>
+        <source>The sound output {name} is {ms:.0f} ms behind</source>
+        <translation>Die Tonausgabe {name} hinkt {ms:.0f} ms nach</translation>
+    </message>
+    <message>
+        <source>The sound output {name} seems to be wireless</source>
+        <translation>Die Tonausgabe {name} scheint drahtlos zu sein</translation>
+    </message>
+    <message>
+        <source>it may be later still than it says. Use headphones with a cable, or measure it: Playback, Measure latencies</source>
+        <translation>sie kann noch später sein, als sie sagt. Nehmen Sie Kopfhörer mit Kabel oder messen Sie sie: Wiedergabe, Latenzen messen</translation>
     </message>
 </context>
 <context>
@@ -2435,6 +2549,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>Kraft − Ton, ms</translation>
     </message>
     <message>
+        <source>Latency, ms</source>
+        <translation>Latenz, ms</translation>
+    </message>
+    <message>
         <source>Planned, N</source>
         <translation>Geplant, N</translation>
     </message>
@@ -2449,6 +2567,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     <message>
         <source>Grip, mm</source>
         <translation>Griff, mm</translation>
+    </message>
+    <message>
+        <source>picture {0:.0f}  sound {1:.0f}  force {2:.0f}  output {3:.0f}</source>
+        <translation>Bild {0:.0f}  Ton {1:.0f}  Kraft {2:.0f}  Ausgabe {3:.0f}</translation>
     </message>
 </context>
 <context>
@@ -2658,6 +2780,25 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     <message>
         <source>No three pats are both heard and felt; drag by hand.</source>
         <translation>Keine drei Klopfer sind zu hören und zu fühlen; ziehen Sie von Hand.</translation>
+    </message>
+</context>
+<context>
+    <name>SyncPlot</name>
+    <message>
+        <source>Sync plot</source>
+        <translation>Sync-Verlauf</translation>
+    </message>
+    <message>
+        <source>How much later than its picture and its sound the force came in the last 30 s. Nobody feels what lies between 15 ms early and 50 ms late</source>
+        <translation>Um wie viel später als ihr Bild und ihr Ton die Kraft in den letzten 30 s kam. Was zwischen 15 ms zu früh und 50 ms zu spät liegt, spürt niemand</translation>
+    </message>
+    <message>
+        <source>Force − picture</source>
+        <translation>Kraft − Bild</translation>
+    </message>
+    <message>
+        <source>Force − sound</source>
+        <translation>Kraft − Ton</translation>
     </message>
 </context>
 <context>

@@ -136,12 +136,20 @@
         <translation>&amp;Découvrir les forces…</translation>
     </message>
     <message>
+        <source>Measure l&amp;atencies…</source>
+        <translation>Mesurer les l&amp;atences…</translation>
+    </message>
+    <message>
         <source>Live &amp;plots</source>
         <translation>&amp;Courbes</translation>
     </message>
     <message>
         <source>Simulated &amp;grip</source>
         <translation>Poi&amp;gnée simulée</translation>
+    </message>
+    <message>
+        <source>S&amp;ync plot</source>
+        <translation>Courbe de s&amp;ynchronisation</translation>
     </message>
     <message>
         <source>&amp;Statistics</source>
@@ -1275,6 +1283,112 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     <message>
         <source>{key} is taken by “{command}”</source>
         <translation>{key} est prise par « {command} »</translation>
+    </message>
+</context>
+<context>
+    <name>LatencyPage</name>
+    <message>
+        <source>Preparing</source>
+        <translation>Préparation</translation>
+    </message>
+    <message>
+        <source>All together, compensated</source>
+        <translation>Tout ensemble, compensé</translation>
+    </message>
+    <message>
+        <source>Tap to the picture</source>
+        <translation>Taper sur l’image</translation>
+    </message>
+    <message>
+        <source>Tap to the sound</source>
+        <translation>Taper sur le son</translation>
+    </message>
+    <message>
+        <source>Tap to the force</source>
+        <translation>Taper sur la force</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Démarrer</translation>
+    </message>
+    <message>
+        <source>Play a beat each second</source>
+        <translation>Jouer un battement chaque seconde</translation>
+    </message>
+    <message>
+        <source>STOP</source>
+        <translation>STOP</translation>
+    </message>
+    <message>
+        <source>Take the force away at once (Esc)</source>
+        <translation>Couper la force immédiatement (Échap)</translation>
+    </message>
+    <message>
+        <source>Tap</source>
+        <translation>Taper</translation>
+    </message>
+    <message>
+        <source>Tap with each beat (space bar)</source>
+        <translation>Taper à chaque battement (barre d’espace)</translation>
+    </message>
+    <message>
+        <source>Use</source>
+        <translation>Utiliser</translation>
+    </message>
+    <message>
+        <source>Remember these numbers for these outputs</source>
+        <translation>Retenir ces valeurs pour ces sorties</translation>
+    </message>
+    <message>
+        <source> ms</source>
+        <translation> ms</translation>
+    </message>
+    <message>
+        <source>Measure latencies</source>
+        <translation>Mesurer les latences</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Change nothing</source>
+        <translation>Ne rien changer</translation>
+    </message>
+    <message>
+        <source>{n} of {least} taps</source>
+        <translation>{n} frappes sur {least}</translation>
+    </message>
+    <message>
+        <source>{n} taps: {ms:.0f} ± {spread:.0f} ms</source>
+        <translation>{n} frappes : {ms:.0f} ± {spread:.0f} ms</translation>
+    </message>
+    <message>
+        <source>Each second there are a flash, a beep and a gentle push. Hold the grip loosely and press Start. Esc, STOP or a button on the grip ends it.</source>
+        <translation>Chaque seconde viennent un éclair, un bip et une légère poussée. Tenez la poignée sans serrer et appuyez sur Démarrer. Échap, STOP ou un bouton de la poignée y met fin.</translation>
+    </message>
+    <message>
+        <source>Change the numbers until flash, beep and push come together. What comes late needs a larger number.</source>
+        <translation>Changez les valeurs jusqu’à ce que l’éclair, le bip et la poussée viennent ensemble. Ce qui vient trop tard demande une valeur plus grande.</translation>
+    </message>
+    <message>
+        <source>Press the space bar with each beat, at least eight times; first to the picture, then to the sound and the force. The differences are put into the numbers; refine them with all together.</source>
+        <translation>Appuyez sur la barre d’espace à chaque battement, au moins huit fois ; d’abord sur l’image, puis sur le son et la force. Les différences sont reportées dans les valeurs ; affinez-les avec tout ensemble.</translation>
+    </message>
+</context>
+<context>
+    <name>LatencyWatch</name>
+    <message>
+        <source>The sound output {name} is {ms:.0f} ms behind</source>
+        <translation>La sortie son {name} a {ms:.0f} ms de retard</translation>
+    </message>
+    <message>
+        <source>The sound output {name} seems to be wireless</source>
+        <translation>La sortie son {name} semble être sans fil</translation>
+    </message>
+    <message>
+        <source>it may be later still than it says. Use headphones with a cable, or measure it: Playback, Measure latencies</source>
+        <translation>elle peut être encore plus en retard qu’elle ne le dit. Prenez un casque à fil, ou mesurez-la : Lecture, Mesurer les latences</translation>
     </message>
 </context>
 <context>
@@ -2435,6 +2549,10 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>Force − son, ms</translation>
     </message>
     <message>
+        <source>Latency, ms</source>
+        <translation>Latence, ms</translation>
+    </message>
+    <message>
         <source>Planned, N</source>
         <translation>Prévue, N</translation>
     </message>
@@ -2449,6 +2567,10 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     <message>
         <source>Grip, mm</source>
         <translation>Poignée, mm</translation>
+    </message>
+    <message>
+        <source>picture {0:.0f}  sound {1:.0f}  force {2:.0f}  output {3:.0f}</source>
+        <translation>image {0:.0f}  son {1:.0f}  force {2:.0f}  sortie {3:.0f}</translation>
     </message>
 </context>
 <context>
@@ -2658,6 +2780,25 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     <message>
         <source>No three pats are both heard and felt; drag by hand.</source>
         <translation>Trois tapes ne sont pas à la fois entendues et senties ; tirez à la main.</translation>
+    </message>
+</context>
+<context>
+    <name>SyncPlot</name>
+    <message>
+        <source>Sync plot</source>
+        <translation>Courbe de synchronisation</translation>
+    </message>
+    <message>
+        <source>How much later than its picture and its sound the force came in the last 30 s. Nobody feels what lies between 15 ms early and 50 ms late</source>
+        <translation>De combien la force est venue après son image et son son ces 30 dernières secondes. Personne ne sent ce qui reste entre 15 ms trop tôt et 50 ms trop tard</translation>
+    </message>
+    <message>
+        <source>Force − picture</source>
+        <translation>Force − image</translation>
+    </message>
+    <message>
+        <source>Force − sound</source>
+        <translation>Force − son</translation>
     </message>
 </context>
 <context>

@@ -35,11 +35,14 @@ from app.player.device_page import DevicePage
 from app.player.fault_panel import FaultPanel
 from app.player.help import about_dialog
 from app.player.keys_dialog import KeysDialog
+from app.player.latency_page import LatencyPage
 from app.player.plugged import Plugged
 from app.player.setup_page import SetupPage
 from app.player.window import PlayerWindow
 from app.plots.grip_view import GripView
 from app.plots.playhead_plot import PlayheadPlot
+from hapticplayer.errors import DeviceError
+from hapticplayer.playback.player import Player
 from hapticplayer.study.creation import create_study
 
 CONTROLS = (
@@ -73,12 +76,19 @@ def dialogs(window: PlayerWindow, folder) -> dict[str, Callable[[], QWidget]]:
         ),
         "faults": lambda: FaultPanel(window.clock, window.session, window),
         "forces": lambda: DevicePage(window.clock, "simulated", window),
+        "latencies": lambda: LatencyPage(
+            window.clock, "simulated", window.settings, _no_player, window
+        ),
         "study": lambda: StudyEditor(study, window),
         "analysis": lambda: AnalysisPage("Rides", list, print, window.clock),
         "session": lambda: SessionControl(
             StartPanel(["en", "de"], ["P01"]), Mirror(surface), shows_force=True
         ),
     }
+
+
+def _no_player(*_arguments: object) -> Player:
+    raise DeviceError("there is no device here")
 
 
 # --- the keyboard --------------------------------------------------------------

@@ -1,0 +1,161 @@
+"""How much later than its picture and its sound the force came: the last half minute."""
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+from PySide6.QtCore import QPointF, QRectF, QSize, Qt
+from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen
+from PySide6.QtWidgets import QSizePolicy, QWidget
+
+from app.bridge.cadence import Cadence
+from app.widgets import theme
+from hapticplayer.playback.haptic_link import HapticLink
+from hapticplayer.playback.sync_alarm import EARLY_MS, LATE_MS
+
+SPAN_S = 30.0
+LOWEST_MS, HIGHEST_MS = -25.0, 60.0
+"""What lies beyond is drawn on the edge."""
+REFRESH_HZ = 4.0
+
+_HEIGHT_PX, _EDGE_PX, _DOT_PX, _GAP_PX = 104, 6, 2.5, 14
+_MARKS_MS = (EARLY_MS, 0.0, LATE_MS)
+_BAND_ALPHA = 45
+
+
+class Trace(NamedTuple):
+    """What was measured against one thing.
+
+    Attributes:
+        ages_s: how long ago, (n,).
+        later_ms: how much later the force came, (n,).
+    """
+
+    ages_s: NDArray[np.float64]
+    later_ms: NDArray[np.float64]
+
+
+def trace_of(events: NDArray[np.float64], now_s: float) -> Trace:
+    """Return the last half minute of (monotonic s, ms) pairs, (n, 2)."""
+    ages_s = now_s - events[:, 0]
+    is_shown = ages_s <= SPAN_S
+    return Trace(ages_s[is_shown], events[is_shown, 1])
+
+
+class SyncPlot(QWidget):
+    """Two rows of points over the span in which nobody feels a difference.
+
+    Costs nothing while it is hidden.
+    """
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setAccessibleName(self.tr("Sync plot"))
+        self.setToolTip(
+            self.tr(
+                "How much later than its picture and its sound the force came in the "
+                "last 30 s. Nobody feels what lies between 15 ms early and 50 ms late"
+            )
+        )
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
+        self.setFont(theme.scaled(self.font(), 0.85))
+        self.picture = self.sound = Trace(np.empty(0), np.empty(0))
+        self._turn = Cadence(REFRESH_HZ)
+        self.hide()
+
+    def sizeHint(self) -> QSize:
+        """Return how high it wants to be."""
+        return QSize(320, _HEIGHT_PX)
+
+    def follow(self, now_s: float, link: HapticLink) -> None:
+        """Show what the meters know, a few times a second and only where it is seen."""
+        handle = self.window().windowHandle()
+        is_seen = self.isVisible() and handle is not None and handle.isExposed()
+        if is_seen and self._turn.is_due(now_s):
+            self.picture = trace_of(link.video_sync.trace(), now_s)
+            self.sound = trace_of(link.audio_sync.trace(), now_s)
+            self.update()
+
+    def paintEvent(self, _event: QPaintEvent) -> None:
+        """Draw band, marks, points and what they mean."""
+        with QPainter(self) as painter:
+            painter.fillRect(self.rect(), QColor(theme.PANEL))
+            painter.setPen(QColor(theme.BORDER))
+            painter.drawLine(0, 0, self.width(), 0)
+            area = self._area()
+            self._draw_band(painter, area)
+            traces = (self.picture, self.sound)
+            for trace, colour in zip(traces, _colours(), strict=True):
+                self._draw_points(painter, area, trace, QColor(colour))
+            self._draw_legend(painter, area)
+
+    def _traces(self) -> list[tuple[str, Trace]]:
+        return [
+            (self.tr("Force \u2212 picture"), self.picture),
+            (self.tr("Force \u2212 sound"), self.sound),
+        ]
+
+    def _area(self) -> QRectF:
+        """Return where the points go: beside the numbers, under the legend."""
+        metrics = self.fontMetrics()
+        left_px = metrics.horizontalAdvance("\u221288 ms") + 2 * _EDGE_PX
+        top_px = metrics.height() + 2 * _EDGE_PX
+        width_px = self.width() - left_px - 2 * _EDGE_PX
+        return QRectF(left_px, top_px, width_px, self.height() - top_px - 2 * _EDGE_PX)
+
+    @staticmethod
+    def _y(area: QRectF, later_ms: float) -> float:
+        share = (later_ms - LOWEST_MS) / (HIGHEST_MS - LOWEST_MS)
+        return area.bottom() - share * area.height()
+
+    def _draw_band(self, painter: QPainter, area: QRectF) -> None:
+        top, bottom = self._y(area, LATE_MS), self._y(area, EARLY_MS)
+        band = QColor(theme.GOOD)
+        band.setAlpha(_BAND_ALPHA)
+        painter.fillRect(QRectF(area.left(), top, area.width(), bottom - top), band)
+        high_px = self.fontMetrics().height()
+        for mark_ms in _MARKS_MS:
+            y = self._y(area, mark_ms)
+            painter.setPen(QColor(theme.ZERO if mark_ms == 0.0 else theme.GRID))
+            painter.drawLine(QPointF(area.left(), y), QPointF(area.right(), y))
+            painter.setPen(QColor(theme.DIM))
+            text = f"{mark_ms:+.0f} ms".replace("-", "\u2212").replace("+0", "0")
+            box = QRectF(0, y - high_px / 2, area.left() - _EDGE_PX, high_px)
+            painter.drawText(box, Qt.AlignmentFlag.AlignRight, text)
+
+    def _draw_points(
+        self, painter: QPainter, area: QRectF, trace: Trace, colour: QColor
+    ) -> None:
+        pen = QPen(colour, _DOT_PX)
+        pen.setCapStyle(Qt.PenCapStyle.RoundCap)
+        painter.setPen(pen)
+        across = area.right() - np.clip(trace.ages_s, 0, SPAN_S) / SPAN_S * area.width()
+        held_ms = np.clip(trace.later_ms, LOWEST_MS, HIGHEST_MS)
+        points = zip(across.tolist(), held_ms.tolist(), strict=True)
+        painter.drawPoints([QPointF(x, self._y(area, ms)) for x, ms in points])
+
+    def _draw_legend(self, painter: QPainter, area: QRectF) -> None:
+        metrics, x = self.fontMetrics(), area.left()
+        line_px = _EDGE_PX + metrics.ascent()
+        for (name, trace), colour in zip(self._traces(), _colours(), strict=True):
+            middle = QPointF(x + 4, line_px - metrics.xHeight() / 2)
+            painter.setPen(Qt.PenStyle.NoPen)
+            painter.setBrush(QColor(colour))
+            painter.drawEllipse(middle, 4, 4)
+            text = f"{name}: {_figures(trace)}"
+            painter.setPen(QColor(theme.TEXT))
+            painter.drawText(QPointF(x + _GAP_PX, line_px), text)
+            x += 2 * _GAP_PX + metrics.horizontalAdvance(text)
+
+
+def _figures(trace: Trace) -> str:
+    """Return median and the 95 % of what is shown."""
+    if not len(trace.later_ms):
+        return "\u2013"
+    p50, p95 = np.percentile(trace.later_ms, [50.0, 95.0])
+    return f"p50 {p50:+.1f}, p95 {p95:+.1f} ms".replace("-", "\u2212")
+
+
+def _colours() -> tuple[str, str]:
+    return theme.AXIS_COLOURS[0], theme.AXIS_COLOURS[1]
