@@ -39,7 +39,9 @@ from hapticplayer.errors import HapticPlayerError
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.model import Feedback
 from hapticplayer.playback.beats import (
+    COUNT,
     FELT,
+    PERIOD_S,
     TapMeter,
     beat_source,
     relative_latencies_s,
@@ -99,6 +101,8 @@ class LatencyPage(QDialog):
         self._make_player = make_player
         self.player: Player | None = None
         self.mode = TOGETHER
+        self.rows: dict[str, Row] = {}
+        self._sound_name, self._entered_display_ms = "", 0.0
         self.meters = {part: TapMeter() for part in PARTS}
         self.surface = VideoSurface()
         self._jobs = Jobs(self._on_problem)
@@ -227,6 +231,7 @@ class LatencyPage(QDialog):
             return
         self.surface.set_clip_size(source.clip.width, source.clip.height)
         player.open(source)
+        player.loop_s = (0.0, COUNT * PERIOD_S)
         self._pump = Pump(player.poll, self._clock, lambda: None, self)
         self._apply()
         player.play()
@@ -293,7 +298,6 @@ class LatencyPage(QDialog):
     # --- what is shown -------------------------------------------------------
 
     def _make_parts(self) -> None:
-        self._sound_name, self._entered_display_ms = "", 0.0
         self.together = QRadioButton(self.tr("All together, compensated"))
         self.together.setChecked(True)
         self.together.clicked.connect(lambda: self.choose(TOGETHER))

@@ -70,8 +70,7 @@ class SyncPlot(QWidget):
 
     def follow(self, now_s: float, link: HapticLink) -> None:
         """Show what the meters know, a few times a second and only where it is seen."""
-        handle = self.window().windowHandle()
-        is_seen = self.isVisible() and handle is not None and handle.isExposed()
+        is_seen = self.isVisible() and self.window().windowHandle().isExposed()
         if is_seen and self._turn.is_due(now_s):
             self.picture = trace_of(link.video_sync.trace(), now_s)
             self.sound = trace_of(link.audio_sync.trace(), now_s)

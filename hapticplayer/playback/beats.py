@@ -17,21 +17,21 @@ from hapticplayer.playback.source import Source, no_feedback_for
 from hapticplayer.sequence.demo import cache_root
 from hapticplayer.sequence.files import Progress, no_progress
 
-PERIOD_S, FIRST_S, COUNT = 1.0, 0.5, 60
-LENGTH_S = 0.060  # of flash, beep and force
+PERIOD_S, FIRST_S, COUNT = 1.0, 0.4, 40
+LENGTH_S = 0.080  # of flash, beep and force
 PULSE_N = 0.8
 LONGEST_AFTER_S = 0.7
 """A tap later than this after a beat is one before the next beat."""
 
 FELT = Feedback.REALISTIC.value
-_RATE_HZ, _SOUND_HZ, _TONE_HZ = 50, 48_000, 1000.0
+_RATE_HZ, _SOUND_HZ, _TONE_HZ = 25, 48_000, 1000.0
 _SIZE_PX = (320, 180)
 _RISE_S, _LOUDNESS = 0.002, 0.5
 
 
 def beat_times_s() -> NDArray[np.float64]:
     """Return when the beats are, media time."""
-    return FIRST_S + PERIOD_S * np.arange(COUNT)
+    return FIRST_S + PERIOD_S * np.arange(COUNT, dtype=np.float64)
 
 
 def beat_track() -> ForceTrack:

@@ -1,7 +1,14 @@
 """A named part of what benchmarks/robust.py plays: damaged files of five kinds."""
 
+import os
+import re
+
 import media_cases as cases
+import nasty_files as nasty
 import pytest
+
+from hapticplayer.media import VideoDecoder
+from hapticplayer.playback.log import PlaybackLog
 
 MUTATIONS = 25
 
@@ -32,3 +39,65 @@ def test_damaged_files_neither_crash_nor_hang_and_lost_pictures_are_marked(
             assert outcome.is_marked, (number, outcome)
         kinds.add(outcome.kind)
     assert kinds == {"played", "refused"}
+
+
+@pytest.fixture(scope="module")
+def good(tmp_path_factory):
+    return cases.make_clip(tmp_path_factory.mktemp("good"), "mp4").read_bytes()
+
+
+@pytest.mark.parametrize("name", nasty.NASTY)
+def test_a_nasty_file_comes_to_what_it_must(name, good, tmp_path):
+    expected = nasty.NASTY[name]
+    outcome = cases.play_in_child(expected.make(tmp_path, good))
+    assert outcome.extra_bytes <= cases.EXTRA_BYTES
+    if expected.pictures == 0:
+        assert outcome.kind == "refused", outcome
+        assert re.search(expected.says, outcome.text), outcome
+        assert "\n" not in outcome.text
+        return
+    assert outcome.kind == "played", outcome
+    wanted = cases.PICTURES if expected.pictures == nasty.ALL else expected.pictures
+    assert outcome.pictures == wanted
+    assert not outcome.is_marked
+
+
+def test_a_file_without_rights_is_refused(good, tmp_path, monkeypatch):
+    path = tmp_path / "clip.mp4"
+    path.write_bytes(good)
+    monkeypatch.setattr(os, "access", lambda *_: False)  # tests may run as root
+    outcome = cases.play_in_child(path)
+    assert (outcome.kind, "may not be read" in outcome.text) == ("refused", True)
+
+
+def test_a_file_that_is_deleted_while_it_plays_plays_to_its_end(good, tmp_path):
+    path = tmp_path / "clip.mp4"
+    path.write_bytes(good)
+    with VideoDecoder(path) as decoder:
+        decoder.next_frame()
+        path.unlink()
+        left = sum(1 for _ in decoder.frames())
+        assert left == cases.PICTURES - 1
+        decoder.seek(0.0)
+        assert decoder.next_frame().pts_s == 0.0
+
+
+def test_a_file_that_grows_shows_what_has_come(good, tmp_path):
+    short = nasty.NASTY["still being written"].make(tmp_path, good)
+    with VideoDecoder(short) as decoder:
+        decoder.next_frame()
+        with short.open("ab") as writer:
+            writer.write(bytes(4096))  # a hole where the next packets shall be
+        shown = 1 + sum(1 for _ in decoder.frames())
+    assert 1 < shown < nasty.PICTURES
+
+
+def test_on_a_full_disk_the_clip_plays_on_and_the_log_says_so(tmp_path):
+    full = tmp_path / "log.jsonl"
+    full.symlink_to("/dev/full")
+    log = PlaybackLog(full, {"clip": "clip.mp4"})
+    for number in range(2000):
+        log.line("frame", monotonic_s=float(number), media_s=0.04 * number)
+    log.close({})
+    assert "not complete" in log.problem
+    assert "space" in log.problem
