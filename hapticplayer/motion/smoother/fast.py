@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from hapticplayer.model import STANDARD_GRAVITY_MPS2
 from hapticplayer.model.arrays import Floats
 from hapticplayer.motion.rotations import Complexes, Pair
-from hapticplayer.motion.smoother import kernels, solver_kernel
+from hapticplayer.motion.smoother import kernels, means_kernel, solver_kernel
 from hapticplayer.motion.smoother.calibrated import (
     Problem,
     Solution,
@@ -121,7 +121,7 @@ def coarse(samples: Samples, per_window: int) -> Samples:
         np.zeros((total, 3)),
         np.zeros((total, 3)),
     )
-    kernels.coarse(
+    means_kernel.coarse(
         _ready(samples.step_s),
         _ready(samples.specific_force_mps2),
         _ready(samples.angular_rate_radps),
@@ -292,7 +292,9 @@ def local_mean(values: Floats, duration_s: Floats, half_width_s: float) -> Float
     """Return the mean over the nodes within some time; see `linearise.local_mean`."""
     out = np.empty(len(values))
     scratch = np.zeros((3, len(values) + 1))
-    kernels.local_mean(_ready(values), _ready(duration_s), half_width_s, scratch, out)
+    means_kernel.local_mean(
+        _ready(values), _ready(duration_s), half_width_s, scratch, out
+    )
     return out
 
 
