@@ -50,6 +50,8 @@ _KINDS = (
     *("MAGN", "MISC", "ORNT", "POS", "VEL"),
 )
 _MAKERS = {"falcon": ("Novint", "Falcon")}
+# The end of a run is marked a moment after its last tick.
+_TOLD_WITHIN_S = 1.0
 
 
 def write_bids(
@@ -189,10 +191,10 @@ def _subject(
     scans: list[tuple[str, str]] = []
     for number, path in enumerate(tick_files(session), 1):
         base = f"{name}_tracksys-{SYSTEM}_run-{number}"
-        begun_s = _motion(path, folder / "motion" / base, task, remarks)
-        if begun_s is not None:
-            _events(session, begun_s, folder / "motion" / f"{base}_events.tsv")
-            acquired = _utc(session, begun_s)
+        span_s = _motion(path, folder / "motion" / base, task, remarks)
+        if span_s is not None:
+            _events(session, span_s, folder / "motion" / f"{base}_events.tsv")
+            acquired = _utc(session, span_s[0])
             scans.append((f"motion/{base}_motion.tsv", acquired))
     if scans:
         listed = "".join(f"{file}\t{time}\n" for file, time in scans)
@@ -217,8 +219,8 @@ def _beh_row(trial: AnsweredTrial, keys: list[str]) -> tuple[Any, ...]:
 
 def _motion(
     path: Path, base: Path, task: dict[str, Any], remarks: list[str]
-) -> float | None:
-    """Write the ticks of one run; return the monotonic time of the first."""
+) -> tuple[float, float] | None:
+    """Write the ticks of one run; return the monotonic times of first and last."""
     begun_s: float | None = None
     count, last_s = 0, 0.0
     base.parent.mkdir(mode=private.FOLDER_MODE, exist_ok=True)
@@ -243,7 +245,7 @@ def _motion(
     }
     sidecar = {**task, **timing, **_system(path)}
     _json(base.with_name(f"{base.name}_motion.json"), sidecar)
-    return begun_s
+    return begun_s, begun_s + last_s
 
 
 def _motion_lines(ticks: Any, begun_s: float) -> bytes:
@@ -297,12 +299,13 @@ def _system(path: Path) -> dict[str, Any]:
     }
 
 
-def _events(session: StoredSession, begun_s: float, path: Path) -> None:
+def _events(session: StoredSession, span_s: tuple[float, float], path: Path) -> None:
+    begun_s, ended_s = span_s
     lines = ["onset\tduration\ttrial_type\n"]
     lines += [
         f"{marker.monotonic_s - begun_s:.6f}\tn/a\t{marker.text}\n"
         for marker in markers_of(session)
-        if marker.monotonic_s >= begun_s
+        if begun_s <= marker.monotonic_s <= ended_s + _TOLD_WITHIN_S
     ]
     _new(path, "".join(lines).encode())
 

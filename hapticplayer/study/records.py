@@ -2,7 +2,7 @@ r"""Records as lines of JSON, each with a checksum that no damage gets past.
 
 A line is `{"record":7,"v":1,"utc":...,"mono_s":...,"kind":...,...,"crc":"89abcdef"}`:
 the CRC-32 is that of the bytes before `,"crc"`. A quotation mark inside a text is
-escaped, so `{"record":` and `,"crc":"` appear nowhere else.
+escaped, so `{"record":` and `,"crc":"` stand nowhere else but in an answer's own name.
 """
 
 import json
@@ -118,11 +118,12 @@ def decode(data: bytes) -> Records:
 
 def _record_at(data: bytes, at: int) -> tuple[Record, int, int] | None:
     """Return the intact record that begins at a place, its version and its end."""
-    tail = _TAIL.search(data, at, at + MAX_RECORD_BYTES)
-    if tail is None:
-        return None
-    body = data[at : tail.start()]
-    if zlib.crc32(body) != int(tail[1], 16):
+    # an answer may be called "crc", too: the first tail is not always the record's
+    for tail in _TAIL.finditer(data, at, at + MAX_RECORD_BYTES):
+        body = data[at : tail.start()]
+        if zlib.crc32(body) == int(tail[1], 16):
+            break
+    else:
         return None
     try:
         content = json.loads(body + b"}")

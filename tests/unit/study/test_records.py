@@ -50,6 +50,15 @@ def test_names_of_the_record_itself_and_nan_are_refused():
             encode(1, "now", 1.0, "note", content)
 
 
+def test_an_answer_may_be_called_as_the_checksum_is():
+    content = {"answers": {"a": 1, "crc": "89abcdef"}, "more": {"record": 1}}
+    line = encode(3, "2026-01-01T00:00:00Z", 1.0, "answers", content)
+    read = decode(line + encode(4, "2026-01-01T00:00:01Z", 2.0, "end", {}))
+    assert [record.number for record in read.intact] == [3, 4]
+    assert read.intact[0].content == content
+    assert not read.damaged
+
+
 def test_cut_off_at_every_byte_the_whole_records_come_back():
     written = lines(6)
     data = b"".join(written)
