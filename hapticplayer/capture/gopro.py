@@ -5,7 +5,9 @@ times, and the gyro becomes the mean rate over each of its intervals. Time 0 is 
 first picture.
 """
 
-from collections.abc import Sequence
+import contextlib
+import gc
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import NamedTuple
@@ -87,12 +89,25 @@ def read_gopro(
         TelemetryError: when there is no usable motion, and why.
     """
     try:
-        return _read(packets, source, has_packet_times=has_packet_times)
+        with _uncollected():
+            return _read(packets, source, has_packet_times=has_packet_times)
     except TelemetryError as error:
         if error.where:
             raise
         remedy = error.remedy or "copy the recording again from the camera"
         raise TelemetryError(error.what, where=source, remedy=remedy) from error
+
+
+@contextlib.contextmanager
+def _uncollected() -> Iterator[None]:
+    """Leave out the search for garbage, which takes a fifth of the time: none is made."""
+    collects = gc.isenabled()
+    gc.disable()
+    try:
+        yield
+    finally:
+        if collects:
+            gc.enable()
 
 
 def read_raw_gopro(path: Path) -> GoProTelemetry:
