@@ -13,6 +13,7 @@ from app.bridge.cadence import Cadence
 from app.bridge.errors import ErrorGateway
 from app.bridge.idle import EVERYTHING, IdleInhibitor
 from app.bridge.interrupts import closing_on_signals
+from app.bridge.latencies import latencies_of, screen_name
 from app.bridge.pump import Pump
 from app.bridge.settings import Settings, default_path
 from app.experimenter.mirror import Mirror
@@ -110,6 +111,9 @@ class StudySession:
         else:
             self.participant.setGeometry(theirs.geometry())
             self.participant.showFullScreen()
+        measured = Settings(default_path())
+        screen = screen_name(self.participant)
+        self.player.set_latencies(latencies_of(measured, screen))
         self.undisturbed.set_wanted("an experiment is running")
         self.control.raise_()
         self.pump.start()

@@ -404,7 +404,9 @@ class LatencyPage(QDialog):
         for part, label in self.names.items():
             label.set_text(shown[part])
             row = self.rows[part]
-            row.number.setAccessibleName(f"{row.choice.text()}: {shown[part]}")
+            row.number.setAccessibleName(
+                f"{row.choice.text()}: {shown[part]}".rstrip(": ")
+            )
         for widget in (self.rows[DEVICE].choice, self.rows[DEVICE].number):
             widget.setEnabled(bool(names[DEVICE]))
 

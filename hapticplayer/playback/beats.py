@@ -67,18 +67,23 @@ def beat_source(progress: Progress = no_progress) -> Source:
     return Source("beats", path, clip, tracks, None, FELT)
 
 
+def _since_beat_s(rate_hz: int) -> NDArray[np.float64]:
+    """Return for each sample how long ago the last beat was; counted in samples."""
+    number = np.arange(round(COUNT * PERIOD_S * rate_hz))
+    since = (number - round(FIRST_S * rate_hz)) % round(PERIOD_S * rate_hz)
+    return since.astype(np.float64) / rate_hz
+
+
 def _pictures() -> Iterator[NDArray[np.uint8]]:
     width, height = _SIZE_PX
     dark = np.zeros((height, width, 3), np.uint8)
     bright = np.full_like(dark, 255)
-    for number in range(round(COUNT * PERIOD_S * _RATE_HZ)):
-        since_s = (number / _RATE_HZ - FIRST_S) % PERIOD_S
+    for since_s in _since_beat_s(_RATE_HZ):
         yield bright if since_s < LENGTH_S - 1e-9 else dark
 
 
 def _sound() -> NDArray[np.float32]:
-    time_s = np.arange(round(COUNT * PERIOD_S * _SOUND_HZ)) / _SOUND_HZ
-    since_s = (time_s - FIRST_S) % PERIOD_S
+    since_s = _since_beat_s(_SOUND_HZ)
     edge_s = np.minimum(since_s, LENGTH_S - since_s)
     wave = np.sin(2.0 * np.pi * _TONE_HZ * since_s)
     tone = _LOUDNESS * np.clip(edge_s / _RISE_S, 0.0, 1.0) * wave

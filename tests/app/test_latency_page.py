@@ -213,7 +213,7 @@ class _LateSound:
     [
         ("pulse (bluez_output.AC)", 0.10, True),
         ("speakers", 0.21, True),
-        ("speakers", 0.13, False),
+        ("speakers", 0.141, False),  # PulseAudio, without any device behind it
         ("", 0.0, False),
     ],
 )

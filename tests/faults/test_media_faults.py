@@ -2,7 +2,9 @@
 
 import os
 import re
+from itertools import pairwise
 
+import av
 import media_cases as cases
 import nasty_files as nasty
 import pytest
@@ -60,6 +62,18 @@ def test_a_nasty_file_comes_to_what_it_must(name, good, tmp_path):
     wanted = cases.PICTURES if expected.pictures == nasty.ALL else expected.pictures
     assert outcome.pictures == wanted
     assert not outcome.is_marked
+
+
+def test_the_times_that_run_backwards_do(tmp_path):
+    """And the decoder makes an order of them."""
+    path = nasty.NASTY["times that run backwards"].make(tmp_path, b"")
+    with av.open(str(path)) as file:
+        stored = [p.pts for p in file.demux(video=0) if p.pts is not None]
+    assert stored != sorted(stored)
+    with VideoDecoder(path) as decoder:
+        times_s = [frame.pts_s for frame in decoder.frames()]
+    assert len(times_s) == nasty.PICTURES
+    assert all(a < b for a, b in pairwise(times_s))
 
 
 def test_a_file_without_rights_is_refused(good, tmp_path, monkeypatch):

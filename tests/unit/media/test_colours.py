@@ -15,6 +15,10 @@ pytestmark = pytest.mark.skipif(
 
 MATRICES = {"601": "smpte170m", "709": "bt709", "2020": "bt2020nc"}
 MOST_LEVELS = 1.0
+SMOOTH = "gblur=sigma=30,{scale}"
+DETAILED = "{scale},gblur=sigma=12:planes=6,noise=c0s=20:c0_seed=3"
+"""Edges and grain down to the pixel in the luma; colours as soft as those of cameras,
+for there is no one way to spread a colour sample over the four pixels that share it."""
 
 
 def ffmpeg(*arguments: str) -> bytes:
@@ -23,11 +27,17 @@ def ffmpeg(*arguments: str) -> bytes:
 
 
 def clip(
-    path: Path, size: str, matrix: str, colour_range: str, pixels: str, extra: str = ""
+    path: Path,
+    size: str,
+    matrix: str,
+    colour_range: str,
+    pixels: str,
+    extra: str = "",
+    chain: str = SMOOTH,
 ) -> Path:
-    """Encode a smooth, colourful picture that is tagged as what it is."""
+    """Encode a colourful picture that is tagged as what it is."""
     scale = f"scale={size.replace('x', ':')}:out_color_matrix={MATRICES[matrix]}:out_range={colour_range}"
-    chain = f"gblur=sigma=30,{scale},format={pixels}{extra}"
+    chain = chain.format(scale=f"{scale},format={pixels}") + extra
     ffmpeg(
         *("-f", "lavfi", "-i", f"testsrc2=size={size}:rate=5:duration=0.2"),
         *("-vf", chain, "-c:v", "libx264", "-crf", "10"),
@@ -45,6 +55,15 @@ def reference(path: Path, width: int, height: int, source: str = "") -> np.ndarr
         *("-f", "rawvideo", "-"),
     )
     return np.frombuffer(raw, np.uint8).reshape(height, width, 3)
+
+
+def painted_reference(path: Path, width: int, height: int) -> np.ndarray:
+    """As `reference`, by linear interpolation and as a window wants it: B, G, R, -."""
+    scale = f"scale={width}:{height}:flags=bilinear,format=bgra"
+    raw = ffmpeg(
+        *("-i", str(path), "-frames:v", "1", "-vf", scale, "-f", "rawvideo", "-")
+    )
+    return np.frombuffer(raw, np.uint8).reshape(height, width, 4)[:, :, 2::-1]
 
 
 def shown(path: Path) -> np.ndarray:
@@ -107,3 +126,64 @@ def test_a_turned_clip_is_turned_as_ffmpeg_turns_it(tmp_path, turn_deg):
     ffmpeg("-i", str(lying), "-c", "copy", *turn, str(path))
     ours = shown(path)
     assert levels_apart(ours, reference(path, 180, 320)) < MOST_LEVELS
+
+
+@pytest.mark.parametrize("size", ["320x180", "322x182"])
+@pytest.mark.parametrize(
+    ("colour_range", "pixels"),
+    [
+        ("tv", "yuv420p"),
+        ("pc", "yuv420p"),
+        ("tv", "yuv420p10le"),
+        ("pc", "yuv420p10le"),
+        ("tv", "yuv444p"),
+    ],
+)
+@pytest.mark.parametrize("matrix", MATRICES)
+def test_a_detailed_picture_is_that_of_ffmpeg(
+    tmp_path, matrix, colour_range, pixels, size
+):
+    path = clip(
+        tmp_path / "clip.mp4", size, matrix, colour_range, pixels, chain=DETAILED
+    )
+    width, height = map(int, size.split("x"))
+    ours, theirs = shown(path), reference(path, width, height)
+    assert levels_apart(ours, theirs) < MOST_LEVELS
+    # and it is detailed: the neighbours of a pixel are many levels away
+    assert np.abs(np.diff(theirs.astype(int), axis=1)).mean() > 5.0
+
+
+@pytest.mark.parametrize("aspect", ["4/3", "8/9"])
+def test_a_detailed_picture_is_stretched_as_ffmpeg_does(tmp_path, aspect):
+    """Between two pixels there are several truths: this one is the linear one."""
+    path = clip(
+        tmp_path / "clip.mp4", "240x180", "601", "tv", "yuv420p",
+        f",setsar={aspect}", DETAILED,
+    )  # fmt: skip
+    ours = shown(path)
+    theirs = painted_reference(path, ours.shape[1], 180)
+    assert levels_apart(ours, theirs) < MOST_LEVELS
+
+
+@pytest.mark.parametrize("turn_deg", [90, 180, 270])
+def test_a_detailed_picture_is_turned_as_ffmpeg_turns_it(tmp_path, turn_deg):
+    lying = clip(
+        tmp_path / "lying.mp4", "320x176", "709", "tv", "yuv420p", chain=DETAILED
+    )
+    path = tmp_path / "turned.mp4"
+    turn = ("-metadata:s:v", f"rotate={turn_deg}")
+    ffmpeg("-i", str(lying), "-c", "copy", *turn, str(path))
+    ours = shown(path)
+    height, width = ours.shape[:2]
+    assert (width, height) == ((320, 176) if turn_deg == 180 else (176, 320))
+    assert levels_apart(ours, reference(path, width, height)) < MOST_LEVELS
+
+
+def test_a_detailed_odd_size_loses_at_most_a_column(tmp_path):
+    path = clip(
+        tmp_path / "clip.mp4", "321x181", "709", "tv", "yuv444p", chain=DETAILED
+    )
+    ours = shown(path)
+    assert ours.shape == (181, 322, 3)
+    theirs = painted_reference(path, 322, 181)
+    assert levels_apart(ours, theirs) < MOST_LEVELS

@@ -1,5 +1,7 @@
 """What reaches the person later is begun earlier, by exactly that much."""
 
+import json
+
 import numpy as np
 import pytest
 
@@ -8,6 +10,7 @@ from hapticplayer.errors import UsageError
 from hapticplayer.model import PlaybackClock
 from hapticplayer.playback.audio import AudioRing
 from hapticplayer.playback.latency import MOST_S, Latencies, Latency, is_wireless
+from hapticplayer.playback.log import PlaybackLog
 from hapticplayer.playback.sound_process import SilentOut
 
 STEP_S = 0.004  # of the virtual time
@@ -175,3 +178,28 @@ def test_the_meters_compare_what_the_person_meets(theatre):
 )
 def test_outputs_without_a_wire_are_told_by_their_name(name, expected):
     assert is_wireless(name) is expected
+
+
+def test_the_log_tells_the_latencies_and_has_the_times_of_the_person(theatre, tmp_path):
+    path = tmp_path / "log.jsonl"
+    player = theatre.player
+    player.attach_log(PlaybackLog(path, {}))
+    notes = played(theatre, 0.8, display_s=0.06, sound_s={OUTPUT: 0.1})
+    player.close()
+    lines = [json.loads(line) for line in path.read_text().splitlines()]
+    told = [line for line in lines if line.get("name") == "latency"]
+    parts = ("display_s", "sound_s", "device_s")
+    assert [told[-1][part] for part in parts] == [0.06, 0.1, 0.0]
+    seen = {
+        line["media_s"]: line["monotonic_s"]
+        for line in lines
+        if line["kind"] == "frame"
+    }
+    painted = {pts: t for t, pts in notes.pictures()}
+    assert len(painted) > 8
+    for pts, t in painted.items():
+        assert seen[pts] == pytest.approx(t + 0.06)
+    said = [line for line in lines if line["kind"] == "audio"]
+    heard = [(line["monotonic_s"], line["media_s"]) for line in said]
+    at_dac = list(notes.sound.items())
+    assert notes.offset_s(heard)[1] == pytest.approx(notes.offset_s(at_dac)[1] - 0.1)
