@@ -45,6 +45,7 @@ PLAY_DEFAULTS: dict[str, Any] = {
     "fullscreen": False,
     "plots": True,
     "close_at_end": False,
+    "speed": 1.0,
     "start": 0.0,
     "duration": None,
     "log": None,

@@ -78,7 +78,6 @@ def test_the_window_and_every_dialog_can_be_used_by_keyboard_alone(
     check_keyboard(window, qtbot)
     for make in faces.dialogs(window, tmp_path).values():
         face = make()
-        qtbot.addWidget(face)
         face.show()
         check_keyboard(face, qtbot)
         face.close()
@@ -113,7 +112,6 @@ def whole_texts(window, source, folder, qtbot) -> list[str]:
     found = [f"window: {text}" for text in faces.cut_off(window)]
     for name, make in faces.dialogs(window, folder).items():
         face = make()
-        qtbot.addWidget(face)
         face.show()
         qtbot.wait(1)
         found += [f"{name}: {text}" for text in faces.cut_off(face)]
