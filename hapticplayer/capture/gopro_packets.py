@@ -76,11 +76,12 @@ def parse_packets(packets: Sequence[Packet]) -> tuple[list[Payload], int]:
         raise TelemetryError(
             "its telemetry holds no accelerometer samples", remedy=OTHER_CAMERA
         )
+    identity = _identity(camera)
     payloads = [
         Payload(packet.start_s, packet.duration_s, device)
         for packet, root in parsed
         for device in root.find_all("DEVC")
-        if _identity(device) == _identity(camera)
+        if _identity(device) == identity
     ]
     return payloads, sum(root.is_cut for _, root in parsed)
 

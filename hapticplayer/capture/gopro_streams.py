@@ -109,6 +109,7 @@ class _Row(NamedTuple):
 
     payload: Payload
     stream: Entry
+    named: dict[str, Entry]  # asked five times for each second
     entry: Entry
 
     @property
@@ -126,7 +127,8 @@ def _rows(payloads: Sequence[Payload], key: str) -> Iterator[_Row]:
             entry = stream.find(key)
             if entry is not None:
                 usual = usual if number == 0 else number - (len(order) - len(streams))
-                yield _Row(payload, stream, entry)
+                named = {child[0]: child for child in stream[4]}  # the last of each
+                yield _Row(payload, stream, named, entry)
                 break
 
 
@@ -134,7 +136,7 @@ def _form(row: _Row) -> tuple[object, ...]:
     """Return all that tells how the bytes of the samples are to be read."""
     form: list[object] = [row.entry.kind, row.entry.struct_bytes]
     for key in ("TYPE", "SCAL"):
-        entry = row.stream.find(key)
+        entry = row.named.get(key)
         form.append(entry and (entry.kind, entry.struct_bytes, bytes(entry.payload)))
     return tuple(form)
 
@@ -156,7 +158,7 @@ def _scaled(rows: Sequence[_Row], key: str) -> Floats:
 
 
 def _number(row: _Row, key: str) -> float:
-    return first_number_of(row.stream.find(key))
+    return first_number_of(row.named.get(key))
 
 
 def _first_index(counts: NDArray[np.int64], totals: list[float]) -> NDArray[np.int64]:

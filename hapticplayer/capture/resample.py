@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from hapticplayer.model.arrays import Floats
+from hapticplayer.model.arrays import Floats, all_of_rows
 
 _GAP_STEPS = 3.0
 """A step of more than this many samples is a gap."""
@@ -58,7 +58,7 @@ def mean_rate_with_holes(
         time_s: (N,) strictly increasing, N >= 2; a long step is a gap.
         rate: (N, axes); may hold NaN.
     """
-    finite = np.isfinite(rate).all(axis=1)
+    finite = all_of_rows(np.isfinite(rate))
     steps_s = np.diff(time_s, prepend=time_s[0])
     is_gap = steps_s > _GAP_STEPS * np.median(np.diff(time_s))
     missing = ~finite | is_gap

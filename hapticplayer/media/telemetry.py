@@ -82,13 +82,14 @@ def read_telemetry_packets(path: str | os.PathLike[str]) -> list[TelemetryPacket
         packets: list[TelemetryPacket] = []
         total_bytes = 0
         for packet in container.demux(stream):
-            if packet.size == 0 or packet.pts is None:
+            size_bytes, pts = packet.size, packet.pts
+            if size_bytes == 0 or pts is None:
                 continue
-            total_bytes += packet.size
-            _check_limits(packet.size, total_bytes, len(packets), path)
+            total_bytes += size_bytes
+            _check_limits(size_bytes, total_bytes, len(packets), path)
             packets.append(
                 TelemetryPacket(
-                    start_s=packet.pts * base[0] / base[1] - start_s,
+                    start_s=pts * base[0] / base[1] - start_s,
                     duration_s=(packet.duration or 0) * base[0] / base[1],
                     payload=bytes(packet),
                 )

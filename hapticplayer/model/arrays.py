@@ -82,3 +82,11 @@ def same_length(reference: NDArray[Any], **others: NDArray[Any] | None) -> None:
             raise InputError(
                 f"{name} has {len(array)} rows, but there are {len(reference)} times"
             )
+
+
+def all_of_rows(flags: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Return which rows (n, few) are all True; numpy is slow along short axes."""
+    out = flags[:, 0].copy()
+    for column in flags.T[1:]:
+        out &= column
+    return out

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from hapticplayer.errors import InputError
 from hapticplayer.model import STANDARD_GRAVITY_MPS2, ImuLog, Sampling
-from hapticplayer.model.arrays import Floats
+from hapticplayer.model.arrays import Floats, all_of_rows
 from hapticplayer.motion.repair.timestamps import Kind, Repair, Timeline, repair_times
 from hapticplayer.motion.repair.units import check_force_unit, check_rate_unit
 
@@ -196,12 +196,12 @@ def _at_times(line: Timeline, values: Floats) -> Floats:
 
 def _missing(values: Floats, sensor: _Sensor) -> Flags:
     # a comparison with NaN is False, so that this finds NaN and infinity too
-    return np.asarray(~(np.abs(values) <= sensor.largest).all(axis=1))
+    return ~all_of_rows(np.abs(values) <= sensor.largest)
 
 
 def _placeholders(force: Floats) -> Flags:
     """Return spans of exact zeros that begin and end abruptly."""
-    is_zero = ~force.any(axis=1)
+    is_zero = all_of_rows(force == 0.0)
     if is_zero.all() or not is_zero.any():
         return np.asarray(is_zero)
     edges = np.flatnonzero(np.diff(is_zero, prepend=False, append=False))

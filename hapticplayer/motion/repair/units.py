@@ -4,6 +4,8 @@ Units are never changed silently: a clear case is refused with the factor to use
 an unclear one passes.
 """
 
+import math
+
 import numpy as np
 
 from hapticplayer.errors import InputError
@@ -109,7 +111,7 @@ def check_rate_unit(
     Raises:
         InputError: naming the factor.
     """
-    rms = float(np.sqrt(np.mean(np.sum(np.square(rate), axis=1))))
+    rms = math.sqrt(float(np.einsum("ij,ij->", rate, rate)) / len(rate))
     if SLOW_RMS_RADPS <= rms <= FAST_RMS_RADPS:
         return
     is_degrees = rms > FAST_RMS_RADPS
