@@ -27,6 +27,7 @@ from hapticplayer.devices import DEVICES
 from hapticplayer.devices.falcon.driver import FalconDriver, Options
 from hapticplayer.devices.falcon.simulated_usb import remote
 from hapticplayer.haptics.scheduling import DEVICE_PRIORITY, acquire, grant
+from hapticplayer.haptics.wakefulness import Wakefulness
 
 PERIOD_S = 0.001
 SETTLING_TICKS = 200
@@ -99,6 +100,7 @@ def main() -> int:
     parser.add_argument("--seconds", type=float, default=5.0)
     options = parser.parse_args()
     scheduling = acquire(None).value
+    Wakefulness().keep(awake=True)  # as the loop does while it plays
     ticks = int(options.seconds / PERIOD_S)
     cores = sorted(os.sched_getaffinity(0))
     os.sched_setaffinity(0, cores[:1])

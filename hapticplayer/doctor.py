@@ -48,6 +48,7 @@ LOOP_PRIORITY = 80  # what the haptics process asks for
 OLDEST_SLICE_KERNEL = (6, 12)  # first Linux that grants a time slice on request
 FALCON_USB_ID = ("0403", "cb48")
 USB_DEVICES = Path("/sys/bus/usb/devices")
+CPU_LATENCY = Path("/dev/cpu_dma_latency")
 SOUND_CARDS = Path("/proc/asound/cards")
 SOCKET_TIMEOUT_S = 1.0
 
@@ -147,6 +148,7 @@ def check() -> list[Check]:
         _check_display(),
         _check_sound(),
         _check_scheduling(),
+        _check_wakefulness(),
         _check_falcon(),
     ]
 
@@ -319,6 +321,22 @@ def _check_scheduling() -> Check:
         required=False,
         detail=detail,
         remedy=f"allow rtprio {LOOP_PRIORITY} and memlock in /etc/security/limits.d",
+    )
+
+
+def _check_wakefulness() -> Check:
+    if not CPU_LATENCY.exists():
+        ok, detail = False, "this system takes no request to keep them awake"
+    elif os.access(CPU_LATENCY, os.W_OK):
+        ok, detail = True, "kept out of deep sleep while a force may be on"
+    else:
+        ok, detail = False, "may sleep deeply: the loop wakes up some 20 us later"
+    return Check(
+        "processors",
+        ok,
+        required=False,
+        detail=detail,
+        remedy="copy packaging/udev/70-novint-falcon.rules to /etc/udev/rules.d",
     )
 
 

@@ -15,6 +15,7 @@ from hapticplayer.haptics.loop import Loop
 from hapticplayer.haptics.messages import Line, Word
 from hapticplayer.haptics.scheduling import Scheduling, acquire
 from hapticplayer.haptics.shared import SharedBlock
+from hapticplayer.haptics.wakefulness import Wakefulness
 
 
 def main(argv: list[str] | None = None) -> int:
@@ -53,6 +54,7 @@ def main(argv: list[str] | None = None) -> int:
             limits,
             centring_of(limits),
             is_guarded=options.guarded,
+            wakefulness=Wakefulness(),
         )
         line.send(Word.READY, acquire(wanted).value)
         loop.run()

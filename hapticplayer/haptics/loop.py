@@ -14,11 +14,13 @@ from hapticplayer.haptics.messages import Line, Word, close_descriptor
 from hapticplayer.haptics.shared import SharedBlock
 from hapticplayer.haptics.step import step
 from hapticplayer.haptics.track import LoadedTrack, map_track
+from hapticplayer.haptics.wakefulness import Wakefulness
 from hapticplayer.model import PlaybackClock
 from hapticplayer.model.device import DeviceReading, Vector
 
 ZERO_TICKS_BEFORE_CLOSING = 5
 MISSED_OVER_TICKS = 10_000
+_RESTING = (Mode.IDLE, Mode.TRIPPED)
 
 
 class MissedPeriods:
@@ -52,6 +54,7 @@ class Loop:
     limits: Limits = field(default_factory=Limits)
     centring: Centring = field(default_factory=Centring)
     is_guarded: bool = False
+    wakefulness: Wakefulness | None = None
 
     def __post_init__(self) -> None:
         self.state = State()
@@ -103,6 +106,8 @@ class Loop:
             self.centring,
         )
         self._exchange(state.force_n, now_s)
+        if self.wakefulness is not None:
+            self.wakefulness.keep(awake=state.mode not in _RESTING)
         self._record(late_s, missed)
         self.count += 1
 
@@ -127,7 +132,7 @@ class Loop:
         if self._is_stale:
             # 20 ms have passed: a ramp that began with them would be over
             force_n = ZERO
-            is_acting = self.state.mode not in (Mode.IDLE, Mode.TRIPPED)
+            is_acting = self.state.mode not in _RESTING
             if is_acting:
                 self.state = self.state._replace(
                     force_n=ZERO, mode=Mode.RAMPING, cause=Cause.COMMAND_STALE

@@ -300,3 +300,14 @@ def test_a_falcon_on_usb_is_found(monkeypatch, tmp_path) -> None:
 
     assert check.detail.startswith("/dev/bus/usb/001/012")
     assert not check.required
+
+
+def test_processors_that_may_sleep_deeply_name_the_udev_rule(
+    monkeypatch, tmp_path
+) -> None:
+    monkeypatch.setattr(doctor, "CPU_LATENCY", tmp_path / "cpu_dma_latency")
+    assert not _by_name("processors").ok
+    (tmp_path / "cpu_dma_latency").touch()
+    assert _by_name("processors").ok
+    monkeypatch.setattr(doctor.os, "access", lambda *_: False)
+    assert "udev" in _by_name("processors").remedy

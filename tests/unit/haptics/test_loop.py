@@ -14,6 +14,7 @@ from hapticplayer.haptics.loop import ZERO_TICKS_BEFORE_CLOSING, Loop
 from hapticplayer.haptics.messages import Line, Word
 from hapticplayer.haptics.shared import BLOCK_BYTES, SharedBlock
 from hapticplayer.haptics.track import anonymous_memory, to_shared_memory
+from hapticplayer.haptics.wakefulness import Wakefulness
 from hapticplayer.model import ForceTrack, PlaybackClock
 
 
@@ -163,3 +164,33 @@ def test_the_last_packets_are_zero():
     assert np.linalg.norm(records["force_n"][398]) == pytest.approx(2.0)
     assert not records["force_n"][399:].any()
     assert len(records) == 399 + ZERO_TICKS_BEFORE_CLOSING
+
+
+def test_processors_are_kept_awake_only_while_a_force_may_be_on(tmp_path):
+    kernel = tmp_path / "cpu_dma_latency"
+    kernel.touch()
+    rig = Rig()
+    rig.loop.wakefulness = Wakefulness(kernel)
+    rig.give_track(CONSTANT)
+    rig.tick(20)
+    assert not kernel.read_bytes()
+    rig.play()
+    rig.block.beat(rig.clock.now_s() + 100.0)
+    rig.tick(200)
+    assert np.frombuffer(kernel.read_bytes(), "=i4").tolist() == [0]
+    rig.player.send(Word.STOP)
+    rig.tick(200)
+    rig.close()
+    assert np.frombuffer(kernel.read_bytes(), "=i4").tolist() == [0, -1]
+
+
+def test_a_loop_that_may_not_ask_for_awake_processors_plays_all_the_same(tmp_path):
+    rig = Rig()
+    rig.loop.wakefulness = Wakefulness(tmp_path / "is not there")
+    rig.give_track(CONSTANT)
+    rig.play()
+    rig.block.beat(rig.clock.now_s() + 100.0)
+    rig.tick(300)
+    records, _, _ = rig.block.read_ticks(0)
+    rig.close()
+    assert np.linalg.norm(records["force_n"][-1]) == pytest.approx(2.0)
