@@ -12,14 +12,17 @@ from collections import deque
 from typing import NamedTuple, Protocol
 
 from hapticplayer.clock import Clock
-from hapticplayer.devices.falcon.ftdi import Ftdi
+from hapticplayer.devices.falcon.ftdi import PAYLOAD_BYTES, Ftdi
 from hapticplayer.devices.falcon.protocol import Reply, ReplyParser
 from hapticplayer.errors import DeviceError
 
+LATE_IN_PERIOD_S = 0.0007
+"""An answer that comes so long after a frame was left comes near the loop's next tick."""
 WRITE_S = 0.02
 """A frame that cannot be sent for so long is taken back: its command is too old."""
 READ_S = 0.02
 _STOP_S = 0.5
+_MOST_TO_WAIT = 2
 _MOST_PACKETS = 64
 
 
@@ -86,14 +89,19 @@ class ThreadedLink:
     """Never waits, neither in `post` nor in `newest`.
 
     Of frames that were posted while a write was stalled only the last one is sent.
-    The threads inherit the scheduling of the one that makes the link. They do as
-    little as possible, for while they do it the loop cannot wake: what was read is
-    taken apart by whoever asks for it.
+    The threads inherit the scheduling of the one that makes the link. While one of
+    them has the interpreter the loop cannot wake, so they do as little as possible
+    (what was read is taken apart by whoever asks for it), and not when a tick is due:
+    there is one read for each frame that was sent. The chip's latency timer runs from
+    packet to packet, so answers that have drifted towards the next tick would stay
+    there; one frame without a read sets the timer back to early in the period.
     """
 
     def __init__(self, ftdi: Ftdi, clock: Clock) -> None:
         self._ftdi, self._clock = ftdi, clock
         self._frames: queue.SimpleQueue[bytes | None] = queue.SimpleQueue()
+        self._sent: queue.SimpleQueue[None] = queue.SimpleQueue()
+        self._posted_s = 0.0
         self._packets: deque[tuple[bytes, float]] = deque(maxlen=_MOST_PACKETS)
         self._parser, self._answer = ReplyParser(), NO_ANSWER
         self._problem: DeviceError | None = None
@@ -109,6 +117,7 @@ class ThreadedLink:
         """Leave a frame for the writer."""
         if self._problem is not None:
             raise self._problem
+        self._posted_s = self._clock.now_s()
         self._frames.put(frame)
 
     def newest(self) -> Answer:
@@ -125,6 +134,8 @@ class ThreadedLink:
         """Let both threads end after what they are doing."""
         self._is_stopping = True
         self._frames.put(None)
+        for _ in range(_MOST_TO_WAIT):
+            self._sent.put(None)
         for thread in self._threads:
             thread.join(_STOP_S)
 
@@ -140,17 +151,27 @@ class ThreadedLink:
             except DeviceError as problem:
                 self._problem = problem
                 return
+            self._sent.put(None)
 
     def _read(self) -> None:
         read, keep, now_s = self._ftdi.read, self._packets.append, self._clock.now_s
+        data, frames_to_wait = b"", 1
         while not self._is_stopping:
+            if len(data) < PAYLOAD_BYTES:  # else there may be more
+                for _ in range(frames_to_wait):
+                    self._sent.get()
+                while not self._sent.empty():
+                    self._sent.get()
             try:
                 data = read(READ_S)
             except DeviceError as problem:
                 self._problem = problem
                 return
+            at_s = now_s()
             if data:
-                keep((data, now_s()))
+                keep((data, at_s))
+            is_late = at_s - self._posted_s > LATE_IN_PERIOD_S
+            frames_to_wait = _MOST_TO_WAIT if is_late else 1
 
 
 def updated(answer: Answer, parser: ReplyParser, data: bytes, at_s: float) -> Answer:

@@ -79,17 +79,72 @@ def test_of_the_frames_that_wait_for_a_stalled_write_only_the_last_is_sent(link,
 
 def test_the_newest_answer_is_there_without_waiting(link, gate):
     assert link.newest() == NO_ANSWER
+    gate.may_write.release(2)
+    link.post(b"x")
     gate.to_read.put(encode_reply(Reply((9, 9, 9), 0, 7)) + encode_reply(REPLY))
     wait_for(lambda: link.newest().reply == REPLY)
     assert link.newest().at_s == 50.0
+    link.post(b"y")
     gate.to_read.put(b"<AAA!AAAAAAAAAAA")
     wait_for(lambda: link.newest().malformed == 1)
     assert link.newest().reply == REPLY
 
 
+class PacketTimer:
+    """A chip whose latency timer runs from packet to packet, in virtual time."""
+
+    def __init__(self, clock, first_s):
+        self.clock, self.ready_s = clock, first_s
+        self.asked, self.may_answer = threading.Semaphore(0), threading.Semaphore(0)
+        self.wrote = threading.Semaphore(0)
+
+    def write(self, data, timeout_s):
+        self.wrote.release()
+        return len(data)
+
+    def read(self, timeout_s):
+        self.asked.release()
+        assert self.may_answer.acquire(timeout=LONG_S)
+        return encode_reply(REPLY)
+
+
+def test_answers_are_read_early_in_the_period_whatever_the_chips_timer():
+    """The phase in which a read returns; a tick is due at 0 and 1 ms."""
+    clock = ManualClock(50.0)
+    chip = PacketTimer(clock, 50.00095)
+    link = ThreadedLink(chip, clock)
+    phases_ms, is_reading = [], False
+    for tick in range(200):
+        tick_s = 50.0 + tick / 1000.0
+        clock.advance(tick_s - clock.now_s())
+        link.post(b"x")
+        assert chip.wrote.acquire(timeout=LONG_S)
+        is_reading = is_reading or chip.asked.acquire(timeout=0.05)
+        if not is_reading:
+            continue  # a tick without a read: the timer waits for it
+        ends_s = max(chip.ready_s, tick_s + 0.0001)
+        if ends_s >= tick_s + 0.001:
+            continue
+        clock.advance(ends_s - clock.now_s())
+        reply_before = link.newest().at_s
+        chip.may_answer.release()
+        wait_for(lambda before=reply_before: link.newest().at_s > before)
+        phases_ms.append(1e3 * (ends_s - tick_s))
+        # the crystal of the chip and the bus: 3 % more than a period
+        chip.ready_s, is_reading = ends_s + 0.00103, False
+    chip.may_answer.release(10)
+    link.stop()
+    assert len(phases_ms) > 180
+    assert phases_ms[0] == pytest.approx(0.95)
+    assert max(phases_ms[1:]) < 0.75
+    assert min(phases_ms) >= 0.099
+
+
 @pytest.mark.parametrize("call", ["post", "newest"])
 def test_what_the_reader_met_is_raised_by_the_next_call(link, gate, call):
     gate.to_read.put(FalconGoneError("unplugged"))
+    gate.may_write.release()
+    link.post(b"x")
     wait_for(lambda: link._problem is not None)
     with pytest.raises(FalconGoneError):
         link.post(b"x") if call == "post" else link.newest()
