@@ -10,6 +10,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hapticplayer.capture.csv_log import read_motion_log
+from hapticplayer.capture.foreign import (
+    refuse_dates,
+    refuse_foreign,
+    refuse_workbook,
+)
 from hapticplayer.capture.gopro import GoProTelemetry, read_gopro, read_raw_gopro
 from hapticplayer.capture.gopro_packets import RAW_MAGIC
 from hapticplayer.capture.table import TIME
@@ -76,13 +81,15 @@ def _read(path: str | os.PathLike[str], choices: "LogChoices | None") -> Recordi
     file = resolve_regular(path, TelemetryError)
     with file.open("rb") as stream:
         head = stream.read(HEAD_BYTES)
+    refuse_foreign(head, str(file))
     if head.startswith(RAW_MAGIC):
         return _from_gopro(read_raw_gopro(file), "raw GPMF")
     if head.startswith(ZIP_MAGIC):
         return _from_logs(file, choices)
     if not is_text(head):
         return _from_video(file, choices)
-    is_own = head.decode("utf-8-sig", "replace").lstrip().startswith(TIME)
+    text = head.decode("utf-8-sig", "replace").lstrip(' \t\r\n"')
+    is_own = text.startswith(TIME) and not (choices and choices.columns)
     return _from_csv(file) if is_own else _from_logs(file, choices)
 
 
@@ -110,6 +117,9 @@ def _of_log(log: "LogReading") -> Recording:
 
 def _from_unknown(source: "Source") -> Recording:
     """Read what is no known log as a CSV, which says what is wrong with it."""
+    refuse_workbook(source.names, str(source.path))
+    if source.is_one_file:
+        refuse_dates(source.head(source.names[0]), str(source.path))
     if not source.is_one_file:
         raise InputError(
             "holds no log that is known",
