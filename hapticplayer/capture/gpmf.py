@@ -23,6 +23,7 @@ NESTED = "\0"
 COMPLEX = "?"
 
 _HEADER = struct.Struct(">4sBBH")
+_HEADER_BYTES = _HEADER.size
 _DTYPES = {
     "b": ">i1",
     "B": ">u1",
@@ -102,12 +103,12 @@ def _parse_list(
             f"telemetry is nested deeper than {MAX_NESTING} levels, so it is damaged"
         )
     entries: list[Entry] = []
-    is_cut = False
-    while offset + _HEADER.size <= length:
-        key, kind, struct_bytes, repeat = _HEADER.unpack_from(payload, offset)
+    is_cut, unpack = False, _HEADER.unpack_from
+    while offset + _HEADER_BYTES <= length:
+        key, kind, struct_bytes, repeat = unpack(payload, offset)
         if key == b"\0\0\0\0":  # padding up to the end
             return tuple(entries), is_cut
-        start = offset + _HEADER.size
+        start = offset + _HEADER_BYTES
         end = start + struct_bytes * repeat
         if end > length or not key.isascii():
             return tuple(entries), True
