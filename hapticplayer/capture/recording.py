@@ -29,6 +29,9 @@ if TYPE_CHECKING:
 _GAP_STEPS = 3.0
 """A step of more than this many samples is a gap."""
 
+_SHOWN_SAMPLES = 60_000
+"""Of which a camera's norm at rest is shown: five minutes."""
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Recording:
@@ -154,12 +157,36 @@ def _from_gopro(telemetry: GoProTelemetry, reader: str) -> Recording:
         imu=telemetry.imu,
         clock_map=ClockMap(),
         camera=telemetry.camera,
-        notes=telemetry.notes + _gaps(telemetry.imu),
+        notes=(*_how_read(telemetry.imu), *telemetry.notes, *_gaps(telemetry.imu)),
         provenance={
             "reader": reader,
             "accelerometer_rate_hz": round(telemetry.accelerometer_rate_hz, 3),
             "gyro_rate_hz": round(telemetry.gyro_rate_hz, 3),
         },
+    )
+
+
+def _how_read(imu: ImuLog) -> tuple[str, ...]:
+    """Return units and axes of a camera's motion, and what speaks for them."""
+    from hapticplayer.capture.logs.assemble import REST_NORM_MPS2, norm_at_rest
+
+    few, rate = slice(_SHOWN_SAMPLES), imu.angular_rate_radps
+    norm = norm_at_rest(
+        ImuLog(imu.time_s[few], imu.specific_force_mps2[few], rate[few])
+    )
+    largest_radps = max(float(rate.max()), -float(rate.min()))
+    rest = "" if norm is None else f", {norm:.2f} m/s2 at rest"
+    text = (
+        "read as telemetry of the camera: specific force in m/s2, angular rate in rad/s, "
+        f"x to its right, y to where it looks, z to its top{rest}, turning at "
+        f"{largest_radps:.2f} rad/s at most"
+    )
+    low, high = REST_NORM_MPS2
+    if norm is None or low <= norm <= high:
+        return (text,)
+    return (
+        text,
+        f"gravity is 9.81 m/s2 and not {norm:.2f}: the accelerometer is doubtful",
     )
 
 
