@@ -24,6 +24,7 @@ COMPLEX = "?"
 
 _HEADER = struct.Struct(">4sBBH")
 _HEADER_BYTES = _HEADER.size
+_SMALL_BYTES = 64
 _DTYPES = {
     "b": ">i1",
     "B": ">u1",
@@ -90,14 +91,16 @@ def parse(payload: bytes) -> Entry:
     Raises:
         TelemetryError: when entries are nested deeper than any camera's.
     """
-    children, is_cut = _parse_list(payload, 0, len(payload), depth=0)
+    whole = (payload, memoryview(payload))
+    children, is_cut = _parse_list(whole, 0, len(payload), depth=0)
     return Entry("", NESTED, 1, b"", children, is_cut)
 
 
 def _parse_list(
-    payload: bytes, offset: int, length: int, depth: int
+    whole: tuple[bytes, memoryview], offset: int, length: int, depth: int
 ) -> tuple[tuple[Entry, ...], bool]:
     """Return the entries between two places of a payload, and whether one was cut."""
+    payload, view = whole
     if depth > MAX_NESTING:
         raise TelemetryError(
             f"telemetry is nested deeper than {MAX_NESTING} levels, so it is damaged"
@@ -114,13 +117,14 @@ def _parse_list(
             return tuple(entries), True
         name = key.decode()
         if kind == 0:
-            children, is_child_cut = _parse_list(payload, start, end, depth + 1)
+            children, is_child_cut = _parse_list(whole, start, end, depth + 1)
             is_cut = is_cut or is_child_cut
             entry = _new(
                 Entry, (name, NESTED, struct_bytes, b"", children, is_child_cut)
             )
         else:
-            value = payload[start:end]
+            # small ones are copied, which is fast; samples of ten hours are not
+            value = (payload if end - start <= _SMALL_BYTES else view)[start:end]
             entry = _new(Entry, (name, chr(kind), struct_bytes, value, (), False))
         entries.append(entry)
         offset = start + ((end - start + 3) & -4)
