@@ -1,6 +1,6 @@
 """Where the error of the force comes from: the paper's four rides, cause by cause.
 
-    python benchmarks/error_budget.py [--quick] [--no-picture]
+    python benchmarks/error_budget.py [--quick] [--only RIDE] [--no-picture]
 
 The truth is the simulator's: p every millisecond, mapped by the same axes, gain and
 limit as the recording. Each cause is let in alone, all others being perfect; the whole
@@ -15,6 +15,7 @@ benchmarks/results/error_budget.json and docs/error-budget.png.
 """
 
 import argparse
+import json
 import sys
 import time
 from collections.abc import Callable
@@ -22,7 +23,7 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
-from common import ROOT, save, table
+from common import RESULTS, ROOT, save, table
 from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline, make_interp_spline
 
@@ -325,19 +326,21 @@ STACKS: dict[str, tuple[tuple[str, str, str], ...]] = {
 """What a chain's error is made of: label, group and cause."""
 
 Figures = dict[str, dict[str, dict[str, float]]]
+Seconds = dict[str, dict[str, float]]
 
 
-def gather(seeds: tuple[int, ...]) -> tuple[Figures, dict[str, float]]:
-    """Return the RMS in mN by scenario, group and cause, and seconds by name."""
+def gather(seeds: tuple[int, ...], names: tuple[str, ...]) -> tuple[Figures, Seconds]:
+    """Return the RMS in mN by scenario, group and cause, and seconds by both."""
     figures: Figures = {}
-    seconds: dict[str, list[float]] = {}
-    for name in SCENARIOS:
-        runs = []
+    seconds: Seconds = {}
+    for name in names:
+        runs: list[Any] = []
+        rows: dict[str, list[float]] = {}
         for seed in seeds:
             squares, ride = measure(name, seed)
             runs.append(squares)
             for what, took in ride.seconds.items():
-                seconds.setdefault(what, []).append(60.0 * took / ride.scene.duration_s)
+                rows.setdefault(what, []).append(60.0 * took / ride.scene.duration_s)
             print(f"{name}, seed {seed} done", file=sys.stderr)
         figures[name] = {
             group: {
@@ -346,7 +349,24 @@ def gather(seeds: tuple[int, ...]) -> tuple[Figures, dict[str, float]]:
             }
             for group, causes in runs[0].items()
         }
-    return figures, {what: float(np.median(took)) for what, took in seconds.items()}
+        seconds[name] = {what: float(np.median(took)) for what, took in rows.items()}
+    return figures, seconds
+
+
+def kept(part: str) -> dict[str, Any]:
+    """Return what an earlier run found, by scenario."""
+    path = RESULTS / "error_budget.json"
+    held = json.loads(path.read_text())[part] if path.is_file() else {}
+    return {name: held[name] for name in SCENARIOS if name in held}
+
+
+def medians(seconds: Seconds) -> dict[str, float]:
+    """Return the seconds of the middle ride for each thing that was timed."""
+    names = {what for ride in seconds.values() for what in ride}
+    return {
+        what: float(np.median([r[what] for r in seconds.values() if what in r]))
+        for what in sorted(names)
+    }
 
 
 def report(figures: Figures, seconds: dict[str, float]) -> str:
@@ -416,10 +436,17 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--quick", action="store_true", help="one seed, nothing saved")
     parser.add_argument("--no-picture", action="store_true")
+    parser.add_argument(
+        "--only", choices=SCENARIOS, help="this ride; the others keep their figures"
+    )
     options = parser.parse_args()
     begin = time.perf_counter()
-    figures, seconds = gather(SEEDS[:1] if options.quick else SEEDS)
-    print(report(figures, seconds))
+    names = (options.only,) if options.only else SCENARIOS
+    figures, seconds = gather(SEEDS[:1] if options.quick else SEEDS, names)
+    if options.only:
+        figures = {**kept("rms_mn"), **figures}
+        seconds = {**kept("seconds_per_60_s"), **seconds}
+    print(report(figures, medians(seconds)))
     print(f"\n{time.perf_counter() - begin:.0f} s in all")
     if not options.quick:
         save("error_budget", {"rms_mn": figures, "seconds_per_60_s": seconds})

@@ -152,6 +152,7 @@ def short_rows(
             continue
         run = partial(outcome, hard=kind == "hard", rate_hz=rate_hz)
         row = summary(list(pool.map(run, seeds, chunksize=10)))
+        row["first_seed"] = seeds.start
         rows[f"{kind} {rate_hz} Hz"] = row
         failed += misses(kind, rate_hz, row)
     return rows, failed
@@ -170,6 +171,7 @@ def long_rows(
         rms_s = float(np.sqrt(np.mean(errors**2)))
         rows[f"{rate_hz} Hz"] = {
             "clips": len(found),
+            "first_seed": seeds.start,
             "end_rms_ms": 1e3 * rms_s,
             "end_worst_ms": float(1e3 * np.abs(errors).max()),
             "flagged": float(np.mean([not one.is_confident for one in found])),

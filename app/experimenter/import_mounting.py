@@ -22,6 +22,7 @@ from app.widgets.buttons import text_button
 from app.widgets.labels import ElidedLabel
 from hapticplayer.capture.mounting import (
     MOUNTINGS,
+    UPRIGHT,
     all_mountings,
     proposed_mounting,
     up_in_frame_a,
@@ -30,9 +31,6 @@ from hapticplayer.model import Mapping
 from hapticplayer.model.mapping import DEFAULT_GAIN_N_PER_MPS2, M_AD
 from hapticplayer.sequence.library import free_name
 from hapticplayer.sequence.recognising import Recognised
-
-UPRIGHT = 0.7
-"""Cosine of 45 degrees: farther from up, and the mounting does not fit."""
 
 _TURNS = {
     "ahead": np.eye(3),

@@ -24,7 +24,6 @@ from app.widgets import theme
 from app.widgets.buttons import text_button
 from app.widgets.labels import ElidedLabel
 from hapticplayer.capture import LogQuestion
-from hapticplayer.capture.mounting import AS_RECORDED
 from hapticplayer.errors import HapticPlayerError
 from hapticplayer.sequence import build_sequence, files
 from hapticplayer.sequence.build import Choices
@@ -273,13 +272,12 @@ class ImportWizard(QDialog):
         self._show_buttons()
 
     def _choices(self) -> Choices:
-        axes = self.mounting.axes
         return Choices(
             title=self.mounting.title.text().strip() or None,
             mapping=self.mounting.mapping(),
             log=self.files.choices(),
             sync=SyncChoices(seen=self.sync.choice()),
-            mounting="" if axes == AS_RECORDED else axes,
+            mounting=self.mounting.axes,
         )
 
     def _on_made(self, folder: Path) -> None:

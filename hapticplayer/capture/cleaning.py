@@ -60,6 +60,7 @@ def _is_constant(time_s: Floats, force: Reals, rate: Reals) -> bool:
     low, high = PLAUSIBLE_MPS2
     return bool(
         len(time_s) > 1
+        and (force[:2] == force[0]).all()  # nearly always settles it
         and low <= np.linalg.norm(force[0]) <= high
         and np.isfinite(time_s).all()
         and (np.diff(time_s) > 0.0).all()

@@ -100,7 +100,7 @@ def read_gopro(
 
 @contextlib.contextmanager
 def _uncollected() -> Iterator[None]:
-    """Leave out the search for garbage, which takes a fifth of the time: none is made."""
+    """Leave out the search for garbage, which takes a fifth of the time: there is none."""
     collects = gc.isenabled()
     gc.disable()
     try:
@@ -137,7 +137,8 @@ def _read(
     )
     if len(rows) < 2:
         raise TelemetryError("its accelerometer and gyro do not overlap in time")
-    time_s, gyro_rate_hz = force_times.time_s[rows], rate.times.rate_hz
+    covered = slice(rows[0], rows[-1] + 1)  # they follow one another
+    time_s, gyro_rate_hz = force_times.time_s[covered], rate.times.rate_hz
     field, field_notes = magnetic_field(
         payloads, time_s, clock.frame0_us, has_packet_times=has_packet_times
     )
@@ -145,7 +146,7 @@ def _read(
         payloads, clock.frame0_us, has_packet_times=has_packet_times
     )
     # no sensor has the 24 bits of float32, and ten hours fill half a gigabyte
-    small = force.values[rows].astype(np.float32), mean.astype(np.float32)
+    small = force.values[covered].astype(np.float32), mean.astype(np.float32)
     del force, rate, mean, payloads
     imu, repairs = _cleaned(time_s, *small, field, source)
     return GoProTelemetry(

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Protocol
 
-from hapticplayer.capture.gopro_streams import Payload
+from hapticplayer.capture.gopro_streams import Payload, streams_of
 from hapticplayer.capture.gpmf import Entry, parse
 from hapticplayer.capture.limits import MAX_PAYLOADS
 from hapticplayer.errors import TelemetryError
@@ -78,7 +78,7 @@ def parse_packets(packets: Sequence[Packet]) -> tuple[list[Payload], int]:
         )
     identity = _identity(camera)
     payloads = [
-        Payload(packet.start_s, packet.duration_s, device)
+        Payload(packet.start_s, packet.duration_s, device, streams_of(device))
         for packet, root in parsed
         for device in root.find_all("DEVC")
         if _identity(device) == identity

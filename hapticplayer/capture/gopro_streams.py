@@ -22,11 +22,22 @@ class Payload:
         start_s: media time at which its span begins.
         duration_s: length of the span; nominal in the last payload.
         device: the camera's DEVC entry.
+        streams: by key, the first STRM entry that holds it.
     """
 
     start_s: float
     duration_s: float
     device: Entry
+    streams: dict[str, Entry]
+
+
+def streams_of(device: Entry) -> dict[str, Entry]:
+    """Return the first STRM entry that holds each key."""
+    found: dict[str, Entry] = {}
+    for stream in reversed(device[4]):  # fields by number: tens of thousands an hour
+        if stream[0] == "STRM":
+            found.update(dict.fromkeys([child[0] for child in stream[4]], stream))
+    return found
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -86,11 +97,11 @@ def collect(payloads: Sequence[Payload], key: str) -> SensorStream | None:
         raise TelemetryError(f"{key} has {counts.sum()} samples, more than is read")
     return SensorStream(
         values=parts[0] if len(parts) == 1 else np.concatenate(parts),
-        first_index=_first_index(counts, [_number(r, "TSMP") for r in rows]),
+        first_index=_first_index(counts, _numbers(rows, "TSMP")),
         counts=counts,
         start_s=np.array([row.payload.start_s for row in rows]),
         duration_s=np.array([row.payload.duration_s for row in rows]),
-        stamp_us=np.array([_number(r, "STMP") for r in rows]),
+        stamp_us=_numbers(rows, "STMP"),
         first=rows[0].stream,
     )
 
@@ -99,7 +110,8 @@ def first_stamp_us(payloads: Sequence[Payload], keys: Sequence[str]) -> float | 
     """Return the camera's time of frame 0: the first stamp of a per-frame stream."""
     for key in keys:
         for row in _rows(payloads[:1], key):
-            if row.samples and np.isfinite(stamp_us := _number(row, "STMP")):
+            stamp_us = first_number_of(row.named.get("STMP"))
+            if row.samples and np.isfinite(stamp_us):
                 return stamp_us
     return None
 
@@ -109,36 +121,26 @@ class _Row(NamedTuple):
 
     payload: Payload
     stream: Entry
-    named: dict[str, Entry]  # asked five times for each second
+    named: dict[str, Entry]  # the last of each key
     entry: Entry
-
-    @property
-    def samples(self) -> int:
-        size = self.entry.struct_bytes
-        return len(self.entry.payload) // size if size else 0
+    samples: int
 
 
 def _rows(payloads: Sequence[Payload], key: str) -> Iterator[_Row]:
-    usual = 0  # a camera keeps the order of its streams
     for payload in payloads:
-        streams = [one for one in payload.device.children if one[0] == "STRM"]
-        order = [*streams[usual : usual + 1], *streams]
-        for number, stream in enumerate(order):
-            entry = stream.find(key)
-            if entry is not None:
-                usual = usual if number == 0 else number - (len(order) - len(streams))
-                named = {child[0]: child for child in stream[4]}  # the last of each
-                yield _Row(payload, stream, named, entry)
-                break
+        stream = payload.streams.get(key)
+        if stream is not None:
+            named = {child[0]: child for child in stream[4]}
+            entry = named[key]
+            size = entry.struct_bytes
+            samples = len(entry.payload) // size if size else 0
+            yield _Row(payload, stream, named, entry, samples)
 
 
 def _form(row: _Row) -> tuple[object, ...]:
     """Return all that tells how the bytes of the samples are to be read."""
-    form: list[object] = [row.entry.kind, row.entry.struct_bytes]
-    for key in ("TYPE", "SCAL"):
-        entry = row.named.get(key)
-        form.append(entry and (entry.kind, entry.struct_bytes, bytes(entry.payload)))
-    return tuple(form)
+    entry, (_, _, named, _, _) = row.entry, row
+    return (entry.kind, entry.struct_bytes, *map(named.get, ("TYPE", "SCAL")))
 
 
 def _scaled(rows: Sequence[_Row], key: str) -> Floats:
@@ -157,11 +159,24 @@ def _scaled(rows: Sequence[_Row], key: str) -> Floats:
     return values
 
 
-def _number(row: _Row, key: str) -> float:
-    return first_number_of(row.named.get(key))
+def _numbers(rows: Sequence[_Row], key: str) -> Floats:
+    """Return the first number under a key in each payload, NaN where there is none."""
+    entries = [row.named.get(key) for row in rows]
+    first = entries[0]
+    if first is not None and all(
+        entry is not None
+        and entry[1:3] == first[1:3]
+        and len(entry[3]) == entry[2] == len(first[3])
+        for entry in entries
+    ):
+        joined = first._replace(payload=b"".join(e.payload for e in entries if e))
+        values = numbers_of(joined)
+        if values.shape[1]:
+            return values[:, 0]
+    return np.array([first_number_of(entry) for entry in entries])
 
 
-def _first_index(counts: NDArray[np.int64], totals: list[float]) -> NDArray[np.int64]:
+def _first_index(counts: NDArray[np.int64], totals: Floats) -> NDArray[np.int64]:
     """Return where each payload begins, counting samples that were lost.
 
     TSMP counts what was delivered since the recording began, this payload
@@ -169,10 +184,9 @@ def _first_index(counts: NDArray[np.int64], totals: list[float]) -> NDArray[np.i
     (runs backwards or leaps), only the payloads count.
     """
     plain = np.cumsum(counts) - counts
-    delivered = np.array(totals)
-    if not np.isfinite(delivered).all():
+    if not np.isfinite(totals).all():
         return plain
-    index = (delivered - counts) - (delivered[0] - counts[0])
+    index = (totals - counts) - (totals[0] - counts[0])
     lost = np.diff(index - plain)
     is_sane = lost.size == 0 or (lost.min() >= 0.0 and lost.sum() <= counts.sum())
     return index.astype(np.int64) if is_sane else plain

@@ -22,7 +22,9 @@ from hapticplayer.model.arrays import Floats
 NESTED = "\0"
 COMPLEX = "?"
 
-_HEADER = struct.Struct(">4scBH")
+_HEADER = struct.Struct(">4sBBH")
+_HEADER_BYTES = _HEADER.size
+_SMALL_BYTES = 64
 _DTYPES = {
     "b": ">i1",
     "B": ">u1",
@@ -89,36 +91,43 @@ def parse(payload: bytes) -> Entry:
     Raises:
         TelemetryError: when entries are nested deeper than any camera's.
     """
-    children, is_cut = _parse_list(memoryview(payload), depth=0)
+    whole = (payload, memoryview(payload))
+    children, is_cut = _parse_list(whole, 0, len(payload), depth=0)
     return Entry("", NESTED, 1, b"", children, is_cut)
 
 
-def _parse_list(payload: memoryview, depth: int) -> tuple[tuple[Entry, ...], bool]:
+def _parse_list(
+    whole: tuple[bytes, memoryview], offset: int, length: int, depth: int
+) -> tuple[tuple[Entry, ...], bool]:
+    """Return the entries between two places of a payload, and whether one was cut."""
+    payload, view = whole
     if depth > MAX_NESTING:
         raise TelemetryError(
             f"telemetry is nested deeper than {MAX_NESTING} levels, so it is damaged"
         )
     entries: list[Entry] = []
-    offset, length, is_cut = 0, len(payload), False
-    while offset + _HEADER.size <= length:
-        key, kind, struct_bytes, repeat = _HEADER.unpack_from(payload, offset)
+    is_cut, unpack = False, _HEADER.unpack_from
+    while offset + _HEADER_BYTES <= length:
+        key, kind, struct_bytes, repeat = unpack(payload, offset)
         if key == b"\0\0\0\0":  # padding up to the end
             return tuple(entries), is_cut
-        start = offset + _HEADER.size
+        start = offset + _HEADER_BYTES
         end = start + struct_bytes * repeat
         if end > length or not key.isascii():
             return tuple(entries), True
-        name, letter, value = key.decode(), chr(kind[0]), payload[start:end]
-        if letter == NESTED:
-            children, is_child_cut = _parse_list(value, depth + 1)
+        name = key.decode()
+        if kind == 0:
+            children, is_child_cut = _parse_list(whole, start, end, depth + 1)
             is_cut = is_cut or is_child_cut
             entry = _new(
-                Entry, (name, letter, struct_bytes, b"", children, is_child_cut)
+                Entry, (name, NESTED, struct_bytes, b"", children, is_child_cut)
             )
         else:
-            entry = _new(Entry, (name, letter, struct_bytes, value, (), False))
+            # small ones are copied, which is fast; samples of ten hours are not
+            value = (payload if end - start <= _SMALL_BYTES else view)[start:end]
+            entry = _new(Entry, (name, chr(kind), struct_bytes, value, (), False))
         entries.append(entry)
-        offset = start + -(-(end - start) // 4) * 4
+        offset = start + ((end - start + 3) & -4)
     return tuple(entries), is_cut or offset < length
 
 
@@ -177,7 +186,8 @@ def _uniform(entry: Entry, rows: int) -> Floats:
         table = np.frombuffer(entry.payload, dtype, rows)["values"]
     else:
         table = np.frombuffer(entry.payload, dtype, rows * width).reshape(rows, width)
-    return table.astype(np.float64) * _FIXED_POINT.get(entry.kind, 1.0)
+    values = table.astype(np.float64)
+    return values * _FIXED_POINT[entry.kind] if entry.kind in _FIXED_POINT else values
 
 
 def _letters(complex_type: str) -> str:

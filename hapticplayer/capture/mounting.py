@@ -10,6 +10,7 @@ import itertools
 import numpy as np
 
 from hapticplayer.capture.logs.axes import axes_matrix
+from hapticplayer.errors import UsageError
 from hapticplayer.model import ImuLog
 from hapticplayer.model.arrays import Floats
 
@@ -29,6 +30,9 @@ MOUNTINGS = {
 """Usual ones: right, front and up of the actor in the recorder's axes, which are x to
 its right, y where it looks, z to its top."""
 
+UPRIGHT = 0.7
+"""Cosine of 45 degrees: farther from up, and a mounting does not fit."""
+
 _LEAST_MEAN = 0.5  # of 1 g; below it gravity turned too much in the recorder
 
 
@@ -39,6 +43,48 @@ def all_mountings() -> list[str]:
     proper = [axes for axes in made if _is_proper(axes)]
     usual = list(MOUNTINGS.values())
     return usual + [axes for axes in proper if axes not in usual]
+
+
+def mounting_axes(text: str) -> str:
+    """Return the axes of a mounting that a person named, by its name or by its axes.
+
+    Raises:
+        UsageError: naming what there is.
+    """
+    axes = MOUNTINGS.get(text.strip().lower(), text)
+    try:
+        axes_matrix(axes)
+    except UsageError:
+        raise UsageError(
+            f"there is no mounting {text!r}; choose one of {', '.join(MOUNTINGS)}, or "
+            "give right, front and up of the actor in the recorder's axes, such as "
+            "--mounting=-x,y,-z"
+        ) from None
+    return axes
+
+
+def ask_for_mounting(imu: ImuLog, where: str) -> None:
+    """Ask how a recorder sat, where gravity says: not upright.
+
+    Raises:
+        UsageError: with the usual mounting that fits; the front only a person knows.
+    """
+    up = mean_up(imu)
+    if up is None or up[2] >= UPRIGHT:
+        return
+    axes = proposed_mounting(up)
+    name = next(name for name, usual in MOUNTINGS.items() if usual == axes)
+    raise UsageError(
+        f"{where}: {fallen_text(up)}; give --mounting {name}, or another of "
+        f"{', '.join(MOUNTINGS)}, or --mounting forward to take it as it is"
+    )
+
+
+def fallen_text(up: tuple[float, float, float]) -> str:
+    """Return in words that a recorder did not stand upright."""
+    at = int(np.argmax(np.abs(up)))
+    sign = "-" if up[at] < 0.0 else ""
+    return f"gravity says that {sign}{'xyz'[at]} of the recorder was up, not its z"
 
 
 def _is_proper(axes: str) -> bool:

@@ -1,8 +1,12 @@
 """The three pats: knocks that the sensor feels and the camera hears.
 
-A knock is a damped oscillation of the camera on its mount. Real ones were not at
-hand; frequency, strength and spacing are those of the synchronisation's reference
-clips: 18 to 60 Hz, 10 to 35 m/s2, 0.3 to 0.6 s apart.
+A knock is a damped oscillation of the camera on its mount, and a push: the hand sets
+both in motion together, and whoever holds them brings them back a few millimetres
+later. The push is what an average over a frame shows, for the oscillation cancels in it.
+Real ones were not at hand; frequency, strength and spacing are those of the
+synchronisation's reference clips: 18 to 60 Hz, 10 to 35 m/s2, 0.3 to 0.6 s apart; the
+push has the speed that a knock of those clips leaves, its peak over its angular
+frequency.
 """
 
 from dataclasses import dataclass
@@ -13,6 +17,8 @@ from hapticplayer.capture.scenes import smooth_step
 from hapticplayer.model.arrays import Floats
 
 _ONSET_S = 0.012
+_RETURN_S = 0.08
+"""A pushed camera is farthest away after this time."""
 _HIGHEST_HZ = 45.0
 """Above this the knots of a trajectory (200 Hz) would blunt the knock."""
 
@@ -73,5 +79,7 @@ def displacement(pats: tuple[Pat, ...], time_s: Floats) -> Floats:
         )
         # downwards first: minus the second derivative of the sine
         swing *= pat.peak_mps2 / omega**2 * np.sin(omega * since_s)
-        moved += np.outer(swing, pat.direction)
+        push = smooth_step(time_s, pat.time_s, _ONSET_S) * since_s
+        push *= pat.peak_mps2 / omega * np.exp(-since_s / _RETURN_S)
+        moved += np.outer(swing + push, pat.direction)
     return moved

@@ -10,6 +10,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hapticplayer.capture.csv_log import read_motion_log
+from hapticplayer.capture.foreign import (
+    refuse_dates,
+    refuse_foreign,
+    refuse_workbook,
+)
 from hapticplayer.capture.gopro import GoProTelemetry, read_gopro, read_raw_gopro
 from hapticplayer.capture.gopro_packets import RAW_MAGIC
 from hapticplayer.capture.table import TIME
@@ -23,6 +28,9 @@ if TYPE_CHECKING:
 
 _GAP_STEPS = 3.0
 """A step of more than this many samples is a gap."""
+
+_SHOWN_SAMPLES = 60_000
+"""Of which a camera's norm at rest is shown: five minutes."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -76,13 +84,15 @@ def _read(path: str | os.PathLike[str], choices: "LogChoices | None") -> Recordi
     file = resolve_regular(path, TelemetryError)
     with file.open("rb") as stream:
         head = stream.read(HEAD_BYTES)
+    refuse_foreign(head, str(file))
     if head.startswith(RAW_MAGIC):
         return _from_gopro(read_raw_gopro(file), "raw GPMF")
     if head.startswith(ZIP_MAGIC):
         return _from_logs(file, choices)
     if not is_text(head):
         return _from_video(file, choices)
-    is_own = head.decode("utf-8-sig", "replace").lstrip().startswith(TIME)
+    text = head.decode("utf-8-sig", "replace").lstrip(' \t\r\n"')
+    is_own = text.startswith(TIME) and not (choices and choices.columns)
     return _from_csv(file) if is_own else _from_logs(file, choices)
 
 
@@ -110,6 +120,9 @@ def _of_log(log: "LogReading") -> Recording:
 
 def _from_unknown(source: "Source") -> Recording:
     """Read what is no known log as a CSV, which says what is wrong with it."""
+    refuse_workbook(source.names, str(source.path))
+    if source.is_one_file:
+        refuse_dates(source.head(source.names[0]), str(source.path))
     if not source.is_one_file:
         raise InputError(
             "holds no log that is known",
@@ -144,12 +157,36 @@ def _from_gopro(telemetry: GoProTelemetry, reader: str) -> Recording:
         imu=telemetry.imu,
         clock_map=ClockMap(),
         camera=telemetry.camera,
-        notes=telemetry.notes + _gaps(telemetry.imu),
+        notes=(*_how_read(telemetry.imu), *telemetry.notes, *_gaps(telemetry.imu)),
         provenance={
             "reader": reader,
             "accelerometer_rate_hz": round(telemetry.accelerometer_rate_hz, 3),
             "gyro_rate_hz": round(telemetry.gyro_rate_hz, 3),
         },
+    )
+
+
+def _how_read(imu: ImuLog) -> tuple[str, ...]:
+    """Return units and axes of a camera's motion, and what speaks for them."""
+    from hapticplayer.capture.logs.assemble import REST_NORM_MPS2, norm_at_rest
+
+    few, rate = slice(_SHOWN_SAMPLES), imu.angular_rate_radps
+    norm = norm_at_rest(
+        ImuLog(imu.time_s[few], imu.specific_force_mps2[few], rate[few])
+    )
+    largest_radps = max(float(rate.max()), -float(rate.min()))
+    rest = "" if norm is None else f", {norm:.2f} m/s2 at rest"
+    text = (
+        "read as telemetry of the camera: specific force in m/s2, angular rate in rad/s, "
+        f"x to its right, y to where it looks, z to its top{rest}, turning at "
+        f"{largest_radps:.2f} rad/s at most"
+    )
+    low, high = REST_NORM_MPS2
+    if norm is None or low <= norm <= high:
+        return (text,)
+    return (
+        text,
+        f"gravity is 9.81 m/s2 and not {norm:.2f}: the accelerometer is doubtful",
     )
 
 

@@ -40,11 +40,14 @@ def mean_rate(
     edges_s = np.concatenate([[2.0 * query_s[0] - query_s[1]], query_s])
     is_inside = (edges_s >= ends_s[0]) & (edges_s <= ends_s[-1])
     rows = np.flatnonzero(is_inside[:-1] & is_inside[1:])
-    steps_s = np.diff(edges_s)[rows]
+    # those inside follow one another
+    use = slice(rows[0], rows[-1] + 1) if len(rows) else slice(0)
+    steps_s, widths_s = np.diff(edges_s)[use], np.diff(ends_s)
     mean = np.empty((len(rows), rate.shape[1]))
     for axis in range(rate.shape[1]):  # one by one: ten hours are large
-        at_edges = np.interp(edges_s, ends_s, _integral(ends_s, rate[:, axis]))
-        mean[:, axis] = (at_edges[rows + 1] - at_edges[rows]) / steps_s
+        angle = _integral(widths_s, rate[:, axis])
+        turned = np.diff(np.interp(edges_s, ends_s, angle))[use]
+        np.divide(turned, steps_s, out=mean[:, axis])
     return rows, mean
 
 
@@ -74,10 +77,10 @@ def mean_rate_with_holes(
     return rows, mean
 
 
-def _integral(ends_s: Floats, rate: Floats) -> Floats:
+def _integral(widths_s: Floats, rate: Floats) -> Floats:
     """Return the integral of one axis at the ends of all intervals."""
-    angle = np.zeros(len(ends_s))
+    angle = np.zeros(len(widths_s) + 1)
     held = np.concatenate([rate[:1], rate, rate[-1:]])
-    held *= np.diff(ends_s)
+    held *= widths_s
     np.cumsum(held, out=angle[1:])
     return angle

@@ -70,7 +70,7 @@ class Table:
 def read_table(path: str | os.PathLike[str], layout: Layout) -> Table:
     """Read a comma-separated file; about 1 s per million numbers.
 
-    Spaces, a byte-order mark, CRLF and empty lines are accepted.
+    Spaces, quotes, a byte-order mark, CRLF and empty lines are accepted.
 
     Raises:
         InputError: naming file, line, column and what to do.
@@ -128,7 +128,7 @@ def _text_errors(file: Path) -> Iterator[None]:
 
 def _read_header(lines: IO[str], layout: Layout, file: Path) -> tuple[str, ...]:
     line = lines.readline(MAX_LINE_BYTES)
-    names = tuple(name.strip() for name in line.strip().split(","))
+    names = tuple(name.strip(' \t"') for name in line.strip().split(","))
     if names in {layout.required, layout.required + layout.optional}:
         return names
     raise InputError(
@@ -146,7 +146,7 @@ def _short_lines(lines: IO[str]) -> Iterator[str]:
 def _without_holes(lines: IO[str]) -> Iterator[str]:
     """Yield lines with NaN in empty cells."""
     for line in _short_lines(lines):
-        if content := line.strip():
+        if content := line.replace('"', "").strip():
             yield _HOLE.sub(r"\1nan", content)
 
 
@@ -170,7 +170,12 @@ def _parse(lines: Iterable[str], width: int) -> Floats | None:
         warnings.simplefilter("ignore", UserWarning)  # a table without rows
         try:
             values = np.loadtxt(
-                lines, delimiter=",", comments=None, ndmin=2, max_rows=MAX_CSV_ROWS + 1
+                lines,
+                delimiter=",",
+                comments=None,
+                ndmin=2,
+                max_rows=MAX_CSV_ROWS + 1,
+                quotechar='"',
             )
         except (ValueError, IndexError):
             return None
@@ -220,7 +225,7 @@ def _check_line(
             where=where,
             remedy="choose another log",
         )
-    cells = line.strip().split(",")
+    cells = line.replace('"', "").strip().split(",")
     if len(cells) != len(columns):
         raise InputError(
             f"has {len(cells)} columns, the header has {len(columns)}",

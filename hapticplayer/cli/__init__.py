@@ -18,6 +18,7 @@ from hapticplayer.cli.options import (
     DEVICE_NAMES,
     METHOD_NAMES,
     MOTION_SCENARIOS,
+    MOUNTING_NAMES,
     RIDE_SCENARIOS,
 )
 from hapticplayer.errors import HapticPlayerError, UsageError
@@ -27,6 +28,7 @@ __all__ = [
     "DEVICE_NAMES",
     "METHOD_NAMES",
     "MOTION_SCENARIOS",
+    "MOUNTING_NAMES",
     "RIDE_SCENARIOS",
     "OpenWindow",
     "build_parser",

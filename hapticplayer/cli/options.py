@@ -33,6 +33,17 @@ MOTION_SCENARIOS = (
     "bicycle",
     "mountain-bike",
 )
+MOUNTING_NAMES = (
+    "forward",
+    "upside-down",
+    "backward",
+    "to-the-right",
+    "to-the-left",
+    "left-side-up",
+    "right-side-up",
+    "to-the-sky",
+    "to-the-ground",
+)
 SYNC_METHODS = ("pats", "variance", "embedded", "offset")
 METHOD_NAMES = ("smoother", "ekf", "vqf", "offline-vqf", "lowpass")
 
@@ -142,6 +153,7 @@ def add_import(commands: Any) -> None:
         "time_s,ax,ay,az,gx,gy,gz[,mx,my,mz] in SI, x right, y front, z up",
     )
     _add_reading(command)
+    _add_mounting(command)
     _add_sync(command, "--sync")
     command.add_argument("-o", "--output", required=True, metavar="DIR")
     command.add_argument("--title", help="default: the name of the video")
@@ -228,6 +240,7 @@ def add_process(commands: Any) -> None:
         help="a camera's video, a log as for `import --imu`, or a sequence's folder",
     )
     _add_reading(command)
+    _add_mounting(command)
     command.add_argument(
         "--compare",
         action="store_true",
@@ -255,6 +268,17 @@ def _add_reading(command: argparse.ArgumentParser) -> None:
         "--save-template",
         metavar="FILE",
         help="keep these decisions for other logs of the same logger",
+    )
+
+
+def _add_mounting(command: argparse.ArgumentParser) -> None:
+    command.add_argument(
+        "--mounting",
+        metavar="HOW",
+        help="how the camera or logger sat on the actor, who looks to the front: "
+        f"{', '.join(MOUNTING_NAMES)}, or right, front and up of the actor in the "
+        "recorder's axes, such as --mounting=-x,y,-z (default: forward, and gravity has "
+        "to agree)",
     )
 
 

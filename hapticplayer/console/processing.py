@@ -8,10 +8,15 @@ from pathlib import Path
 from typing import Any
 
 from hapticplayer.capture import LogChoices, Recording, read_recording
+from hapticplayer.capture.mounting import mounted
 from hapticplayer.capture.recording import refuse_gravity_free
 from hapticplayer.clock import SystemClock
 from hapticplayer.console.quality_text import comparison_text, quality_text
-from hapticplayer.console.recordings import chosen_log, chosen_processing
+from hapticplayer.console.recordings import (
+    chosen_log,
+    chosen_mounting,
+    chosen_processing,
+)
 from hapticplayer.console.speech import interruptible, say, shown_progress
 from hapticplayer.errors import UsageError
 from hapticplayer.model import ClockMap
@@ -39,7 +44,9 @@ def process(options: argparse.Namespace, draw: Draw) -> int:
     processing = chosen_processing(options)
     with interruptible(), shown_progress() as progress:
         progress(0.0, f"reading {Path(options.recording).name}")
-        recording = _read(Path(options.recording), chosen_log(options))
+        recording = _read(
+            Path(options.recording), chosen_log(options), chosen_mounting(options)
+        )
         progress(0.3, f"removing gravity: {processing.method}")
         cache = user_cache(wanted=options.cache)
         processed = process_motion(recording.imu, processing, cache)
@@ -68,12 +75,15 @@ def plot_target(options: argparse.Namespace) -> Path | None:
     return target
 
 
-def _read(path: Path, choices: LogChoices) -> Recording:
+def _read(path: Path, choices: LogChoices, mounting: str) -> Recording:
     """Return the motion of a recording, or of the folder of a sequence."""
     if not (path / DESCRIPTION).is_file():
         recording = read_recording(path, choices)
         refuse_gravity_free(recording)
-        return recording
+        turned = mounted(recording.imu, mounting)
+        return dataclasses.replace(recording, imu=turned)
+    if mounting:
+        raise UsageError(f"--mounting is for a recording; {path.name} is a sequence")
     imu, made_of = read_recorded(path)
     return Recording(imu, ClockMap(), str(made_of.get("camera", "")))
 

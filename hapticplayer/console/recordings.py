@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from hapticplayer.capture import LogChoices, parse_choices, write_template
+from hapticplayer.capture.mounting import mounting_axes
 from hapticplayer.console.speech import interruptible, say, shown_progress
 from hapticplayer.console.sync_text import sync_text
 from hapticplayer.errors import UsageError
@@ -70,7 +71,13 @@ def chosen_import(options: argparse.Namespace) -> Choices:
         use_cache=options.cache,
         log=chosen_log(options),
         sync=chosen_sync(options),
+        mounting=chosen_mounting(options),
     )
+
+
+def chosen_mounting(options: argparse.Namespace) -> str:
+    """Return the axes of the mounting that was named, or ""."""
+    return "" if options.mounting is None else mounting_axes(options.mounting)
 
 
 def chosen_log(options: argparse.Namespace) -> LogChoices:

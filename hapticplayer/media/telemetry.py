@@ -1,6 +1,7 @@
 """Takes a camera's motion packets out of a video without reading the video."""
 
 import os
+from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 
@@ -8,7 +9,7 @@ from av.container import InputContainer
 from av.stream import DataStream
 
 from hapticplayer.errors import MediaError
-from hapticplayer.media.files import COPY_AGAIN
+from hapticplayer.media.files import COPY_AGAIN, resolve_regular
 from hapticplayer.media.limits import (
     MAX_TELEMETRY_BYTES,
     MAX_TELEMETRY_PACKET_BYTES,
@@ -63,7 +64,8 @@ def read_telemetry_packets(path: str | os.PathLike[str]) -> list[TelemetryPacket
     """Return the telemetry payloads of a clip in the order they are stored.
 
     A clip without a telemetry track gives an empty list. Pictures and sound are
-    not read from disk: 25 ms for 782 MB.
+    not read from disk, nor what lies around the payloads where the file's index
+    tells where they are: 20 ms for 43 min in 714 MB.
 
     Raises:
         MediaError: when the file cannot be opened, or its telemetry is damaged or
@@ -77,24 +79,69 @@ def read_telemetry_packets(path: str | os.PathLike[str]) -> list[TelemetryPacket
         if stream is None:
             return []
         start_s = origin_s(container)
-        read_only(container, stream)
-        base = (stream.time_base or Fraction(0)).as_integer_ratio()
-        packets: list[TelemetryPacket] = []
-        total_bytes = 0
-        for packet in container.demux(stream):
-            size_bytes, pts = packet.size, packet.pts
-            if size_bytes == 0 or pts is None:
+        up, down = (stream.time_base or Fraction(0)).as_integer_ratio()
+        spans = _indexed(stream)
+        found = (
+            _demuxed(container, stream, path) if spans is None else _picked(spans, path)
+        )
+        return [
+            TelemetryPacket(begin * up / down - start_s, length * up / down, payload)
+            for begin, length, payload in found
+        ]
+
+
+_Ticks = tuple[int, int, bytes]
+"""Begin and length of a payload in units of the track's time base, and its bytes."""
+
+
+def _demuxed(
+    container: InputContainer, stream: DataStream, path: str | os.PathLike[str]
+) -> Iterator[_Ticks]:
+    read_only(container, stream)
+    total_bytes = count = 0
+    for packet in container.demux(stream):
+        if packet.size == 0 or packet.pts is None:
+            continue
+        total_bytes += packet.size
+        _check_limits(packet.size, total_bytes, count, path)
+        count += 1
+        yield packet.pts, packet.duration or 0, bytes(packet)
+
+
+_Span = tuple[int, int, int, int]
+"""Where a payload lies in the file, its bytes, its begin and its length."""
+
+
+def _indexed(stream: DataStream) -> list[_Span] | None:
+    """Return where the payloads lie, None where the index does not tell it of all."""
+    entries = stream.index_entries
+    count, duration = len(entries), stream.duration
+    if not count or count != stream.frames or duration is None:
+        return None
+    places = [(entry.pos, entry.size, entry.timestamp) for entry in entries]
+    begins = [begin for _, _, begin in places]
+    ends = [*begins[1:], begins[0] + duration]
+    spans = [
+        (*place, end - begin)
+        for place, begin, end in zip(places, begins, ends, strict=True)
+    ]
+    is_sound = all(span[0] >= 0 and span[3] >= 0 for span in spans)
+    return spans if is_sound else None
+
+
+def _picked(spans: list[_Span], path: str | os.PathLike[str]) -> Iterator[_Ticks]:
+    """Read the payloads and nothing else: FFmpeg would fetch 32 KiB for each."""
+    total_bytes = count = 0
+    with resolve_regular(path).open("rb", buffering=0) as file:
+        for place, size_bytes, begin, length in spans:
+            if size_bytes <= 0:
                 continue
             total_bytes += size_bytes
-            _check_limits(size_bytes, total_bytes, len(packets), path)
-            packets.append(
-                TelemetryPacket(
-                    start_s=pts * base[0] / base[1] - start_s,
-                    duration_s=(packet.duration or 0) * base[0] / base[1],
-                    payload=bytes(packet),
-                )
-            )
-        return packets
+            _check_limits(size_bytes, total_bytes, count, path)
+            count += 1
+            payload = os.pread(file.fileno(), size_bytes, place)
+            if payload:
+                yield begin, length, payload
 
 
 def _check_limits(

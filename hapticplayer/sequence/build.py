@@ -12,7 +12,7 @@ import numpy as np
 
 from hapticplayer import __version__, rendering
 from hapticplayer.capture import LogChoices, Recording, read_recording
-from hapticplayer.capture.mounting import mounted
+from hapticplayer.capture.mounting import ask_for_mounting, mounted
 from hapticplayer.capture.recording import find_gaps, refuse_gravity_free
 from hapticplayer.clock import utc_now_iso
 from hapticplayer.errors import InputError
@@ -48,7 +48,7 @@ class Choices:
         log: what was decided about a log that does not explain itself.
         sync: how the log's clock is laid to the clip.
         mounting: right, front and up of the actor in the recorder's axes; "" where
-            these are the same.
+            nobody said, and gravity has to show that these are the same.
     """
 
     title: str | None = None
@@ -83,7 +83,8 @@ def build_sequence(
 
     Raises:
         InputError: what is wrong, where, and what to do; nothing is left behind.
-        UsageError: when the clocks cannot be laid together without a person.
+        UsageError: when the clocks cannot be laid together without a person, or
+            gravity says that the recorder did not stand upright and nobody said how.
     """
     video, target = Path(video), Path(target)
     files.refuse_existing(target)
@@ -93,6 +94,8 @@ def build_sequence(
     source = video if imu_log is None else Path(imu_log)
     recording = read_recording(source, choices.log)
     refuse_gravity_free(recording)
+    if not choices.mounting and not (choices.log and choices.log.axes):
+        ask_for_mounting(recording.imu, source.name)
     sync = choices.sync
     if offset_s is not None:
         sync = dataclasses.replace(sync, method="offset", offset_s=offset_s)

@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 
 from hapticplayer.capture import Recording
+from hapticplayer.capture.mounting import UPRIGHT, fallen_text, mean_up
 from hapticplayer.media import ClipInfo
 from hapticplayer.model import Feedback, ForceTrack, ImuLog, MotionTrack
 
@@ -39,6 +40,9 @@ def notes_on_motion(imu: ImuLog, summary: Mapping[str, Any]) -> list[str]:
         notes.append(
             f"{leak_mps2:.2f} m/s2 of gravity are left where the recording stands still"
         )
+    up = mean_up(imu)
+    if up is not None and up[2] < UPRIGHT:
+        notes.append(f"{fallen_text(up)}; see --mounting")
     return notes + _notes_on_rate(imu)
 
 

@@ -113,6 +113,22 @@ def test_a_camera_with_its_own_motion_needs_no_pats(wizard, ride, wait_for):
     np.testing.assert_allclose(turned, camera * (-1.0, -1.0, 1.0), atol=1e-6)
 
 
+def test_a_real_camera_is_recognised_and_imported(wizard, wait_for, shared_data):
+    wizard.take([shared_data / "capture" / "gopro" / "karma.mp4"])
+    wait_for(wizard.next.isEnabled)
+    facts = wizard.files.facts.text()
+    assert "854 \u00d7 480, 29.97 pictures a second" in facts
+    assert "198.7 samples a second" in facts
+    assert "z was up" in facts
+    assert "10 to 30 ms" in wizard.files.notes.text()
+    for _ in range(3):
+        wizard.next.click()
+    wait_for(lambda: wizard.stack.currentIndex() == REPORT)
+    made_of = open_sequence(wizard.made).description["provenance"]
+    assert made_of["mounting"] == "x,y,z"
+    assert made_of["imu_samples"] == 2397
+
+
 def test_doubt_cannot_be_passed_without_a_look(wizard, ride, wait_for):
     folder, _ = ride
     wizard.take([folder / "ride.mp4", folder / "other.csv"])

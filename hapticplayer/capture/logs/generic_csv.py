@@ -208,7 +208,8 @@ def _width(line: str, separator: str, decimal: str) -> int:
     """Return how many numbers a line is, 0 if it holds anything else."""
     if not line.strip():
         return 0
-    text = line.replace(",", ".") if decimal == "," else line
+    text = line.replace('"', "")
+    text = text.replace(",", ".") if decimal == "," else text
     cells = [cell.strip() for cell in text.split(separator)]
     held = 0
     for cell in cells:

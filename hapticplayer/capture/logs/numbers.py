@@ -140,6 +140,8 @@ def _chunks(stream: BinaryIO, state: _State, where: str) -> Iterator[bytes]:
 def _parse(chunk: bytes, state: _State, where: str) -> Floats:
     shape = state.shape
     chunk = chunk.replace(b"\r", b"").removeprefix(b"\xef\xbb\xbf")
+    if b'"' in chunk:  # numbers between quotes; a comma in them shows in the width
+        chunk = chunk.replace(b'"', b"")
     for mark, number in shape.marks:
         chunk = chunk.replace(mark, number)
     if shape.decimal == ",":

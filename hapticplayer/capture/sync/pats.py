@@ -140,7 +140,7 @@ def _found(streams: _Streams, sound: Events, ranked: list[Candidate]) -> _Found 
     best = next((one for one in ranked if one.triple is not None), None)
     if best is None or best.triple is None:
         return None
-    rivals = [one for one in ranked if abs(one.shift_s - best.shift_s) > _APART_S]
+    rivals = [one for one in ranked if _is_rival(one, best)]
     heard, felt = best.triple.sound, best.triple.shock
     pats = tuple(
         Pat(
@@ -156,6 +156,16 @@ def _found(streams: _Streams, sound: Events, ranked: list[Candidate]) -> _Found 
     reach_s = _FIT_REACH_S + 1.0 / streams.imu.rate_hz
     fit = fit_shift(streams.imu, streams.whitener, sound.time_s[heard], mean_s, reach_s)
     return _Found(best, rivals[:_RIVALS], pats, fit.shift_s, fit.sigma_s)
+
+
+def _is_rival(one: Candidate, best: Candidate) -> bool:
+    """Whether a shift is another answer: not the flank, nor the pats, of the best."""
+    if abs(one.shift_s - best.shift_s) <= _APART_S:
+        return False
+    if one.triple is None or best.triple is None:
+        return True
+    is_same_sound = np.array_equal(one.triple.sound, best.triple.sound)
+    return not (is_same_sound and np.array_equal(one.triple.shock, best.triple.shock))
 
 
 def _result(found: _Found, other: _Found | None) -> Synchronisation:

@@ -160,9 +160,9 @@ def _mean_force(force: Floats, angle: Floats) -> Floats:
     turns = quat.from_rotation_vector(angle[:, :whole].reshape(shape).sum(axis=2))
     coarse = force[:, :whole].reshape(shape).mean(axis=2)
     q = np.tile([1.0, 0.0, 0.0, 0.0], (len(force), 1))
-    total = np.zeros((len(force), 3))
+    at = np.empty_like(turns)
     for k in range(coarse.shape[1]):
-        q = quat.multiply(q, turns[:, k])
-        total += quat.rotate(q, coarse[:, k])
+        at[:, k] = q = quat.multiply(q, turns[:, k])
+    total = quat.rotate(at, coarse).sum(axis=1)
     norm = np.linalg.norm(coarse, axis=2).sum(axis=1)
     return np.asarray(np.linalg.norm(total, axis=1) / np.maximum(norm, 1e-300))

@@ -6,9 +6,10 @@ import numpy as np
 import pytest
 
 from hapticplayer.capture import read_recording
+from hapticplayer.capture.gpmf_writer import write_payloads
 from hapticplayer.errors import InputError, MediaError, TelemetryError
 from hapticplayer.media import TelemetryPacket, add_telemetry, write_clip
-from hapticplayer.model import ClockMap
+from hapticplayer.model import ClockMap, ImuLog
 from tests.unit.capture.conftest import device, recorded, sensor
 
 
@@ -130,3 +131,20 @@ def test_importing_the_room_loads_neither_pyav_nor_scipy() -> None:
         [sys.executable, "-c", code], capture_output=True, text=True, check=True
     )
     assert result.stdout.strip() == "[]"
+
+
+def test_units_and_axes_of_a_camera_are_said_and_checked(tmp_path: Path) -> None:
+    """A HERO9 at rest shows 9.83 m/s2 here, by its own norm; one that shows 1.3 g lies."""
+    real = read_recording(recorded("gopro/hero9_rotation.gpmd"))
+    assert "9.83 m/s2 at rest" in real.notes[0]
+    assert "x to its right, y to where it looks, z to its top" in real.notes[0]
+    largest = float(np.abs(real.imu.angular_rate_radps).max())
+    assert f"turning at {largest:.2f} rad/s at most" in real.notes[0]
+    rng = np.random.default_rng(3)
+    force = np.array([0.0, 0.0, 1.3 * 9.81]) + 0.02 * rng.standard_normal((2000, 3))
+    still = ImuLog(np.arange(2000) / 200.0, force, np.full((2000, 3), 0.001))
+    path = tmp_path / "still.gpmf"
+    path.write_bytes(b"".join(payload for _, payload in write_payloads(still)))
+    notes = read_recording(path).notes
+    assert any("the accelerometer is doubtful" in note for note in notes)
+    assert not any("doubtful" in note for note in real.notes)

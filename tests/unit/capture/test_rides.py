@@ -14,6 +14,7 @@ from hapticplayer.capture import (
     parse_choices,
     read_recording,
     simulate,
+    synchronize,
     write_gopro_clip,
     write_imu_csv,
     write_simulated_clip,
@@ -118,6 +119,19 @@ def test_pats_are_felt_and_heard_at_the_same_time(name: str) -> None:
         loud, quiet = audio[at : at + 480], audio[at - 2400 : at]
         assert np.abs(loud).max() > 0.3
         assert np.sqrt(np.mean(quiet**2)) < 0.1 * np.abs(loud).max()
+
+
+@pytest.mark.parametrize("name", ["bike", "horse", "car-turning", "car-braking"])
+def test_pats_lay_the_log_of_the_board_to_the_clip(name: str) -> None:
+    """At 30 Hz, on the middle pat: within half a frame, and certain."""
+    recorded = ride(name)
+    assert recorded.board is not None
+    found = synchronize(recorded.board.imu, recorded.audio, recorded.audio_rate_hz)
+    assert found.is_confident
+    truth, clock = recorded.board.clock_map, found.clock_map
+    media_s = recorded.scene.pats[1].time_s
+    log_s = (media_s - truth.offset_s) / truth.rate
+    assert clock.rate * log_s + clock.offset_s == pytest.approx(media_s, abs=1.0 / 60.0)
 
 
 def test_same_seed_gives_the_same_bits() -> None:

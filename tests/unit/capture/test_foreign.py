@@ -1,0 +1,123 @@
+"""What spreadsheets and other programs make of a log is read, asked about or refused."""
+
+import zipfile
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from hapticplayer.capture import parse_choices, read_recording
+from hapticplayer.errors import InputError, UsageError
+
+OWN = "time_s,ax,ay,az,gx,gy,gz"
+COUNT = 400
+RNG = np.random.default_rng(4)
+FORCE = np.array([0.0, 0.0, 9.81]) + 0.1 * RNG.standard_normal((COUNT, 3))
+RATE = 0.2 * RNG.standard_normal((COUNT, 3))
+CHOICES = parse_choices(
+    [
+        "columns=time,ax,ay,az,gx,gy,gz",
+        "time-unit=s",
+        "force-unit=m/s2",
+        "rate-unit=rad/s",
+    ]
+)
+
+
+def log(
+    head: str = OWN, *, separator: str = ",", decimal: str = ".", quote: str = ""
+) -> str:
+    rows = np.column_stack([np.arange(COUNT) / 100.0, FORCE, RATE])
+    lines = [[quote + name + quote for name in head.split(",")]]
+    for row in rows:
+        cells = [f"{number:.6f}".replace(".", decimal) for number in row]
+        lines.append([quote + cell + quote for cell in cells])
+    return "".join(separator.join(line) + "\n" for line in lines)
+
+
+def check(path: Path, choices=None) -> None:
+    imu = read_recording(path, choices).imu
+    np.testing.assert_allclose(imu.time_s, np.arange(COUNT) / 100.0, atol=1e-9)
+    np.testing.assert_allclose(imu.specific_force_mps2, FORCE, atol=1e-5)
+    np.testing.assert_allclose(imu.angular_rate_radps, RATE, atol=1e-5)
+
+
+def test_our_own_log_may_be_quoted(tmp_path: Path) -> None:
+    path = tmp_path / "log.csv"
+    path.write_text(log(quote='"'))
+    check(path)
+
+
+def test_empty_cells_between_quotes_are_holes(tmp_path: Path) -> None:
+    path = tmp_path / "log.csv"
+    lines = log(quote='"').splitlines()
+    cells = lines[50].split(",")
+    lines[50] = ",".join([cells[0], '""', *cells[2:]])
+    path.write_text("\n".join(lines))
+    imu = read_recording(path).imu
+    assert imu.valid is not None
+    assert np.flatnonzero(~imu.valid).tolist() == [49]
+
+
+@pytest.mark.parametrize(
+    ("separator", "decimal", "quote"),
+    [(",", ".", '"'), (";", ",", '"'), ("\t", ",", ""), (";", ".", "")],
+)
+def test_another_table_may_be_quoted(
+    tmp_path: Path, separator: str, decimal: str, quote: str
+) -> None:
+    path = tmp_path / "log.csv"
+    head = "t,accX,accY,accZ,gyrX,gyrY,gyrZ"
+    path.write_text(log(head, separator=separator, decimal=decimal, quote=quote))
+    with pytest.raises(UsageError, match="table of 7 columns"):
+        read_recording(path)
+    check(path, CHOICES)
+
+
+def test_commas_that_are_decimal_and_separate_are_not_guessed_at(
+    tmp_path: Path,
+) -> None:
+    path = tmp_path / "log.csv"
+    path.write_text(log("t,a,b,c,d,e,f", decimal=",", quote='"'))
+    with pytest.raises((InputError, UsageError)):
+        read_recording(path, CHOICES)
+
+
+def test_columns_that_a_person_gives_win_over_our_own_header(tmp_path: Path) -> None:
+    path = tmp_path / "log.csv"
+    lines = log().splitlines()
+    path.write_text("\n".join([lines[0] + ",temp", *(f"{x},25" for x in lines[1:])]))
+    with pytest.raises(InputError, match="the header is"):
+        read_recording(path)
+    columns = ["columns=time,ax,ay,az,gx,gy,gz,-", "time-unit=s", "force-unit=m/s2"]
+    check(path, parse_choices([*columns, "rate-unit=rad/s"]))
+
+
+@pytest.mark.parametrize("encoding", ["utf-16", "utf-16-le"])
+def test_text_in_utf_16_is_named(tmp_path: Path, encoding: str) -> None:
+    path = tmp_path / "log.csv"
+    path.write_bytes(("\ufeff" * (encoding != "utf-16") + log()).encode(encoding))
+    with pytest.raises(InputError, match="UTF-16"):
+        read_recording(path)
+
+
+@pytest.mark.parametrize("quote", ["", '"'])
+@pytest.mark.parametrize("between", ["T", " "])
+def test_dates_are_named(tmp_path: Path, quote: str, between: str) -> None:
+    path = tmp_path / "log.csv"
+    date = f"{quote}2024-05-01{between}12:00:00.000Z{quote}"
+    rows = "".join(f"{date},0,0,9.8,0,0,0\n" for _ in range(50))
+    path.write_text("timestamp,ax,ay,az,gx,gy,gz\n" + rows)
+    with pytest.raises(InputError, match=r"dates \(2024-05-01.12:00:00.000Z\)"):
+        read_recording(path)
+
+
+def test_excel_workbooks_are_named(tmp_path: Path) -> None:
+    old, new = tmp_path / "log.xls", tmp_path / "log.xlsx"
+    old.write_bytes(b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1" + bytes(4000))
+    with zipfile.ZipFile(new, "w") as book:
+        book.writestr("[Content_Types].xml", "<Types/>")
+        book.writestr("xl/workbook.xml", "<workbook/>")
+    for path in (old, new):
+        with pytest.raises(InputError, match="Excel workbook"):
+            read_recording(path)

@@ -1,0 +1,79 @@
+"""How a recorder sat is asked for, taken, and kept."""
+
+import json
+
+import numpy as np
+import pytest
+
+from hapticplayer.capture import write_imu_csv
+from hapticplayer.capture.mounting import MOUNTINGS, mounted
+from hapticplayer.cli import MOUNTING_NAMES, main
+from hapticplayer.sequence import open_sequence
+
+
+def test_the_command_line_names_all_usual_mountings():
+    assert tuple(MOUNTINGS) == MOUNTING_NAMES
+
+
+@pytest.fixture
+def hanging(tmp_path, still_log):
+    """A log whose recorder hung upside down: half a turn about its front."""
+    path = tmp_path / "log.csv"
+    write_imu_csv(path, mounted(still_log, "-x,y,-z"))
+    return path
+
+
+def run(tiny_clip, log, target, *more):
+    rest = ("--offset", "0", "--no-cache", "-o", str(target), *more)
+    return main(["import", str(tiny_clip.path), "--imu", str(log), *rest])
+
+
+def test_an_import_asks_for_a_recorder_that_hung(tmp_path, tiny_clip, hanging, capsys):
+    target = tmp_path / "ride"
+    assert run(tiny_clip, hanging, target) == 2
+    words = capsys.readouterr().err
+    assert "gravity says that -z of the recorder was up" in words
+    assert "--mounting upside-down" in words
+    assert not target.exists()
+
+
+@pytest.mark.parametrize("said", ["upside-down", "-x,y,-z"])
+def test_a_mounting_turns_the_motion_and_is_kept(
+    tmp_path, tiny_clip, hanging, still_log, said
+):
+    assert run(tiny_clip, hanging, tmp_path / "ride", f"--mounting={said}") == 0
+    sequence = open_sequence(tmp_path / "ride")
+    made_of = sequence.description["provenance"]
+    assert made_of["mounting"] == "-x,y,-z"
+    assert not any("gravity says" in note for note in made_of["notes"])
+    with np.load(tmp_path / "ride" / "imu.npz") as kept:
+        np.testing.assert_allclose(
+            kept["specific_force_mps2"], still_log.specific_force_mps2, atol=1e-6
+        )
+
+
+def test_what_a_person_insists_on_is_taken_with_a_note(tmp_path, tiny_clip, hanging):
+    assert run(tiny_clip, hanging, tmp_path / "ride", "--mounting", "forward") == 0
+    made_of = open_sequence(tmp_path / "ride").description["provenance"]
+    assert made_of["mounting"] == "x,y,z"
+    assert any("-z of the recorder was up" in note for note in made_of["notes"])
+
+
+def test_process_turns_too_or_says_what_gravity_shows(hanging, capsys):
+    def notes(*more):
+        assert main(["process", str(hanging), "--no-cache", "--json", *more]) == 0
+        return " ".join(json.loads(capsys.readouterr().out)["notes"])
+
+    assert "-z of the recorder was up" in notes()
+    assert "was up" not in notes("--mounting", "upside-down")
+
+
+@pytest.mark.parametrize("said", ["sideways", "x,y", "x,y,-z", ""])
+def test_what_is_no_mounting_is_refused_with_those_there_are(hanging, capsys, said):
+    assert main(["process", str(hanging), f"--mounting={said}"]) == 2
+    assert "upside-down" in capsys.readouterr().err
+
+
+def test_a_sequence_is_not_turned_again(sequence_folder, capsys):
+    assert main(["process", str(sequence_folder), "--mounting", "backward"]) == 2
+    assert "is a sequence" in capsys.readouterr().err
