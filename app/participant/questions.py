@@ -181,8 +181,16 @@ class NumberRow(QuestionRow):
         self.box.setValue(asked.least - 1)
         self.box.setAccessibleName(asked.text)
         self.box.valueChanged.connect(lambda _value: self.answered.emit())
+        self.box.setButtonSymbols(QSpinBox.ButtonSymbols.NoButtons)
         row = QHBoxLayout()
         row.addWidget(self.box)
+        # the box's own are too small for a finger
+        for sign, step in (("\u2212", self.box.stepDown), ("+", self.box.stepUp)):
+            button = Button(sign)
+            button.setAutoRepeat(True)
+            button.setAccessibleName(f"{asked.text} {sign}")
+            button.clicked.connect(step)
+            row.addWidget(button)
         row.addStretch(1)
         self.column.addLayout(row)
         self.column.addWidget(self.missing)
