@@ -87,6 +87,7 @@ class StartPanel(QWidget):
         form.addRow(self.tr("Participant"), self.who)
         form.addRow(self.tr("Language of the pages"), self.language)
         sound = QHBoxLayout()
+        sound.setSpacing(10)
         sound.addWidget(self.volume)
         sound.addWidget(self.hear)
         sound.addWidget(self.sound)

@@ -26,6 +26,7 @@ SCROLLED = 3  # the step for what has to be scrolled anyway
 TOUCH_PX = 44  # no finger misses it (WCAG 2.2, 2.5.5)
 _HIGH, _SIDES = 2.0, 0.7  # a button and the room beside its text, in letters
 _MARGIN_SHARE = 0.06
+_BAR_PX = 20
 
 
 def style() -> str:
@@ -49,6 +50,11 @@ QSpinBox::up-button, QSpinBox::down-button {{ width: 2em; }}
 QFrame[role="question"] {{ border: 2px solid transparent; border-radius: 12px; }}
 QFrame[role="current"] {{ border: 2px solid {theme.BORDER}; border-radius: 12px; }}
 QScrollArea {{ border: 0; }}
+QScrollBar:vertical {{ width: {_BAR_PX}px; background: {theme.BACKGROUND}; }}
+QScrollBar::handle:vertical {{ background: {theme.BORDER}; border-radius: 6px;
+  margin: 2px; min-height: {TOUCH_PX}px; }}
+QScrollBar::add-line:vertical, QScrollBar::sub-line:vertical {{ height: 0; }}
+QScrollBar::add-page:vertical, QScrollBar::sub-page:vertical {{ background: none; }}
 """
 
 

@@ -47,7 +47,7 @@ class QuestionRow(QFrame):
         self.setProperty("role", "question")
         column = self.column = QVBoxLayout(self)
         column.setContentsMargins(12, 6, 12, 8)
-        text = f"{asked.heading}: {asked.text}" if asked.heading else asked.text
+        text = f"{asked.heading} \u2013 {asked.text}" if asked.heading else asked.text
         self.title = paragraph(text)
         column.addWidget(self.title)
         self.missing = paragraph("")
