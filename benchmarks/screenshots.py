@@ -29,7 +29,7 @@ DOCS = {
     "study-trial-03-questions": "questions.png",
     "faults-told": "faults.png",
 }
-IN_DOCS, DOCS_PX, DOCS_COLOURS = "en-dark-100", 960, 255
+IN_DOCS, DOCS_PX, DOCS_COLOURS = "en-light-100", 960, 255
 SHEET_PX, WIDEST_PX, HIGHEST_PX = 1560, 776, 740  # of sheets to be looked at
 TEXT_PX, GAP_PX, LEAST_PX = 20, 6, 160
 
