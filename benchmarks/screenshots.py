@@ -131,7 +131,8 @@ def _put_into_docs(path: Path, target: Path) -> None:
     with Image.open(path) as image:
         small = image.convert("RGB")
     small.thumbnail((DOCS_PX, DOCS_PX), Image.Resampling.LANCZOS)
-    small.quantize(DOCS_COLOURS).save(target, optimize=True)
+    faithful = Image.Quantize.FASTOCTREE  # the others turn yellow into grey
+    small.quantize(DOCS_COLOURS, faithful).save(target, optimize=True)
 
 
 def _put_on_sheets(paths: list[Path], folder: Path, name: str) -> None:

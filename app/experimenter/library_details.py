@@ -77,6 +77,7 @@ class LibraryDetails(QWidget):
             ]
         )
         self.tracks.verticalHeader().hide()
+        self.tracks.setTabKeyNavigation(False)  # Tab goes on to the buttons
         self.tracks.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self.tracks.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
         self.tracks.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)

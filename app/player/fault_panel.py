@@ -142,6 +142,7 @@ class FaultPanel(QDialog):
         )
         self.table.setAccessibleName(self.tr("What came of the faults"))
         self.table.verticalHeader().hide()
+        self.table.setTabKeyNavigation(False)
         self.table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self.table.setSelectionMode(QAbstractItemView.SelectionMode.NoSelection)
         header = self.table.horizontalHeader()
