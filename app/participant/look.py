@@ -6,7 +6,7 @@ smallest have capitals of 6 mm.
 """
 
 from PySide6.QtCore import QSize, Qt, QTimer
-from PySide6.QtGui import QFont, QResizeEvent
+from PySide6.QtGui import QFont, QFontMetrics, QResizeEvent
 from PySide6.QtWidgets import (
     QAbstractButton,
     QFrame,
@@ -24,7 +24,7 @@ LARGEST, SMALLEST = 22.0, 36.0  # letters are the height divided by these
 STEPS = 7
 SCROLLED = 3  # the step for what has to be scrolled anyway
 TOUCH_PX = 44  # no finger misses it (WCAG 2.2, 2.5.5)
-_HIGH, _SIDES = 2.0, 0.7  # a button and the room beside its text, in letters
+_HIGH, _SIDES = 2.0, 1.4  # a button and the room beside its text, in letters
 _MARGIN_SHARE = 0.06
 _BAR_PX = 20
 
@@ -129,12 +129,15 @@ class FittedPage(QScrollArea):
         font = QFont(self.body.font())
         font.setPixelSize(letters_px)
         self.body.setFont(font)
-        sides_px = round(_SIDES * letters_px)  # the sheet's em is that of small letters
-        self.body.setStyleSheet(f"QPushButton {{ padding: 4px {sides_px}px; }}")
+        metrics = QFontMetrics(font)
         for child in self.body.findChildren(QWidget):
             child.setFont(font)
             if isinstance(child, QAbstractButton | QSpinBox):
                 child.setMinimumHeight(max(TOUCH_PX, round(_HIGH * letters_px)))
+            if isinstance(child, QAbstractButton):
+                # the sheet's em is that of small letters
+                wide_px = metrics.horizontalAdvance(child.text())
+                child.setMinimumWidth(wide_px + round(_SIDES * letters_px))
         self.column.setSpacing(letters_px // 2)
         self.column.activate()
 
