@@ -1,152 +1,171 @@
-"""A picture of every page in every language, in every look, without a screen.
+"""A picture of every page in every language, look and scale, without a screen.
 
     python -m benchmarks.screenshots -o FOLDER [--languages en de] [--looks dark light]
-        [--scale 2]
+        [--scales 1 2 3] [--only player study] [--sheets] [--docs docs]
 
-The clip stands at one moment and nothing moves, so that two runs are alike.
+Pages are shown as a person meets them: empty, at work, doubtful, wrong, and with names
+and questions that are too long. The screen has 1920 x 1080 pixels at 100 and at 200 %,
+3840 x 2160 at 300 %. `--sheets` puts the pictures of a group on sheets to be looked at,
+`--docs` writes those anew that the documentation shows.
 """
 
 import argparse
+import json
 import os
+import subprocess
 import sys
-from collections.abc import Callable, Iterator
+import tempfile
 from pathlib import Path
 
-os.environ["QT_QPA_PLATFORM"] = "offscreen"
-
-from PySide6.QtCore import QEventLoop, QTimer
-from PySide6.QtWidgets import QApplication, QWidget
-
-from app.bridge import languages
-from app.bridge.settings import Settings
-from app.experimenter.import_wizard import ImportWizard
-from app.experimenter.library_page import LibraryPage
-from app.player.application import make_application
-from app.player.fault_panel import FaultPanel
-from app.player.help import about_dialog
-from app.player.keys_dialog import KeysDialog
-from app.player.look_menus import LANGUAGE, LOOK
-from app.player.plugged import Plugged
-from app.player.remake import dress
-from app.player.setup_page import SetupPage
-from app.player.video_surface import SurfaceSink, VideoSurface
-from app.player.window import PlayerWindow
-from app.widgets import theme
-from hapticplayer.clock import SystemClock
-from hapticplayer.devices.falcon.firmware import find_image
-from hapticplayer.devices.falcon.homing import Advice, Guidance
-from hapticplayer.devices.falcon.reach import Reach
-from hapticplayer.devices.falcon.setting_up import Progress, Step
-from hapticplayer.devices.falcon.transport import FalconGoneError, Transport
-from hapticplayer.playback.player import Player
-from hapticplayer.playback.source import Source, open_source
-from hapticplayer.sequence.demo import demo_folder
-
-WIDTH_PX, HEIGHT_PX = 1280, 800
-AT_S = 4.0  # of the demo: both plots have something to show
-SETTLE_MS = 900  # decoding one picture, starting the simulated device, plots
+SCREENS = {1.0: (1920, 1080), 2.0: (1920, 1080), 3.0: (3840, 2160)}
+LARGEST = (3840, 2160)  # for other scales
+LANGUAGES, LOOKS = ("en", "fr", "de"), ("dark", "light", "contrast")
+GROUPS = ("player", "device", "library", "study")
+DOCS = {
+    "player-playing": "screenshot.png",
+    "import-sync-sure": "import.png",
+    "library-4": "library.png",
+    "operator-playing": "operator.png",
+    "study-trial-03-questions": "questions.png",
+    "faults-told": "faults.png",
+}
+IN_DOCS, DOCS_PX, DOCS_COLOURS = "en-light-100", 960, 255
+SHEET_PX, WIDEST_PX, HIGHEST_PX = 1560, 776, 740  # of sheets to be looked at
+TEXT_PX, GAP_PX, LEAST_PX = 20, 6, 160
 
 
 def main() -> int:
     """Make the pictures that are asked for, and print their names."""
     options = _options()
     options.output.mkdir(parents=True, exist_ok=True)
-    os.environ["QT_SCALE_FACTOR"] = str(options.scale)
-    application = make_application()
-    source = open_source(demo_folder(progress=lambda _share, _step: None))
-    for language in options.languages:
-        for look in options.looks:
-            settings = Settings(None)
-            settings.keep(LANGUAGE, language)
-            settings.keep(LOOK, look)
-            dress(application, settings)
-            for name, widget in _pages(application, settings, source):
-                path = options.output / f"{name}-{language}-{look}.png"
-                widget.grab().save(str(path))
-                print(path)
+    if len(options.scales) > 1:  # Qt takes the scale when it begins
+        return max(_in_process(options, scale) for scale in options.scales)
+    with tempfile.TemporaryDirectory() as folder:
+        _make(options, Path(folder))
     return 0
 
 
 def _options() -> argparse.Namespace:
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("-o", "--output", type=Path, required=True)
-    spoken, looks = list(languages.NAMES), list(theme.LOOKS)
-    parser.add_argument("--languages", nargs="+", choices=spoken, default=spoken)
-    parser.add_argument("--looks", nargs="+", choices=looks, default=looks)
-    parser.add_argument("--scale", type=float, default=1.0, help="1 to 3")
+    parser.add_argument("--languages", nargs="+", choices=LANGUAGES, default=LANGUAGES)
+    parser.add_argument("--looks", nargs="+", choices=LOOKS, default=LOOKS)
+    parser.add_argument("--scales", nargs="+", type=float, default=list(SCREENS))
+    parser.add_argument("--only", nargs="+", choices=GROUPS, default=GROUPS)
+    parser.add_argument("--sheets", action="store_true", help="also put on sheets")
+    parser.add_argument("--docs", type=Path, help="folder for the few in the docs")
     return parser.parse_args()
 
 
-def _pages(
-    application: QApplication, settings: Settings, source: Source
-) -> Iterator[tuple[str, QWidget]]:
-    """Yield (name, widget) of each page; each is closed before the next."""
-    surface = VideoSurface()
-    player = Player(SystemClock(), SurfaceSink(surface), device="simulated", audio=None)
-    window = PlayerWindow(player, surface, SystemClock(), settings)
-    window.resize(WIDTH_PX, HEIGHT_PX)
-    window.show()
-    _wait(application)
-    yield "welcome", window
-    window.session.show_source(source)
-    player.seek(AT_S)
-    _wait(application)
-    yield "player", window
-    window.extras.statistics.setVisible(True)
-    window.show_message(str(FileNotFoundError(2, "No such file", "ride.mp4")))
-    _wait(application)
-    yield "statistics-and-message", window
-    window.extras.statistics.hide()
-    window.messages.hide()
-    for name, make in _dialogs(window, settings):
-        dialog = make()
-        dialog.show()
-        _wait(application, 50)
-        yield name, dialog
-        dialog.close()
-    for name in ("file", "playback", "view", "help"):
-        menu = window.commands.menus[name]
-        menu.popup(window.pos())
-        _wait(application, 50)
-        yield f"menu-{name}", menu
-        menu.close()
-    window.close()
+def _in_process(options: argparse.Namespace, scale: float) -> int:
+    command = [sys.executable, "-m", "benchmarks.screenshots", "-o", options.output]
+    for name in ("languages", "looks", "only"):
+        command += [f"--{name}", *getattr(options, name)]
+    command += ["--scales", str(scale), *(["--sheets"] if options.sheets else [])]
+    command += ["--docs", options.docs] if options.docs else []
+    return subprocess.run(command, check=False).returncode
 
 
-def _dialogs(
-    window: PlayerWindow, settings: Settings
-) -> list[tuple[str, Callable[[], QWidget]]]:
-    return [
-        ("import", lambda: ImportWizard("", Path(), window)),
-        ("library", lambda: LibraryPage(demo_folder().parent, window)),
-        ("keyboard", lambda: KeysDialog(settings, window)),
-        ("about", lambda: about_dialog(window)),
-        ("set-up", lambda: _homing(window)),
-        ("faults", lambda: FaultPanel(SystemClock(), window.session, window)),
-    ]
+def _make(options: argparse.Namespace, folder: Path) -> None:
+    scale = options.scales[0]
+    _use_screen(folder, scale)
+    # only now: these begin Qt's platform
+    from app.bridge.settings import Settings
+    from app.player.application import make_application
+    from app.player.look_menus import LANGUAGE, LOOK
+    from app.player.remake import dress
+    from benchmarks import page_device, page_library, page_player, page_study
+    from benchmarks.page_material import make_material
+    from benchmarks.page_stage import Stage
+    from hapticplayer.playback.source import open_source
+
+    makers = {
+        "player": page_player.pictures,
+        "device": page_device.pictures,
+        "library": page_library.pictures,
+        "study": page_study.pictures,
+    }
+    application = make_application()
+    (folder / "material").mkdir()
+    material = make_material(folder / "material")
+    source = open_source(material.demo)
+    for language in options.languages:
+        for look in options.looks:
+            settings = Settings(None)
+            settings.keep(LANGUAGE, language)
+            settings.keep(LOOK, look)
+            dress(application, settings)
+            room = folder / f"{language}-{look}"
+            room.mkdir()
+            stage = Stage(application, settings, source, material, room, language)
+            for group in options.only:
+                made = []
+                for name, picture in makers[group](stage):
+                    at = f"{name}-{language}-{look}-{100 * scale:.0f}.png"
+                    made.append(options.output / at)
+                    picture.save(str(made[-1]))
+                    print(made[-1], flush=True)
+                    if options.docs and name in DOCS and IN_DOCS in at:
+                        _put_into_docs(made[-1], options.docs / DOCS[name])
+                if options.sheets:
+                    end = f"{language}-{look}-{100 * scale:.0f}"
+                    _put_on_sheets(made, options.output / "sheets", f"{group}-{end}")
 
 
-def _homing(window: PlayerWindow) -> SetupPage:
-    """Return the page of the device while a grip is being pushed in."""
-    plugged = Plugged(lambda: ["12PZ657E"], window)
-    page = SetupPage(SystemClock(), "falcon", plugged, window, _nowhere)
-    guidance = Guidance(Advice.PUSH, (True, False, False), 500.0, (600, 500, 400))
-    page.freeze(Progress(Step.HOMING, 1.0, guidance))
-    return page
+def _use_screen(folder: Path, scale: float) -> None:
+    """Begin Qt on a screen of its own, with nothing of the user's."""
+    width, height = SCREENS.get(scale, LARGEST)
+    screen = {"name": "HDMI-1", "x": 0, "y": 0, "width": width, "height": height}
+    screen |= {"logicalDpi": 96, "logicalBaseDpi": 96, "dpr": 1}
+    config = folder / "screens.json"
+    config.write_text(json.dumps({"screens": [screen]}))
+    os.environ["QT_QPA_PLATFORM"] = f"offscreen:configfile={config}"
+    os.environ["QT_SCALE_FACTOR"] = str(scale)
+    os.environ["XDG_CONFIG_HOME"] = str(folder / "config")
 
 
-def _nowhere(_name: str) -> Reach:
-    def refuse() -> Transport:
-        raise FalconGoneError("nothing is plugged in")
+def _put_into_docs(path: Path, target: Path) -> None:
+    """Make a picture small: no wider than a page, few colours."""
+    from PIL import Image
 
-    return Reach(refuse, find_image)
+    with Image.open(path) as image:
+        small = image.convert("RGB")
+    small.thumbnail((DOCS_PX, DOCS_PX), Image.Resampling.LANCZOS)
+    faithful = Image.Quantize.FASTOCTREE  # the others turn yellow into grey
+    small.quantize(DOCS_COLOURS, faithful).save(target, optimize=True)
 
 
-def _wait(application: QApplication, for_ms: int = SETTLE_MS) -> None:
-    loop = QEventLoop()
-    QTimer.singleShot(for_ms, loop.quit)
-    loop.exec()
-    application.processEvents()
+def _put_on_sheets(paths: list[Path], folder: Path, name: str) -> None:
+    """Put pictures side by side, each with its name, as large as can be read."""
+    from PySide6.QtCore import Qt
+    from PySide6.QtGui import QImage, QPainter
+
+    folder.mkdir(exist_ok=True)
+    sheets: list[QImage] = []
+    x = y = row_px = SHEET_PX
+    for path in paths:
+        image = QImage(str(path))
+        image.setDevicePixelRatio(1.0)
+        if image.width() > WIDEST_PX or image.height() > HIGHEST_PX:
+            image = image.scaled(
+                WIDEST_PX,
+                HIGHEST_PX,
+                Qt.AspectRatioMode.KeepAspectRatio,
+                Qt.TransformationMode.SmoothTransformation,
+            )
+        if x + image.width() > SHEET_PX:
+            x, y, row_px = 0, y + row_px, 0
+        if y + TEXT_PX + image.height() > SHEET_PX:
+            y = 0
+            sheets.append(QImage(SHEET_PX, SHEET_PX, QImage.Format.Format_RGB32))
+            sheets[-1].fill(0xFF808080)
+        with QPainter(sheets[-1]) as painter:
+            painter.drawText(x, y + TEXT_PX - GAP_PX, path.stem)
+            painter.drawImage(x, y + TEXT_PX, image)
+        x += max(image.width(), LEAST_PX) + GAP_PX
+        row_px = max(row_px, image.height() + TEXT_PX + GAP_PX)
+    for number, sheet in enumerate(sheets, 1):
+        sheet.save(str(folder / f"{name}-{number}.png"))
 
 
 if __name__ == "__main__":

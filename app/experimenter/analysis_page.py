@@ -21,14 +21,6 @@ from hapticplayer.study.answers import Answers
 
 _POLL_MS = 50
 _SCREEN_DPI = 100.0
-_STYLE = f"""
-h2 {{ color: {theme.ACCENT}; }}
-table {{ margin-top: 4px; margin-bottom: 14px; }}
-th {{ color: {theme.DIM}; padding: 1px 9px; text-align: right; }}
-td {{ padding: 1px 9px; text-align: right; }}
-caption {{ font-weight: bold; }}
-img {{ max-width: 100%; }}
-"""
 
 
 class AnalysisPage(QWidget):
@@ -56,7 +48,7 @@ class AnalysisPage(QWidget):
         self.job_bar.cancelled.connect(self.jobs.cancel)
         self.text = QTextBrowser()
         self.text.setOpenLinks(False)
-        self.text.document().setDefaultStyleSheet(_STYLE)
+        self.text.document().setDefaultStyleSheet(_style())
         self.text.setAccessibleName(self.tr("Report"))
         self.analyse_button = text_button(
             self.tr("&Analyse"),
@@ -151,3 +143,14 @@ class AnalysisPage(QWidget):
         dialog = folder_dialog(self, title, str(Path.home()))
         dialog.fileSelected.connect(lambda path: self.save(Path(path) / "report"))
         dialog.open()
+
+
+def _style() -> str:
+    return f"""
+h2 {{ color: {theme.ACCENT}; }}
+table {{ margin-top: 4px; margin-bottom: 14px; }}
+th {{ color: {theme.DIM}; padding: 1px 9px; text-align: right; }}
+td {{ padding: 1px 9px; text-align: right; }}
+caption {{ font-weight: bold; }}
+img {{ max-width: 100%; }}
+"""

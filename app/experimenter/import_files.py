@@ -28,6 +28,7 @@ from hapticplayer.sequence.recognising import Recognised, pair
 
 translate = QCoreApplication.translate
 _MOST_NOTES = 6
+_ALL_THE_ROOM = 100  # next to a stretch of 1
 
 
 class FilesPage(QWidget):
@@ -55,7 +56,7 @@ class FilesPage(QWidget):
             label.setTextFormat(Qt.TextFormat.PlainText)
             label.setAlignment(Qt.AlignmentFlag.AlignTop | Qt.AlignmentFlag.AlignLeft)
         self.notes.setStyleSheet(f"color: {theme.DIM};")
-        self.triad = Triad()
+        self.triad, self.place = Triad(), _drop_place(self.tr("Drop a recording here"))
         self.problem = QLabel()
         self.problem.setWordWrap(True)
         self.problem.setTextFormat(Qt.TextFormat.PlainText)
@@ -120,6 +121,7 @@ class FilesPage(QWidget):
         column_.addWidget(self.problem)
         column_.addWidget(self.question)
         column_.addLayout(found, 1)
+        column_.addWidget(self.place, _ALL_THE_ROOM)
 
     # --- what is chosen ------------------------------------------------------
 
@@ -148,6 +150,7 @@ class FilesPage(QWidget):
 
     def _on_edited(self) -> None:
         now = (self.video.text().strip(), self.log.text().strip())
+        self.place.setVisible(not any(now))
         if now != self._seen:
             self._seen, self._words, self._before = now, [], []
             self._asked = None
@@ -367,6 +370,19 @@ class _Question(QFrame):
         words = self.other.text().split()
         if words:
             self.answered.emit(words)
+
+
+def _drop_place(text: str) -> QLabel:
+    """Return what shows where files may be dropped, while there are none."""
+    made = QLabel(text)
+    made.setObjectName("drop")
+    made.setAlignment(Qt.AlignmentFlag.AlignCenter)
+    made.setFont(theme.scaled(made.font(), 1.4))
+    made.setStyleSheet(
+        f"QLabel#drop {{ color: {theme.DIM}; border: 2px dashed {theme.BORDER}; "
+        "border-radius: 10px; }"
+    )
+    return made
 
 
 def _each(answers: tuple[str, ...]) -> list[str]:

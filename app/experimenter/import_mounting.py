@@ -20,6 +20,7 @@ from app.player.files import folder_dialog
 from app.widgets import theme
 from app.widgets.buttons import text_button
 from app.widgets.labels import ElidedLabel
+from app.widgets.room import indent
 from hapticplayer.capture.mounting import (
     MOUNTINGS,
     UPRIGHT,
@@ -65,6 +66,7 @@ class MountingPage(QWidget):
         self.gain.setSingleStep(0.05)
         self.gain.setValue(DEFAULT_GAIN_N_PER_MPS2)
         self.gain.setSuffix(self.tr(" N per m/s\u00b2"))
+        indent(self.gain)
         self.gain.setToolTip(
             self.tr("The same for all sequences that are to be compared")
         )

@@ -18,6 +18,7 @@ from app.experimenter.clip_frame import ClipFrame
 from app.experimenter.sync_strip import STEP_S, SyncStrip
 from app.widgets import theme
 from app.widgets.buttons import text_button
+from app.widgets.room import indent
 from hapticplayer.capture import Synchronisation
 from hapticplayer.errors import HapticPlayerError
 from hapticplayer.model import ClockMap
@@ -294,4 +295,5 @@ def _spin(largest: float, digits: int, step: float, suffix: str) -> QDoubleSpinB
     spin.setSingleStep(step)
     spin.setSuffix(suffix)
     spin.setKeyboardTracking(False)
+    indent(spin)
     return spin

@@ -10,7 +10,6 @@ from PySide6.QtWidgets import (
     QDoubleSpinBox,
     QHBoxLayout,
     QHeaderView,
-    QInputDialog,
     QLabel,
     QSlider,
     QTableWidget,
@@ -26,6 +25,8 @@ from app.player.choices import feedbacks
 from app.player.files import file_dialog
 from app.widgets import theme
 from app.widgets.buttons import text_button
+from app.widgets.labels import BESIDE
+from app.widgets.room import ask_text, indent
 from hapticplayer.errors import HapticPlayerError
 from hapticplayer.model import Feedback
 from hapticplayer.sequence.editing import (
@@ -76,10 +77,12 @@ class LibraryDetails(QWidget):
             ]
         )
         self.tracks.verticalHeader().hide()
+        self.tracks.setTabKeyNavigation(False)  # Tab goes on to the buttons
         self.tracks.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self.tracks.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
         self.tracks.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
         header = self.tracks.horizontalHeader()
+        header.setDefaultAlignment(BESIDE)
         header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
         header.setStretchLastSection(True)
         self.tracks.itemSelectionChanged.connect(self._show_buttons)
@@ -92,6 +95,7 @@ class LibraryDetails(QWidget):
         self.number.setRange(_LEAST_GAIN, _LARGEST_GAIN)
         self.number.setSingleStep(0.01)
         self.number.setSuffix(self.tr(" N per m/s\u00b2"))
+        indent(self.number)
         self.preview, self.problem = QLabel(), QLabel()
         for label in (self.preview, self.problem):
             label.setWordWrap(True)
@@ -146,8 +150,12 @@ class LibraryDetails(QWidget):
         if is_same:
             return
         self.problem.clear()
-        notes = [entry.problem] if entry is not None and entry.problem else []
-        self.report.show_findings(entry.findings if entry else [], notes)
+        if entry is None:
+            self.report.clear()
+        elif entry.problem:
+            self.report.show_problem(entry.problem)
+        else:
+            self.report.show_findings(entry.findings)
         tracks = entry.tracks if entry else ()
         self.tracks.setRowCount(len(tracks))
         names = feedbacks(track.name for track in tracks)
@@ -280,10 +288,8 @@ class LibraryDetails(QWidget):
 
     def _ask_name(self) -> None:
         old = self._track()
-        new, is_meant = QInputDialog.getText(
-            self, self.tr("Rename the track"), self.tr("Name"), text=old
-        )
-        if is_meant:
+        new = ask_text(self, self.tr("Rename the track"), self.tr("Name"), old)
+        if new is not None:
             self._edit(rename_track, old, new.strip())
 
     def _edit(self, change: Callable[..., None], *names: str) -> None:

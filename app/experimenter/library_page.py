@@ -2,12 +2,11 @@
 
 from pathlib import Path
 
-from PySide6.QtCore import QFile, QSize, Qt, QTimer, Signal
+from PySide6.QtCore import QFile, QLocale, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QColor, QIcon, QImage, QPixmap
 from PySide6.QtWidgets import (
     QDialog,
     QHBoxLayout,
-    QInputDialog,
     QLabel,
     QLineEdit,
     QListWidget,
@@ -27,6 +26,7 @@ from app.player.times import time_text
 from app.widgets import theme
 from app.widgets.buttons import text_button
 from app.widgets.labels import ElidedLabel
+from app.widgets.room import ask_text
 from hapticplayer.errors import HapticPlayerError
 from hapticplayer.media import Thumbnail, cover_pictures
 from hapticplayer.sequence import verify_sequence
@@ -39,6 +39,7 @@ PICTURE_PX = 72
 _POLL_MS = 40
 _ENTRY = int(Qt.ItemDataRole.UserRole)
 _LEFT_PX, _RIGHT_PX = 480, 600
+_LONGEST = 80  # characters of a title in a question
 
 
 class LibraryPage(QDialog):
@@ -81,6 +82,11 @@ class LibraryPage(QDialog):
         self.list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.list.currentItemChanged.connect(lambda *_: self._on_chosen())
         self.list.itemActivated.connect(lambda _item: self._open())
+        self.nothing = QLabel()  # lies on the list, where it is empty
+        self.nothing.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self.nothing.setWordWrap(True)
+        self.nothing.setStyleSheet(f"color: {theme.DIM};")
+        QVBoxLayout(self.list.viewport()).addWidget(self.nothing)
         self.details = LibraryDetails(self._run)
         self.details.changed.connect(self.refresh)
         self.told = QLabel()
@@ -166,7 +172,7 @@ class LibraryPage(QDialog):
         for entry in found:
             item = QListWidgetItem(self._text(entry))
             item.setData(_ENTRY, entry)
-            item.setToolTip(str(entry.folder))
+            item.setToolTip(f"{entry.title}\n{entry.folder}")
             mark = Mark.BAD if entry.problem else worst(entry.findings)
             item.setForeground(
                 QColor(theme.TEXT if mark is Mark.GOOD else colour_of(mark))
@@ -191,7 +197,8 @@ class LibraryPage(QDialog):
 
     def _text(self, entry: Entry) -> str:
         if entry.problem:
-            return f"{entry.title}\n\u25a0 {entry.problem}"
+            problem = entry.problem.removeprefix(f"{entry.folder}: ")
+            return f"{entry.title}\n\u25a0 {problem}"
         parts = [time_text(entry.duration_s), entry.camera, entry.created_utc[:10]]
         first = ", ".join(part for part in parts if part)
         return f"{entry.title}\n{first}\n{mark_name(worst(entry.findings))}"
@@ -212,8 +219,14 @@ class LibraryPage(QDialog):
             self.buttons[name].setEnabled(is_whole and not self.jobs.is_busy)
         for name in ("check", "delete"):
             self.buttons[name].setEnabled(entry is not None and not self.jobs.is_busy)
-        if not self.list.count():
-            self._tell(self.tr("There is nothing here yet; import a recording."))
+        rows = range(self.list.count())
+        if not rows:
+            text = self.tr("There is nothing here yet; import a recording.")
+        elif all(self.list.item(row).isHidden() for row in rows):
+            text = self.tr("Nothing is called so")
+        else:
+            text = ""
+        self.nothing.setText(text)
 
     # --- what a person does --------------------------------------------------
 
@@ -243,10 +256,8 @@ class LibraryPage(QDialog):
         entry = self.chosen()
         if entry is None:
             return
-        title, is_meant = QInputDialog.getText(
-            self, self.tr("Rename"), self.tr("Title"), text=entry.title
-        )
-        if is_meant:
+        title = ask_text(self, self.tr("Rename"), self.tr("Title"), entry.title)
+        if title is not None:
             self.rename(entry, title)
 
     def rename(self, entry: Entry, title: str) -> None:
@@ -286,7 +297,7 @@ class LibraryPage(QDialog):
         box = QMessageBox(
             QMessageBox.Icon.Question,
             self.tr("Delete"),
-            text.format(title=entry.title[:80]),
+            text.format(title=QLocale().quoteString(_shortened(entry.title))),
             buttons.Yes | buttons.Cancel,
             self,
         )
@@ -420,6 +431,10 @@ class LibraryPage(QDialog):
             self._job.cancel()
             self._job.join()
             self._job = None
+
+
+def _shortened(title: str) -> str:
+    return title if len(title) <= _LONGEST else f"{title[: _LONGEST - 1]}\u2026"
 
 
 def _icon(made: Thumbnail) -> QIcon:

@@ -34,10 +34,18 @@ class QualityView(QTextBrowser):
         more = ""
         if said:
             title = escape(self.tr("Notes"))
-            more = f"<p style='color:{theme.DIM}'>{title}</p><ul>{said}</ul>"
+            more = (
+                f"<p style='color:{theme.DIM}; margin-top:12px'>{title}</p>"
+                f"<ul>{said}</ul>"
+            )
         self.setHtml(
             f"{head}<table cellspacing='0' cellpadding='4'>{rows}</table>{more}"
         )
+
+    def show_problem(self, text: str) -> None:
+        """Say why there is no report: the sequence cannot be read."""
+        title = escape(self.tr("This sequence cannot be played"))
+        self.setHtml(f"<h3>{_sign(Mark.BAD)} {title}</h3><p>{escape(text)}</p>")
 
 
 def verdict(mark: Mark) -> str:

@@ -5,9 +5,7 @@ from collections.abc import Callable
 from PySide6.QtCore import QCoreApplication, QTime, Signal
 from PySide6.QtGui import QCloseEvent
 from PySide6.QtWidgets import (
-    QGridLayout,
     QHBoxLayout,
-    QInputDialog,
     QLabel,
     QLineEdit,
     QMainWindow,
@@ -19,18 +17,19 @@ from PySide6.QtWidgets import (
 )
 
 from app.experimenter.mirror import Mirror
+from app.experimenter.session_words import reason_text
 from app.experimenter.start_panel import StartPanel
 from app.player.health_line import HealthLine
 from app.player.plots_place import PlotsPlace
 from app.widgets import theme
 from app.widgets.buttons import Button, text_button
 from app.widgets.message_bar import MessageBar
-from app.widgets.room import resize_within_screen
+from app.widgets.room import ask_text, resize_within_screen
 from hapticplayer.study.pages import PageKind
 from hapticplayer.study.runner import SessionRunner
 
 translate = QCoreApplication.translate
-WIDTH_PX, HEIGHT_PX = 980, 640
+WIDTH_PX, HEIGHT_PX = 1280, 720  # the health line is whole
 
 
 class SessionControl(QMainWindow):
@@ -105,18 +104,21 @@ class SessionControl(QMainWindow):
 
     def _panel(self) -> QWidget:
         panel = QWidget()
-        grid = QGridLayout(panel)
-        row = QHBoxLayout()
+        texts, above, row = QVBoxLayout(), QHBoxLayout(), QHBoxLayout()
+        for label in (self.where, self.played, self.volume):
+            texts.addWidget(label)
+        texts.addStretch(1)
+        above.addLayout(texts, 1)
+        above.addWidget(self.mirror)
         for button in self.buttons.values():
             row.addWidget(button)
-        grid.addWidget(self.where, 0, 0)
-        grid.addWidget(self.played, 1, 0)
-        grid.addWidget(self.volume, 2, 0)
-        grid.addWidget(self.mirror, 0, 1, 3, 1)
-        grid.addLayout(row, 3, 0, 1, 2)
-        grid.addWidget(self.notes, 4, 0, 1, 2)
-        grid.addWidget(self.note, 5, 0, 1, 2)
-        grid.setColumnStretch(0, 1)
+        column = QVBoxLayout(panel)
+        column.setContentsMargins(18, 16, 18, 14)
+        column.setSpacing(12)
+        column.addLayout(above)
+        column.addLayout(row)
+        column.addWidget(self.notes, 1)
+        column.addWidget(self.note)
         return panel
 
     def _lay_out(self) -> None:
@@ -179,7 +181,7 @@ class SessionControl(QMainWindow):
         if last.sound:
             return self.tr("The last trial was played as it should be")
         return self.tr("The last trial was not sound: {reasons}").format(
-            reasons=", ".join(last.reasons)
+            reasons=", ".join(reason_text(reason) for reason in last.reasons)
         )
 
     # --- what the operator does -----------------------------------------------
@@ -197,19 +199,17 @@ class SessionControl(QMainWindow):
             runner.pause()
 
     def _skip(self, runner: SessionRunner) -> None:
-        reason, is_meant = QInputDialog.getText(
-            self, self.tr("Skip"), self.tr("Why is this step left out?")
-        )
-        if is_meant and reason.strip():
+        reason = ask_text(self, self.tr("Skip"), self.tr("Why is this step left out?"))
+        if reason and reason.strip():
             runner.skip(reason)
 
     def _end(self, runner: SessionRunner) -> None:
-        reason, is_meant = QInputDialog.getText(
+        reason = ask_text(
             self,
             self.tr("End the session"),
             self.tr("Why does it end? All answers given so far are kept."),
         )
-        if is_meant:
+        if reason is not None:
             runner.stop(reason.strip() or "ended by the operator")
 
     def _keep_note(self) -> None:

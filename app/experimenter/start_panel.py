@@ -1,6 +1,7 @@
 """Before a session: who, in which language, and is everything in order?"""
 
 from collections.abc import Iterable
+from html import escape
 
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import (
@@ -15,11 +16,14 @@ from PySide6.QtWidgets import (
 )
 
 from app.bridge.languages import NAMES
+from app.experimenter.session_words import found_text
 from app.widgets import theme
 from app.widgets.buttons import set_role, text_button
+from app.widgets.room import indent
 from hapticplayer.study.orders import Balance
 from hapticplayer.study.preflight import Check
 
+_WIDEST_PX = 420
 _GOOD, _BAD = "\u25cf", "\u25a0"
 
 
@@ -59,6 +63,7 @@ class StartPanel(QWidget):
         self.volume.setRange(0, 100)
         self.volume.setValue(100)
         self.volume.setSuffix(" %")
+        indent(self.volume)
         self.volume.setAccessibleName(self.tr("Volume"))
         self.volume.setToolTip(
             self.tr("Stays as it is for the whole session, and is kept with it")
@@ -76,10 +81,13 @@ class StartPanel(QWidget):
         self._lay_out()
 
     def _lay_out(self) -> None:
+        for box in (self.who, self.language):
+            box.setMaximumWidth(_WIDEST_PX)
         form = QFormLayout()
         form.addRow(self.tr("Participant"), self.who)
         form.addRow(self.tr("Language of the pages"), self.language)
         sound = QHBoxLayout()
+        sound.setSpacing(10)
         sound.addWidget(self.volume)
         sound.addWidget(self.hear)
         sound.addWidget(self.sound)
@@ -87,14 +95,18 @@ class StartPanel(QWidget):
         form.addRow(self.tr("Sound"), sound)
         form.addRow(self.tr("Checks"), self.checks)
         form.addRow(self.tr("Balance so far"), self.balance)
+        form.setHorizontalSpacing(14)
+        form.setVerticalSpacing(12)
         column = QVBoxLayout(self)
+        column.setContentsMargins(18, 16, 18, 14)
+        column.setSpacing(12)
         column.addLayout(form)
-        column.addWidget(self.override)
+        column.addStretch(1)
         last = QHBoxLayout()
+        last.addWidget(self.override)
         last.addStretch(1)
         last.addWidget(self.start)
         column.addLayout(last)
-        column.addStretch(1)
 
     def choose(self, code: str, language: str) -> None:
         """Preselect what the command line said."""
@@ -117,14 +129,14 @@ class StartPanel(QWidget):
 
     def show_checks(self, checks: tuple[Check, ...]) -> None:
         """Show what was found; begin only when all is well, or somebody insists."""
-        names, found = self._names(), self._findings()
+        names = self._names()
         lines = []
         for check in checks:
             sign = _GOOD if check.is_good else _BAD
             colour = theme.GOOD if check.is_good else theme.BAD
             lines.append(
                 f"<span style='color:{colour}'>{sign}</span> "
-                f"{names[check.name]}: {found.get(check.found, check.found)}"
+                f"{names[check.name]}: {escape(found_text(check))}"
             )
         text = "<br>".join(lines)
         if text != self.checks.text():
@@ -142,18 +154,4 @@ class StartPanel(QWidget):
             "volume": self.tr("Volume"),
             "screen": self.tr("Participant's screen"),
             "disk": self.tr("Disk"),
-        }
-
-    def _findings(self) -> dict[str, str]:
-        """Return what may be found, in the operator's words; the record has its own."""
-        return {
-            "heard": self.tr("heard"),
-            "not confirmed": self.tr("not confirmed"),
-            "none": self.tr("none"),
-            "no device": self.tr("no device"),
-            "the device has said nothing yet": self.tr(
-                "the device has said nothing yet"
-            ),
-            "yes": self.tr("yes"),
-            "not yet": self.tr("not yet"),
         }

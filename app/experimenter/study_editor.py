@@ -23,14 +23,14 @@ from PySide6.QtWidgets import (
 )
 
 from app.widgets import theme
-from app.widgets.buttons import text_button
-from app.widgets.room import resize_within_screen
+from app.widgets.buttons import set_role, text_button
+from app.widgets.room import indent, resize_within_screen
 from hapticplayer.errors import StudyError
 from hapticplayer.study.creation import change_definition
 from hapticplayer.study.definition import OrderMethod
 from hapticplayer.study.study_folder import Study
 
-WIDTH_PX, HEIGHT_PX = 820, 620
+WIDTH_PX, HEIGHT_PX = 960, 640
 _MOST = 2**31 - 1
 
 
@@ -64,9 +64,13 @@ class StudyEditor(QDialog):
             QDialogButtonBox.StandardButton.Save
             | QDialogButtonBox.StandardButton.Cancel
         )
+        save = buttons.button(QDialogButtonBox.StandardButton.Save)
+        set_role(save, "primary")
         buttons.accepted.connect(self.save)
         buttons.rejected.connect(self.reject)
         column = QVBoxLayout(self)
+        column.setContentsMargins(18, 16, 18, 14)
+        column.setSpacing(12)
         for widget in (tabs, self.problem, buttons):
             column.addWidget(widget)
 
@@ -80,6 +84,7 @@ class StudyEditor(QDialog):
         self.method.setCurrentIndex(self.method.findData(content["order"]["method"]))
         self.seed = QSpinBox()
         self.seed.setRange(0, _MOST)
+        indent(self.seed)
         self.seed.setValue(min(_MOST, content["order"]["seed"]))
         self.apart = QCheckBox(self.tr("Never the same sequence twice in a row"))
         self.apart.setChecked(content["order"]["no_sequence_twice_in_a_row"])

@@ -6,7 +6,7 @@ smallest have capitals of 6 mm.
 """
 
 from PySide6.QtCore import QSize, Qt, QTimer
-from PySide6.QtGui import QFont, QResizeEvent
+from PySide6.QtGui import QFont, QFontMetrics, QResizeEvent
 from PySide6.QtWidgets import (
     QAbstractButton,
     QFrame,
@@ -24,19 +24,25 @@ LARGEST, SMALLEST = 22.0, 36.0  # letters are the height divided by these
 STEPS = 7
 SCROLLED = 3  # the step for what has to be scrolled anyway
 TOUCH_PX = 44  # no finger misses it (WCAG 2.2, 2.5.5)
-_HIGH = 2.0  # a button, in letters
+_HIGH, _SIDES = 2.0, 1.4  # a button and the room beside its text, in letters
 _MARGIN_SHARE = 0.06
+_BAR_PX = 20
 
-STYLE = f"""
+
+def style() -> str:
+    """Return the look of the participant's pages, in the colours that are in use."""
+    return f"""
 QWidget {{ background: {theme.BACKGROUND}; color: {theme.TEXT}; }}
 QPushButton {{ background: {theme.RAISED}; border: 2px solid {theme.BORDER};
   border-radius: 10px; padding: 0.35em 1.0em; }}
 QPushButton:hover {{ background: {theme.HOVER}; }}
 QPushButton:focus {{ border: 3px solid {theme.FOCUS}; }}
-QPushButton:checked {{ background: #1f5f9e; border: 3px solid {theme.FOCUS};
-  color: #ffffff; font-weight: bold; }}
-QPushButton[role="primary"] {{ background: #1f5f9e; border-color: #2f76bb; }}
-QPushButton[role="primary"]:focus {{ border: 3px solid {theme.FOCUS}; }}
+QPushButton:checked {{ background: {theme.PRIMARY}; border-color: {theme.CHOSEN};
+  color: {theme.PRIMARY_TEXT}; font-weight: bold; }}
+QPushButton[role="primary"] {{ background: {theme.PRIMARY};
+  border-color: {theme.CHOSEN}; color: {theme.PRIMARY_TEXT}; }}
+QPushButton:checked:focus, QPushButton[role="primary"]:focus {{
+  border: 3px solid {theme.TEXT}; }}
 QSpinBox, QPlainTextEdit {{ background: {theme.PANEL}; border: 2px solid {theme.BORDER};
   border-radius: 8px; padding: 4px; }}
 QSpinBox:focus, QPlainTextEdit:focus {{ border: 3px solid {theme.FOCUS}; }}
@@ -44,6 +50,11 @@ QSpinBox::up-button, QSpinBox::down-button {{ width: 2em; }}
 QFrame[role="question"] {{ border: 2px solid transparent; border-radius: 12px; }}
 QFrame[role="current"] {{ border: 2px solid {theme.BORDER}; border-radius: 12px; }}
 QScrollArea {{ border: 0; }}
+QScrollBar:vertical {{ width: {_BAR_PX}px; background: {theme.BACKGROUND}; }}
+QScrollBar::handle:vertical {{ background: {theme.BORDER}; border-radius: 6px;
+  margin: 2px; min-height: {TOUCH_PX}px; }}
+QScrollBar::add-line:vertical, QScrollBar::sub-line:vertical {{ height: 0; }}
+QScrollBar::add-page:vertical, QScrollBar::sub-page:vertical {{ background: none; }}
 """
 
 
@@ -64,7 +75,8 @@ class FittedPage(QScrollArea):
         # the style gives some widgets their true height only when they are shown
         self._settling = QTimer(self)
         self._settling.setSingleShot(True)
-        self._settling.timeout.connect(self._shrink)
+        self._settling.timeout.connect(self._on_settled)
+        self._in_sight: QWidget | None = None
         self.body = _Body()
         self.column = QVBoxLayout(self.body)
         self.setWidget(self.body)
@@ -86,6 +98,18 @@ class FittedPage(QScrollArea):
         self._shrink()
         self._settling.start()
 
+    def keep_in_sight(self, widget: QWidget) -> None:
+        """Scroll to a widget, once everything has its size."""
+        self._in_sight = widget
+        self._settling.start()
+
+    def _on_settled(self) -> None:
+        self._shrink()
+        wanted, self._in_sight = self._in_sight, None
+        if wanted is not None:
+            self.column.activate()
+            self.ensureWidgetVisible(wanted)
+
     def _take_step(self) -> None:
         share = LARGEST + (SMALLEST - LARGEST) * self._size_step / (STEPS - 1)
         self.set_letters(max(9, round(self._fitted_for.height() / share)))
@@ -105,10 +129,15 @@ class FittedPage(QScrollArea):
         font = QFont(self.body.font())
         font.setPixelSize(letters_px)
         self.body.setFont(font)
+        metrics = QFontMetrics(font)
         for child in self.body.findChildren(QWidget):
             child.setFont(font)
             if isinstance(child, QAbstractButton | QSpinBox):
                 child.setMinimumHeight(max(TOUCH_PX, round(_HIGH * letters_px)))
+            if isinstance(child, QAbstractButton):
+                # the sheet's em is that of small letters
+                wide_px = metrics.horizontalAdvance(child.text())
+                child.setMinimumWidth(wide_px + round(_SIDES * letters_px))
         self.column.setSpacing(letters_px // 2)
         self.column.activate()
 

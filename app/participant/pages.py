@@ -19,6 +19,7 @@ from app.widgets.buttons import Button, set_role
 from hapticplayer.study.pages import Page
 
 Word = Callable[[str], str]
+_APART_PX = 16
 _ENTER = (Qt.Key.Key_Return, Qt.Key.Key_Enter)
 
 
@@ -45,6 +46,7 @@ class TextPage(FittedPage):
         self.text = paragraph(page.text, centred=is_short)
         self.column.addWidget(self.text)
         row = QHBoxLayout()
+        row.setContentsMargins(0, _APART_PX, 0, 0)
         row.addStretch(1)
         self.buttons: dict[str, Button] = {}
         for name, text in buttons:
@@ -156,7 +158,7 @@ class QuestionsPage(FittedPage):
             if is_it:
                 row.focus()
                 self.fit()
-                self.ensureWidgetVisible(row)
+                self.keep_in_sight(row)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Answer by digits, move by arrows, go on with Enter."""

@@ -47,7 +47,7 @@ class QuestionRow(QFrame):
         self.setProperty("role", "question")
         column = self.column = QVBoxLayout(self)
         column.setContentsMargins(12, 6, 12, 8)
-        text = f"{asked.heading}: {asked.text}" if asked.heading else asked.text
+        text = f"{asked.heading} \u2013 {asked.text}" if asked.heading else asked.text
         self.title = paragraph(text)
         column.addWidget(self.title)
         self.missing = paragraph("")
@@ -181,8 +181,16 @@ class NumberRow(QuestionRow):
         self.box.setValue(asked.least - 1)
         self.box.setAccessibleName(asked.text)
         self.box.valueChanged.connect(lambda _value: self.answered.emit())
+        self.box.setButtonSymbols(QSpinBox.ButtonSymbols.NoButtons)
         row = QHBoxLayout()
         row.addWidget(self.box)
+        # the box's own are too small for a finger
+        for sign, step in (("\u2212", self.box.stepDown), ("+", self.box.stepUp)):
+            button = Button(sign)
+            button.setAutoRepeat(True)
+            button.setAccessibleName(f"{asked.text} {sign}")
+            button.clicked.connect(step)
+            row.addWidget(button)
         row.addStretch(1)
         self.column.addLayout(row)
         self.column.addWidget(self.missing)

@@ -7,7 +7,7 @@ from PySide6.QtCore import QEvent, Qt, QTimer
 from PySide6.QtGui import QCloseEvent, QGuiApplication, QKeyEvent
 from PySide6.QtWidgets import QStackedWidget, QVBoxLayout, QWidget
 
-from app.participant.look import STYLE
+from app.participant.look import style
 from app.participant.pages import QuestionsPage, TextPage
 from app.player.escape import EscapeEverywhere
 from app.player.video_surface import VideoSurface
@@ -28,7 +28,7 @@ class ParticipantWindow(QWidget):
 
     def __init__(self, surface: VideoSurface) -> None:
         super().__init__()
-        self.setStyleSheet(STYLE)
+        self.setStyleSheet(style())
         self.setWindowTitle(" ")  # seen in task switchers
         self.surface = surface
         self.content: TextPage | QuestionsPage | None = None

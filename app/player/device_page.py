@@ -90,7 +90,7 @@ class DevicePage(QDialog):
         self.sign, self.text = QLabel(), QLabel()
         self.progress = QProgressBar()
         self.start_button = text_button(
-            self.tr("Start"), self.tr("Feel every direction, gentle first")
+            self.tr("Start"), self.tr("Feel every direction, gentle first"), "primary"
         )
         self.stop_button = text_button(
             self.tr("STOP"), self.tr("Take the force away at once (Esc)"), "stop"
@@ -159,6 +159,8 @@ class DevicePage(QDialog):
         buttons.addStretch()
         buttons.addWidget(close)
         page = QVBoxLayout(self)
+        page.setContentsMargins(18, 16, 18, 14)
+        page.setSpacing(12)
         for part in (self.sign, self.text, self.progress):
             page.addWidget(part)
         page.addLayout(buttons)

@@ -19,17 +19,20 @@ from app.player.fault_texts import HANGS, expected, fault_text, names, rule_text
 from app.player.session import Session
 from app.widgets import theme
 from app.widgets.buttons import set_role, text_button
+from app.widgets.labels import BESIDE
 from hapticplayer.clock import Clock
 from hapticplayer.devices import find_device
 from hapticplayer.errors import HapticPlayerError
 from hapticplayer.haptics.contract import Mode
 from hapticplayer.haptics.injection import Fault, outcome_of
+from hapticplayer.haptics.process import Health
 from hapticplayer.playback.haptic_link import NO_DEVICE
 
 POLL_MS = 100
 FOLLOWED_S = 3.0
 """For so long a fault's outcome may still change."""
 _BEFORE_S = 0.001
+_DEAD = (Health.FAILED, Health.GONE)
 _COLUMNS, _WIDTH_PX, _HEIGHT_PX = 3, 620, 560
 
 
@@ -139,9 +142,11 @@ class FaultPanel(QDialog):
         )
         self.table.setAccessibleName(self.tr("What came of the faults"))
         self.table.verticalHeader().hide()
+        self.table.setTabKeyNavigation(False)
         self.table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self.table.setSelectionMode(QAbstractItemView.SelectionMode.NoSelection)
         header = self.table.horizontalHeader()
+        header.setDefaultAlignment(BESIDE)
         header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
         header.setSectionResizeMode(1, QHeaderView.ResizeMode.Stretch)
 
@@ -163,8 +168,9 @@ class FaultPanel(QDialog):
         self.hint.setText(self._hint(is_acting=mode in (Mode.ENTERING, Mode.FOLLOWING)))
         for button in self.buttons.values():
             button.setEnabled(link.takes_faults)
-        self.rearm.setEnabled(mode is Mode.TRIPPED)
-        set_role(self.rearm, "rearm" if mode is Mode.TRIPPED else "")
+        is_stopped = mode is Mode.TRIPPED and link.health not in _DEAD
+        self.rearm.setEnabled(is_stopped)
+        set_role(self.rearm, "rearm" if is_stopped else "")
         self._show_outcome()
 
     def _hint(self, *, is_acting: bool) -> str:
@@ -174,6 +180,8 @@ class FaultPanel(QDialog):
                 "Only a simulated device takes faults, and only while this panel is "
                 "open: choose it in the window, then press Device anew."
             )
+        if link.health in _DEAD:
+            return self.tr("The device has failed: press Device anew.")
         if not is_acting:
             return self.tr("Play a clip with force, so that there is one to take away.")
         return self.tr("There is a force. Press a fault and watch what takes it away.")

@@ -19,6 +19,7 @@ from PySide6.QtWidgets import (
 from app.bridge.settings import Settings
 from app.player.keymap import BY_NAME, COMMANDS, KEYS, Command, keys_of, owner_of, texts
 from app.widgets.buttons import text_button
+from app.widgets.labels import BESIDE
 
 _WIDTH_PX, _HEIGHT_PX = 520, 560
 _FIELD_MARGIN_PX = 36
@@ -77,6 +78,7 @@ class KeysDialog(QDialog):
         table.setHorizontalHeaderLabels([self.tr("Command"), self.tr("Keys")])
         table.verticalHeader().hide()
         header = table.horizontalHeader()
+        header.setDefaultAlignment(BESIDE)
         header.setSectionResizeMode(0, QHeaderView.ResizeMode.Stretch)
         header.setSectionResizeMode(1, QHeaderView.ResizeMode.ResizeToContents)
         table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)

@@ -34,6 +34,7 @@ from app.player.video_surface import SurfaceSink, VideoSurface
 from app.widgets import theme
 from app.widgets.buttons import text_button
 from app.widgets.labels import ElidedLabel
+from app.widgets.room import indent
 from hapticplayer.clock import Clock
 from hapticplayer.errors import HapticPlayerError
 from hapticplayer.haptics.contract import Cause, Mode
@@ -342,6 +343,7 @@ class LatencyPage(QDialog):
         number.setSingleStep(_STEP_MS)
         number.setSuffix(self.tr(" ms"))
         number.setAccelerated(True)
+        indent(number)
         number.valueChanged.connect(lambda _value: self._on_entered())
         told.setTextFormat(Qt.TextFormat.PlainText)
         told.setMinimumWidth(

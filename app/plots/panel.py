@@ -204,10 +204,14 @@ def _titled(
 ) -> QWidget:
     """Return a plot under a line with its title and legend."""
     entries = "".join(
-        f"&nbsp;&nbsp; <span style='color:{colour}'>\u25ac</span>&nbsp;{name}"
+        f"&nbsp;&nbsp; <span style='color:{colour}'>\u25ac</span>&nbsp;{_unbroken(name)}"
         for name, colour in zip(axes, theme.AXIS_COLOURS, strict=True)
     )
-    tail = f"&nbsp;&nbsp; <span style='color:{theme.DIM}'>{note}</span>" if note else ""
+    tail = (
+        f"&nbsp;&nbsp; <span style='color:{theme.DIM}'>{_unbroken(note)}</span>"
+        if note
+        else ""
+    )
     return _boxed(_headline(f"<b>{title}</b>{entries}{tail}"), plot, SaveButton(plot))
 
 
@@ -235,3 +239,8 @@ def _boxed(title: QWidget, content: QWidget, tool: QWidget | None = None) -> QWi
     column.addLayout(line)
     column.addWidget(content, 1)
     return box
+
+
+def _unbroken(text: str) -> str:
+    """Return a text that stays in one line with its colour."""
+    return text.replace(" ", "&nbsp;")

@@ -6,6 +6,9 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from app.widgets import theme
 
+BESIDE = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
+"""Of headings: over the beginning of what stands in their column."""
+
 
 class ElidedLabel(QWidget):
     """One line that shortens itself to the room it gets; the tooltip has it all."""
@@ -54,5 +57,4 @@ class ElidedLabel(QWidget):
         painter = QPainter(self)
         painter.setPen(self._colour)
         shown = self.fontMetrics().elidedText(self._text, self._elide, self.width())
-        sides = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
-        painter.drawText(self.rect(), int(sides), shown)
+        painter.drawText(self.rect(), int(BESIDE), shown)

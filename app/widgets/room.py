@@ -1,6 +1,9 @@
-"""Windows no larger than the screen that they are on."""
+"""Windows no larger than the screen that they are on, and no smaller than their texts."""
 
-from PySide6.QtWidgets import QWidget
+from PySide6.QtWidgets import QAbstractSpinBox, QInputDialog, QWidget
+
+ASKED_PX = 460
+_INDENT_PX = 8
 
 
 def resize_within_screen(window: QWidget, width_px: int, height_px: int) -> None:
@@ -10,3 +13,33 @@ def resize_within_screen(window: QWidget, width_px: int, height_px: int) -> None
     """
     room = window.screen().availableGeometry()
     window.resize(min(width_px, room.width()), min(height_px, room.height()))
+
+
+def ask_text(parent: QWidget, title: str, label: str, text: str = "") -> str | None:
+    """Ask for a line of text in a window in which it can be read.
+
+    Args:
+        parent: of the question.
+        title: of its window.
+        label: what is asked.
+        text: what it begins with.
+
+    Returns:
+        The line, None where a person declines.
+    """
+    dialog = QInputDialog(parent)
+    dialog.setWindowTitle(title)
+    dialog.setLabelText(label)
+    dialog.setTextValue(text)
+    resize_within_screen(dialog, ASKED_PX, dialog.sizeHint().height())
+    is_meant = dialog.exec() == QInputDialog.DialogCode.Accepted
+    return dialog.textValue() if is_meant else None
+
+
+def indent(box: QAbstractSpinBox) -> None:
+    """Keep a number off its frame, as other fields do; after its range and suffix.
+
+    A style sheet's padding does not reach the field within such a box.
+    """
+    box.lineEdit().setTextMargins(_INDENT_PX, 0, 0, 0)
+    box.setMinimumWidth(box.sizeHint().width() + _INDENT_PX)

@@ -71,6 +71,7 @@ _ICONS = FOLDER.as_posix()
 def style_sheet() -> str:
     """Return the look of Qt's own widgets."""
     arrow = "down-dark" if name == LIGHT else "down"
+    dot = CHOSEN if name == LIGHT else ACCENT
     return f"""
 QMainWindow, QDialog {{ background: {BACKGROUND}; }}
 QDialog {{ border: 1px solid {BORDER}; }}
@@ -115,6 +116,8 @@ QPushButton[role="stop"]:hover {{ background: {STOP_HOVER}; }}
 QPushButton[role="rearm"] {{ background: #8a5a00; border-color: #b37800;
   color: #ffffff; font-weight: bold; }}
 QPushButton[role="rearm"]:hover {{ background: #a06a00; }}
+QPushButton[role="stop"]:disabled {{ background: {PANEL}; border-color: {BORDER};
+  color: {DISABLED}; }}
 QPushButton[role="stop"]:focus, QPushButton[role="rearm"]:focus {{
   border: 2px solid {FOCUS}; }}
 QPushButton[role="primary"]:focus {{ border: 2px solid {TEXT}; }}
@@ -124,6 +127,10 @@ QPushButton[role="small"] {{ padding: 0; min-height: 0; background: transparent;
 QPushButton[role="small"]:focus {{ padding: 0; }}
 QListView, QTableView, QTreeView, QTextEdit, QPlainTextEdit {{
   border: 1px solid {BORDER}; padding: 1px; }}
+QTableView::item {{ padding: 0 6px; }}
+QHeaderView {{ background: {PANEL}; }}
+QHeaderView::section {{ background: {PANEL}; color: {DIM}; border: 0;
+  border-bottom: 1px solid {BORDER}; padding: 4px 6px; }}
 QListView:focus, QTableView:focus, QTreeView:focus, QTextEdit:focus,
 QPlainTextEdit:focus {{ border: 2px solid {FOCUS}; padding: 0; }}
 QCheckBox, QRadioButton {{ border: 2px solid transparent; border-radius: 5px;
@@ -151,8 +158,9 @@ QCheckBox::indicator, QRadioButton::indicator {{ width: 14px; height: 14px;
 QRadioButton::indicator {{ border-radius: 8px; }}
 QCheckBox::indicator:checked {{ background: {CHOSEN}; border-color: {FOCUS};
   image: url({_ICONS}/check.svg); }}
-QRadioButton::indicator:checked {{ background: {CHOSEN}; border: 4px solid {PANEL};
-  outline: 0; }}
+QRadioButton::indicator:checked {{ background: qradialgradient(cx: 0.5, cy: 0.5,
+  radius: 0.5, fx: 0.5, fy: 0.5, stop: 0 {dot}, stop: 0.55 {dot}, stop: 0.65 {PANEL},
+  stop: 1 {PANEL}); }}
 QCheckBox:focus, QRadioButton:focus {{ color: {FOCUS}; }}
 QCheckBox::indicator:focus, QRadioButton::indicator:focus {{ border: 2px solid {FOCUS}; }}
 QProgressBar {{ background: {RAISED}; border: 1px solid {BORDER}; border-radius: 4px;

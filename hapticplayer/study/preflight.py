@@ -72,7 +72,7 @@ def look(
         Check(
             SCREEN,
             bool(screen.get("refresh_hz", 0) >= 30),
-            "{width_px} x {height_px}, {refresh_hz:.0f} Hz, {screens} screens".format(
+            "{width_px} x {height_px}, {refresh_hz:.0f} Hz, screens: {screens}".format(
                 **screen
             ),
         ),

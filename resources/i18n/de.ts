@@ -551,6 +551,10 @@
         <translation>Nur ein simuliertes Gerät nimmt Fehler an, und nur, solange dieses Feld offen ist: wählen Sie es im Fenster, dann drücken Sie Gerät neu.</translation>
     </message>
     <message>
+        <source>The device has failed: press Device anew.</source>
+        <translation>Das Gerät ist ausgefallen: Gerät neu drücken.</translation>
+    </message>
+    <message>
         <source>Play a clip with force, so that there is one to take away.</source>
         <translation>Spielen Sie einen Clip mit Kraft, damit es eine wegzunehmen gibt.</translation>
     </message>
@@ -642,6 +646,10 @@
     <message>
         <source>inside the video</source>
         <translation>im Video</translation>
+    </message>
+    <message>
+        <source>Drop a recording here</source>
+        <translation>Eine Aufnahme hier ablegen</translation>
     </message>
     <message>
         <source>&amp;Keep the answers…</source>
@@ -1569,6 +1577,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>Hier ist noch nichts; importieren Sie eine Aufnahme.</translation>
     </message>
     <message>
+        <source>Nothing is called so</source>
+        <translation>Nichts heißt so</translation>
+    </message>
+    <message>
         <source>Where are sequences kept?</source>
         <translation>Wo liegen die Sequenzen?</translation>
     </message>
@@ -2027,6 +2039,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <source>Notes</source>
         <translation>Hinweise</translation>
     </message>
+    <message>
+        <source>This sequence cannot be played</source>
+        <translation>Diese Sequenz kann nicht abgespielt werden</translation>
+    </message>
 </context>
 <context>
     <name>RecentMenu</name>
@@ -2211,6 +2227,105 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     <message>
         <source>ended early</source>
         <translation>vorzeitig beendet</translation>
+    </message>
+</context>
+<context>
+    <name>SessionWords</name>
+    <message>
+        <source>the contract stopped it ({0})</source>
+        <translation>der Sicherheitsvertrag hat angehalten ({0})</translation>
+    </message>
+    <message>
+        <source>force and picture were apart</source>
+        <translation>Kraft und Bild lagen auseinander</translation>
+    </message>
+    <message>
+        <source>force and sound were apart</source>
+        <translation>Kraft und Ton lagen auseinander</translation>
+    </message>
+    <message>
+        <source>paused</source>
+        <translation>angehalten</translation>
+    </message>
+    <message>
+        <source>to be repeated</source>
+        <translation>wird wiederholt</translation>
+    </message>
+    <message>
+        <source>left out</source>
+        <translation>ausgelassen</translation>
+    </message>
+    <message>
+        <source>the session was ended</source>
+        <translation>die Sitzung wurde beendet</translation>
+    </message>
+    <message>
+        <source>stopped by the operator</source>
+        <translation>von der Versuchsleitung angehalten</translation>
+    </message>
+    <message>
+        <source>the participant pressed Esc</source>
+        <translation>die Person hat Esc gedrückt</translation>
+    </message>
+    <message>
+        <source>the participant pressed the space bar</source>
+        <translation>die Person hat die Leertaste gedrückt</translation>
+    </message>
+    <message>
+        <source>another program came in front</source>
+        <translation>ein anderes Programm kam nach vorn</translation>
+    </message>
+    <message>
+        <source>the window was to be closed</source>
+        <translation>das Fenster sollte geschlossen werden</translation>
+    </message>
+    <message>
+        <source>the clip is damaged</source>
+        <translation>der Clip ist beschädigt</translation>
+    </message>
+    <message>
+        <source>pictures were dropped</source>
+        <translation>Bilder wurden ausgelassen</translation>
+    </message>
+    <message>
+        <source>there was no sound</source>
+        <translation>es gab keinen Ton</translation>
+    </message>
+    <message>
+        <source>sound was missing</source>
+        <translation>Ton hat gefehlt</translation>
+    </message>
+    <message>
+        <source>there was no device</source>
+        <translation>es gab kein Gerät</translation>
+    </message>
+    <message>
+        <source>the device was lost</source>
+        <translation>das Gerät ging verloren</translation>
+    </message>
+    <message>
+        <source>the loop missed periods</source>
+        <translation>die Schleife hat Perioden verpasst</translation>
+    </message>
+    <message>
+        <source>the device said nothing</source>
+        <translation>das Gerät hat nichts gesagt</translation>
+    </message>
+    <message>
+        <source>the record has gaps</source>
+        <translation>die Aufzeichnung hat Lücken</translation>
+    </message>
+    <message>
+        <source>{size}; screens in all: {n}</source>
+        <translation>{size}; Bildschirme insgesamt: {n}</translation>
+    </message>
+    <message>
+        <source>{n} GB free</source>
+        <translation>{n} GB frei</translation>
+    </message>
+    <message>
+        <source>ready</source>
+        <translation>bereit</translation>
     </message>
 </context>
 <context>

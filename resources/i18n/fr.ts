@@ -551,6 +551,10 @@
         <translation>Seul un dispositif simulé accepte des pannes, et seulement tant que ce panneau est ouvert : choisissez-le dans la fenêtre, puis appuyez sur Relancer.</translation>
     </message>
     <message>
+        <source>The device has failed: press Device anew.</source>
+        <translation>L&apos;appareil est en panne : appuyez sur Relancer.</translation>
+    </message>
+    <message>
         <source>Play a clip with force, so that there is one to take away.</source>
         <translation>Lisez un clip avec force, pour qu&apos;il y en ait une à retirer.</translation>
     </message>
@@ -642,6 +646,10 @@
     <message>
         <source>inside the video</source>
         <translation>dans la vidéo</translation>
+    </message>
+    <message>
+        <source>Drop a recording here</source>
+        <translation>Déposez un enregistrement ici</translation>
     </message>
     <message>
         <source>&amp;Keep the answers…</source>
@@ -1569,6 +1577,10 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>Il n&apos;y a encore rien ici ; importez un enregistrement.</translation>
     </message>
     <message>
+        <source>Nothing is called so</source>
+        <translation>Rien ne porte ce nom</translation>
+    </message>
+    <message>
         <source>Where are sequences kept?</source>
         <translation>Où sont gardées les séquences ?</translation>
     </message>
@@ -2027,6 +2039,10 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <source>Notes</source>
         <translation>Remarques</translation>
     </message>
+    <message>
+        <source>This sequence cannot be played</source>
+        <translation>Cette séquence ne peut pas être lue</translation>
+    </message>
 </context>
 <context>
     <name>RecentMenu</name>
@@ -2211,6 +2227,105 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     <message>
         <source>ended early</source>
         <translation>terminé avant la fin</translation>
+    </message>
+</context>
+<context>
+    <name>SessionWords</name>
+    <message>
+        <source>the contract stopped it ({0})</source>
+        <translation>le contrat de sécurité l&apos;a arrêté ({0})</translation>
+    </message>
+    <message>
+        <source>force and picture were apart</source>
+        <translation>la force et l&apos;image étaient décalées</translation>
+    </message>
+    <message>
+        <source>force and sound were apart</source>
+        <translation>la force et le son étaient décalés</translation>
+    </message>
+    <message>
+        <source>paused</source>
+        <translation>en pause</translation>
+    </message>
+    <message>
+        <source>to be repeated</source>
+        <translation>à répéter</translation>
+    </message>
+    <message>
+        <source>left out</source>
+        <translation>omis</translation>
+    </message>
+    <message>
+        <source>the session was ended</source>
+        <translation>la séance a été terminée</translation>
+    </message>
+    <message>
+        <source>stopped by the operator</source>
+        <translation>arrêté par l&apos;opérateur</translation>
+    </message>
+    <message>
+        <source>the participant pressed Esc</source>
+        <translation>la personne a appuyé sur Échap</translation>
+    </message>
+    <message>
+        <source>the participant pressed the space bar</source>
+        <translation>la personne a appuyé sur la barre d&apos;espace</translation>
+    </message>
+    <message>
+        <source>another program came in front</source>
+        <translation>un autre programme est passé devant</translation>
+    </message>
+    <message>
+        <source>the window was to be closed</source>
+        <translation>la fenêtre allait être fermée</translation>
+    </message>
+    <message>
+        <source>the clip is damaged</source>
+        <translation>le clip est endommagé</translation>
+    </message>
+    <message>
+        <source>pictures were dropped</source>
+        <translation>des images ont été perdues</translation>
+    </message>
+    <message>
+        <source>there was no sound</source>
+        <translation>il n&apos;y avait pas de son</translation>
+    </message>
+    <message>
+        <source>sound was missing</source>
+        <translation>du son a manqué</translation>
+    </message>
+    <message>
+        <source>there was no device</source>
+        <translation>il n&apos;y avait pas d&apos;appareil</translation>
+    </message>
+    <message>
+        <source>the device was lost</source>
+        <translation>l&apos;appareil a été perdu</translation>
+    </message>
+    <message>
+        <source>the loop missed periods</source>
+        <translation>la boucle a manqué des périodes</translation>
+    </message>
+    <message>
+        <source>the device said nothing</source>
+        <translation>l&apos;appareil n&apos;a rien dit</translation>
+    </message>
+    <message>
+        <source>the record has gaps</source>
+        <translation>l&apos;enregistrement a des lacunes</translation>
+    </message>
+    <message>
+        <source>{size}; screens in all: {n}</source>
+        <translation>{size} ; écrans en tout : {n}</translation>
+    </message>
+    <message>
+        <source>{n} GB free</source>
+        <translation>{n} Go libres</translation>
+    </message>
+    <message>
+        <source>ready</source>
+        <translation>prêt</translation>
     </message>
 </context>
 <context>

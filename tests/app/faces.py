@@ -25,14 +25,16 @@ from PySide6.QtWidgets import (
 )
 
 from app.experimenter.analysis_page import AnalysisPage
-from app.experimenter.import_wizard import ImportWizard
+from app.experimenter.import_wizard import MOUNTING, REPORT, SYNC, ImportWizard
 from app.experimenter.library_page import LibraryPage
 from app.experimenter.mirror import Mirror
 from app.experimenter.session_control import SessionControl
 from app.experimenter.start_panel import StartPanel
 from app.experimenter.study_editor import StudyEditor
+from app.player import setup_texts
 from app.player.device_page import DevicePage
 from app.player.fault_panel import FaultPanel
+from app.player.firmware_dialog import Question
 from app.player.help import about_dialog
 from app.player.keys_dialog import KeysDialog
 from app.player.latency_page import LatencyPage
@@ -41,9 +43,14 @@ from app.player.setup_page import SetupPage
 from app.player.window import PlayerWindow
 from app.plots.grip_view import GripView
 from app.plots.playhead_plot import PlayheadPlot
+from hapticplayer.devices.falcon.firmware import find_image
+from hapticplayer.devices.falcon.reach import Reach
+from hapticplayer.devices.falcon.transport import FalconForbiddenError, Transport
 from hapticplayer.errors import DeviceError
 from hapticplayer.playback.player import Player
+from hapticplayer.sequence.editing import GainPreview
 from hapticplayer.study.creation import create_study
+from hapticplayer.study.preflight import Check
 
 CONTROLS = (
     QAbstractButton,
@@ -65,15 +72,24 @@ MARGIN_PX = 4
 def dialogs(window: PlayerWindow, folder) -> dict[str, Callable[[], QWidget]]:
     """Return what makes each page that belongs to a window."""
     study = create_study(folder / "study")
-    surface = window.surface
     return {
         "import": lambda: ImportWizard("", folder, window),
-        "library": lambda: LibraryPage(folder, window),
+        "import-sync": lambda: _import_at(SYNC, window, folder),
+        "import-mounting": lambda: _import_at(MOUNTING, window, folder),
+        "import-report": lambda: _import_at(REPORT, window, folder),
+        "library-empty": lambda: LibraryPage(folder, window),
+        "library": lambda: LibraryPage(_library(window), window),
+        "library-gain": lambda: _library_with_gain(window),
         "keyboard": lambda: KeysDialog(window.settings, window),
         "about": lambda: about_dialog(window),
         "set-up": lambda: SetupPage(
             window.clock, "simulated", Plugged(list, window), window
         ),
+        "set-up-falcon": lambda: SetupPage(
+            window.clock, "falcon", Plugged(list, window), window, _no_reach
+        ),
+        "licence": lambda: Question(window, setup_texts.licence(), "OK"),
+        "unknown-image": lambda: Question(window, setup_texts.unknown_image(), "OK"),
         "faults": lambda: FaultPanel(window.clock, window.session, window),
         "forces": lambda: DevicePage(window.clock, "simulated", window),
         "latencies": lambda: LatencyPage(
@@ -81,10 +97,54 @@ def dialogs(window: PlayerWindow, folder) -> dict[str, Callable[[], QWidget]]:
         ),
         "study": lambda: StudyEditor(study, window),
         "analysis": lambda: AnalysisPage("Rides", list, print, window.clock),
-        "session": lambda: SessionControl(
-            StartPanel(["en", "de"], ["P01"]), Mirror(surface), shows_force=True
-        ),
+        "session": lambda: _operator(window.surface),
     }
+
+
+def _import_at(step: int, window: PlayerWindow, folder) -> ImportWizard:
+    """Return the wizard at a step that a person has come to."""
+    wizard = ImportWizard("", folder, window)
+    if step == REPORT:
+        wizard._on_made(window.player.source.path)
+    else:
+        wizard._go(step)
+    return wizard
+
+
+def _library(window: PlayerWindow):
+    return window.player.source.path.parent
+
+
+def _library_with_gain(window: PlayerWindow) -> LibraryPage:
+    """Return the library with another gain and its prediction, the longest there is."""
+    page = LibraryPage(_library(window), window)
+    reaches = {"relaxed": 0.88, "normal": 0.55, "firm": 0.44}
+    page.details._show_preview(
+        GainPreview(4.5, 1.19, 0.037, reaches, ("relaxed", "normal"))
+    )
+    return page
+
+
+def _operator(surface) -> SessionControl:
+    """Return the operator's window while everything is wrong."""
+    start = StartPanel(["en", "de"], ["P01"])
+    found = {
+        "device": "falcon-simulated, starting",
+        "homed": "the device has said nothing yet",
+        "scheduling": "normal",
+        "sound": "not confirmed",
+        "screen": "3840 x 2160, 60 Hz, screens: 2",
+        "disk": "120 MB free",
+    }
+    start.show_checks(tuple(Check(name, False, what) for name, what in found.items()))
+    return SessionControl(start, Mirror(surface), shows_force=True)
+
+
+def _no_reach(_name: str) -> Reach:
+    def refuse() -> Transport:
+        raise FalconForbiddenError("not allowed")
+
+    return Reach(refuse, find_image)
 
 
 def _no_player(*_arguments: object) -> Player:

@@ -8,6 +8,8 @@ from pathlib import Path
 
 import faces
 import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QPushButton
 from sitting import Person
 
 from app.bridge import languages
@@ -102,6 +104,63 @@ def test_the_participants_pages_can_be_used_by_keyboard_and_by_finger(
         for control in faces.controls(person.page):
             assert control.height() >= LEAST_TOUCH_PX, faces.spoken_name(control)
             assert control.width() >= LEAST_TOUCH_PX, faces.spoken_name(control)
+
+
+PARTICIPANTS_PAGES = (
+    (PageKind.CONSENT, "consent"),
+    (PageKind.QUESTIONS, "sheet"),
+    (PageKind.DEMONSTRATION, "demonstration"),
+    (PageKind.READY, "trial-01"),
+    (PageKind.QUESTIONS, "trial-01"),
+    (PageKind.QUESTIONS, "post-test"),
+    (PageKind.PAUSED, "trial-01"),
+    (PageKind.PROBLEM, "trial-01"),
+    (PageKind.STOPPED, "end"),
+    (PageKind.THANKS, "end"),
+)
+# of screens: 1920 x 1080 at 100 and 200 %, 3840 x 2160 at 300 %, and an old projector
+ROOMS = ((1920, 1080), (960, 540), (1280, 720), (1024, 768))
+
+
+@pytest.mark.parametrize("language", list(languages.NAMES))
+def test_every_text_of_a_participant_is_whole(make_study, sit, language, qtbot):
+    session = sit(make_study(), language=language)
+    window, maker = session.participant, session.runner.maker
+    found = []
+    for room in ROOMS:
+        window.resize(*room)
+        for kind, step in PARTICIPANTS_PAGES:
+            window._show_page(maker.page(kind, step, 99))
+            qtbot.wait(10)  # the letters take their size
+            texts = faces.cut_off(window.content)
+            found += [f"{room} {step} {kind}: {text}" for text in texts]
+    assert found == []
+
+
+def test_an_age_is_answered_by_finger_alone(make_study, sit, wait_for, qtbot):
+    session = sit(make_study(), size=(1024, 768))
+    window, maker = session.participant, session.runner.maker
+    window._show_page(maker.page(PageKind.QUESTIONS, "sheet", 99))
+    age = window.content.rows[0]
+    down, up = age.findChildren(QPushButton)
+    for _ in range(3):
+        qtbot.mouseClick(up, Qt.MouseButton.LeftButton)
+    qtbot.mouseClick(down, Qt.MouseButton.LeftButton)
+    assert age.value() == age.asked.least + 1
+
+
+def test_the_question_that_is_not_answered_comes_into_sight(make_study, sit, qtbot):
+    session = sit(make_study(), size=(1024, 600))
+    window, maker = session.participant, session.runner.maker
+    window._show_page(maker.page(PageKind.QUESTIONS, "post-test", 99))
+    qtbot.wait(20)
+    page = window.content
+    page.show_problem(page.rows[-1].asked.name, "Please answer this question.")
+    qtbot.wait(20)
+    said = page.rows[-1].missing
+    at = said.mapTo(page.viewport(), said.rect().bottomLeft())
+    assert page.verticalScrollBar().maximum() > 0
+    assert page.viewport().rect().contains(at)
 
 
 def whole_texts(window, source, folder, qtbot) -> list[str]:

@@ -154,3 +154,23 @@ def test_a_sequence_is_opened_from_the_window(window, library, settings, wait_fo
     page.buttons["open"].click()
     wait_for(lambda: window.player.phase is Phase.PLAYING)
     assert window.player.source.path == library / "b"
+
+
+def test_what_cannot_be_played_is_not_called_doubtful(page):
+    page.list.setCurrentRow(1)  # the damaged folder
+    shown = page.details.report.toPlainText()
+    assert "cannot be played" in shown
+    assert "Doubtful" not in shown
+    assert str(page.library) not in page.list.item(1).text()
+
+
+def test_an_empty_list_says_why_and_nothing_about_quality(page, library):
+    page.search.setText("zebra")
+    assert page.nothing.text() == "Nothing is called so"
+    assert page.details.report.toPlainText() == ""
+    page.search.clear()
+    assert page.nothing.text() == ""
+    for folder in library.iterdir():
+        shutil.rmtree(folder)
+    page.refresh()
+    assert "import a recording" in page.nothing.text()

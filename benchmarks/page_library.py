@@ -1,0 +1,102 @@
+"""Pictures of what an experimenter does with recordings: import, library, analysis."""
+
+from collections.abc import Callable
+from pathlib import Path
+
+from app.experimenter.analysis_page import AnalysisPage
+from app.experimenter.import_wizard import FILES, MOUNTING, SYNC, ImportWizard
+from app.experimenter.library_page import LibraryPage
+from benchmarks.page_stage import Pictures, Stage
+from hapticplayer.clock import SystemClock
+from hapticplayer.errors import InputError
+from hapticplayer.study.analysis.simulation import simulated_answers
+
+PARTICIPANTS = 12
+
+
+def pictures(stage: Stage) -> Pictures:
+    """Yield every page about recordings and their answers."""
+    yield from _import(stage)
+    yield from _library(stage)
+    yield from _analysis(stage)
+
+
+def _import(stage: Stage) -> Pictures:
+    found = stage.material
+    wizard = ImportWizard(str(stage.folder), Path("Documents/rides"))
+    with stage.shown(wizard):
+        yield "import-empty", wizard.grab()
+        wizard.files.blockSignals(True)
+        wizard.files.take([found.video, found.log])
+        wizard.files.blockSignals(False)
+        wizard.files.show_problem(found.question)
+        yield "import-question", stage.picture(wizard)
+        wizard.files.show_problem(InputError("holds no motion", where="log.csv"))
+        yield "import-error", stage.picture(wizard)
+        for name, recognised in (("doubt", found.doubtful), ("sure", found.certain)):
+            wizard._on_found(recognised)  # noqa: SLF001
+            wizard.recognised = recognised
+            wizard._go(SYNC)  # noqa: SLF001
+            yield f"import-sync-{name}", stage.picture(wizard, 500)
+        wizard._go(FILES)  # noqa: SLF001
+        yield "import-found", stage.picture(wizard)
+        wizard._go(MOUNTING)  # noqa: SLF001
+        yield "import-mounting", stage.picture(wizard)
+        is_over: list[bool] = []
+        wizard.jobs.run(
+            wizard.tr("Importing {0}").format("ride.mp4"),
+            lambda progress: _go_on(progress, is_over),
+            lambda _none: None,
+        )
+        wizard._show_buttons()  # noqa: SLF001
+        yield "import-busy", stage.picture(wizard, 200)
+        is_over.append(True)
+        stage.wait_until(lambda: not wizard.jobs.is_busy)
+        wizard.problem.setText(str(InputError("is full", where="/media/disk")))
+        yield "import-failed", stage.picture(wizard)
+        wizard._on_made(found.made)  # noqa: SLF001
+        yield "import-report", stage.picture(wizard)
+
+
+def _go_on(progress: Callable[[float, str], None], is_over: list[bool]) -> None:
+    while not is_over:
+        progress(0.4, "removing gravity")
+
+
+def _library(stage: Stage) -> Pictures:
+    empty = stage.folder / "empty"
+    empty.mkdir(exist_ok=True)
+    with stage.shown(LibraryPage(empty)) as page:
+        yield "library-empty", page.grab()
+    page = LibraryPage(stage.material.library)
+    with stage.shown(page):
+        stage.wait_until(lambda: len(page._pictures) >= 3)  # noqa: SLF001
+        for row in range(page.list.count()):
+            page.list.setCurrentRow(row)
+            yield f"library-{row + 1}", stage.picture(page)
+        page.list.setCurrentRow(page.list.count() - 1)
+        page.details.number.setValue(0.31)
+        stage.wait_until(lambda: ";" in page.details.preview.text())
+        yield "library-gain", page.grab()
+        entry = page.chosen()
+        yield "library-delete", stage.asked(lambda: page._is_sure(entry))  # noqa: SLF001
+        yield "library-rename", stage.asked(page._rename)  # noqa: SLF001
+        page._tell(page.tr("{title} is in the bin.").format(title=entry.title))  # noqa: SLF001
+        page.undo.show()
+        page.search.setText("nothing is called so")
+        yield "library-nothing-found", stage.picture(page)
+
+
+def _analysis(stage: Stage) -> Pictures:
+    answers = simulated_answers(PARTICIPANTS, seed=1)
+    page = AnalysisPage("Rides", lambda: answers, print, SystemClock())
+    page.resize(1040, 860)
+    with stage.shown(page):
+        page.analyse()
+        yield "analysis-busy", stage.picture(page, 600)
+        stage.wait_until(lambda: not page.jobs.is_busy)
+        yield "analysis", stage.picture(page)
+        bar = page.text.verticalScrollBar()
+        bar.setValue(bar.maximum() // 2)
+        yield "analysis-further", stage.picture(page)
+        page.close_jobs()

@@ -1,0 +1,123 @@
+"""Rides, logs and a library for the pictures of all pages; made once, then kept."""
+
+import os
+import shutil
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from scipy.signal import resample_poly
+
+from hapticplayer.capture import LogQuestion, write_imu_csv
+from hapticplayer.capture.sync.clips import simulate_pats
+from hapticplayer.media import write_clip
+from hapticplayer.sequence import build_sequence
+from hapticplayer.sequence.demo import demo_folder
+from hapticplayer.sequence.editing import rename_sequence
+from hapticplayer.sequence.recognising import Recognised, recognise
+
+SECONDS, RATE_HZ, WIDE, HIGH = 20, 25, 320, 180
+SEED = 41_001
+LONG_NAME = (
+    "Twice round the lake and through the forest by the steep path with the roots, "
+    "second attempt, front suspension locked, camera on the handlebar"
+)
+TITLES = ("Bicycle in the park", "Horse at a gallop", LONG_NAME)
+
+
+@dataclass(frozen=True, slots=True)
+class Material:
+    """What pages are about.
+
+    Attributes:
+        demo: folder of the demo.
+        video: of a ride with three pats.
+        log: its motion.
+        certain, doubtful: what was recognised in the video with its own log, and
+            with that of another ride.
+        question: what is asked about a log without units.
+        made: folder of the ride's sequence.
+        library: folder with good sequences, a long name, and a damaged one.
+        damaged: a video that ends too early.
+    """
+
+    demo: Path
+    video: Path
+    log: Path
+    certain: Recognised
+    doubtful: Recognised
+    question: LogQuestion
+    made: Path
+    library: Path
+    damaged: Path
+
+
+def make_material(folder: Path) -> Material:
+    """Make everything in an empty folder, in some seconds."""
+    demo = Path(demo_folder(progress=lambda _share, _step: None))
+    video, log, other = (folder / n for n in ("ride.mp4", "log.csv", "other.csv"))
+    ride = simulate_pats(SEED, hard=False, rate_hz=200, duration_s=SECONDS)
+    stranger = simulate_pats(SEED + 1, hard=False, rate_hz=200, duration_s=SECONDS)
+    sound = resample_poly(ride.audio, 3, 1).astype(np.float32)[:, None]
+    write_clip(video, _pictures(), frame_rate_hz=RATE_HZ, audio=sound)
+    write_imu_csv(log, ride.imu)
+    write_imu_csv(other, stranger.imu)
+    damaged = folder / "damaged.mp4"
+    damaged.write_bytes(video.read_bytes()[: video.stat().st_size // 2])
+    made = build_sequence(video, folder / "ride", imu_log=log)
+    return Material(
+        demo,
+        video,
+        log,
+        recognise(video, log),
+        recognise(video, other),
+        _question(video, folder / "other logger.csv"),
+        made,
+        _library(folder / "library", demo, made),
+        damaged,
+    )
+
+
+def _pictures():
+    """Yield a road that turns: something to look at, and small."""
+    across = np.linspace(-1.0, 1.0, WIDE)
+    down = np.linspace(0.0, 1.0, HIGH)[:, None]
+    for k in range(RATE_HZ * SECONDS):
+        bend = 0.4 * np.sin(k / 40.0) * (1.0 - down)
+        is_road = np.abs(across - bend) < 0.06 + 0.7 * down
+        picture = np.empty((HIGH, WIDE, 3), np.uint8)
+        picture[:] = np.where(down < 0.35, 190, 70)[..., None]
+        picture[is_road & (down >= 0.35)] = (110, 108, 104)
+        yield picture
+
+
+def _question(video: Path, log: Path) -> LogQuestion:
+    """Return what is asked about a log whose columns have names but no units."""
+    time_s = np.arange(0.0, SECONDS, 0.01)
+    rows = np.column_stack([time_s, *[np.sin(time_s + k) for k in range(6)]])
+    header = "t;ax;ay;az;gx;gy;gz"
+    np.savetxt(log, rows, delimiter=";", header=header, fmt="%.6f", comments="")
+    try:
+        recognise(video, log)
+    except LogQuestion as question:
+        return question
+    raise RuntimeError("a log without units raises no question any more")
+
+
+def _library(folder: Path, demo: Path, ride: Path) -> Path:
+    """Link the demo and the ride under titles of all lengths, and damage one."""
+    folder.mkdir()
+    for number, title in enumerate(TITLES):
+        made = folder / f"sequence-{number}"
+        shutil.copytree(ride if number else demo, made, copy_function=_link)
+        rename_sequence(made, title)
+    (folder / "broken").mkdir()
+    (folder / "broken" / "sequence.json").write_text("{}")
+    return folder
+
+
+def _link(source: str, target: str) -> None:
+    try:
+        os.link(source, target)
+    except OSError:  # the demo lies on another disk
+        shutil.copy2(source, target)

@@ -1,0 +1,132 @@
+"""Pictures of a study: every page of a participant, and the operator's windows."""
+
+import json
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import replace
+
+from PySide6.QtWidgets import QTabWidget
+
+from app.experimenter.study_editor import StudyEditor
+from app.participant.application import StudySession
+from app.participant.pages import QuestionsPage
+from app.widgets.room import resize_within_screen
+from benchmarks.page_stage import Pictures, Stage
+from hapticplayer.clock import SystemClock
+from hapticplayer.study.creation import change_definition, create_study
+from hapticplayer.study.page_maker import PageMaker
+from hapticplayer.study.pages import PageKind
+from hapticplayer.study.session_setup import load_material
+from hapticplayer.study.study_folder import Study
+
+KEYS = ("bike", "horse", "car-turning", "car-braking")
+PAGES = (
+    ("consent", "consent"),
+    ("sheet", "questions"),
+    ("demonstration", "demonstration"),
+    ("trial-03", "ready"),
+    ("trial-03", "questions"),
+    ("trial-03", "paused"),
+    ("trial-03", "problem"),
+    ("post-test", "questions"),
+    ("end", "thanks"),
+    ("end", "stopped"),
+)
+LONG = " And please take all the time that you need before you go on to the next one."
+PLAYED_MS = 1500
+
+
+def pictures(stage: Stage) -> Pictures:
+    """Yield every page of a study."""
+    study = _study(stage)
+    yield from _editor(stage, study)
+    with _session(stage, study) as session:
+        yield from _begin(stage, session)
+        yield from _pages(stage, session, PAGES, "")
+        yield from _while_it_runs(stage, session)
+    with _session(stage, _longer(study, stage.language)) as session:
+        session.begin_session("", stage.language)
+        yield from _pages(stage, session, PAGES[4:5], "-long")
+
+
+def _study(stage: Stage) -> Study:
+    folder = stage.folder / "study"
+    return create_study(folder, folders=dict.fromkeys(KEYS, stage.material.demo))
+
+
+def _longer(study: Study, language: str) -> Study:
+    content = json.loads(study.content)
+    for factor in content["factors"]:
+        factor["text"][language] += LONG
+    return change_definition(study, content)
+
+
+@contextmanager
+def _session(stage: Stage, study: Study) -> Iterator[StudySession]:
+    material = load_material(study)
+    session = StudySession(study, material, "simulated", SystemClock(), audio=None)
+    try:
+        session.show(windowed=True)
+        room = session.participant.screen().geometry()
+        session.participant.resize(room.width(), room.height())
+        yield session
+    finally:
+        session.close()
+        stage.wait()
+
+
+def _editor(stage: Stage, study: Study) -> Pictures:
+    editor = StudyEditor(study)
+    with stage.shown(editor):
+        tabs = editor.findChild(QTabWidget)
+        for number in range(tabs.count()):
+            tabs.setCurrentIndex(number)
+            yield f"study-editor-{number + 1}", stage.picture(editor)
+        editor.title.clear()
+        editor.save()
+        yield "study-editor-error", stage.picture(editor)
+
+
+def _begin(stage: Stage, session: StudySession) -> Pictures:
+    stage.wait(700)  # device and disk are looked at twice a second
+    yield "operator-start", session.control.grab()
+    session.begin_session("", stage.language)
+
+
+def _pages(stage: Stage, session: StudySession, pages, more: str) -> Pictures:
+    runner, window = session.runner, session.participant
+    plan = replace(runner.plan, language=stage.language)
+    runner.maker = maker = PageMaker(runner.definition, plan)
+    for step, kind in pages:
+        window._show_page(maker.page(PageKind(kind), step, 99))  # noqa: SLF001
+        yield f"study-{step}-{kind}{more}", stage.picture(window, 150)
+        if kind == "questions" and isinstance(window.content, QuestionsPage):
+            row = window.content.rows[0]
+            row.take_digit(3)
+            window.content.show_problem(
+                window.content.rows[-1].asked.name, maker.word("missing")
+            )
+            yield f"study-{step}-missing{more}", stage.picture(window, 150)
+
+
+def _while_it_runs(stage: Stage, session: StudySession) -> Pictures:
+    runner, control = session.runner, session.control
+    runner.consent(given=True)
+    control.note.setText("The participant asked for more light.")
+    control.note.returnPressed.emit()
+    yield "operator-page", stage.picture(control, 200)
+    runner.skip("a picture of the window")
+    runner.skip("a picture of the window")
+    runner.go_on()
+    session.participant.refresh()
+    stage.wait_until(lambda: runner.page.kind is PageKind.PLAYING)
+    yield "operator-playing", stage.picture(control, PLAYED_MS)
+    yield "study-playing", session.participant.grab()
+    runner.pause()
+    yield "operator-paused", stage.picture(control, 200)
+    yield "operator-skip", stage.asked(lambda: control._skip(runner))  # noqa: SLF001
+    yield "operator-end", stage.asked(lambda: control._end(runner))  # noqa: SLF001
+    yield "operator-close", stage.asked(control._is_sure)  # noqa: SLF001
+    control.show_message("study: answers.jsonl cannot be written (disk full)")
+    resize_within_screen(control, control.width(), control.height())
+    yield "operator-error", stage.picture(control)

@@ -1,0 +1,68 @@
+"""What the operator reads is in the operator's language, and made of words."""
+
+import pytest
+
+from app.bridge import languages
+from app.experimenter.session_words import found_text, reason_text
+from app.player.remake import dress
+from hapticplayer.study.preflight import Check
+
+REASONS = [
+    "paused",
+    "repeated",
+    "skipped",
+    "stopped",
+    "operator",
+    "escape",
+    "space",
+    "focus_lost",
+    "window_closed",
+    "clip_damaged",
+    "pictures_dropped",
+    "no_sound",
+    "sound_missing",
+    "no_device",
+    "device_lost",
+    "periods_missed",
+    "no_ticks",
+    "record_incomplete",
+    "sync:picture",
+    "sync:sound",
+    "fault:unplugged",
+]
+
+
+@pytest.fixture
+def spoken(application, settings):
+    def speak(language: str) -> None:
+        settings.keep("language", language)
+        dress(application, settings)
+
+    yield speak
+    speak(languages.ENGLISH)
+
+
+@pytest.mark.parametrize("language", list(languages.NAMES))
+def test_every_reason_is_told_in_words(spoken, language):
+    spoken(language)
+    told = [reason_text(reason) for reason in REASONS]
+    assert not [text for text in told if "_" in text or "sync:" in text]
+    assert len(set(told)) == len(REASONS)
+    assert reason_text("new_reason") == "new_reason"
+
+
+def test_checks_are_told_in_german(spoken):
+    spoken("de")
+    found = {
+        "device": "simulated, starting",
+        "homed": "not yet",
+        "scheduling": "normal",
+        "screen": "1920 x 1080, 60 Hz, screens: 1",
+        "disk": "72094 MB free",
+    }
+    told = {name: found_text(Check(name, False, what)) for name, what in found.items()}
+    assert told["disk"] == "72.1 GB frei"
+    assert told["screen"] == "1920 x 1080, 60 Hz; Bildschirme insgesamt: 1"
+    assert not {"starting", "not yet"} & {
+        w for t in told.values() for w in t.split(", ")
+    }
