@@ -16,18 +16,17 @@ from app.widgets.buttons import text_button
 from app.widgets.job_bar import JobBar
 from app.widgets.labels import ElidedLabel
 from hapticplayer.clock import Clock
-from hapticplayer.study.analysis.figures import DPI
 from hapticplayer.study.answers import Answers
 
 _POLL_MS = 50
 _SCREEN_DPI = 100.0
-_STYLE = f"""
-h2 {{ color: {theme.ACCENT}; }}
-table {{ margin-top: 4px; margin-bottom: 14px; }}
-th {{ color: {theme.DIM}; padding: 1px 9px; text-align: right; }}
-td {{ padding: 1px 9px; text-align: right; }}
-caption {{ font-weight: bold; }}
-img {{ max-width: 100%; }}
+_STYLE = """
+h2 { color: %s; }
+table { margin-top: 4px; margin-bottom: 14px; }
+th { color: %s; padding: 1px 9px; text-align: right; }
+td { padding: 1px 9px; text-align: right; }
+caption { font-weight: bold; }
+img { max-width: 100%%; }
 """
 
 
@@ -56,7 +55,7 @@ class AnalysisPage(QWidget):
         self.job_bar.cancelled.connect(self.jobs.cancel)
         self.text = QTextBrowser()
         self.text.setOpenLinks(False)
-        self.text.document().setDefaultStyleSheet(_STYLE)
+        self.text.document().setDefaultStyleSheet(_STYLE % (theme.ACCENT, theme.DIM))
         self.text.setAccessibleName(self.tr("Report"))
         self.analyse_button = text_button(
             self.tr("&Analyse"),
@@ -85,10 +84,10 @@ class AnalysisPage(QWidget):
         """Write the report that is shown into a new folder."""
         if self.jobs.is_busy or self._report is None:
             return
-        analysis, title = self._report.analysis, self._title
+        answers, title = self._report.answers, self._title
 
         def work(progress: Progress) -> Path:
-            return in_child(written_report, analysis, target, title, progress=progress)
+            return in_child(written_report, answers, target, title, progress=progress)
 
         self.jobs.run(self.tr("Writing the report"), work, self._saved)
         self._begin()
@@ -123,7 +122,7 @@ class AnalysisPage(QWidget):
         document.clear()
         for name, png in report.pictures.items():
             image = QImage.fromData(png)
-            image.setDevicePixelRatio(DPI / _SCREEN_DPI)
+            image.setDevicePixelRatio(report.dpi / _SCREEN_DPI)
             kind = QTextDocument.ResourceType.ImageResource
             document.addResource(kind.value, QUrl(SCHEME + name), image)
         self.text.setHtml(report.html)

@@ -42,6 +42,11 @@ class Plugged(QObject):
             self._jobs.run("", self._work, self._take)
             self._timer.start()
 
+    @property
+    def is_busy(self) -> bool:
+        """Whether it looks now."""
+        return self._jobs.is_busy
+
     def close(self) -> None:
         """Wait until nothing is looked for."""
         self._timer.stop()

@@ -54,6 +54,7 @@ class PlayerWindow(QMainWindow):
         clock: of the machine.
         settings: what is remembered.
         plots: whether the live plots are shown at first.
+        waits: another window still has the player, until `begin`.
     """
 
     def __init__(
@@ -64,6 +65,7 @@ class PlayerWindow(QMainWindow):
         settings: Settings,
         *,
         plots: bool = True,
+        waits: bool = False,
     ) -> None:
         super().__init__()
         self.player, self.surface = player, surface
@@ -105,9 +107,16 @@ class PlayerWindow(QMainWindow):
         self._offer_devices()
         room_px = self.screen().availableGeometry().height()
         self.show_plots(are_wanted=plots and room_px >= LEAST_SCREEN_PX)
+        if player.source is not None:
+            self._on_opening(player.source)
         self._on_opened()
         self._on_changed()
         self.stage.setFocus()
+        if not waits:
+            self.begin()
+
+    def begin(self) -> None:
+        """Drive the player, and stop it at Escape."""
         self._escape.install()
         self.pump.start()
 
@@ -338,6 +347,11 @@ class PlayerWindow(QMainWindow):
         self.study_menu.process.leave()  # a session goes on
         self.hand_over()
         self.session.close()
+
+    @property
+    def is_working(self) -> bool:
+        """Whether something runs beside, which `hand_over` would wait for."""
+        return self.session.jobs.is_busy or self.dialogs.plugged.is_busy
 
     def hand_over(self) -> None:
         """Let go of everything but the player, which another window may take over."""

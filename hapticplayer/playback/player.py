@@ -191,9 +191,10 @@ class Player:
         self.seek(position_s)
 
     def set_sink(self, sink: FrameSink) -> None:
-        """Present the pictures somewhere else, beginning with the present one."""
+        """Present the pictures somewhere else, at a standstill the present one too."""
         self._screen.sink = sink
-        self.seek(self.media_s())
+        if not self.is_playing:  # else the next picture comes soon enough
+            self.seek(self.media_s())
 
     def set_volume(self, share: float) -> None:
         """Set the loudness: 0 is silent, 1 as recorded; its cube is the amplitude."""
