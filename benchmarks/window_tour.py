@@ -15,9 +15,9 @@ from PySide6.QtGui import QDropEvent, QWheelEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDialog, QWidget
 
+from app.bridge.places import choose_library
 from app.bridge.settings import Settings
 from app.experimenter.analysis_window import AnalysisWindow
-from app.experimenter.library_page import LibraryPage
 from app.experimenter.study_editor import StudyEditor
 from app.player.application import make_application
 from app.player.remake import OpenWindow
@@ -198,10 +198,9 @@ class Tour(Script):
         yield from self._browse()
 
     def _open_library(self) -> Steps:
-        page = LibraryPage(demo_folder().parent, self._window)
-        page.show()
+        self._window.dialogs.library()
         yield 1.5
-        page.close()
+        self._close_dialogs()
 
     def _set_up_device(self) -> Steps:
         self._window.commands.set_up_device.trigger()
@@ -240,6 +239,7 @@ class Tour(Script):
         editor.open()
         yield 1.0
         editor.reject()
+        editor.deleteLater()
 
     def _analyse_study(self) -> Steps:
         study = open_study(self._places.scratch / ANSWERED)
@@ -296,7 +296,9 @@ def use(options: argparse.Namespace) -> int:
     application, clock, surface = make_application(), SystemClock(), VideoSurface()
     audio = None if options.no_sound else SoundProcess
     player = Player(clock, SurfaceSink(surface), audio=audio)
-    window = PlayerWindow(player, surface, clock, Settings(folder / "window.json"))
+    settings = Settings(folder / "window.json")
+    choose_library(settings, demo.parent)
+    window = PlayerWindow(player, surface, clock, settings)
     opened = OpenWindow(window)
     whole = (demo / "clip.mp4").read_bytes()
     (folder / DAMAGED).write_bytes(whole[: len(whole) // 2])

@@ -16,7 +16,7 @@ from hapticplayer.errors import Cancelled, HapticPlayerError
 Result = TypeVar("Result")
 Progress = Callable[[float, str], None]
 
-NICENESS = 5  # playing comes first
+NICENESS = 10  # playing comes first
 _LOOK_S = 0.05
 _DONE, _FAILED, _STEP = "done", "failed", "step"
 

@@ -87,7 +87,9 @@ class StudyMenu(QObject):
             self._try(lambda: self._open_editor(folder))
 
     def _open_editor(self, folder: Path) -> None:
-        StudyEditor(open_study(folder), self._window).open()
+        editor = StudyEditor(open_study(folder), self._window)
+        editor.finished.connect(editor.deleteLater)
+        editor.open()
 
     def run(self) -> None:
         """Run a participant in a program of its own: nothing else shares its time."""

@@ -87,6 +87,7 @@ class OpenWindow(QObject):
                 self.remake()
         except BaseException:
             self._rest()
+            self.window.hold_still(is_wanted=False)
             raise
 
     def _rest(self) -> None:
@@ -105,6 +106,7 @@ class OpenWindow(QObject):
         old.session.jobs.cancel()
         while old.is_working:
             yield
+        old.hold_still(is_wanted=True)
         yield from dress_in_steps(_application(), old.settings)
         surface, source = VideoSurface(), old.player.source
         made = self._next = PlayerWindow(
@@ -120,7 +122,8 @@ class OpenWindow(QObject):
             widget.ensurePolished()
             if number % POLISHED == 0:
                 yield
-        while old.is_working:
+        while old.is_working:  # something that was opened meanwhile
+            old.hold_still(is_wanted=False)
             yield
         self._exchange(old, made)
         if old.player.source is not source:  # opened meanwhile

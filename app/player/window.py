@@ -348,6 +348,13 @@ class PlayerWindow(QMainWindow):
         self.hand_over()
         self.session.close()
 
+    def hold_still(self, *, is_wanted: bool) -> None:
+        """Paint nothing but the picture: another window will be here soon."""
+        for part in (self.menuBar(), self.transport, self.plots, self.health):
+            part.setUpdatesEnabled(not is_wanted)
+        if (layout := self.centralWidget().layout()) is not None:
+            layout.setEnabled(not is_wanted)
+
     @property
     def is_working(self) -> bool:
         """Whether something runs beside, which `hand_over` would wait for."""

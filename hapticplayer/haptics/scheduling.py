@@ -21,6 +21,7 @@ _SCHED_SETATTR = {"x86_64": 314, "aarch64": 274, "riscv64": 274}
 # struct sched_attr, version 0: size, policy, flags, nice, priority, runtime,
 # deadline, period. For SCHED_OTHER the runtime is the EEVDF slice (Linux >= 6.12).
 _SCHED_ATTR = struct.Struct("=IIQiIQQQ")
+_RESET_ON_FORK = 1
 _SLICE_SINCE = (6, 12)
 
 
@@ -67,6 +68,14 @@ def grant(
     return Scheduling.NORMAL
 
 
+def hasten_this_thread() -> Scheduling:
+    """Give the calling thread a short slice: it is woken before others of its rank.
+
+    What it starts, threads and processes, are as they would be without.
+    """
+    return Scheduling.SLICE if _give_slice(0, _RESET_ON_FORK) else Scheduling.NORMAL
+
+
 def _give_fifo(pid: int, priority: int) -> bool:
     with contextlib.suppress(OSError):
         os.sched_setscheduler(pid, os.SCHED_FIFO, os.sched_param(priority))
@@ -74,13 +83,13 @@ def _give_fifo(pid: int, priority: int) -> bool:
     return False
 
 
-def _give_slice(pid: int) -> bool:
+def _give_slice(pid: int, flags: int = 0) -> bool:
     number = _SCHED_SETATTR.get(platform.machine())
     release = tuple(int(part) for part in platform.release().split(".")[:2])
     if number is None or release < _SLICE_SINCE:
         return False
     attributes = _SCHED_ATTR.pack(
-        _SCHED_ATTR.size, os.SCHED_OTHER, 0, 0, 0, SLICE_NS, 0, 0
+        _SCHED_ATTR.size, os.SCHED_OTHER, flags, 0, 0, SLICE_NS, 0, 0
     )
     libc = ctypes.CDLL(None, use_errno=True)
     return int(libc.syscall(number, pid, attributes, 0)) == 0
