@@ -92,6 +92,7 @@ class Tour(Script):
         return [
             self._watch_it,
             self._open_menus,
+            self._open_submenus,
             self._seek_by_keys,
             self._click_slider,
             self._drag_slider,
@@ -166,6 +167,20 @@ class Tour(Script):
         for key in (KEY.Key_9, KEY.Key_0, KEY.Key_M, KEY.Key_M):
             self._key(key)
             yield self._haste * 0.5
+
+    def _open_submenus(self) -> Steps:
+        bar = self._window.menuBar()
+        for entry in bar.actions():
+            QTest.mouseClick(bar, LEFT, NO_KEY, bar.actionGeometry(entry).center())
+            yield 0.2
+            for action in entry.menu().actions():
+                if action.menu() is not None:
+                    entry.menu().setActiveAction(action)
+                    QTest.keyClick(entry.menu(), KEY.Key_Right)
+                    yield 0.5
+                    action.menu().close()
+            entry.menu().close()
+            yield 0.1
 
     # --- plots ---------------------------------------------------------------
 

@@ -104,6 +104,7 @@ class OpenWindow(QObject):
     def _in_steps(self) -> Iterator[None]:
         old = self.window
         old.session.jobs.cancel()
+        old.extras.thumbnails.forget()
         while old.is_working:
             yield
         old.hold_still(is_wanted=True)

@@ -358,7 +358,8 @@ class PlayerWindow(QMainWindow):
     @property
     def is_working(self) -> bool:
         """Whether something runs beside, which `hand_over` would wait for."""
-        return self.session.jobs.is_busy or self.dialogs.plugged.is_busy
+        is_looking = self.dialogs.plugged.is_busy or self.extras.is_busy
+        return self.session.jobs.is_busy or is_looking
 
     def hand_over(self) -> None:
         """Let go of everything but the player, which another window may take over."""
