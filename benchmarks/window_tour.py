@@ -260,7 +260,7 @@ class Tour(Script):
         study = open_study(self._places.scratch / ANSWERED)
         report = AnalysisWindow(study, self._clock, self._window)
         report.begin()
-        while report.page.jobs.is_busy:
+        while report.page.is_busy:
             yield 0.2
         self.failed += filter(None, [report.messages.text()])
         yield 1.0

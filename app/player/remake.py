@@ -78,7 +78,9 @@ class OpenWindow(QObject):
             window.session.ended.connect(self._ended)
 
     def _go_on(self) -> None:
-        assert self._steps is not None
+        if self._steps is None or self.window.is_over:
+            self._rest()
+            return
         try:
             next(self._steps)
         except StopIteration:
@@ -105,8 +107,7 @@ class OpenWindow(QObject):
         old = self.window
         old.session.jobs.cancel()
         old.extras.thumbnails.forget()
-        while old.is_working:
-            yield
+        yield from _until_idle(old)
         old.hold_still(is_wanted=True)
         yield from dress_in_steps(_application(), old.settings)
         surface, source = VideoSurface(), old.player.source
@@ -123,11 +124,9 @@ class OpenWindow(QObject):
             widget.ensurePolished()
             if number % POLISHED == 0:
                 yield
-        while old.is_working:  # something that was opened meanwhile
-            old.hold_still(is_wanted=False)
-            yield
+        yield from _until_idle(old)  # something may have been opened
         self._exchange(old, made)
-        if old.player.source is not source:  # opened meanwhile
+        if old.player.source is not source:
             made.session.opening.emit(old.player.source)
             made.session.opened.emit()
         yield
@@ -151,6 +150,13 @@ class OpenWindow(QObject):
         self._attach()
         made.study_menu.take_over(old.study_menu)
         old.close()
+
+
+def _until_idle(window: PlayerWindow) -> Iterator[None]:
+    """Wait for what `hand_over` would wait for; people use the window meanwhile."""
+    while window.is_working:
+        window.hold_still(is_wanted=False)
+        yield
 
 
 def dress(application: QApplication, settings: Settings) -> None:

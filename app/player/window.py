@@ -70,7 +70,7 @@ class PlayerWindow(QMainWindow):
         super().__init__()
         self.player, self.surface = player, surface
         self.clock, self.settings = clock, settings
-        self._is_over = False
+        self.is_over = False
         self.session = Session(player, self.show_message)
         self.dialogs = Dialogs(self, self.session, settings)
         self.messages, self.job_bar = MessageBar(), JobBar()
@@ -138,7 +138,7 @@ class PlayerWindow(QMainWindow):
         self.stage.addWidget(self.surface)
         above: list[QWidget] = [self.messages, self.job_bar]
         below: list[QWidget] = [self.transport, self.sync_plot, self.health]
-        layout.arrange(self, above, self.stage, self.plots, below)
+        self._middle = layout.arrange(self, above, self.stage, self.plots, below)
 
     def _connect(self) -> None:
         session, transport, page = self.session, self.transport, self.empty_page
@@ -342,7 +342,7 @@ class PlayerWindow(QMainWindow):
     def closeEvent(self, event: QCloseEvent) -> None:
         """Bring the hand to rest, and everything to an end."""
         event.accept()
-        if self._is_over:
+        if self.is_over:
             return
         self.study_menu.process.leave()  # a session goes on
         self.hand_over()
@@ -352,8 +352,7 @@ class PlayerWindow(QMainWindow):
         """Paint nothing but the picture: another window will be here soon."""
         for part in (self.menuBar(), self.transport, self.plots, self.health):
             part.setUpdatesEnabled(not is_wanted)
-        if (layout := self.centralWidget().layout()) is not None:
-            layout.setEnabled(not is_wanted)
+        self._middle.setEnabled(not is_wanted)
 
     @property
     def is_working(self) -> bool:
@@ -363,7 +362,7 @@ class PlayerWindow(QMainWindow):
 
     def hand_over(self) -> None:
         """Let go of everything but the player, which another window may take over."""
-        self._is_over = True
+        self.is_over = True
         self.fullscreen.leave()
         self.pump.stop()
         self._settled.stop()

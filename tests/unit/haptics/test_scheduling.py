@@ -7,9 +7,9 @@ import threading
 import pytest
 
 from hapticplayer.haptics.scheduling import (
-    SLICE_NS,
+    WINDOW_SLICE_NS,
     Scheduling,
-    hasten_this_thread,
+    hasten_window,
 )
 
 _SCHED_GETATTR = {"x86_64": 315, "aarch64": 275, "riscv64": 275}
@@ -31,7 +31,7 @@ def test_a_thread_is_hastened_and_what_it_starts_is_not():
 
     def hastened() -> None:
         seen["before"] = slice_ns()
-        seen["got"] = hasten_this_thread()
+        seen["got"] = hasten_window()
         seen["after"] = slice_ns()
         child = threading.Thread(target=lambda: seen.update(child=slice_ns()))
         child.start()
@@ -42,5 +42,5 @@ def test_a_thread_is_hastened_and_what_it_starts_is_not():
     thread.join()
     if seen["got"] is Scheduling.NORMAL:
         pytest.skip("this kernel gives no slices")
-    assert seen["after"] == SLICE_NS
-    assert seen["child"] == seen["before"] != SLICE_NS
+    assert seen["after"] == WINDOW_SLICE_NS
+    assert seen["child"] == seen["before"] != WINDOW_SLICE_NS
