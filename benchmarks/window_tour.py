@@ -15,9 +15,9 @@ from PySide6.QtGui import QDropEvent, QWheelEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDialog, QWidget
 
+from app.bridge.places import choose_library
 from app.bridge.settings import Settings
-from app.experimenter.analysis_page import AnalysisPage
-from app.experimenter.library_page import LibraryPage
+from app.experimenter.analysis_window import AnalysisWindow
 from app.experimenter.study_editor import StudyEditor
 from app.player.application import make_application
 from app.player.remake import OpenWindow
@@ -29,10 +29,10 @@ from hapticplayer.playback.player import Player
 from hapticplayer.playback.sound_process import SoundProcess
 from hapticplayer.playback.source import open_source
 from hapticplayer.sequence.demo import demo_folder
-from hapticplayer.study.analysis.simulation import simulated_answers
 from hapticplayer.study.creation import create_study
+from hapticplayer.study.study_folder import open_study
 
-PARTICIPANTS = 15
+ANSWERED, DAMAGED = "answered", "damaged.mp4"
 SIZES = ((900, 620), (1240, 700))
 NOTCH = 120  # of a wheel
 GRACE_S = 0.3
@@ -92,6 +92,7 @@ class Tour(Script):
         return [
             self._watch_it,
             self._open_menus,
+            self._open_submenus,
             self._seek_by_keys,
             self._click_slider,
             self._drag_slider,
@@ -133,6 +134,7 @@ class Tour(Script):
             self._analyse_study,
             self._go_light,
             self._speak_german,
+            self._go_dark,
             self._open_again,
             self._watch_it,
         ]
@@ -166,6 +168,20 @@ class Tour(Script):
             self._key(key)
             yield self._haste * 0.5
 
+    def _open_submenus(self) -> Steps:
+        bar = self._window.menuBar()
+        for entry in bar.actions():
+            QTest.mouseClick(bar, LEFT, NO_KEY, bar.actionGeometry(entry).center())
+            yield 0.2
+            for action in entry.menu().actions():
+                if action.menu() is not None:
+                    entry.menu().setActiveAction(action)
+                    QTest.keyClick(entry.menu(), KEY.Key_Right)
+                    yield 0.5
+                    action.menu().close()
+            entry.menu().close()
+            yield 0.1
+
     # --- plots ---------------------------------------------------------------
 
     def _zoom_plots(self) -> Steps:
@@ -197,10 +213,9 @@ class Tour(Script):
         yield from self._browse()
 
     def _open_library(self) -> Steps:
-        page = LibraryPage(demo_folder().parent, self._window)
-        page.show()
+        self._window.dialogs.library()
         yield 1.5
-        page.close()
+        self._close_dialogs()
 
     def _set_up_device(self) -> Steps:
         self._window.commands.set_up_device.trigger()
@@ -217,10 +232,7 @@ class Tour(Script):
     # --- files ---------------------------------------------------------------
 
     def _open_damaged(self) -> Steps:
-        whole = self._places.video.read_bytes()
-        path = self._places.scratch / "damaged.mp4"
-        path.write_bytes(whole[: len(whole) // 2])
-        self._window.session.open_path(path)
+        self._window.session.open_path(self._places.scratch / DAMAGED)
         while self._window.session.jobs.is_busy:
             yield 0.1
         yield 0.5
@@ -242,25 +254,23 @@ class Tour(Script):
         editor.open()
         yield 1.0
         editor.reject()
+        editor.deleteLater()
 
     def _analyse_study(self) -> Steps:
-        page = AnalysisPage(
-            "Tour",
-            lambda: simulated_answers(PARTICIPANTS, seed=1),
-            lambda problem: self.failed.append(str(problem)),
-            self._clock,
-        )
-        page.resize(1000, 800)
-        page.show()
-        page.analyse()
-        while page.jobs.is_busy:
+        study = open_study(self._places.scratch / ANSWERED)
+        report = AnalysisWindow(study, self._clock, self._window)
+        report.begin()
+        while report.page.is_busy:
             yield 0.2
+        self.failed += filter(None, [report.messages.text()])
         yield 1.0
-        page.close_jobs()
-        page.close()
+        report.close()
 
     def _go_light(self) -> Steps:
         yield from self._remake("look", "light")
+
+    def _go_dark(self) -> Steps:
+        yield from self._remake("look", "dark")
 
     def _speak_german(self) -> Steps:
         yield from self._remake("language", "de")
@@ -268,6 +278,8 @@ class Tour(Script):
     def _remake(self, name: str, value: str) -> Steps:
         self._window.settings.keep(name, value)
         self.opened.remake()
+        while self.opened.is_remaking:
+            yield 0.05
         yield AGAIN_S
         self._window.player.play()
         yield 1.0
@@ -299,8 +311,12 @@ def use(options: argparse.Namespace) -> int:
     application, clock, surface = make_application(), SystemClock(), VideoSurface()
     audio = None if options.no_sound else SoundProcess
     player = Player(clock, SurfaceSink(surface), audio=audio)
-    window = PlayerWindow(player, surface, clock, Settings(folder / "window.json"))
+    settings = Settings(folder / "window.json")
+    choose_library(settings, demo.parent)
+    window = PlayerWindow(player, surface, clock, settings)
     opened = OpenWindow(window)
+    whole = (demo / "clip.mp4").read_bytes()
+    (folder / DAMAGED).write_bytes(whole[: len(whole) // 2])
     places = Places(demo, demo / "clip.mp4", motion_log(demo, folder), folder)
     watch = Watch(player, GRACE_S)
     more = {"haste": options.haste, "only": options.only}

@@ -1,47 +1,68 @@
 """The analysis of a study, for a process of its own: figures hold the interpreter.
 
-Nothing of Qt is imported here. Drawn in a thread of the window's process they kept the
-window waiting for up to 0.2 s.
+Nothing of Qt is imported here, and what the analysis needs (scipy, matplotlib) only when
+it is called: in the window's process it kept the window waiting for 0.2 to 1 s. For the
+same reason nothing of the analysis itself goes back, only what is shown.
 """
 
 from dataclasses import dataclass
 from pathlib import Path
 
 from app.bridge.jobs import Progress
-from hapticplayer.study.analysis.figures import pngs
-from hapticplayer.study.analysis.html import body
-from hapticplayer.study.analysis.parts import StudyAnalysis, analyse_study, parts_of
-from hapticplayer.study.analysis.report import write_report
 from hapticplayer.study.answers import Answers
 
 SCHEME = "figure:"
 """Of the addresses of the pictures in the text."""
+_ANALYSED = 0.7  # of the work
 
 
 @dataclass(frozen=True, slots=True)
 class Report:
-    """Text and pictures, ready to be shown."""
+    """Text and pictures, ready to be shown.
 
-    analysis: StudyAnalysis
+    Attributes:
+        answers: that were analysed.
+        html: refers to the pictures as SCHEME and their names.
+        pictures: PNG, by name.
+        dpi: of the pictures.
+    """
+
+    answers: Answers
     html: str
     pictures: dict[str, bytes]
+    dpi: float
 
 
 def made_report(answers: Answers, *, progress: Progress) -> Report:
     """Return the report of a study's answers."""
+    from hapticplayer.study.analysis.figures import DPI, pngs
+    from hapticplayer.study.analysis.html import body
+    from hapticplayer.study.analysis.parts import analyse_study, parts_of
+
     found = analyse_study(
-        answers, progress=lambda fraction, step: progress(0.7 * fraction, step)
+        answers, progress=lambda fraction, step: progress(_ANALYSED * fraction, step)
     )
-    progress(0.7, "drawing the figures")
+    progress(_ANALYSED, "drawing the figures")
     parts = parts_of(found)
     pictures = pngs(parts.draw())
     html = body(parts.blocks, lambda name: SCHEME + name)
-    return Report(found, html, pictures)
+    return Report(answers, html, pictures, DPI)
 
 
 def written_report(
-    analysis: StudyAnalysis, target: Path, title: str, *, progress: Progress
+    answers: Answers, target: Path, title: str, *, progress: Progress
 ) -> Path:
-    """Write a report into a new folder, and return it."""
-    write_report(analysis, target, title, progress)
+    """Write the report of these answers into a new folder, and return it."""
+    from hapticplayer.study.analysis.parts import analyse_study
+    from hapticplayer.study.analysis.report import write_report
+
+    found = analyse_study(
+        answers, progress=lambda fraction, step: progress(_ANALYSED * fraction, step)
+    )
+    write_report(
+        found,
+        target,
+        title,
+        lambda fraction, step: progress(_ANALYSED + (1.0 - _ANALYSED) * fraction, step),
+    )
     return target

@@ -7,6 +7,7 @@ from PySide6.QtCore import QCoreApplication, QObject, Signal
 from PySide6.QtWidgets import QFileDialog, QInputDialog, QMainWindow
 
 from app.bridge.settings import Settings
+from app.experimenter.analysis_window import AnalysisWindow
 from app.experimenter.study_editor import StudyEditor
 from app.experimenter.study_process import StudyProcess
 from hapticplayer.clock import Clock
@@ -86,7 +87,9 @@ class StudyMenu(QObject):
             self._try(lambda: self._open_editor(folder))
 
     def _open_editor(self, folder: Path) -> None:
-        StudyEditor(open_study(folder), self._window).open()
+        editor = StudyEditor(open_study(folder), self._window)
+        editor.finished.connect(editor.deleteLater)
+        editor.open()
 
     def run(self) -> None:
         """Run a participant in a program of its own: nothing else shares its time."""
@@ -115,9 +118,6 @@ class StudyMenu(QObject):
             self._try(lambda: self._open_report(folder))
 
     def _open_report(self, folder: Path) -> None:
-        # loads scipy and its kin: half of the time that the window takes to start
-        from app.experimenter.analysis_window import AnalysisWindow
-
         AnalysisWindow(open_study(folder), self._clock, self._window).begin()
 
     def take_over(self, other: "StudyMenu") -> None:

@@ -10,6 +10,7 @@ from PySide6.QtGui import QGuiApplication, QScreen
 from PySide6.QtWidgets import QApplication
 
 from app.bridge.cadence import Cadence
+from app.bridge.collector import Collector
 from app.bridge.errors import ErrorGateway
 from app.bridge.idle import EVERYTHING, IdleInhibitor
 from app.bridge.interrupts import closing_on_signals
@@ -277,7 +278,9 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _run_until_closed(application: QApplication, session: StudySession) -> None:
+    collector = Collector()
     session.gateway.install()
+    collector.begin()
 
     def close() -> None:
         session.close()
@@ -290,6 +293,7 @@ def _run_until_closed(application: QApplication, session: StudySession) -> None:
             application.exec()
     finally:
         session.gateway.uninstall()
+        collector.end()
 
 
 def _last_volume(study: Study) -> int:

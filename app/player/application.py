@@ -26,6 +26,7 @@ from hapticplayer.console import (
     wanted_speed,
 )
 from hapticplayer.devices import DEVICES
+from hapticplayer.haptics.scheduling import hasten_window
 from hapticplayer.playback.haptic_link import NO_DEVICE
 from hapticplayer.playback.player import Player
 from hapticplayer.playback.sound_process import SoundProcess
@@ -85,6 +86,7 @@ def run(options: argparse.Namespace) -> int:
 def make_application(settings: Settings | None = None) -> QApplication:
     """Return the one application of this process, with its look and language."""
     sys.setswitchinterval(SWITCH_S)
+    hasten_window()
     application = QApplication.instance() or QApplication(sys.argv[:1])
     assert isinstance(application, QApplication)
     application.setApplicationName("hapticplayer")

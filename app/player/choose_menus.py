@@ -114,6 +114,8 @@ class ChooseMenus(QObject):
             lambda: controls.output,
             controls.choose_output,
         )
+        actions.menus["playback"].aboutToShow.connect(controls.present.look)
+        controls.present.changed.connect(self.outputs.fill)
         screens = actions.add_menu("view", self.tr("Fullscreen &on"), "fullscreen")
         self.screens = ChoiceMenu(
             screens,

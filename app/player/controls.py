@@ -4,6 +4,9 @@ from functools import partial
 
 from PySide6.QtCore import QObject, Signal
 
+from app.bridge.beside import Beside
+from app.bridge.child import in_child
+from app.bridge.jobs import Progress
 from app.bridge.settings import Settings
 from app.player.times import time_text
 from hapticplayer.playback.player import FASTEST, SLOWEST, Player
@@ -34,6 +37,7 @@ class Controls(QObject):
         self._settings = settings
         self._loop_from_s: float | None = None
         self.output = settings.text(OUTPUT)
+        self.present = Beside(_sound_outputs, self)
         self.take_settings()
 
     def take_settings(self) -> None:
@@ -73,8 +77,8 @@ class Controls(QObject):
         self.changed.emit()
 
     def outputs(self) -> list[str]:
-        """Return the outputs that can be chosen, and the chosen one if it is away."""
-        names = sound_outputs()
+        """Return the outputs found last, and the chosen one if it is away."""
+        names = self.present.found
         is_away = self.output and self.output not in names
         return [*names, self.output] if is_away else names
 
@@ -130,3 +134,13 @@ class Controls(QObject):
         """Show the next picture (+1) or the one before (-1), standing still."""
         self._player.step(pictures)
         self.told.emit(time_text(self._player.media_s(), digits=3))
+
+
+def _sound_outputs(progress: Progress) -> list[str]:
+    """Return them; PortAudio takes up to half a second, and knows what was then."""
+    return in_child(_listed, progress=progress)
+
+
+def _listed(*, progress: Progress) -> list[str]:
+    progress(0.0, "")
+    return sound_outputs()

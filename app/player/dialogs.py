@@ -150,6 +150,7 @@ class Dialogs(QObject):
         dialog = DevicePage(clock, device, self._window)
         dialog.finished.connect(lambda _: self._session.choose_device(device))
         dialog.homing_wanted.connect(lambda: self.set_up(clock))
+        dialog.finished.connect(dialog.deleteLater)
         dialog.open()
 
     def faults(self, clock: Clock) -> None:
@@ -167,6 +168,7 @@ class Dialogs(QObject):
         )
         page.measured.connect(self.settings_taken)
         page.finished.connect(lambda _: self._session.choose_device(device))
+        page.finished.connect(page.deleteLater)
         page.open()
 
     def _own_player(self, clock: Clock, sink: SurfaceSink, device: str) -> Player:

@@ -20,19 +20,21 @@ class EscapeEverywhere(QObject):
 
     def __init__(self, stop: Callable[[], None], parent: QObject) -> None:
         super().__init__(parent)
-        self._stop = stop
+        self._stop, self._is_installed = stop, False
         self._application = QGuiApplication.instance()
 
     def install(self) -> None:
         """Begin to listen, in every window that gets the keyboard from now on."""
         if isinstance(self._application, QGuiApplication):
+            self._is_installed = True
             self._application.focusWindowChanged.connect(self._listen_to)
             for window in QGuiApplication.allWindows():
                 self._listen_to(window)
 
     def remove(self) -> None:
         """Listen no more."""
-        if isinstance(self._application, QGuiApplication):
+        if isinstance(self._application, QGuiApplication) and self._is_installed:
+            self._is_installed = False
             self._application.focusWindowChanged.disconnect(self._listen_to)
             for window in QGuiApplication.allWindows():
                 window.removeEventFilter(self)

@@ -121,10 +121,16 @@ class Extras(QObject):
         self.latency_watch.take()
         self._fullscreen.screen_name = self._settings.text(SCREEN)
 
+    @property
+    def is_busy(self) -> bool:
+        """Whether something runs that `close` would wait for."""
+        return self.thumbnails.is_busy or self.controls.present.is_busy
+
     def close(self) -> None:
         """Remember where the clip is; end what runs."""
         self.history.note_position(self._player)
         self.thumbnails.close()
+        self.controls.present.close()
 
     def _choose_screen(self, name: str) -> None:
         self._fullscreen.screen_name = name

@@ -14,7 +14,7 @@ def arrange(
     stage: QWidget,
     plots: QWidget,
     below: list[QWidget],
-) -> None:
+) -> QVBoxLayout:
     """Put notices above, the controls below, and the plots under the picture.
 
     Args:
@@ -23,6 +23,9 @@ def arrange(
         stage: takes the room that is left.
         plots: a person may make them higher or lower.
         below: like `above`.
+
+    Returns:
+        the layout of them all.
     """
     splitter = QSplitter(Qt.Orientation.Vertical)
     splitter.addWidget(stage)
@@ -41,3 +44,4 @@ def arrange(
     for widget in below:
         column.addWidget(widget)
     window.setCentralWidget(middle)
+    return column

@@ -1,5 +1,6 @@
 """Where the plots are in the window."""
 
+from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Signal
@@ -47,14 +48,21 @@ class PlotsPlace(QFrame):
 
     def prepare(self) -> None:
         """Make the plots, in 0.2 s."""
-        if self.panel is None:
-            from app.plots.panel import PlotPanel
+        for _ in self.in_steps():
+            pass
 
-            self.panel = PlotPanel()
-            self.panel.set_source(self._source)
-            self.panel.offer_grip(is_wanted=self._has_grip)
-            self.panel.sought.connect(self.sought)
-            self._column.addWidget(self.panel)
+    def in_steps(self) -> Iterator[None]:
+        """Make the plots, a part at each turn."""
+        if self.panel is None:
+            from app.plots.panel import panel_in_steps
+
+            panel = yield from panel_in_steps()
+            yield
+            panel.set_source(self._source)
+            panel.offer_grip(is_wanted=self._has_grip)
+            panel.sought.connect(self.sought)
+            self._column.addWidget(panel)
+            self.panel = panel
 
     def follow(self, media_s: float, feedback: str, history: TickHistory) -> None:
         """Draw what lies around a media time."""

@@ -1,20 +1,27 @@
 """The window that is open, made anew for another look or language.
 
 Every widget takes its texts and colours when it is made. So another look or language
-is another window around the same player; the clip stands still meanwhile.
+is another window around the same player. It is made in steps, a part at each turn of
+the event loop, while the clip plays on in the window before.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 
-from PySide6.QtCore import QCoreApplication, QObject
-from PySide6.QtWidgets import QApplication
+from PySide6.QtCore import QCoreApplication, QObject, QTimer
+from PySide6.QtWidgets import QApplication, QWidget
 
 from app.bridge import languages
+from app.bridge.collector import Collector
 from app.bridge.settings import Settings
 from app.player.look_menus import LANGUAGE, LOOK
 from app.player.video_surface import SurfaceSink, VideoSurface
 from app.player.window import PlayerWindow
 from app.widgets import theme
+
+PAUSE_MS = 10
+"""Between two steps: the picture has its turn."""
+POLISHED = 40
+"""Widgets in one step: each takes 0.1 to 0.2 ms."""
 
 
 class OpenWindow(QObject):
@@ -31,9 +38,38 @@ class OpenWindow(QObject):
         super().__init__()
         self.window = window
         self._ended = ended
+        self._collector = Collector(self)
+        self._next: PlayerWindow | None = None
+        self._steps: Iterator[None] | None = None
+        self._is_stale = False  # another look is wanted than the one that is made
+        self._turn = QTimer(self, interval=PAUSE_MS)
+        self._turn.timeout.connect(self._go_on)
+
+    @property
+    def is_remaking(self) -> bool:
+        """Whether another window is on its way."""
+        return self._steps is not None
 
     def begin(self) -> None:
         """Let the window receive errors, media keys and its wish to be made anew."""
+        self._collector.begin()
+        self._attach()
+
+    def end(self) -> None:
+        """Close the window."""
+        self._rest()
+        self.window.session.gateway.uninstall()
+        self.window.close()
+        self._collector.end()
+
+    def remake(self) -> None:
+        """Put a new window in the place of the old one, soon."""
+        self._is_stale = self.is_remaking
+        if not self.is_remaking:
+            self._steps = self._in_steps()
+            self._turn.start()
+
+    def _attach(self) -> None:
         window = self.window
         window.session.gateway.install()
         window.desktop.begin()
@@ -41,40 +77,103 @@ class OpenWindow(QObject):
         if self._ended is not None:
             window.session.ended.connect(self._ended)
 
-    def end(self) -> None:
-        """Close the window."""
-        self.window.session.gateway.uninstall()
-        self.window.close()
+    def _go_on(self) -> None:
+        if self._steps is None or self.window.is_over:
+            self._rest()
+            return
+        try:
+            next(self._steps)
+        except StopIteration:
+            self._rest()
+            if self._is_stale:
+                self.remake()
+        except BaseException:
+            self._rest()
+            self.window.hold_still(is_wanted=False)
+            raise
 
-    def remake(self) -> None:
-        """Put a new window in the place of the old one."""
+    def _rest(self) -> None:
+        self._turn.stop()
+        self._steps = None
+        self._drop_next()
+
+    def _drop_next(self) -> None:
+        if self._next is not None:
+            self._next.hand_over()
+            self._next.deleteLater()
+            self._next = None
+
+    def _in_steps(self) -> Iterator[None]:
         old = self.window
-        application = QCoreApplication.instance()
-        assert isinstance(application, QApplication)
-        old.player.pause()
-        geometry, source = old.geometry(), old.player.source
+        old.session.jobs.cancel()
+        old.extras.thumbnails.forget()
+        yield from _until_idle(old)
+        old.hold_still(is_wanted=True)
+        yield from dress_in_steps(_application(), old.settings)
+        surface, source = VideoSurface(), old.player.source
+        made = self._next = PlayerWindow(
+            old.player, surface, old.clock, old.settings, plots=False, waits=True
+        )
+        yield
+        if old.commands.plots.isChecked():
+            yield from made.plots.in_steps()
+            made.show_plots(are_wanted=True)
+            yield
+        made.setGeometry(old.geometry())
+        for number, widget in enumerate(made.findChildren(QWidget)):
+            widget.ensurePolished()
+            if number % POLISHED == 0:
+                yield
+        yield from _until_idle(old)  # something may have been opened
+        self._exchange(old, made)
+        if old.player.source is not source:
+            made.session.opening.emit(old.player.source)
+            made.session.opened.emit()
+        yield
+        old.deleteLater()
+
+    def _exchange(self, old: PlayerWindow, made: PlayerWindow) -> None:
+        """Show the new window; it goes on with what the old one did."""
+        geometry, is_maximised = old.geometry(), old.isMaximized()
         old.session.gateway.uninstall()
         old.hand_over()
-        dress(application, old.settings)
-        surface = VideoSurface()
-        if source is not None:
-            surface.set_clip_size(source.clip.width, source.clip.height)
-        old.player.set_sink(SurfaceSink(surface))
-        self.window = PlayerWindow(
-            old.player,
-            surface,
-            old.clock,
-            old.settings,
-            plots=old.commands.plots.isChecked(),
-        )
-        self.window.setGeometry(geometry)
-        self.window.show()
-        self.begin()
-        self.window.study_menu.take_over(old.study_menu)
+        self.window, self._next = made, None
+        if (picture := old.surface.picture) is not None:
+            made.surface.present(picture)  # until the next one comes
+        made.player.set_sink(SurfaceSink(made.surface))
+        made.setGeometry(geometry)
+        if is_maximised:
+            made.showMaximized()
+        else:
+            made.show()
+        made.begin()
+        self._attach()
+        made.study_menu.take_over(old.study_menu)
         old.close()
+
+
+def _until_idle(window: PlayerWindow) -> Iterator[None]:
+    """Wait for what `hand_over` would wait for; people use the window meanwhile."""
+    while window.is_working:
+        window.hold_still(is_wanted=False)
+        yield
 
 
 def dress(application: QApplication, settings: Settings) -> None:
     """Give the application the look and the language of the settings."""
+    for _ in dress_in_steps(application, settings):
+        pass
+
+
+def dress_in_steps(application: QApplication, settings: Settings) -> Iterator[None]:
+    """Do so, a part at each turn."""
     languages.install(application, settings.text(LANGUAGE, languages.ENGLISH))
+    yield
     theme.apply(application, settings.text(LOOK, theme.DARK))
+    yield
+
+
+def _application() -> QApplication:
+    application = QCoreApplication.instance()
+    assert isinstance(application, QApplication)
+    return application

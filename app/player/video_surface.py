@@ -59,6 +59,11 @@ class VideoSurface(QWidget):
         return self._image
 
     @property
+    def picture(self) -> Picture | None:
+        """What was presented last."""
+        return self._picture
+
+    @property
     def has_picture_of_target_size(self) -> bool:
         """Whether what is shown needs no scaling."""
         picture = self._picture

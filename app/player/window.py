@@ -54,6 +54,7 @@ class PlayerWindow(QMainWindow):
         clock: of the machine.
         settings: what is remembered.
         plots: whether the live plots are shown at first.
+        waits: another window still has the player, until `begin`.
     """
 
     def __init__(
@@ -64,11 +65,12 @@ class PlayerWindow(QMainWindow):
         settings: Settings,
         *,
         plots: bool = True,
+        waits: bool = False,
     ) -> None:
         super().__init__()
         self.player, self.surface = player, surface
         self.clock, self.settings = clock, settings
-        self._is_over = False
+        self.is_over = False
         self.session = Session(player, self.show_message)
         self.dialogs = Dialogs(self, self.session, settings)
         self.messages, self.job_bar = MessageBar(), JobBar()
@@ -105,9 +107,16 @@ class PlayerWindow(QMainWindow):
         self._offer_devices()
         room_px = self.screen().availableGeometry().height()
         self.show_plots(are_wanted=plots and room_px >= LEAST_SCREEN_PX)
+        if player.source is not None:
+            self._on_opening(player.source)
         self._on_opened()
         self._on_changed()
         self.stage.setFocus()
+        if not waits:
+            self.begin()
+
+    def begin(self) -> None:
+        """Drive the player, and stop it at Escape."""
         self._escape.install()
         self.pump.start()
 
@@ -129,7 +138,7 @@ class PlayerWindow(QMainWindow):
         self.stage.addWidget(self.surface)
         above: list[QWidget] = [self.messages, self.job_bar]
         below: list[QWidget] = [self.transport, self.sync_plot, self.health]
-        layout.arrange(self, above, self.stage, self.plots, below)
+        self._middle = layout.arrange(self, above, self.stage, self.plots, below)
 
     def _connect(self) -> None:
         session, transport, page = self.session, self.transport, self.empty_page
@@ -333,15 +342,27 @@ class PlayerWindow(QMainWindow):
     def closeEvent(self, event: QCloseEvent) -> None:
         """Bring the hand to rest, and everything to an end."""
         event.accept()
-        if self._is_over:
+        if self.is_over:
             return
         self.study_menu.process.leave()  # a session goes on
         self.hand_over()
         self.session.close()
 
+    def hold_still(self, *, is_wanted: bool) -> None:
+        """Paint nothing but the picture: another window will be here soon."""
+        for part in (self.menuBar(), self.transport, self.plots, self.health):
+            part.setUpdatesEnabled(not is_wanted)
+        self._middle.setEnabled(not is_wanted)
+
+    @property
+    def is_working(self) -> bool:
+        """Whether something runs beside, which `hand_over` would wait for."""
+        is_looking = self.dialogs.plugged.is_busy or self.extras.is_busy
+        return self.session.jobs.is_busy or is_looking
+
     def hand_over(self) -> None:
         """Let go of everything but the player, which another window may take over."""
-        self._is_over = True
+        self.is_over = True
         self.fullscreen.leave()
         self.pump.stop()
         self._settled.stop()

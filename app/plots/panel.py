@@ -1,5 +1,7 @@
 """Acceleration and force around the playhead, and the grip in space, side by side."""
 
+from collections.abc import Generator
+
 from PySide6.QtCore import QCoreApplication, Qt, Signal
 from PySide6.QtWidgets import (
     QHBoxLayout,
@@ -114,18 +116,26 @@ class ForcePlot(PlayheadPlot):
 class PlotPanel(QWidget):
     """Both plots with their titles and legends, and the grip; each can be made wider.
 
+    Args:
+        acceleration: made before.
+        force: made before, over the same seconds.
+
     Signals:
         sought: a person wants to be at this time, s.
     """
 
     sought = Signal(float)
 
-    def __init__(self) -> None:
+    def __init__(
+        self,
+        acceleration: AccelerationPlot | None = None,
+        force: ForcePlot | None = None,
+    ) -> None:
         super().__init__()
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
-        self.span = ViewSpan()
-        self.acceleration = AccelerationPlot(self.span)
-        self.force = ForcePlot(self.span)
+        self.acceleration = acceleration or AccelerationPlot()
+        self.span = self.acceleration.span
+        self.force = force or ForcePlot(self.span)
         self.acceleration.sought.connect(self.sought)
         self.force.sought.connect(self.sought)
         self._last: tuple[float, str, TickHistory] | None = None
@@ -197,6 +207,15 @@ class PlotPanel(QWidget):
     def offer_grip(self, *, is_wanted: bool) -> None:
         """Show or hide the grip beside the plots."""
         self._grip_box.setVisible(is_wanted)
+
+
+def panel_in_steps() -> Generator[None, None, PlotPanel]:
+    """Make a panel in steps of up to 25 ms; it is the generator's value."""
+    acceleration = AccelerationPlot()
+    yield
+    force = ForcePlot(acceleration.span)
+    yield
+    return PlotPanel(acceleration, force)
 
 
 def _titled(

@@ -56,7 +56,7 @@ class PlayheadPlot(pg.PlotWidget):
     def __init__(
         self, name: str, widths_px: tuple[float, ...], span: ViewSpan | None = None
     ) -> None:
-        super().__init__(background=theme.PANEL)
+        super().__init__(background=theme.PANEL, enableMenu=False)
         self.setAccessibleName(name)
         self.setFrameShape(pg.QtWidgets.QFrame.Shape.NoFrame)
         self.setMinimumSize(120, 80)
@@ -74,7 +74,6 @@ class PlayheadPlot(pg.PlotWidget):
         self.set_playhead(0.0)
 
     def _set_up_item(self, item: Any) -> None:
-        item.setMenuEnabled(False)
         item.hideButtons()
         for side in ("bottom", "top", "right"):
             item.getAxis(side).unlinkFromView()

@@ -78,7 +78,17 @@ class Crew:
         with contextlib.ExitStack() as stack:
             ours, guards = self._start_device(stack)
             self._start_guard(os.getpid(), block, guards)
+            self.hasten_device()
             return os.dup(ours)
+
+    def hasten_device(self) -> None:
+        """Let a simulated device be in time; once it serves, not while it starts.
+
+        While its modules are loaded it computes for 0.3 s, which nobody waits for:
+        the window shall have a core meanwhile.
+        """
+        if self.device is not None:
+            grant(self.device.pid, self._scheduling, DEVICE_PRIORITY)
 
     def end(self) -> None:
         """Wait for all to end by themselves, and help where they don't."""
@@ -110,7 +120,6 @@ class Crew:
         options = ["--line", str(theirs.fileno()), *self._device_options]
         passed = [theirs.fileno(), *self._device_descriptors]
         self.device = self._run(self._entry.server, options, passed)
-        grant(self.device.pid, self._scheduling, DEVICE_PRIORITY)
         return ours.fileno(), ours.fileno()
 
     def _run(

@@ -245,6 +245,7 @@ class HapticsProcess:
         if message.word is Word.READY:
             self._is_loop_ready = True
             self.scheduling = Scheduling(message.text)
+            self._crew.hasten_device()  # the loop has opened it: it serves
             if self._recording:
                 header = {"device": self.device, "scheduling": self.scheduling.value}
                 self._recording.start(self.pid, header)

@@ -15,12 +15,14 @@ FIFO_PRIORITY = 80
 GUARD_PRIORITY = 81  # it has next to nothing to do, but must not wait for the loop
 DEVICE_PRIORITY = 79  # a real device is not starved by the player either
 SLICE_NS = 100_000
+WINDOW_SLICE_NS = 400_000  # shorter than others' 1.4 to 3 ms; the loop comes first
 _PR_SET_TIMERSLACK = 29
 _MCL_CURRENT, _MCL_FUTURE = 1, 2
 _SCHED_SETATTR = {"x86_64": 314, "aarch64": 274, "riscv64": 274}
 # struct sched_attr, version 0: size, policy, flags, nice, priority, runtime,
 # deadline, period. For SCHED_OTHER the runtime is the EEVDF slice (Linux >= 6.12).
 _SCHED_ATTR = struct.Struct("=IIQiIQQQ")
+_RESET_ON_FORK = 1
 _SLICE_SINCE = (6, 12)
 
 
@@ -67,6 +69,15 @@ def grant(
     return Scheduling.NORMAL
 
 
+def hasten_window() -> Scheduling:
+    """Give the window's thread a short slice: it is woken before others of its rank.
+
+    What it starts, threads and processes, are as they would be without.
+    """
+    is_given = _give_slice(0, WINDOW_SLICE_NS, _RESET_ON_FORK)
+    return Scheduling.SLICE if is_given else Scheduling.NORMAL
+
+
 def _give_fifo(pid: int, priority: int) -> bool:
     with contextlib.suppress(OSError):
         os.sched_setscheduler(pid, os.SCHED_FIFO, os.sched_param(priority))
@@ -74,13 +85,13 @@ def _give_fifo(pid: int, priority: int) -> bool:
     return False
 
 
-def _give_slice(pid: int) -> bool:
+def _give_slice(pid: int, slice_ns: int = SLICE_NS, flags: int = 0) -> bool:
     number = _SCHED_SETATTR.get(platform.machine())
     release = tuple(int(part) for part in platform.release().split(".")[:2])
     if number is None or release < _SLICE_SINCE:
         return False
     attributes = _SCHED_ATTR.pack(
-        _SCHED_ATTR.size, os.SCHED_OTHER, 0, 0, 0, SLICE_NS, 0, 0
+        _SCHED_ATTR.size, os.SCHED_OTHER, flags, 0, 0, slice_ns, 0, 0
     )
     libc = ctypes.CDLL(None, use_errno=True)
     return int(libc.syscall(number, pid, attributes, 0)) == 0

@@ -44,11 +44,15 @@ class Feeder(threading.Thread, abc.ABC):
             self._forget()
             self._wake.notify_all()
 
-    def stop(self) -> None:
-        """End the thread and wait for it."""
+    def leave(self) -> None:
+        """End the thread as soon as what it decodes is done: a long seek, perhaps."""
         with self._wake:
             self._is_stopping = True
             self._wake.notify_all()
+
+    def stop(self) -> None:
+        """End the thread and wait for it."""
+        self.leave()
         if self.ident is not None:
             self.join()
 

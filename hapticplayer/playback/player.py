@@ -74,13 +74,12 @@ class Player:
         self._latencies, self.latency = Latencies(), Latency()
         self._farewells = Farewells()
         self._size_px = (0, 0)
-        self._first_sound_by_s = 0.0
+        self._first_sound_by_s = self._pictured_s = 0.0
         self._logged_audio_s = float("-inf")
         self._led_by = ClockSource.MONOTONIC
-        self._pictured_s = 0.0
         self._is_blind = False
-        self._damaged = 0
-        self._dropped_before = 0
+        self._leaving: list[VideoFeeder] = []  # told to end, and not waited for
+        self._damaged = self._dropped_before = 0
 
     # --- what a front end asks for ------------------------------------------
 
@@ -130,7 +129,9 @@ class Player:
         """Stop playing and forget the source."""
         self._sound.forget()
         if self._video_feeder is not None:
-            self._video_feeder.stop()
+            self._video_feeder.leave()
+            self._leaving = [f for f in self._leaving if f.is_alive()]
+            self._leaving.append(self._video_feeder)
             self._dropped_before += self._video_feeder.dropped
             self._video_feeder = None
         self.source, self.loop_s = None, None
@@ -183,17 +184,16 @@ class Player:
 
     def set_speed(self, speed: float) -> None:
         """Play faster or slower from here on; the sound keeps its pitch."""
-        self._media.speed, position_s = (
-            min(max(speed, SLOWEST), FASTEST),
-            self.media_s(),
-        )
+        position_s = self.media_s()
+        self._media.speed = min(max(speed, SLOWEST), FASTEST)
         self._event("speed", speed=self._media.speed)
         self.seek(position_s)
 
     def set_sink(self, sink: FrameSink) -> None:
-        """Present the pictures somewhere else, beginning with the present one."""
+        """Present the pictures somewhere else, at a standstill the present one too."""
         self._screen.sink = sink
-        self.seek(self.media_s())
+        if not self.is_playing:  # else the next picture comes soon enough
+            self.seek(self.media_s())
 
     def set_volume(self, share: float) -> None:
         """Set the loudness: 0 is silent, 1 as recorded; its cube is the amplitude."""
@@ -271,6 +271,8 @@ class Player:
         self._sound.close()
         self._link.close()
         self._farewells.wait()
+        for feeder in self._leaving:
+            feeder.stop()
         self._link.poll(self._log)
         if self._log is not None:
             self._log.close(self.summary())

@@ -14,6 +14,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from PySide6.QtWidgets import QApplication
+from shiboken6 import isValid
 
 from app.bridge.settings import Settings
 from app.player.application import make_application
@@ -107,7 +108,6 @@ def make_window(application, qtbot, settings) -> Iterator[MakeWindow]:
         clock = SystemClock()
         player = Player(clock, SurfaceSink(surface), device=device, audio=None, **more)
         window = PlayerWindow(player, surface, clock, settings)
-        qtbot.addWidget(window)
         made.append(window)
         window.show()
         qtbot.waitExposed(window)
@@ -115,8 +115,9 @@ def make_window(application, qtbot, settings) -> Iterator[MakeWindow]:
 
     before = set(threading.enumerate())
     yield make
-    for window in made:
+    for window in filter(isValid, made):  # another look's window may be in its place
         window.close()
+        window.deleteLater()
     left = [t.name for t in threading.enumerate() if t not in before and t.is_alive()]
     assert not left, f"threads were left behind: {left}"
 

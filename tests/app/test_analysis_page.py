@@ -40,7 +40,7 @@ def test_the_report_is_shown_with_its_figures_and_can_be_saved(
     assert not page.save_button.isEnabled()
     page.analyse_button.click()
     assert not page.analyse_button.isEnabled()
-    wait_for(lambda: not page.jobs.is_busy)
+    wait_for(lambda: not page.is_busy)
     shown = page.text.toPlainText()
     assert "6 participants" in shown
     assert "Kendall's W" in shown
@@ -48,7 +48,7 @@ def test_the_report_is_shown_with_its_figures_and_can_be_saved(
     page.resize(800, 600)
     wait_for(lambda: page.text.horizontalScrollBar().maximum() == 0)
     page.save(tmp_path / "report")
-    wait_for(lambda: not page.jobs.is_busy)
+    wait_for(lambda: not page.is_busy)
     assert (tmp_path / "report" / "report.pdf").stat().st_size > 10_000
     assert failures == []
 
@@ -61,7 +61,7 @@ def test_the_menu_of_the_window_opens_the_report_of_a_study(
     monkeypatch.setattr(window.study_menu, "_ask", lambda: tmp_path / "s")
     window.study_menu.analyse()
     (report,) = window.findChildren(AnalysisWindow)
-    wait_for(lambda: not report.page.jobs.is_busy)
+    wait_for(lambda: not report.page.is_busy)
     shown = report.page.text.toPlainText()
     assert "6 participants" in shown
     assert shown.count("\ufffc") == 2
@@ -91,7 +91,7 @@ def test_what_cannot_be_analysed_is_told(make_page, wait_for, failures):
 
     page = make_page(read)
     page.analyse_button.click()
-    wait_for(lambda: not page.jobs.is_busy)
+    wait_for(lambda: not page.is_busy)
     assert [str(one) for one in failures] == ["there is no participant"]
     assert page.analyse_button.isEnabled()
     assert not page.save_button.isEnabled()
@@ -108,6 +108,6 @@ def test_the_work_can_be_stopped(make_page, wait_for, failures):
     page.analyse_button.click()
     page.job_bar.cancelled.emit()
     may_go_on.set()
-    wait_for(lambda: not page.jobs.is_busy)
+    wait_for(lambda: not page.is_busy)
     assert page.text.toPlainText() == ""
     assert failures == []

@@ -6,14 +6,14 @@ import sys
 
 import pytest
 
-from app.bridge.child import NICENESS, in_child
+from app.bridge.child import in_child
 from hapticplayer.errors import Cancelled, HapticPlayerError, InputError
 from hapticplayer.sequence import files
 
 
 def told(words, *, progress, times=1):
     progress(0.5, "half")
-    return words * times, os.getpid(), os.nice(0)
+    return words * times, os.getpid(), os.sched_getscheduler(0)
 
 
 def refusing(*, progress):
@@ -33,12 +33,13 @@ def writing(target, *, progress):
 
 def test_the_result_comes_from_another_process_of_lower_priority():
     steps = []
-    words, pid, niceness = in_child(
+    words, pid, policy = in_child(
         told, "a", progress=lambda *step: steps.append(step), times=3
     )
     assert words == "aaa"
     assert pid != os.getpid()
-    assert niceness == min(os.nice(0) + NICENESS, 19)  # the lowest there is
+    assert policy == os.SCHED_IDLE
+    assert os.sched_getscheduler(0) != os.SCHED_IDLE
     assert (0.5, "half") in steps
 
 

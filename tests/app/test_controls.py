@@ -1,6 +1,7 @@
 """What a desktop player has beside playing, in the real window."""
 
 import json
+import threading
 
 import numpy as np
 import pytest
@@ -177,6 +178,20 @@ def test_the_chosen_output_is_asked_for_and_remembered(window, settings, monkeyp
     menu.fill()
     checked = [a.text() for a in menu._menu.actions() if a.isChecked()]
     assert checked == ["Headphones"]
+
+
+def test_outputs_are_looked_for_beside_the_window(window, monkeypatch, wait_for):
+    names, looked_in = ["Headphones", "Speakers"], []
+
+    def found(_work, *, progress) -> list[str]:
+        looked_in.append(threading.current_thread())
+        return names
+
+    monkeypatch.setattr("app.player.controls.in_child", found)
+    window.commands.menus["playback"].aboutToShow.emit()
+    menu = window.extras.menus.outputs._menu
+    wait_for(lambda: [action.data() for action in menu.actions()] == ["", *names])
+    assert threading.main_thread() not in looked_in
 
 
 def test_the_chosen_screen_is_remembered(window, settings):

@@ -7,6 +7,7 @@ from pathlib import Path
 from xml.etree import ElementTree as ET
 
 import pytest
+from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import (
     QAbstractButton,
     QAbstractSlider,
@@ -15,6 +16,7 @@ from PySide6.QtWidgets import (
     QLineEdit,
     QWidget,
 )
+from shiboken6 import isValid
 
 from app.bridge import languages
 from app.experimenter.import_wizard import ImportWizard
@@ -57,6 +59,7 @@ def test_another_language_keeps_clip_and_place(shown, wait_for):
     menu = shown.window.looks.languages
     menu.fill()
     next(a for a in menu._menu.actions() if a.data() == "de").trigger()
+    wait_for(lambda: not shown.is_remaking)
     assert shown.window is not before
     assert shown.window.player is player
     assert player.media_s() == pytest.approx(1.0)
@@ -78,6 +81,7 @@ def test_a_session_is_watched_by_the_window_that_takes_the_place(
     before.study_menu.process.start([])
     shown.window.settings.keep("look", theme.LIGHT)
     before.looks.changed.emit()
+    wait_for(lambda: not shown.is_remaking)
     after = shown.window
     monkeypatch.setattr(after.study_menu, "_report", told.append)
     assert after is not before
@@ -91,16 +95,75 @@ def test_a_session_is_watched_by_the_window_that_takes_the_place(
 def test_another_look_colours_everything(shown, look, wait_for):
     shown.window.settings.keep("look", look)
     shown.window.looks.changed.emit()
-    wait_for(shown.window.isVisible)
+    wait_for(lambda: not shown.is_remaking)
+    assert shown.window.isVisible()
     panel = shown.window.transport.grab().toImage().pixelColor(2, 30).name()
     assert panel == theme.LOOKS[look]["PANEL"]
 
 
-def test_english_again_after_german(shown):
+def test_english_again_after_german(shown, wait_for):
     for code, word in (("de", "Abspielen"), ("fr", "Lire"), ("en", "Play")):
         shown.window.settings.keep("language", code)
         shown.remake()
+        wait_for(lambda: not shown.is_remaking)
         assert shown.window.transport.play.accessibleName() == word
+
+
+def test_the_clip_plays_on_into_the_new_window(shown, wait_for):
+    """No seek, no pause: one epoch of the clock from the old window to the new."""
+    player, before = shown.window.player, shown.window
+    player.play()
+    wait_for(lambda: player.phase is Phase.PLAYING)
+    epoch, begun_s = player._media.epoch, player.media_s()
+    shown.window.settings.keep("look", theme.LIGHT)
+    shown.remake()
+    wait_for(lambda: not shown.is_remaking)
+    after = shown.window
+    assert after.surface.image is not None  # what the old one showed, at once
+    assert after.stage.currentWidget() is after.surface
+    assert player.phase is Phase.PLAYING
+    assert player._media.epoch == epoch
+    assert player.media_s() > begun_s
+    wait_for(lambda: not isValid(before))  # with all of its widgets
+
+
+def test_no_step_makes_the_whole_window(shown, wait_for):
+    """The old window has its turn in between: its timers fire again and again."""
+    turns = []
+    timer = QTimer(interval=1, timeout=lambda: turns.append(shown.window))
+    timer.start()
+    before = shown.window
+    shown.window.settings.keep("language", "fr")
+    shown.remake()
+    wait_for(lambda: not shown.is_remaking)
+    timer.stop()
+    assert turns.count(before) >= 8
+
+
+def test_what_was_opened_meanwhile_is_in_the_new_window(shown, clip, wait_for):
+    shown.remake()
+    shown.window.session.open_path(clip)
+    wait_for(lambda: not shown.is_remaking)
+    wait_for(lambda: shown.window.player.source.path == clip)
+    assert clip.stem in shown.window.windowTitle()
+
+
+def test_the_last_of_two_wishes_counts(shown, wait_for):
+    for code in ("de", "fr"):
+        shown.window.settings.keep("language", code)
+        shown.remake()
+    wait_for(lambda: not shown.is_remaking)
+    assert shown.window.transport.play.accessibleName() == "Lire"
+
+
+def test_closing_ends_what_is_being_made(shown, qapp):
+    shown.window.settings.keep("look", theme.LIGHT)
+    shown.remake()
+    while shown._next is None:
+        qapp.processEvents()
+    shown.end()
+    assert shown._next is None
+    assert not shown.is_remaking
 
 
 def controls_without_a_name(window: QWidget) -> list[str]:
