@@ -7,13 +7,9 @@ from PySide6.QtCore import QCoreApplication, QObject, Signal
 from PySide6.QtWidgets import QFileDialog, QInputDialog, QMainWindow
 
 from app.bridge.settings import Settings
-from app.experimenter.study_editor import StudyEditor
 from app.experimenter.study_process import StudyProcess
 from hapticplayer.clock import Clock
 from hapticplayer.errors import HapticPlayerError, StudyError
-from hapticplayer.study.creation import create_study, template_names
-from hapticplayer.study.session_setup import load_material
-from hapticplayer.study.study_folder import open_study
 
 translate = QCoreApplication.translate
 
@@ -61,6 +57,8 @@ class StudyMenu(QObject):
 
     def new(self) -> None:
         """Ask for a name and a template, and open the editor."""
+        from hapticplayer.study.creation import create_study, template_names
+
         title = translate("StudyMenu", "New study")
         before = self._settings.text(FOLDER)
         path, _ = QFileDialog.getSaveFileName(self._window, title, before)
@@ -86,6 +84,9 @@ class StudyMenu(QObject):
             self._try(lambda: self._open_editor(folder))
 
     def _open_editor(self, folder: Path) -> None:
+        from app.experimenter.study_editor import StudyEditor
+        from hapticplayer.study.study_folder import open_study
+
         StudyEditor(open_study(folder), self._window).open()
 
     def run(self) -> None:
@@ -95,6 +96,9 @@ class StudyMenu(QObject):
             self._try(lambda: self._start(folder))
 
     def _start(self, folder: Path) -> None:
+        from hapticplayer.study.session_setup import load_material
+        from hapticplayer.study.study_folder import open_study
+
         load_material(open_study(folder))  # what is missing is told here
         device = self._release()
         try:
@@ -117,6 +121,7 @@ class StudyMenu(QObject):
     def _open_report(self, folder: Path) -> None:
         # loads scipy and its kin: half of the time that the window takes to start
         from app.experimenter.analysis_window import AnalysisWindow
+        from hapticplayer.study.study_folder import open_study
 
         AnalysisWindow(open_study(folder), self._clock, self._window).begin()
 
