@@ -188,30 +188,39 @@ class Usage:
 
     Attributes:
         peak_mb: the most that the tree had of its own at once (PSS).
+        parts_mb: of the processes at that time, by their command.
     """
 
     def __init__(self, pid: int) -> None:
         self._pid = pid
         self.by_pid: dict[int, tuple[str, float]] = {}
         self.peak_mb = 0.0
+        self.parts_mb: dict[str, float] = {}
 
     def sample(self) -> None:
         """Read what the tree has used so far."""
-        total_kb = 0
+        parts_mb: dict[str, float] = {}
         for pid in self._tree(self._pid):
             with contextlib.suppress(OSError):
                 text = Path(f"/proc/{pid}/stat").read_text()
                 fields = text.rsplit(")", 1)[1].split()
                 seconds = (int(fields[11]) + int(fields[12])) / _TICKS_PER_S
                 command = Path(f"/proc/{pid}/cmdline").read_bytes()
-                self.by_pid[pid] = (command.replace(b"\0", b" ").decode(), seconds)
+                name = command.replace(b"\0", b" ").decode()
+                self.by_pid[pid] = (name, seconds)
                 rollup = Path(f"/proc/{pid}/smaps_rollup").read_text()
-                total_kb += int(rollup.split("Pss:")[1].split()[0])
-        self.peak_mb = max(self.peak_mb, total_kb / 1024.0)
+                part_mb = int(rollup.split("Pss:")[1].split()[0]) / 1024.0
+                parts_mb[name] = parts_mb.get(name, 0.0) + part_mb
+        if sum(parts_mb.values()) > self.peak_mb:
+            self.peak_mb, self.parts_mb = sum(parts_mb.values()), parts_mb
 
     def of(self, part: str) -> float:
         """Return the seconds of the processes whose command holds `part`."""
         return sum(s for command, s in self.by_pid.values() if part in command)
+
+    def memory_of(self, part: str) -> float:
+        """Return the MB of these processes when the tree had the most."""
+        return sum(mb for command, mb in self.parts_mb.items() if part in command)
 
     def _tree(self, pid: int) -> list[int]:
         found = [pid]
@@ -257,6 +266,11 @@ def run_measured(
 def player_command(*arguments: str) -> list[str]:
     """Return the command of the player in this checkout."""
     return [sys.executable, "-m", "app", *arguments]
+
+
+def as_installed(folder: str) -> dict[str, str]:
+    """Return the environment in which modules are compiled once, as an installer does."""
+    return {"PYTHONDONTWRITEBYTECODE": "", "PYTHONPYCACHEPREFIX": folder}
 
 
 def save(name: str, figures: dict[str, Any]) -> Path:
