@@ -80,7 +80,7 @@ class Dialogs(QObject):
         """Load in a thread what the dialogs need: one is about to be chosen."""
         if not self._is_prepared:
             self._is_prepared = True
-            threading.Thread(target=_load, name="dialogs", daemon=True).start()
+            threading.Thread(target=_load, name="dialogs").start()
 
     def open_sequence(self) -> None:
         """Choose the folder of a sequence."""
