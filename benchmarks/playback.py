@@ -6,10 +6,16 @@ Same window size (the whole screen under Xvfb), same null sink; from start to ex
 loop, its guard and the simulated device are measured apart; once more with the live
 plots on, in a window. Dropped pictures are our own count. `720p30` has 20 Mbit/s of
 grain, where decoding is nearly all there is; the others scroll at usual bit rates.
+From start to the first picture: until a pixel of the X server's memory has its colour.
+
+    python benchmarks/playback.py --memory 20
+
+plays looped for so many minutes, us and mpv, and tells how the memory grows.
 """
 
 import argparse
 import json
+import os
 import statistics
 import sys
 import tempfile
@@ -18,6 +24,7 @@ from typing import Any
 
 import numpy as np
 from common import (
+    as_installed,
     moving_clip,
     need,
     player_command,
@@ -28,6 +35,7 @@ from common import (
     sound_server,
     table,
 )
+from playback_watch import first_picture_s, green_clip, memory_slope
 
 CLIPS = {
     "720p30": ("1280x720", 30),
@@ -35,6 +43,15 @@ CLIPS = {
     "1080p60": ("1920x1080", 60),
 }
 DEVICE = "hapticplayer.devices"
+PARTS = {
+    "window": "-m app",
+    "sound": "sound_device",
+    "loop": "hapticplayer.haptics ",
+    "guard": "haptics.guard",
+    "device": DEVICE,
+}
+STARTS = 5
+LOOPED_S = 10.0
 MPV = ["mpv", "--no-config", "--vo=x11", "--ao=pulse", "--fs", "--osc=no"]
 MPV += ["--no-terminal"]
 FFPLAY = ["ffplay", "-loglevel", "error", "-autoexit", "-fs"]
@@ -69,6 +86,7 @@ def ours(
         "haptics_percent": 100.0 * haptics_s / played_s,
         "device_percent": 100.0 * device_s / played_s,
         "peak_mb": usage.peak_mb,
+        **{f"{name}_mb": usage.memory_of(part) for name, part in PARTS.items()},
         "shown": summary["frames"]["shown"],
         "dropped": summary["frames"]["dropped"],
         "clock_is_audio": float(summary["clock"] == "audio"),
@@ -87,7 +105,44 @@ def start_up(environment: dict[str, str]) -> float:
         clip = scrolling_clip(Path(folder), 1.0, "640x360", 30)
         command = player_command("play", str(clip), "--close-at-end", "--fullscreen")
         command += ["--device", "none", "--no-plots"]
+        run_measured(command, environment, 60.0)  # compiles, where nothing has yet
         return run_measured(command, environment, 60.0)[1]
+
+
+def first_picture(environment: dict[str, str], folder: Path) -> dict[str, list[float]]:
+    """Return the seconds from start to first picture of some starts of each player."""
+    clip, framebuffer = str(green_clip(folder, "1280x720")), folder / "Xvfb_screen0"
+    commands = {
+        "hapticplayer": player_command("play", clip, "--fullscreen", "--no-plots"),
+        "mpv --vo=x11": [*MPV, clip],
+    }
+    return {
+        name: [
+            first_picture_s(command, environment, framebuffer) for _ in range(STARTS)
+        ]
+        for name, command in commands.items()
+    }
+
+
+def memory(minutes: float) -> int:
+    """Play looped, and print how the memory of both players grows."""
+    figures: dict[str, Any] = {"minutes": minutes}
+    with tempfile.TemporaryDirectory() as kept, screen() as x, sound_server() as s:
+        folder = Path(kept)
+        clip = scrolling_clip(folder, LOOPED_S, "1280x720", 30)
+        force = force_file(folder, LOOPED_S)
+        environment = {**x, **s, "XDG_CONFIG_HOME": kept, **as_installed(kept)}
+        looped = str(Path(__file__).with_name("playback_watch.py"))
+        ours_looped = [sys.executable, looped, "play", str(clip), "--force", str(force)]
+        for name, command in {
+            "hapticplayer": ours_looped,
+            "mpv --vo=x11": [*MPV, "--loop-file=inf", str(clip)],
+        }.items():
+            slope, samples = memory_slope(command, environment, minutes)
+            figures[name] = {**slope._asdict(), "samples": samples}
+            print(f"{name}: {slope}")
+    print(f"saved {save('playback_memory', figures).name}")
+    return 0
 
 
 def measure(name: str, options: argparse.Namespace) -> dict[str, Any]:
@@ -97,7 +152,7 @@ def measure(name: str, options: argparse.Namespace) -> dict[str, Any]:
     rounds: list[dict[str, dict[str, float]]] = []
     with (
         tempfile.TemporaryDirectory() as kept,
-        screen(size=(width, height)) as x,
+        screen(Path(kept), size=(width, height)) as x,
         sound_server() as s,
     ):
         folder = Path(kept)
@@ -108,8 +163,9 @@ def measure(name: str, options: argparse.Namespace) -> dict[str, Any]:
             else scrolling_clip(folder, options.seconds, size, rate_hz)
         )
         force = force_file(folder, options.seconds)
-        environment = {**x, **s, "XDG_CONFIG_HOME": kept}
+        environment = {**x, **s, "XDG_CONFIG_HOME": kept, **as_installed(kept)}
         start_s = start_up(environment)
+        first_s = first_picture(environment, folder)
         for number in range(options.rounds):
             found = {
                 "hapticplayer": ours(clip, force, environment, plots=False),
@@ -120,7 +176,13 @@ def measure(name: str, options: argparse.Namespace) -> dict[str, Any]:
                 found["with plots"] = ours(clip, force, environment, plots=True)
             rounds.append(found)
             print(f"{name}: round {number + 1} done", file=sys.stderr)
-    return {"seconds": options.seconds, "start_and_end_s": start_s, "rounds": rounds}
+    return {
+        "seconds": options.seconds,
+        "load": os.getloadavg()[1],
+        "start_and_end_s": start_s,
+        "first_picture_s": first_s,
+        "rounds": rounds,
+    }
 
 
 def report(name: str, figures: dict[str, Any]) -> None:
@@ -144,7 +206,12 @@ def report(name: str, figures: dict[str, Any]) -> None:
     header = ["", "tree CPU s", "player CPU s", "of it sound", "haptics %", "device %"]
     print(f"\n{name}, {figures['seconds']:.0f} s, {len(rounds)} rounds:")
     print(table([*header, "peak PSS MB", "dropped", "player / mpv"], rows))
+    parts = ", ".join(f"{p} {median('hapticplayer', f'{p}_mb'):.0f}" for p in PARTS)
+    print(f"peak PSS MB by process: {parts}")
     print(f"of which start and end of the program: {figures['start_and_end_s']:.2f} s")
+    first_s = {p: statistics.median(s) for p, s in figures["first_picture_s"].items()}
+    told = ", ".join(f"{player} {seconds:.2f}" for player, seconds in first_s.items())
+    print(f"start to first picture, s: {told}; load {figures['load']:.1f}")
     figures["player_to_mpv"] = {p: ratio(p, "player_s") for p in rounds[0]}
     figures["memory_to_mpv"] = ratio("hapticplayer", "peak_mb")
 
@@ -155,9 +222,12 @@ def main() -> int:
     parser.add_argument("--clip", nargs="+", default=["720p30"], choices=[*CLIPS])
     parser.add_argument("--rounds", type=int, default=3)
     parser.add_argument("--seconds", type=float, default=30.0)
+    parser.add_argument("--memory", type=float, nargs="?", const=20.0, metavar="MIN")
     parser.add_argument("--quick", action="store_true", help="us and mpv only")
     options = parser.parse_args()
     need("Xvfb", "mpv", "ffmpeg", "pulseaudio", "pactl")
+    if options.memory is not None:
+        return memory(options.memory)
     figures = {}
     for name in options.clip:
         figures[name] = measure(name, options)

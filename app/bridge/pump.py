@@ -7,8 +7,8 @@ from PySide6.QtCore import QObject, Qt, QTimer
 
 from hapticplayer.clock import Clock
 
-LONGEST_MS = 25
-"""The heartbeat of the haptics process: it ramps after 150 ms of silence."""
+LONGEST_MS = 34
+"""As the player's own `POLL_S`, and the heartbeat of the haptics process: it ramps after 150 ms of silence."""
 TIMER_LATE_MS = 0.5
 """Qt counts whole milliseconds and wakes 0.3 to 0.6 ms late."""
 NAP_S = 0.0015
@@ -82,7 +82,7 @@ class Pump(QObject):
 
 
 def delay_ms(remaining_s: float) -> int:
-    """Return the timer's interval: a little early, at least 1, at most 25 ms."""
+    """Return the timer's interval: a little early, at least 1 ms."""
     if math.isnan(remaining_s):
         return LONGEST_MS
     early_ms = 1e3 * remaining_s - TIMER_LATE_MS

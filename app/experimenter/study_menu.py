@@ -7,14 +7,9 @@ from PySide6.QtCore import QCoreApplication, QObject, Signal
 from PySide6.QtWidgets import QFileDialog, QInputDialog, QMainWindow
 
 from app.bridge.settings import Settings
-from app.experimenter.analysis_window import AnalysisWindow
-from app.experimenter.study_editor import StudyEditor
 from app.experimenter.study_process import StudyProcess
 from hapticplayer.clock import Clock
 from hapticplayer.errors import HapticPlayerError, StudyError
-from hapticplayer.study.creation import create_study, template_names
-from hapticplayer.study.session_setup import load_material
-from hapticplayer.study.study_folder import open_study
 
 translate = QCoreApplication.translate
 
@@ -62,6 +57,8 @@ class StudyMenu(QObject):
 
     def new(self) -> None:
         """Ask for a name and a template, and open the editor."""
+        from hapticplayer.study.creation import create_study, template_names
+
         title = translate("StudyMenu", "New study")
         before = self._settings.text(FOLDER)
         path, _ = QFileDialog.getSaveFileName(self._window, title, before)
@@ -87,6 +84,9 @@ class StudyMenu(QObject):
             self._try(lambda: self._open_editor(folder))
 
     def _open_editor(self, folder: Path) -> None:
+        from app.experimenter.study_editor import StudyEditor
+        from hapticplayer.study.study_folder import open_study
+
         editor = StudyEditor(open_study(folder), self._window)
         editor.finished.connect(editor.deleteLater)
         editor.open()
@@ -98,6 +98,9 @@ class StudyMenu(QObject):
             self._try(lambda: self._start(folder))
 
     def _start(self, folder: Path) -> None:
+        from hapticplayer.study.session_setup import load_material
+        from hapticplayer.study.study_folder import open_study
+
         load_material(open_study(folder))  # what is missing is told here
         device = self._release()
         try:
@@ -118,6 +121,10 @@ class StudyMenu(QObject):
             self._try(lambda: self._open_report(folder))
 
     def _open_report(self, folder: Path) -> None:
+        # loads scipy and its kin: half of the time that the window takes to start
+        from app.experimenter.analysis_window import AnalysisWindow
+        from hapticplayer.study.study_folder import open_study
+
         AnalysisWindow(open_study(folder), self._clock, self._window).begin()
 
     def take_over(self, other: "StudyMenu") -> None:

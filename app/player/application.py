@@ -5,7 +5,7 @@ import json
 import sys
 from functools import partial
 
-from PySide6.QtCore import QTimer
+from PySide6.QtCore import QEventLoop, QTimer
 from PySide6.QtWidgets import QApplication
 
 from app.bridge.interrupts import closing_on_signals
@@ -26,7 +26,9 @@ from hapticplayer.console import (
     wanted_speed,
 )
 from hapticplayer.devices import DEVICES
+from hapticplayer.haptics.process import Health
 from hapticplayer.haptics.scheduling import hasten_window
+from hapticplayer.playback.farewell import is_hardware
 from hapticplayer.playback.haptic_link import NO_DEVICE
 from hapticplayer.playback.player import Player
 from hapticplayer.playback.sound_process import SoundProcess
@@ -70,13 +72,16 @@ def run(options: argparse.Namespace) -> int:
     try:
         # only now: the haptics process wants to hear from us within a second
         player.set_device(device, record)
+        if source and is_hardware(device):
+            player.link.wait_ready()  # it may not be there: nothing is shown then
+        _show(window, options, source, feedback)
         if source and feedback:
-            player.link.wait_ready()
+            _wait_ready(application, player)
             attach_log(player, options.log, source, feedback)
     except BaseException:
         window.close()
         raise
-    _begin(window, options, source, feedback)
+    _begin(window, options, source)
     if speed != 1.0:
         window.extras.controls.set_speed(speed)
     player.end_s = min(player.end_s, end_s) if source else player.end_s
@@ -96,24 +101,42 @@ def make_application(settings: Settings | None = None) -> QApplication:
     return application
 
 
-def _begin(
+def _show(
     window: PlayerWindow,
     options: argparse.Namespace,
     source: Source | None,
     feedback: str | None,
 ) -> None:
-    """Show the window, and play what was asked for."""
-    player = window.player
+    """Show the window, and in it the first picture of what was asked for."""
     if options.fullscreen and source:
         window.enter_fullscreen()
     else:
         window.show()
     window.activateWindow()
-    player.poll()  # showing took a while
+    window.player.poll()  # showing took a while
+    if source is not None:
+        window.session.show_source(source, feedback)
+
+
+def _wait_ready(application: QApplication, player: Player) -> None:
+    """Wait for the device; the window is painted, what a person does comes after it."""
+    flags = QEventLoop.ProcessEventsFlag
+    while player.link.health is Health.STARTING:  # the pump beats, and looks
+        application.processEvents(
+            flags.WaitForMoreEvents | flags.ExcludeUserInputEvents
+        )
+    player.link.wait_ready()
+
+
+def _begin(
+    window: PlayerWindow, options: argparse.Namespace, source: Source | None
+) -> None:
+    """Play what was asked for."""
+    player = window.player
     if source is None:
+        window.dialogs.prepare()  # somebody looks around
         window.session.open_demo()
         return
-    window.session.show_source(source, feedback)
     if options.start > 0.0:
         player.seek(options.start)
     player.play()

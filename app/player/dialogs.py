@@ -1,31 +1,26 @@
 """The dialogs that the window opens; none of them stops the event loop."""
 
+import importlib
+import threading
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QDialog, QFileDialog, QWidget
 
 from app.bridge.places import choose_library, library_folder
 from app.bridge.settings import Settings
-from app.experimenter.import_wizard import ImportWizard
-from app.experimenter.library_page import LibraryPage
 from app.player.controls import OUTPUT
-from app.player.device_page import DevicePage
-from app.player.fault_panel import FaultPanel
 from app.player.files import (
     file_dialog,
     folder_dialog,
     settings_filter,
     video_filter,
 )
-from app.player.help import about_dialog
-from app.player.keys_dialog import KeysDialog
-from app.player.latency_page import LatencyPage
 from app.player.plugged import Plugged
 from app.player.session import Session
-from app.player.setup_page import SetupPage
 from app.player.video_surface import SurfaceSink
 from hapticplayer.clock import Clock
 from hapticplayer.errors import HapticPlayerError
@@ -33,7 +28,25 @@ from hapticplayer.playback.haptic_link import NO_DEVICE
 from hapticplayer.playback.player import Player
 from hapticplayer.playback.sound_process import SoundProcess
 
+if TYPE_CHECKING:
+    from app.experimenter.import_wizard import ImportWizard
+    from app.experimenter.library_page import LibraryPage
+
 _FOLDER = "folder"
+_LATER = (
+    "app.experimenter.import_wizard",
+    "app.experimenter.library_page",
+    "app.experimenter.study_editor",
+    "app.player.device_page",
+    "app.player.fault_panel",
+    "app.player.help",
+    "app.player.keys_dialog",
+    "app.player.latency_page",
+    "app.player.setup_page",
+    "hapticplayer.study.creation",
+    "hapticplayer.study.session_setup",
+)
+"""What playing does not need: a fifth of the time that the program takes to start."""
 
 
 class Dialogs(QObject):
@@ -61,6 +74,13 @@ class Dialogs(QObject):
         self._session = session
         self._settings = settings
         self.plugged = Plugged(parent=self)
+        self._is_prepared = False
+
+    def prepare(self) -> None:
+        """Load in a thread what the dialogs need: one is about to be chosen."""
+        if not self._is_prepared:
+            self._is_prepared = True
+            threading.Thread(target=_load, name="dialogs").start()
 
     def open_sequence(self) -> None:
         """Choose the folder of a sequence."""
@@ -86,6 +106,8 @@ class Dialogs(QObject):
 
     def import_recording(self, paths: list[Path] | bool = False) -> None:
         """Lead through an import, of files that were dropped perhaps."""
+        from app.experimenter.import_wizard import ImportWizard
+
         library = library_folder(self._settings)
         wizard = ImportWizard(self._folder(), library, self._window)
         wizard.play_wanted.connect(self._session.open_path)
@@ -96,6 +118,8 @@ class Dialogs(QObject):
 
     def library(self) -> None:
         """Show the sequences that there are."""
+        from app.experimenter.library_page import LibraryPage
+
         page = LibraryPage(library_folder(self._settings), self._window)
         page.open_wanted.connect(self._session.open_path)
         page.import_wanted.connect(self.import_recording)
@@ -108,13 +132,15 @@ class Dialogs(QObject):
             dialog.close_jobs()
         self._working.clear()
 
-    def _open_working(self, dialog: ImportWizard | LibraryPage) -> None:
+    def _open_working(self, dialog: "ImportWizard | LibraryPage") -> None:
         self._working.append(dialog)
         dialog.finished.connect(lambda _result: self._forget(dialog))
         dialog.open()
 
     def set_up(self, clock: Clock) -> None:
         """Choose a device, and bring it to where it can be used."""
+        from app.player.setup_page import SetupPage
+
         before = self._session.player.link.device
         self._release()
         page = SetupPage(clock, before, self.plugged, self._window)
@@ -130,7 +156,7 @@ class Dialogs(QObject):
         page.finished.connect(go_on)
         page.open()
 
-    def _forget(self, dialog: ImportWizard | LibraryPage) -> None:
+    def _forget(self, dialog: "ImportWizard | LibraryPage") -> None:
         if dialog in self._working:
             self._working.remove(dialog)
         dialog.deleteLater()
@@ -146,6 +172,8 @@ class Dialogs(QObject):
             problem = self.tr("Choose a device first, then get to know its forces")
             self._session.gateway.report(HapticPlayerError(problem))
             return
+        from app.player.device_page import DevicePage
+
         self._release()
         dialog = DevicePage(clock, device, self._window)
         dialog.finished.connect(lambda _: self._session.choose_device(device))
@@ -155,12 +183,16 @@ class Dialogs(QObject):
 
     def faults(self, clock: Clock) -> None:
         """Show the panel that makes faults happen to the simulated device."""
+        from app.player.fault_panel import FaultPanel
+
         shown = self._window.findChild(FaultPanel)
         panel = shown or FaultPanel(clock, self._session, self._window)
         panel.show()
 
     def latencies(self, clock: Clock) -> None:
         """Measure how late picture, sound and force reach the person."""
+        from app.player.latency_page import LatencyPage
+
         device = self._session.player.link.device
         self._release()
         page = LatencyPage(
@@ -187,6 +219,8 @@ class Dialogs(QObject):
 
     def shortcuts(self) -> None:
         """Show the keys of the window, and let people choose others."""
+        from app.player.keys_dialog import KeysDialog
+
         dialog = KeysDialog(self._settings, self._window)
         dialog.changed.connect(self.keys_changed)
         dialog.open()
@@ -210,6 +244,8 @@ class Dialogs(QObject):
 
     def about(self) -> None:
         """Say what this program is."""
+        from app.player.help import about_dialog
+
         self.show(about_dialog)
 
     def _open(self, path: str) -> None:
@@ -233,3 +269,8 @@ class Dialogs(QObject):
 
     def _folder(self) -> str:
         return self._settings.text(_FOLDER, str(Path.home()))
+
+
+def _load() -> None:
+    for name in _LATER:
+        importlib.import_module(name)

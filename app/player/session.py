@@ -18,8 +18,6 @@ from hapticplayer.playback.player import Player
 from hapticplayer.playback.replay import with_log
 from hapticplayer.playback.snapshot import Phase
 from hapticplayer.playback.source import Source, open_source
-from hapticplayer.sequence.demo import demo_folder
-from hapticplayer.sequence.excursion import stored_texts
 
 SKIP_S = 5.0
 _DEAD = (Health.FAILED, Health.GONE)
@@ -70,6 +68,7 @@ class Session(QObject):
 
     def open_demo(self) -> None:
         """Open the built-in demo; it is made on first use."""
+        from hapticplayer.sequence.demo import demo_folder
 
         def work(progress: Progress) -> Source:
             return open_source(in_child(demo_folder, progress=progress))
@@ -98,6 +97,10 @@ class Session(QObject):
         self.opening.emit(source)
         self.player.open(source, feedback)
         self.opened.emit()
+        if not source.path.is_dir():
+            return
+        from hapticplayer.sequence.excursion import stored_texts
+
         for text in stored_texts(source.path, self.player.feedback):
             self.gateway.report(HapticPlayerError(text))
 

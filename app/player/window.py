@@ -191,6 +191,8 @@ class PlayerWindow(QMainWindow):
             (commands.import_settings, self.dialogs.import_settings),
         ):
             action.triggered.connect(slot)
+        for menu in commands.menus.values():
+            menu.aboutToShow.connect(self.dialogs.prepare)
         self.dialogs.keys_changed.connect(commands.apply_keys)
         self.dialogs.settings_taken.connect(self._on_settings_taken)
         self.dialogs.device_wanted.connect(self._on_device_chosen)

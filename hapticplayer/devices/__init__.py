@@ -1,13 +1,15 @@
-"""Haptic devices behind one protocol: open, exchange at 1 kHz, close."""
+"""Haptic devices behind one protocol: open, exchange at 1 kHz, close.
+
+A driver is loaded by the process that makes the device, and by no other.
+"""
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import partial
 from typing import Protocol
 
-from hapticplayer.devices.falcon import driver
-from hapticplayer.devices.falcon import silence as falcon_silence
-from hapticplayer.devices.gamepad import driver as gamepad
+from hapticplayer.devices.falcon.capabilities import CAPABILITIES as _FALCON
+from hapticplayer.devices.gamepad.capabilities import CAPABILITIES as _GAMEPAD
 from hapticplayer.devices.simulated import FALCON, RemoteFalcon, silence
 from hapticplayer.errors import DeviceError
 from hapticplayer.model.device import DeviceCapabilities, DeviceReading, Vector
@@ -71,6 +73,30 @@ class DeviceEntry:
     patience_s: float = 10.0
 
 
+def _falcon(descriptor: int, serial: str = "") -> HapticDevice:
+    from hapticplayer.devices.falcon import driver
+
+    return driver.make(descriptor, serial)
+
+
+def _silence_falcon(descriptor: int) -> Callable[[], bool]:
+    from hapticplayer.devices.falcon.silence import silence
+
+    return silence(descriptor)
+
+
+def _gamepad(descriptor: int) -> HapticDevice:
+    from hapticplayer.devices.gamepad import driver
+
+    return driver.make(descriptor)
+
+
+def _silence_gamepad(descriptor: int) -> Callable[[], bool]:
+    from hapticplayer.devices.gamepad import driver
+
+    return driver.silence(descriptor)
+
+
 def _falcon_simulated(descriptor: int) -> HapticDevice:
     from hapticplayer.devices.falcon.simulated_usb import remote
 
@@ -95,16 +121,16 @@ _ENTRIES = (
     DeviceEntry(
         "falcon",
         "Novint Falcon on USB",
-        driver.CAPABILITIES,
-        driver.make,
-        falcon_silence.silence,
+        _FALCON,
+        _falcon,
+        _silence_falcon,
         has_serials=True,
         patience_s=45.0,  # ten uploads, should the first nine fail
     ),
     DeviceEntry(
         "falcon-simulated",
         "the Falcon's own driver on simulated USB, for developers",
-        driver.CAPABILITIES,
+        _FALCON,
         _falcon_simulated,
         _silence_simulated,
         server="hapticplayer.devices.falcon.simulated_usb",
@@ -114,9 +140,9 @@ _ENTRIES = (
     DeviceEntry(
         "gamepad",
         "DualSense or DualShock 4 on USB: vibration only",
-        gamepad.CAPABILITIES,
-        gamepad.make,
-        gamepad.silence,
+        _GAMEPAD,
+        _gamepad,
+        _silence_gamepad,
     ),
 )
 DEVICES: dict[str, DeviceEntry] = {entry.name: entry for entry in _ENTRIES}

@@ -8,13 +8,12 @@ import sys
 from hapticplayer.clock import SystemClock
 from hapticplayer.devices import find_device
 from hapticplayer.errors import DeviceError
+from hapticplayer.haptics.block import LoopBlock
 from hapticplayer.haptics.centring import centring_of
-from hapticplayer.haptics.faulty_loop import FaultyLoop
 from hapticplayer.haptics.limiter import limits_of
 from hapticplayer.haptics.loop import Loop
 from hapticplayer.haptics.messages import Line, Word
 from hapticplayer.haptics.scheduling import Scheduling, acquire
-from hapticplayer.haptics.shared import SharedBlock
 from hapticplayer.haptics.wakefulness import Wakefulness
 
 
@@ -46,9 +45,9 @@ def main(argv: list[str] | None = None) -> int:
     try:
         wanted = Scheduling(options.scheduling) if options.scheduling else None
         limits = limits_of(device.capabilities)
-        loop = (FaultyLoop if options.faults else Loop)(
+        loop = _kind(options)(
             SystemClock(),
-            SharedBlock(options.block),
+            LoopBlock(options.block),
             line,
             device,
             limits,
@@ -61,6 +60,14 @@ def main(argv: list[str] | None = None) -> int:
     finally:
         device.close()
     return 0
+
+
+def _kind(options: argparse.Namespace) -> type[Loop]:
+    if not options.faults:
+        return Loop
+    from hapticplayer.haptics.faulty_loop import FaultyLoop
+
+    return FaultyLoop
 
 
 if __name__ == "__main__":

@@ -15,10 +15,10 @@ from collections.abc import Callable
 from hapticplayer.clock import Clock, SystemClock
 from hapticplayer.devices import find_device
 from hapticplayer.errors import DeviceError
+from hapticplayer.haptics.block import LoopBlock
 from hapticplayer.haptics.contract import GAP_RAMP_S
 from hapticplayer.haptics.limiter import PERIOD_S
 from hapticplayer.haptics.scheduling import GUARD_PRIORITY, acquire
-from hapticplayer.haptics.shared import SharedBlock
 
 LOOK_PERIOD_S = 0.004
 SUSPECT_AGE_S = 0.0015
@@ -73,7 +73,7 @@ class Guard:
     """
 
     def __init__(
-        self, clock: Clock, block: SharedBlock, silence: Callable[[], bool]
+        self, clock: Clock, block: LoopBlock, silence: Callable[[], bool]
     ) -> None:
         self._clock, self._block, self._silence = clock, block, silence
 
@@ -133,7 +133,7 @@ def main(argv: list[str] | None = None) -> int:
         return 1  # the loop meets the same trouble, and tells
     acquire(priority=GUARD_PRIORITY)
     loop = LoopProcess(options.loop_pidfd)
-    Guard(SystemClock(), SharedBlock(options.block), silence).run(loop)
+    Guard(SystemClock(), LoopBlock(options.block), silence).run(loop)
     return 0
 
 

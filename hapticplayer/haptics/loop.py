@@ -7,11 +7,11 @@ from dataclasses import dataclass, field
 from hapticplayer.clock import Clock
 from hapticplayer.devices import HapticDevice
 from hapticplayer.errors import DeviceError
+from hapticplayer.haptics.block import LoopBlock
 from hapticplayer.haptics.centring import Centring
 from hapticplayer.haptics.contract import Cause, Mode, Request, State, Supervision
 from hapticplayer.haptics.limiter import PERIOD_S, ZERO, Limits
 from hapticplayer.haptics.messages import Line, Word, close_descriptor
-from hapticplayer.haptics.shared import SharedBlock
 from hapticplayer.haptics.step import step
 from hapticplayer.haptics.track import LoadedTrack, map_track
 from hapticplayer.haptics.wakefulness import Wakefulness
@@ -48,7 +48,7 @@ class Loop:
     """
 
     clock: Clock
-    block: SharedBlock
+    block: LoopBlock
     line: Line
     device: HapticDevice
     limits: Limits = field(default_factory=Limits)

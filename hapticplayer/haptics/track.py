@@ -5,12 +5,14 @@ import mmap
 import os
 import struct
 from bisect import bisect_right
+from typing import TYPE_CHECKING
 
-import numpy as np
-
+from hapticplayer.haptics.finite import are_finite
 from hapticplayer.haptics.limiter import ZERO
-from hapticplayer.model import ForceTrack, Reconstruction
 from hapticplayer.model.device import Vector
+
+if TYPE_CHECKING:  # the loop, which loads this, has no numpy
+    from hapticplayer.model import ForceTrack
 
 _HEADER = struct.Struct("<QQQ")  # rows, spans, 1 when the track is HOLD
 MAX_ROWS = 50_000_000  # fourteen hours at 1 kHz
@@ -37,6 +39,11 @@ class LoadedTrack:
         self._last = rows - 1
         self.end_s = math.inf if is_hold else self._time_s[self._last]
 
+    @property
+    def is_finite(self) -> bool:
+        """Whether all of its numbers are."""
+        return are_finite(self._time_s) and are_finite(self._force_n)
+
     def force_at(self, media_s: float) -> Vector:
         """Return the planned force, N, frame D.
 
@@ -59,16 +66,18 @@ class LoadedTrack:
         )
 
 
-def to_shared_memory(track: ForceTrack) -> int:
+def to_shared_memory(track: "ForceTrack") -> int:
     """Return the descriptor of a memory block that holds the track, owned by the caller."""
+    from hapticplayer.model import Reconstruction
+
     rows, spans = len(track.time_s), len(track.active_s)
     descriptor = anonymous_memory("hapticplayer-track", _size(rows, spans))
     with mmap.mmap(descriptor, _size(rows, spans)) as block:
         is_hold = track.reconstruction is Reconstruction.HOLD
         block.write(_HEADER.pack(rows, spans, int(is_hold)))
-        block.write(np.ascontiguousarray(track.time_s).tobytes())
-        block.write(np.ascontiguousarray(track.active_s).tobytes())
-        block.write(np.ascontiguousarray(track.force_n).tobytes())
+        block.write(track.time_s.tobytes())
+        block.write(track.active_s.tobytes())
+        block.write(track.force_n.tobytes())
     return descriptor
 
 
@@ -84,11 +93,7 @@ def map_track(descriptor: int) -> LoadedTrack:
         raise ValueError("the force track does not fit its block")
     block = mmap.mmap(descriptor, size, prot=mmap.PROT_READ)
     track = LoadedTrack(block)
-    rows, spans, _ = _HEADER.unpack_from(block, 0)
-    times = np.frombuffer(block, np.float64, rows, _HEADER.size)
-    at = _HEADER.size + 8 * rows + 16 * spans
-    force = np.frombuffer(block, np.float32, 3 * rows, at)
-    if not (np.isfinite(times).all() and np.isfinite(force).all()):
+    if not track.is_finite:
         raise ValueError("the force track holds a number that is not finite")
     return track
 

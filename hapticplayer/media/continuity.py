@@ -1,14 +1,12 @@
 """Notices pictures that a damaged file has lost without a word from the decoder."""
 
 from statistics import median
-from typing import Any
 
-from av.packet import Packet
 from av.stream import Stream
 from av.video.frame import VideoFrame
 
-# Of these every packet becomes one picture with its time; VP8 and VP9 have hidden ones.
-_ONE_TO_ONE = frozenset({"h264", "hevc"})
+from hapticplayer.media.approach import ONE_TO_ONE, AnyPacket
+
 _FIRST_STEPS = 8  # what they are like, the rate is taken to be
 _EVEN = 0.1
 _LONGER = 1.5
@@ -32,7 +30,7 @@ class Continuity:
 
     def __init__(self, stream: Stream) -> None:
         self.missing = 0
-        self._is_one_to_one = stream.codec_context.name in _ONE_TO_ONE
+        self._is_one_to_one = stream.codec_context.name in ONE_TO_ONE
         self._is_ordered = True
         self._end = 0
         self._promised, self._length = stream.frames, stream.duration or 0
@@ -47,7 +45,7 @@ class Continuity:
         self._sent: set[int] = set()
         self._last: int | None = None
 
-    def send(self, packet: "Packet[Any]") -> None:
+    def send(self, packet: AnyPacket) -> None:
         """Note a packet that was given to the decoder."""
         if self._is_one_to_one and packet.pts is not None and not packet.is_discard:
             self._sent.add(packet.pts)

@@ -3,16 +3,16 @@
 import os
 from collections import deque
 from collections.abc import Iterable, Iterator
-from typing import Any, Generic, Self, TypeVar, cast
+from typing import Generic, Self, TypeVar, cast
 
 import av.error
 from av.container import InputContainer
 from av.frame import Frame
-from av.packet import Packet
 from av.stream import Stream
 from av.video.frame import VideoFrame
 
 from hapticplayer.errors import MediaError
+from hapticplayer.media.approach import IS_MARKED, ONE_TO_ONE, AnyPacket, Approach
 from hapticplayer.media.continuity import Continuity
 from hapticplayer.media.files import COPY_AGAIN
 from hapticplayer.media.limits import MAX_DAMAGED_IN_A_ROW
@@ -35,13 +35,15 @@ class PacketReader(Generic[FrameT]):
         self._container = container
         self._stream = stream
         self._path = path
-        self._packets: Iterator[Packet[Any]] = container.demux(stream)
+        self._packets: Iterator[AnyPacket] = container.demux(stream)
         self._frames: deque[FrameT] = deque()
         self._bad_in_a_row = 0
         self._may_be_leading = False
         self._broken = 0
         is_video = stream.type == "video"
         self._continuity = Continuity(stream) if is_video else None
+        self._codec = stream.codec_context
+        self._approach: Approach | None = None
 
     @property
     def damaged(self) -> int:
@@ -55,6 +57,7 @@ class PacketReader(Generic[FrameT]):
             MediaError: when the container cannot be positioned at all.
         """
         self._frames.clear()
+        self._arrive()
         self._bad_in_a_row = 0
         self._may_be_leading = True
         if self._continuity:
@@ -66,6 +69,47 @@ class PacketReader(Generic[FrameT]):
                 # some demuxers refuse positions before their first key frame
                 self._container.seek(ticks, stream=self._stream, backward=False)
         self._packets = self._container.demux(self._stream)
+
+    def approach(self, ticks: int) -> int | None:
+        """After `seek`: leave out of the decoding what only leads to `ticks`.
+
+        Returns:
+            the time stamp of the picture that covers `ticks`, None where unknown.
+
+        Raises:
+            MediaError: when the stream cannot be read any further.
+        """
+        if self._codec.name not in ONE_TO_ONE:
+            return None
+        self._approach = Approach(is_marked=self._codec.name in IS_MARKED)
+        with media_errors(self._path, "it cannot be read any further"):
+            try:
+                self._approach.look(self._packets, ticks)
+            except av.error.InvalidDataError as error:
+                self._count_damage(error)
+                self._packets = self._container.demux(self._stream)
+        return self._approach.wanted
+
+    def _arrive(self) -> None:
+        """Decode everything from here on."""
+        if self._approach:
+            self._approach = None
+            self._codec.skip_frame = "DEFAULT"
+
+    def _next_packet(self) -> AnyPacket | None:
+        """Return the next packet, those first that were read ahead."""
+        packet = self._approach.pop() if self._approach else None
+        if packet is None:
+            self._arrive()
+            packet = next(self._packets, None)
+        elif self._is_passed(packet.pts):
+            self._codec.skip_frame = "NONREF"
+        else:
+            self._codec.skip_frame = "DEFAULT"
+        return packet
+
+    def _is_passed(self, pts: int | None) -> bool:
+        return self._approach is not None and self._approach.is_passed(pts)
 
     def next_frame(self) -> FrameT | None:
         """Return the next decoded frame, or None at the end.
@@ -84,14 +128,14 @@ class PacketReader(Generic[FrameT]):
     def _decode_next(self) -> bool:
         """Read and decode one packet; False at the end of the stream."""
         try:
-            packet = next(self._packets, None)
+            packet = self._next_packet()
         except av.error.InvalidDataError as error:
             self._count_damage(error)
             self._packets = self._container.demux(self._stream)
             return True
         if packet is None:
             return False
-        if self._continuity:
+        if self._continuity and not self._is_passed(packet.pts):
             self._continuity.send(packet)
         try:
             frames = packet.decode()
@@ -119,7 +163,9 @@ class PacketReader(Generic[FrameT]):
             is_key = not isinstance(frame, VideoFrame) or frame.key_frame
             self._may_be_leading = self._may_be_leading and not is_key
             self._broken += frame.is_corrupt and not self._may_be_leading
-            if self._continuity and isinstance(frame, VideoFrame):
+            if not isinstance(frame, VideoFrame) or self._is_passed(frame.pts):
+                continue
+            if self._continuity:
                 self._continuity.receive(frame)
 
     def _count_damage(self, error: Exception) -> None:

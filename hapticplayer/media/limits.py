@@ -36,3 +36,6 @@ INDEX_TAIL = 4096
 
 MAX_DAMAGED_IN_A_ROW = 500
 """Damaged packets after one another after which a stream is given up."""
+
+MAX_AHEAD_BYTES, MAX_AHEAD_PACKETS = 64 * 1024**2, 4096
+"""Read ahead of a seek; one second of 4K from a camera is 12 MB."""

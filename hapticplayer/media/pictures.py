@@ -47,6 +47,10 @@ class Picture:
 _FAST = int(Interpolation.BILINEAR)
 _TO_THE_EDGE = int(Interpolation.BILINEAR | Interpolation.ACCURATE_RND)
 
+# Handing a small picture to other threads takes as long as what they do for it.
+_ALONE_PIXELS = 2560 * 1440
+_ALONE, _AUTOMATIC = 1, 0
+
 
 class PictureConverter:
     """Scales, rotates and converts to BGRA; reuses swscale's tables."""
@@ -74,6 +78,7 @@ class PictureConverter:
             "bgra",
             src_colorspace=untagged_matrix(frame),
             interpolation=_FAST if is_scaled or size[0] % 8 == 0 else _TO_THE_EDGE,
+            threads=_ALONE if width * height <= _ALONE_PIXELS else _AUTOMATIC,
         )
         return _picture(bgra, pts_s, turns)
 

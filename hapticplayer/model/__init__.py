@@ -3,22 +3,45 @@
 SI units throughout. Frame A (the actor's sensor): x right, y front, z up. Frame D
 (the device as its user sees it): x right, y up, z towards the user. Both are
 right-handed. Quaternions are wxyz, Hamilton, unit, sensor to earth (z up).
+
+Each module is loaded when its first name is used: what a device can do needs no numpy.
 """
 
-from hapticplayer.model.device import (
-    DeviceCapabilities,
-    DeviceReading,
-    LoopStats,
-    SyncStats,
-)
-from hapticplayer.model.force import ForceTrack, Reconstruction
-from hapticplayer.model.imu import ImuLog, Sampling
-from hapticplayer.model.mapping import M_AD, Feedback, Mapping
-from hapticplayer.model.motion import MotionTrack
-from hapticplayer.model.timing import ClockMap, PlaybackClock
+import importlib
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from hapticplayer.model.device import (
+        DeviceCapabilities,
+        DeviceReading,
+        LoopStats,
+        SyncStats,
+    )
+    from hapticplayer.model.force import ForceTrack, Reconstruction
+    from hapticplayer.model.imu import ImuLog, Sampling
+    from hapticplayer.model.mapping import M_AD, Feedback, Mapping
+    from hapticplayer.model.motion import MotionTrack
+    from hapticplayer.model.timing import ClockMap, PlaybackClock
 
 STANDARD_GRAVITY_MPS2 = 9.80665
 """|g| of equation 1 (3rd CGPM, 1901); local gravity is within 0.3 % of it."""
+
+_HOMES = {
+    "M_AD": "mapping",
+    "ClockMap": "timing",
+    "DeviceCapabilities": "device",
+    "DeviceReading": "device",
+    "Feedback": "mapping",
+    "ForceTrack": "force",
+    "ImuLog": "imu",
+    "LoopStats": "device",
+    "Mapping": "mapping",
+    "MotionTrack": "motion",
+    "PlaybackClock": "timing",
+    "Reconstruction": "force",
+    "Sampling": "imu",
+    "SyncStats": "device",
+}
 
 __all__ = [
     "M_AD",
@@ -37,3 +60,12 @@ __all__ = [
     "Sampling",
     "SyncStats",
 ]
+
+
+def __getattr__(name: str) -> object:
+    """Load the module of a public name at its first use."""
+    if name not in _HOMES:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    module = importlib.import_module(f"{__name__}.{_HOMES[name]}")
+    globals()[name] = getattr(module, name)
+    return globals()[name]

@@ -62,6 +62,8 @@ class PlaybackClock:
 
     def ahead(self, latency_s: float) -> "PlaybackClock":
         """Return the clock of an output whose doing is met so much later."""
+        if not latency_s:
+            return self
         return replace(self, monotonic0_s=self.monotonic0_s - latency_s)
 
     def is_running(self, monotonic_s: float) -> bool:

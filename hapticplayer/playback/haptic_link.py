@@ -23,6 +23,7 @@ from hapticplayer.rendering import adapted
 NO_DEVICE = "none"
 SYNC_LOG_PERIOD_S = 1.0
 TICKS_BEFORE_S = 0.02  # of an event: the tick that it falls into, even a late one
+COMPARE_PERIOD_S = 0.2  # an alarm looks at half a second
 READ_PERIOD_S = 0.05  # plots draw at 30 Hz; more often costs more than it shows
 
 
@@ -58,7 +59,7 @@ class HapticLink:
         self.audio_alarm = SyncAlarm("sound")
         self.told: list[str] = []  # remarks for people, in order
         self._clock = clock
-        self._next_read_s = 0.0
+        self._next_read_s = self._next_compare_s = 0.0
         self._next_sync_s = 0.0
         self._is_closed = False
         self._mode = Mode.IDLE
@@ -163,7 +164,8 @@ class HapticLink:
         if self._process:
             self._is_closed = True
             self._process.close()
-            self._next_read_s = 0.0  # the last ticks are still to be read
+            # the last ticks are still to be read
+            self._next_read_s = self._next_compare_s = 0.0
 
     def restart_meters(self) -> None:
         """Measure the force against picture and sound from here on."""
@@ -192,8 +194,10 @@ class HapticLink:
     def _read(self, process: HapticsProcess, log: PlaybackLog | None) -> None:
         records, lost = process.read_ticks()
         self.history.add(records, lost)
-        self._compare("picture", self.video_sync, self.video_alarm, log)
-        self._compare("sound", self.audio_sync, self.audio_alarm, log)
+        if (now_s := self._clock.now_s()) >= self._next_compare_s:
+            self._next_compare_s = now_s + COMPARE_PERIOD_S
+            self._compare("picture", self.video_sync, self.video_alarm, log)
+            self._compare("sound", self.audio_sync, self.audio_alarm, log)
         if log:
             self._log(log, records, lost)
             self._log_sync(log)

@@ -9,10 +9,13 @@ from numpy.typing import NDArray
 from hapticplayer.haptics.contract import Mode
 from hapticplayer.haptics.shared import TICK
 from hapticplayer.model import LoopStats, SyncStats
+from hapticplayer.playback.tally import Tally
 
 HISTORY_TICKS = 12_000
 STATS_TICKS = 10_000
 TRACE_EVENTS = 1800  # 30 s of pictures at 60 Hz
+_LATEST_US, _LATENESS_STEP_US = 20_000.0, 1.0
+_FARTHEST_MS, _DIFFERENCE_STEP_MS = 200.0, 0.02
 _EMPTY = np.empty(0, dtype=TICK)
 
 
@@ -22,7 +25,7 @@ class TickHistory:
     def __init__(self) -> None:
         self._chunks: deque[NDArray[Any]] = deque()
         self._kept = 0
-        self._lateness_us: list[NDArray[np.float32]] = []
+        self._lateness_us = Tally(0.0, _LATEST_US, _LATENESS_STEP_US)
         self.missed = 0
         self.lost = 0
 
@@ -35,7 +38,7 @@ class TickHistory:
         self._kept += len(records)
         while self._kept - len(self._chunks[0]) >= HISTORY_TICKS:
             self._kept -= len(self._chunks.popleft())
-        self._lateness_us.append(records["lateness_s"] * np.float32(1e6))
+        self._lateness_us.add(records["lateness_s"] * np.float32(1e6))
         self.missed += int(records["missed"].sum())
 
     def recent(self) -> NDArray[Any]:
@@ -64,9 +67,11 @@ class TickHistory:
 
     def total_stats(self) -> LoopStats | None:
         """Return the health over everything."""
-        if not self._lateness_us:
+        late = self._lateness_us
+        if not late.count:
             return None
-        return _loop_stats(np.concatenate(self._lateness_us), self.missed)
+        p50, p99, p999 = late.percentiles(50.0, 99.0, 99.9)
+        return LoopStats(late.count, self.missed, p50, p99, p999, late.most)
 
 
 class SyncMeter:
@@ -79,7 +84,7 @@ class SyncMeter:
 
     def __init__(self) -> None:
         self._pending: list[tuple[float, float]] = []
-        self._differences_ms: list[NDArray[np.float64]] = []
+        self._total_ms = Tally(-_FARTHEST_MS, _FARTHEST_MS, _DIFFERENCE_STEP_MS)
         self._recent_ms: deque[float] = deque(maxlen=600)
         self._trace: deque[tuple[float, float]] = deque(maxlen=TRACE_EVENTS)
 
@@ -115,14 +120,14 @@ class SyncMeter:
             return []
         at_s, media_s = np.array(ready).T
         row = np.searchsorted(ticks["monotonic_s"], at_s, side="right") - 1
-        moving = (row >= 0) & np.isin(
-            ticks["mode"][row], (Mode.ENTERING, Mode.FOLLOWING)
-        )
+        mode = ticks["mode"][row]
+        moving = (mode == Mode.ENTERING) | (mode == Mode.FOLLOWING)
+        moving &= row >= 0
         row = row[moving]
         elapsed_s = at_s[moving] - ticks["monotonic_s"][row]
         played_s = ticks["media_s"][row] + elapsed_s
         difference_ms = 1e3 * (media_s[moving] - played_s)
-        self._differences_ms.append(difference_ms)
+        self._total_ms.add(difference_ms)
         fresh_ms: list[float] = difference_ms.tolist()
         self._recent_ms.extend(fresh_ms)
         self._trace.extend(zip(at_s[moving].tolist(), fresh_ms, strict=True))
@@ -138,7 +143,11 @@ class SyncMeter:
 
     def total(self) -> SyncStats | None:
         """Return all events."""
-        return _sync_stats(np.concatenate([np.empty(0), *self._differences_ms]))
+        total = self._total_ms
+        if not total.count:
+            return None
+        p05, p50, p95 = total.percentiles(5.0, 50.0, 95.0)
+        return SyncStats(total.count, p05, p50, p95)
 
 
 def _joined(chunks: list[NDArray[Any]]) -> NDArray[Any]:

@@ -1,6 +1,6 @@
 """The player: one clip, one clock, one state machine, polled by its front end.
 
-Everything here runs on the thread that calls `poll`, at least every 30 ms: the
+Everything here runs on the thread that calls `poll`, at least every 40 ms: the
 window's timer or the headless loop. Decoding, sound and force have threads or a
 process of their own. A front end that stops polling stops the heartbeat, and the
 force with it.

@@ -4,9 +4,8 @@ People do not notice a touch that comes up to 50 ms after what they see, but not
 one that comes 15 ms before it (Di Luca & Mahnan 2019).
 """
 
+import statistics
 from collections import deque
-
-import numpy as np
 
 EARLY_MS, LATE_MS = -15.0, 50.0
 BACK_MS = 5.0  # so far inside the limits an alarm ends
@@ -36,7 +35,7 @@ class SyncAlarm:
         self._last_ms.extend(difference_ms)
         if len(self._last_ms) < LEAST_EVENTS:
             return False
-        self.p50_ms = float(np.median(self._last_ms))
+        self.p50_ms = statistics.median(self._last_ms)
         margin_ms = BACK_MS if self.is_on else 0.0
         was_on = self.is_on
         inside = EARLY_MS + margin_ms <= self.p50_ms <= LATE_MS - margin_ms

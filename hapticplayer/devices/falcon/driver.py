@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from hapticplayer.clock import Clock, SystemClock
 from hapticplayer.devices.falcon import usbfs
+from hapticplayer.devices.falcon.capabilities import CAPABILITIES
 from hapticplayer.devices.falcon.firmware import (
     PATIENCE,
     FirmwareImage,
@@ -26,16 +27,8 @@ from hapticplayer.devices.falcon.transport import (
     open_falcon,
 )
 from hapticplayer.errors import DeviceError
-from hapticplayer.model.device import DeviceCapabilities, DeviceReading, Vector
+from hapticplayer.model.device import DeviceReading, Vector
 
-CAPABILITIES = DeviceCapabilities(
-    axes=3,
-    peak_force_n=9.0,  # press: "over 2 lb"; in every direction 4.9
-    continuous_force_n=3.0,  # not known; assumed, a third of the peak
-    workspace_radius_m=0.04,  # CHAI3D
-    rate_hz=1000.0,
-    latency_s=0.001,
-)
 STALE_S = 0.05
 """Without a reply for so long, the position is too old to compute torques from."""
 ZEROS_AT_THE_END = 5

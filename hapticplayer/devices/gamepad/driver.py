@@ -6,20 +6,13 @@ import threading
 from collections.abc import Callable
 from typing import Protocol
 
+from hapticplayer.devices.gamepad.capabilities import CAPABILITIES
 from hapticplayer.devices.gamepad.ports import Port, open_pad
 from hapticplayer.devices.gamepad.reports import buttons_of, motors_report
-from hapticplayer.devices.gamepad.rumble import FULL_N, Rumble
+from hapticplayer.devices.gamepad.rumble import Rumble
 from hapticplayer.errors import DeviceError
-from hapticplayer.model.device import DeviceCapabilities, DeviceReading, Vector
+from hapticplayer.model.device import DeviceReading, Vector
 
-CAPABILITIES = DeviceCapabilities(
-    axes=0,
-    peak_force_n=FULL_N,  # nominal: full vibration
-    continuous_force_n=FULL_N,
-    workspace_radius_m=0.04,  # nominal: it stays in the middle
-    rate_hz=100.0,
-    latency_s=0.010,
-)
 REPORT_PERIOD_S = 0.010
 REFRESH_S = 0.5
 _MOST_READ = 16

@@ -174,9 +174,13 @@ def test_a_simulated_device_that_is_unplugged_is_told():
     assert ticks["cause"][-1] == Cause.UNPLUGGED
 
 
-def test_the_process_imports_nothing_heavy():
+@pytest.mark.parametrize(
+    "module",
+    ["haptics.__main__", "haptics.guard", "devices.simulated.__main__"],
+)
+def test_processes_of_the_force_import_nothing_heavy(module: str) -> None:
     code = (
-        "import sys, json, hapticplayer.haptics.__main__; "
+        f"import sys, json, hapticplayer.{module}; "
         "print(json.dumps(sorted({m.split('.')[0] for m in sys.modules})))"
     )
     found = json.loads(
@@ -185,5 +189,5 @@ def test_the_process_imports_nothing_heavy():
         ).stdout
     )
     heavy = {"av", "PySide6", "scipy", "numba", "llvmlite", "sounddevice", "vqf"}
-    assert not heavy & set(found)
-    assert "numpy" in found
+    assert not {*heavy, "numpy"} & set(found)
+    assert "mmap" in found

@@ -5,8 +5,8 @@ import math
 import pytest
 
 from hapticplayer.devices.falcon import kinematics
+from hapticplayer.devices.falcon.capabilities import CAPABILITIES
 from hapticplayer.devices.falcon.driver import (
-    CAPABILITIES,
     STALE_S,
     ZEROS_AT_THE_END,
     FalconDriver,

@@ -1,0 +1,85 @@
+"""The block of memory that the player and the haptics process share.
+
+One writer per field. The clock lives in two slots (see `slots`), so that a player
+killed in mid-write cannot make the loop spin. Ticks go through a ring that the loop
+never waits for; `shared` reads them. Without numpy: loop and guard load this.
+"""
+
+import mmap
+import os
+import struct
+
+from hapticplayer.haptics.slots import Slots
+from hapticplayer.model.timing import PlaybackClock
+
+RING_TICKS = 1 << 15  # 32 s: a reader may sleep that long without losing a tick
+TICK_FIELDS = struct.Struct("<dd18fIBBH")
+_CLOCK = struct.Struct("<qqdddd")  # track id, epoch, the four numbers of the clock
+_SLOTS_AT = (64, 128)
+# a cache line for each writer
+_NEWEST_AT, _HEARTBEAT_AT, _HEAD_AT, _GUARD_AT = 192, 256, 320, 384
+RING_AT = 4096
+BLOCK_BYTES = RING_AT + RING_TICKS * TICK_FIELDS.size
+
+
+class LoopBlock:
+    """Typed access to the block, but for the reading of ticks."""
+
+    def __init__(self, descriptor: int) -> None:
+        if os.fstat(descriptor).st_size != BLOCK_BYTES:
+            raise ValueError("the shared block has another size; versions differ")
+        self._map = mmap.mmap(descriptor, BLOCK_BYTES)
+        view = memoryview(self._map)
+        self._clock = Slots(self._map, _CLOCK, _SLOTS_AT, _NEWEST_AT)
+        self.clock_bytes = self._clock.raw  # for the loop: equal bytes, equal clock
+        self._heartbeat = view[_HEARTBEAT_AT : _HEARTBEAT_AT + 8].cast("d")
+        self._head = view[_HEAD_AT : _HEAD_AT + 8].cast("Q")
+        self._last_tick = view[_HEAD_AT + 8 : _HEAD_AT + 16].cast("d")
+        self._guard = view[_GUARD_AT : _GUARD_AT + 8].cast("d")
+
+    def write_clock(self, clock: PlaybackClock, track_id: int) -> None:
+        """Publish the clock and the track it belongs to (player)."""
+        self._clock.write(
+            track_id,
+            clock.epoch,
+            clock.monotonic0_s,
+            clock.media0_s,
+            clock.rate,
+            clock.valid_until_s,
+        )
+
+    def read_clock(self) -> tuple[PlaybackClock, int] | None:
+        """Return the newest clock and its track, or None if none could be read."""
+        fields = self._clock.read()
+        return None if fields is None else (PlaybackClock(*fields[1:]), fields[0])
+
+    def beat(self, now_s: float) -> None:
+        """Say that the player's main thread is alive (player)."""
+        self._heartbeat[0] = now_s
+
+    def heartbeat_s(self) -> float:
+        """Return the time of the last beat."""
+        return self._heartbeat[0]
+
+    def beat_guard(self, now_s: float) -> None:
+        """Say that the guard watches (guard)."""
+        self._guard[0] = now_s
+
+    def guard_s(self) -> float:
+        """Return the time of the guard's last beat."""
+        return self._guard[0]
+
+    def last_tick_s(self) -> float:
+        """Return the time of the loop's last exchange; 0 before the first."""
+        return self._last_tick[0]
+
+    def beat_loop(self, now_s: float) -> None:
+        """Say that a program without ticks is alive; 0: it holds no force (loop)."""
+        self._last_tick[0] = now_s
+
+    def write_tick(self, count: int, now_s: float, *fields: float) -> None:
+        """Store tick number `count`, done at `now_s`, and publish it (loop)."""
+        at = RING_AT + (count % RING_TICKS) * TICK_FIELDS.size
+        TICK_FIELDS.pack_into(self._map, at, now_s, *fields)
+        self._last_tick[0] = now_s
+        self._head[0] = count + 1

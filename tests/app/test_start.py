@@ -1,0 +1,58 @@
+"""What the window does not load before it is wanted."""
+
+import os
+import subprocess
+import sys
+
+import pytest
+
+from app import __main__ as program
+from app.player import dialogs
+
+LOADED = """
+import sys
+{code}
+print(" ".join(name for name in sys.modules if name.startswith({prefixes!r})))
+"""
+
+
+def loaded(code: str, *prefixes: str) -> set[str]:
+    """Return which modules some code loads in a fresh interpreter."""
+    script = LOADED.format(code=code, prefixes=prefixes)
+    found = subprocess.run(
+        [sys.executable, "-c", script], capture_output=True, check=True, text=True
+    )
+    return set(found.stdout.split())
+
+
+def test_playing_loads_no_dialog_no_pipeline_and_no_driver() -> None:
+    modules = loaded("import app.player.application", "app", "hapticplayer", "scipy")
+    unwanted = {
+        *dialogs._LATER,
+        "hapticplayer.sequence.build",
+        "hapticplayer.capture.logs",
+        "hapticplayer.study",
+        "hapticplayer.devices.falcon.driver",
+        "hapticplayer.devices.gamepad.driver",
+        "scipy",
+    }
+    assert "app.player.window" in modules
+    assert not unwanted & modules
+
+
+def test_what_is_loaded_later_is_there() -> None:
+    dialogs._load()
+    assert set(dialogs._LATER) <= set(sys.modules)
+
+
+@pytest.mark.parametrize("chosen", [None, "3"])
+def test_the_environment_of_other_programs_is_left_as_it_was(
+    monkeypatch: pytest.MonkeyPatch, chosen: str | None
+) -> None:
+    name = "OPENBLAS_NUM_THREADS"
+    monkeypatch.delenv(name, raising=False)
+    if chosen is not None:
+        monkeypatch.setenv(name, chosen)
+    with program._quick_imports():
+        assert os.environ[name] == (chosen or "1")
+    assert os.environ.get(name) == chosen
