@@ -1,4 +1,4 @@
-"""Windows no larger than the screen that they are on."""
+"""Windows and their screen: how much room there is, and whether they are seen."""
 
 from PySide6.QtWidgets import QWidget
 
@@ -10,3 +10,16 @@ def resize_within_screen(window: QWidget, width_px: int, height_px: int) -> None
     """
     room = window.screen().availableGeometry()
     window.resize(min(width_px, room.width()), min(height_px, room.height()))
+
+
+def is_seen(widget: QWidget) -> bool:
+    """Return whether a widget may be on a screen; else it need not be drawn.
+
+    Not hidden, not in a minimised window (which X11 without a window manager goes on
+    to expose). That another window covers it, Wayland and macOS tell, X11 and Windows
+    do not: there it counts as seen.
+    """
+    window = widget.window()
+    handle = window.windowHandle()
+    is_open = widget.isVisible() and not window.isMinimized()
+    return is_open and bool(handle) and handle.isExposed()

@@ -109,9 +109,16 @@ class Sound:
         self._keeper.use(partial(make, self.ring, self._clock), self._clock.now_s())
 
     def go_to(self, media_s: float) -> None:
-        """Stand at a position of the clock's new epoch, with new samples."""
+        """Stand at a position of the clock's new epoch.
+
+        What has been decoded around it is kept, unless it is of another speed.
+        """
         self._keeper.rest()
         media = self._media
+        is_running = self.feeder is not None and self.feeder.ident is not None
+        is_same_speed = media.speed == self.ring.speed
+        if is_running and is_same_speed and self.ring.resume_from(media.epoch, media_s):
+            return
         generation = self.ring.load(media.epoch, media_s, media.speed)
         if self.feeder is not None:
             self.feeder.set_speed(media.speed)
