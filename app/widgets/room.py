@@ -16,8 +16,8 @@ def is_seen(widget: QWidget) -> bool:
     """Return whether a widget may be on a screen; else it need not be drawn.
 
     Not hidden, not in a minimised window (which X11 without a window manager goes on
-    to expose). That another window covers it, Wayland and macOS tell, X11 and Windows
-    do not: there it counts as seen.
+    to expose). Whether another window covers it is known only where the desktop tells Qt
+    (macOS, some of Wayland's); on X11 it counts as seen, and so it does where in doubt.
     """
     window = widget.window()
     handle = window.windowHandle()

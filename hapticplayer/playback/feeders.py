@@ -270,6 +270,11 @@ class AudioFeeder(Feeder):
         """Stretch to this speed, keeping the pitch, from the next `request` on."""
         self._speed = speed
 
+    def hurry(self) -> None:
+        """Fill the ring now: the reader stands elsewhere in it."""
+        with self._wake:
+            self._wake.notify_all()
+
     def _has_work(self) -> bool:
         return not self.is_at_end
 

@@ -114,17 +114,22 @@ class Sound:
         What has been decoded around it is kept, unless it is of another speed.
         """
         self._keeper.rest()
-        media = self._media
-        is_running = self.feeder is not None and self.feeder.ident is not None
-        is_same_speed = media.speed == self.ring.speed
-        if is_running and is_same_speed and self.ring.resume_from(media.epoch, media_s):
+        media, feeder = self._media, self.feeder
+        if feeder is not None and feeder.ident is not None and self._resumes(media_s):
+            feeder.hurry()
             return
         generation = self.ring.load(media.epoch, media_s, media.speed)
-        if self.feeder is not None:
-            self.feeder.set_speed(media.speed)
-            self.feeder.request(generation, media_s)
-            if self.feeder.ident is None:
-                self.feeder.start()
+        if feeder is not None:
+            feeder.set_speed(media.speed)
+            feeder.request(generation, media_s)
+            if feeder.ident is None:
+                feeder.start()
+
+    def _resumes(self, media_s: float) -> bool:
+        """Stand where sound of this speed is here already, if it is."""
+        media = self._media
+        is_same_speed = media.speed == self.ring.speed
+        return is_same_speed and self.ring.resume_from(media.epoch, media_s)
 
     def hold(self, media_s: float) -> None:
         """Stand at a position that was just heard; what is on its way is kept."""

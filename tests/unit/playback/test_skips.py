@@ -1,6 +1,7 @@
 """Work that nobody would notice is not done, and what remains is the same."""
 
 import hashlib
+import threading
 
 import av
 import numpy as np
@@ -317,6 +318,26 @@ def test_a_seek_within_the_sound_that_is_here_does_not_decode_it_again(
     theatre.player.set_speed(1.5)  # this sound is of no use any more
     theatre.run(0.1)
     assert counts.take()["AudioDecoder.seek"] == 1
+
+
+def test_a_seek_to_the_end_of_the_sound_that_is_here_wakes_the_decoder(
+    clip, stage, monkeypatch
+):
+    """It looks for room five times a second, which would be waited for."""
+    monkeypatch.setattr("hapticplayer.playback.feeders.ROOM_S", 1e6)
+    monkeypatch.setattr("hapticplayer.playback.audio.STANDING_AHEAD_S", 0.5)
+    theatre = stage(clip)
+    ring = theatre.player.sound.ring
+    for _ in range(1000):
+        if ring.buffered_s() >= 0.5:
+            break
+        threading.Event().wait(0.005)
+    theatre.player.seek(0.49)
+    for _ in range(1000):
+        if ring.buffered_s() >= 0.5:
+            break
+        threading.Event().wait(0.005)
+    assert ring.buffered_s() == pytest.approx(0.5, abs=0.001)
 
 
 def test_the_samples_after_a_small_seek_are_those_after_a_whole_one(clip, stage):
