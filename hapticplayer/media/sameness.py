@@ -17,6 +17,7 @@ _SAMPLE_BYTES = {
 }
 _GLANCES = 24
 """Rows that are looked at first: what moves is nearly always met there, for 10 us."""
+_WORD_BYTES = 8  # compared at once
 
 
 def shows_the_same(frame: VideoFrame, other: VideoFrame) -> bool:
@@ -24,21 +25,26 @@ def shows_the_same(frame: VideoFrame, other: VideoFrame) -> bool:
     sample_bytes = _SAMPLE_BYTES.get(frame.format.name)
     if sample_bytes is None or _kind(frame) != _kind(other):
         return False
-    pairs = [
-        (_rows(one, sample_bytes), _rows(two, sample_bytes))
-        for one, two in zip(frame.planes, other.planes, strict=True)
-    ]
-    luma, earlier = pairs[0]
-    step = max(1, len(luma) // _GLANCES)
-    return bool((luma[::step] == earlier[::step]).all()) and all(
-        np.array_equal(one, two) for one, two in pairs
-    )
+    planes = zip(frame.planes, other.planes, strict=True)
+    return all(_are_equal(*pair, sample_bytes) for pair in planes)
 
 
 def _kind(frame: VideoFrame) -> tuple[object, ...]:
     """Return what else a picture is made of."""
     size = (frame.format.name, frame.width, frame.height)
     return (*size, frame.colorspace, frame.color_range, rotation_of(frame))
+
+
+def _are_equal(one: VideoPlane, two: VideoPlane, sample_bytes: int) -> bool:
+    rows, others = _rows(one, sample_bytes), _rows(two, sample_bytes)
+    whole = rows.shape[1] // _WORD_BYTES * _WORD_BYTES
+    words, other_words = (r[:, :whole].view(np.uint64) for r in (rows, others))
+    step = max(1, len(rows) // _GLANCES)
+    return (
+        np.array_equal(words[::step], other_words[::step])
+        and np.array_equal(words, other_words)
+        and np.array_equal(rows[:, whole:], others[:, whole:])
+    )
 
 
 def _rows(plane: VideoPlane, sample_bytes: int) -> NDArray[Any]:

@@ -82,6 +82,7 @@ def test_equal_samples_show_the_same():
     "changes",
     [
         {"plane0": (63, 99)},  # one bit of the last sample
+        {"plane0": (63, 95)},  # of the last whole word
         {"plane0": (1, 0)},  # of a row that is not glanced at
         {"plane1": (31, 49)},
         {"plane2": (0, 0)},

@@ -228,6 +228,21 @@ def test_a_picture_that_is_as_the_one_before_is_not_converted_again(
     assert counts.take()["PictureConverter._converted"] == len(pictures) == 30
 
 
+def test_where_all_moves_few_pictures_are_compared(clip, counts, monkeypatch):
+    from hapticplayer.media import pictures
+
+    asked = []
+    compare = pictures.shows_the_same
+    monkeypatch.setattr(
+        pictures, "shows_the_same", lambda *two: asked.append(two) or compare(*two)
+    )
+    feeder = open_feeder(clip.path)
+    assert len(pictures_of(feeder)) == 75
+    feeder._close()
+    assert counts.take()["PictureConverter._converted"] == 75
+    assert len(asked) == 8 + (74 - 8) // 8
+
+
 def test_what_is_not_painted_does_not_make_the_next_picture_late(clip, theatre):
     screen = theatre.player._screen
     painted = Picture(0.0, 2, 2, 8, memoryview(bytes(16)), object())
