@@ -21,7 +21,10 @@ class FrameSink(Protocol):
     """Where pictures go."""
 
     def show(self, picture: Picture) -> None:
-        """Present a picture now; returns when it is on the screen."""
+        """Present a picture now; returns when it is on the screen.
+
+        One without pixels is for who wants the times alone.
+        """
         ...
 
 
@@ -98,7 +101,7 @@ class Screen:
     def show_still(self, picture: Picture) -> None:
         """Show a picture that does not count as played yet."""
         self._needs_preview, self._preview = False, picture
-        self.picture_s = picture.pts_s
+        self.picture_s, self._painted = picture.pts_s, picture.owner
         self.sink.show(picture)
 
     def _show(self, picture: Picture) -> None:
