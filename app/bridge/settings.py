@@ -10,17 +10,20 @@ from PySide6.QtCore import QByteArray, QStandardPaths
 from PySide6.QtWidgets import QWidget
 
 from hapticplayer.errors import InputError
+from hapticplayer.playback.kept_latencies import (
+    LATENCIES,
+    SETTINGS_NAME,
+    SETTINGS_VERSION,
+    VERSION,
+    read_settings,
+    version_of,
+)
 
-VERSION = 1
-"""Of the file; files without one are of the days before it and read the same."""
-
-_VERSION, _GEOMETRY = "version", "geometry"
-LATENCIES = "latencies"
+_GEOMETRY = "geometry"
 _OWN_PLACES = ("folder", "study_folder", "library", "recent", "positions")
 _PRIVATE = (_GEOMETRY, *_OWN_PLACES, LATENCIES)
 """What is of this machine, or tells what somebody has watched: never exported."""
 
-_MAX_BYTES = 1 << 20
 _MOST_TEXTS, _LONGEST_TEXT = 1000, 4096
 
 
@@ -28,7 +31,7 @@ def default_path() -> Path:
     """Return the file in the place that this platform has for settings."""
     places = QStandardPaths.StandardLocation
     folder = QStandardPaths.writableLocation(places.GenericConfigLocation)
-    return Path(folder) / "hapticplayer" / "window.json"
+    return Path(folder) / "hapticplayer" / SETTINGS_NAME
 
 
 class Settings:
@@ -42,8 +45,8 @@ class Settings:
 
     def __init__(self, path: Path | None) -> None:
         self._path = path
-        self._values = _read(path) if path else {}
-        if _version_of(self._values) > VERSION:
+        self._values = read_settings(path) if path else {}
+        if version_of(self._values) > SETTINGS_VERSION:
             self._path, self._values = None, {}
 
     def text(self, name: str, default: str = "") -> str:
@@ -94,7 +97,7 @@ class Settings:
         if self._path is not None:
             with contextlib.suppress(OSError):
                 self._path.parent.mkdir(parents=True, exist_ok=True)
-                _write(self._path, {**self._values, _VERSION: VERSION})
+                _write(self._path, {**self._values, VERSION: SETTINGS_VERSION})
 
     def export(self, path: Path) -> None:
         """Write what is worth having on another machine.
@@ -104,7 +107,7 @@ class Settings:
         """
         kept = {k: v for k, v in self._values.items() if k not in _PRIVATE}
         try:
-            _write(path, {**kept, _VERSION: VERSION})
+            _write(path, {**kept, VERSION: SETTINGS_VERSION})
         except OSError as problem:
             raise InputError(
                 f"cannot be written ({problem.strerror})",
@@ -118,14 +121,14 @@ class Settings:
         Raises:
             InputError: when it is no such file, or of a newer version.
         """
-        values = _read(path)
-        if _VERSION not in values:
+        values = read_settings(path)
+        if VERSION not in values:
             raise InputError(
                 "holds no settings of this program",
                 where=str(path),
                 remedy="choose a file that was exported by it",
             )
-        if _version_of(values) > VERSION:
+        if version_of(values) > SETTINGS_VERSION:
             raise InputError(
                 "is of a newer version of this program",
                 where=str(path),
@@ -139,11 +142,6 @@ def _texts(values: list[Any]) -> list[str]:
     return kept[:_MOST_TEXTS]
 
 
-def _version_of(values: dict[str, Any]) -> float:
-    version = values.get(_VERSION, 0)
-    return version if isinstance(version, int) else float("inf")
-
-
 def _write(path: Path, values: dict[str, Any]) -> None:
     """Write aside and rename: a crash leaves the old file or the new one."""
     aside = path.with_name(f".{path.name}.{os.getpid()}")
@@ -155,13 +153,3 @@ def _write(path: Path, values: dict[str, Any]) -> None:
         aside.replace(path)
     finally:
         aside.unlink(missing_ok=True)
-
-
-def _read(path: Path) -> dict[str, Any]:
-    try:
-        if not path.is_file() or path.stat().st_size > _MAX_BYTES:
-            return {}
-        values = json.loads(path.read_text(encoding="utf-8"))
-    except (OSError, ValueError, RecursionError):
-        return {}
-    return values if isinstance(values, dict) else {}

@@ -24,6 +24,7 @@ from app.participant.window import ParticipantWindow
 from app.player.application import make_application
 from app.player.controls import OUTPUT
 from app.player.video_surface import SurfaceSink, VideoSurface
+from app.widgets.room import is_seen
 from hapticplayer.clock import Clock, SystemClock
 from hapticplayer.errors import HapticPlayerError
 from hapticplayer.interchange.lsl import LslStreams
@@ -202,10 +203,10 @@ class StudySession:
             self.control.refresh()
             page = self.runner.page.kind if self.runner is not None else None
             self.control.mirror.follow(now_s, is_clip=page is PageKind.PLAYING)
-            if self.runner is not None and self.control.shows_force:
+            if self.runner is not None and is_seen(self.control.plots):
                 plots, player = self.control.plots, self.player
                 plots.follow(player.media_s(), player.feedback, player.link.history)
-        if self._slow_turn.is_due(now_s):
+        if self._slow_turn.is_due(now_s) and is_seen(self.control):
             self.control.health.show_snapshot(self.player.snapshot())
             if self.runner is None:
                 self.start_panel.show_checks(self.look())

@@ -82,6 +82,8 @@ def run(options: argparse.Namespace) -> int:
         window.close()
         raise
     _begin(window, options, source)
+    if options.mute:
+        window.extras.controls.begin_muted()
     if speed != 1.0:
         window.extras.controls.set_speed(speed)
     player.end_s = min(player.end_s, end_s) if source else player.end_s

@@ -62,6 +62,12 @@ class Controls(QObject):
         self.set_volume(self.volume_percent + steps * VOLUME_STEP)
         self.told.emit(self.tr("Volume {n} %").format(n=self.volume_percent))
 
+    def begin_muted(self) -> None:
+        """Be silent this time; the next start is as the settings say."""
+        was_muted = self.is_muted
+        self.mute(is_wanted=True)
+        self._settings.keep(MUTED, was_muted)
+
     def mute(self, *, is_wanted: bool) -> None:
         """Silence, or the sound as it was."""
         self.is_muted = is_wanted

@@ -7,6 +7,7 @@ from app.player.health_line import HealthLine
 from app.player.plots_place import PlotsPlace
 from app.player.session import Session
 from app.player.transport import Transport
+from app.widgets.room import is_seen
 from hapticplayer.clock import Clock
 
 PLOTS_HZ, STILL_PLOTS_HZ, TRANSPORT_HZ, HEALTH_HZ = 30.0, 4.0, 10.0, 2.0
@@ -41,8 +42,7 @@ class Display:
 
     def refresh(self) -> None:
         """Draw what is due; called when the picture leaves time for it."""
-        window = self._window
-        if not window.isVisible() or not window.windowHandle().isExposed():
+        if not is_seen(self._window):
             return
         now_s = self._clock.now_s()
         player = self._session.player

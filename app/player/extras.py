@@ -17,6 +17,7 @@ from app.player.thumbnails import Thumbnails
 from app.player.times import time_text
 from app.player.transport import Transport
 from app.player.video_surface import VideoSurface
+from app.widgets.room import is_seen
 from app.widgets.toast import Toast
 from hapticplayer.playback.source import Source
 
@@ -98,7 +99,7 @@ class Extras(QObject):
         """Look after what runs beside, and what the figures are."""
         self.thumbnails.poll()
         self.latency_watch.look(now_s)
-        if self.statistics.isVisible() and self._statistics_turn.is_due(now_s):
+        if is_seen(self.statistics) and self._statistics_turn.is_due(now_s):
             self.statistics.refresh(self._player)
 
     def show_force(self) -> None:

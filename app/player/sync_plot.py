@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from app.bridge.cadence import Cadence
 from app.widgets import theme
+from app.widgets.room import is_seen
 from hapticplayer.playback.haptic_link import HapticLink
 from hapticplayer.playback.sync_alarm import EARLY_MS, LATE_MS
 
@@ -70,8 +71,7 @@ class SyncPlot(QWidget):
 
     def follow(self, now_s: float, link: HapticLink) -> None:
         """Show what the meters know, a few times a second and only where it is seen."""
-        is_seen = self.isVisible() and self.window().windowHandle().isExposed()
-        if is_seen and self._turn.is_due(now_s):
+        if is_seen(self) and self._turn.is_due(now_s):
             self.picture = trace_of(link.video_sync.trace(), now_s)
             self.sound = trace_of(link.audio_sync.trace(), now_s)
             self.update()

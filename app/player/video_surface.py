@@ -18,6 +18,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from app.player.letterbox import Box, letterbox
+from app.widgets.room import is_seen
 from hapticplayer.media import Picture
 
 
@@ -29,11 +30,13 @@ class VideoSurface(QWidget):
             should have.
         double_clicked: a person wants fullscreen, or to leave it.
         pointer_moved: the pointer moved over the picture.
+        seen_changed: whether anybody can see the pictures is another; see `look`.
     """
 
     target_changed = Signal(int, int)
     double_clicked = Signal()
     pointer_moved = Signal()
+    seen_changed = Signal(bool)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -47,6 +50,7 @@ class VideoSurface(QWidget):
         self._target = Box(0, 0, 2, 2)
         self._picture: Picture | None = None
         self._image: QImage | None = None
+        self._was_seen = True
 
     @property
     def target(self) -> Box:
@@ -81,7 +85,16 @@ class VideoSurface(QWidget):
         self.update()
 
     def present(self, picture: Picture) -> None:
-        """Paint a picture now; returns when it is on its way to the screen."""
+        """Paint a picture now; returns when it is on its way to the screen.
+
+        One that shows what is shown already is not painted, one without pixels is left.
+        """
+        shown = self._picture
+        if not picture.has_pixels:
+            return
+        if shown is not None and picture.owner is shown.owner:
+            self._picture = picture
+            return
         self._image = QImage(
             picture.pixels,
             picture.width,
@@ -90,12 +103,17 @@ class VideoSurface(QWidget):
             QImage.Format.Format_RGB32,
         )
         self._picture = picture  # owns the memory of the image
-        if self._is_seen():
+        if is_seen(self):
             self.repaint(self._logical(self._target).toAlignedRect())
 
-    def _is_seen(self) -> bool:
-        window = self.window().windowHandle()
-        return self.isVisible() and bool(window) and window.isExposed()
+    def look(self) -> None:
+        """Notice that the window has been hidden, or is back."""
+        is_seen_now = is_seen(self)
+        if is_seen_now is not self._was_seen:
+            self._was_seen = is_seen_now
+            if is_seen_now:
+                self.update()
+            self.seen_changed.emit(is_seen_now)
 
     def _place(self) -> None:
         """Find the target anew and ask for pictures of its size."""
@@ -118,6 +136,7 @@ class VideoSurface(QWidget):
         # `with`: a traceback keeps this frame, and Qt dies of a painter that lives on
         with QPainter(self) as painter:
             self._paint(painter, event.rect())
+        self.look()
 
     def _paint(self, painter: QPainter, exposed: QRect) -> None:
         painter.setCompositionMode(QPainter.CompositionMode.CompositionMode_Source)

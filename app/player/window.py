@@ -146,6 +146,9 @@ class PlayerWindow(QMainWindow):
         session.opened.connect(self._on_opened)
         session.changed.connect(self._on_changed)
         self.surface.target_changed.connect(self._on_target_changed)
+        self.surface.seen_changed.connect(
+            lambda is_on: self.player.set_seen(is_seen=is_on)
+        )
         self.surface.double_clicked.connect(self.toggle_fullscreen)
         self._settled.timeout.connect(session.refresh_picture)
         self.job_bar.cancelled.connect(session.jobs.cancel)
@@ -278,6 +281,7 @@ class PlayerWindow(QMainWindow):
         if not self._watch_turn.is_due(self.clock.now_s()):
             return
         self.session.watch()
+        self.surface.look()
         if not self.fullscreen.is_on:
             state = self.session.jobs.state()
             self.job_bar.show_state(state, self.clock.now_s())

@@ -1,4 +1,4 @@
-"""Windows no larger than the screen that they are on, and no smaller than their texts."""
+"""Windows and their screen: how much room there is, and whether they are seen."""
 
 from PySide6.QtWidgets import QAbstractSpinBox, QInputDialog, QWidget
 
@@ -43,3 +43,16 @@ def indent(box: QAbstractSpinBox) -> None:
     """
     box.lineEdit().setTextMargins(_INDENT_PX, 0, 0, 0)
     box.setMinimumWidth(box.sizeHint().width() + _INDENT_PX)
+
+
+def is_seen(widget: QWidget) -> bool:
+    """Return whether a widget may be on a screen; else it need not be drawn.
+
+    Not hidden, not in a minimised window (which X11 without a window manager goes on
+    to expose). Whether another window covers it is known only where the desktop tells Qt
+    (macOS, some of Wayland's); on X11 it counts as seen, and so it does where in doubt.
+    """
+    window = widget.window()
+    handle = window.windowHandle()
+    is_open = widget.isVisible() and not window.isMinimized()
+    return is_open and bool(handle) and handle.isExposed()

@@ -53,6 +53,7 @@ PLAY_DEFAULTS: dict[str, Any] = {
     "force": None,
     "device": "simulated",
     "headless": False,
+    "mute": False,
     "fullscreen": False,
     "plots": True,
     "close_at_end": False,
@@ -87,6 +88,11 @@ def add_play(commands: Any) -> None:
     )
     add_device_name(play)
     play.add_argument("--headless", action="store_true", help="without a window")
+    play.add_argument(
+        "--mute",
+        action="store_true",
+        help="silent; without a window no sound is decoded",
+    )
     play.add_argument("--fullscreen", action="store_true")
     play.add_argument(
         "--no-plots", dest="plots", action="store_false", help="hide the live plots"

@@ -13,8 +13,10 @@ from hapticplayer.haptics.limiter import Limits
 from hapticplayer.haptics.scheduling import Scheduling
 from hapticplayer.playback import headless
 from hapticplayer.playback.haptic_link import NO_DEVICE
+from hapticplayer.playback.kept_latencies import kept_latencies
 from hapticplayer.playback.log import PlaybackLog
 from hapticplayer.playback.player import FASTEST, SLOWEST, Player
+from hapticplayer.playback.sound_process import SoundProcess
 from hapticplayer.playback.source import Source, choose_feedback, open_source
 
 ROUNDING_N = 1e-3  # tracks are stored as float32
@@ -28,7 +30,9 @@ def play(options: argparse.Namespace) -> int:
     advise(source, feedback)
     clock = SystemClock()
     record = record_target(options, options.device)
-    player = Player(clock, scheduling=wanted_scheduling(options))
+    audio = None if options.mute else SoundProcess
+    player = Player(clock, audio=audio, scheduling=wanted_scheduling(options))
+    player.set_latencies(kept_latencies())
     if source.clip.has_audio:
         player.prepare_sound()  # in parallel with the device
     try:

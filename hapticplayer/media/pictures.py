@@ -1,7 +1,7 @@
 """Turns decoded frames into pictures that can be painted."""
 
-from dataclasses import dataclass
-from typing import Any
+from dataclasses import dataclass, replace
+from typing import Any, NamedTuple, Self
 
 import numpy as np
 from av.video.frame import VideoFrame
@@ -11,6 +11,7 @@ from hapticplayer.errors import MediaError
 from hapticplayer.media.clip_info import rotation_of
 from hapticplayer.media.colours import untagged_matrix
 from hapticplayer.media.limits import MAX_PIXELS
+from hapticplayer.media.sameness import shows_the_same
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -24,7 +25,7 @@ class Picture:
         stride_bytes: from one row to the next.
         pixels: B, G, R, 255 for each pixel (QImage.Format_RGB32).
         owner: keeps the memory of `pixels` alive; hold the Picture as long as
-            anything points into it.
+            anything points into it. Pictures of one owner are the same.
     """
 
     pts_s: float
@@ -33,6 +34,16 @@ class Picture:
     stride_bytes: int
     pixels: memoryview
     owner: Any
+
+    @classmethod
+    def without_pixels(cls, pts_s: float, owner: Any) -> Self:
+        """Return what stands for a picture that nobody sees."""
+        return cls(pts_s, 0, 0, 0, memoryview(b""), owner)
+
+    @property
+    def has_pixels(self) -> bool:
+        """Whether there is anything to paint."""
+        return self.width > 0
 
     def as_rgb(self) -> np.ndarray[Any, np.dtype[np.uint8]]:
         """Return a copy as (height, width, 3) RGB; for tests and thumbnails."""
@@ -52,11 +63,29 @@ _ALONE_PIXELS = 2560 * 1440
 _ALONE, _AUTOMATIC = 1, 0
 
 
+_LOOK_EVERY = 8
+"""Where everything moves, one picture in so many is compared (up to 27 us for 720p)."""
+
+
+class _Done(NamedTuple):
+    """What was converted last, from what, to the size that was asked for."""
+
+    frame: VideoFrame
+    size_px: tuple[int, int]
+    picture: Picture
+
+
 class PictureConverter:
-    """Scales, rotates and converts to BGRA; reuses swscale's tables."""
+    """Scales, rotates and converts to BGRA; reuses swscale's tables.
+
+    A picture that shows what the one before showed is not converted again: it has the
+    same memory and the same owner.
+    """
 
     def __init__(self) -> None:
         self._reformatter = VideoReformatter()
+        self._last: _Done | None = None
+        self._moved = 0  # pictures since two were the same
 
     def convert(
         self, frame: VideoFrame, pts_s: float, width_px: int, height_px: int
@@ -66,6 +95,25 @@ class PictureConverter:
         Raises:
             MediaError: when the size is absurd; PyAV's errors pass through.
         """
+        last, size_px = self._last, (width_px, height_px)
+        if last and last.size_px == size_px and self._stands(frame, last.frame):
+            return replace(last.picture, pts_s=pts_s)
+        picture = self._converted(frame, pts_s, *size_px)
+        self._last = _Done(frame, size_px, picture)
+        return picture
+
+    def _stands(self, frame: VideoFrame, before: VideoFrame) -> bool:
+        """Whether nothing moves, as far as that is looked at."""
+        self._moved += 1
+        if self._moved > _LOOK_EVERY and self._moved % _LOOK_EVERY:
+            return False
+        if shows_the_same(frame, before):
+            self._moved = 0
+        return self._moved == 0
+
+    def _converted(
+        self, frame: VideoFrame, pts_s: float, width_px: int, height_px: int
+    ) -> Picture:
         width, height = max(2, width_px & ~1), max(2, height_px)
         if width * height > MAX_PIXELS:
             raise MediaError(f"{width} x {height} pixels are too large for a picture")

@@ -66,6 +66,11 @@ class AudioRing:
         self._say(gain=gain)
 
     @property
+    def speed(self) -> float:
+        """Media seconds per second of the sound that is here."""
+        return self._cue.speed
+
+    @property
     def underrun_samples(self) -> int:
         """How many were missing when they were to be heard."""
         return self._block.last_heard().missing

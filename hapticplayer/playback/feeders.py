@@ -20,6 +20,7 @@ from hapticplayer.playback.sound_block import CHANNELS
 
 QUEUE_PICTURES = 5
 ROOM_S = 0.2  # seconds of sound lie ahead: there is no hurry
+SAME_TIME_S = 1e-6  # far below any time base
 MAX_STARVED_DROPS = 15  # show one picture in half a second whatever happens
 
 
@@ -40,7 +41,7 @@ class Feeder(threading.Thread, abc.ABC):
         """Go to a position; what was decoded for older epochs is dropped."""
         with self._wake:
             self._target = (epoch, media_s)
-            self.is_at_end = False
+            self.is_at_end = self.problem is not None  # nobody is left who decodes
             self._forget()
             self._wake.notify_all()
 
@@ -119,7 +120,12 @@ class Feeder(threading.Thread, abc.ABC):
 
 
 class VideoFeeder(Feeder):
-    """Decodes pictures and converts those that are not late already."""
+    """Decodes pictures and converts those that somebody sees and that are not late.
+
+    Attributes:
+        dropped: pictures that were late before they were converted.
+        damaged: see `VideoDecoder`.
+    """
 
     def __init__(self, path: Path) -> None:
         super().__init__("video-decoder", path)
@@ -127,11 +133,42 @@ class VideoFeeder(Feeder):
         self._size_px = (0, 0)
         self._position_s = float("-inf")
         self._starved = 0
+        self._taken: Picture | None = None
+        self._hole_s = float("-inf")  # of the last picture that was not kept
+        self._has_other_sizes = False
+        self._is_seen = True
         self.dropped = 0
         self.damaged = 0
 
+    def request(self, epoch: int, media_s: float) -> None:
+        """Go to a position; pictures that are here already are not decoded again."""
+        with self._wake:
+            if self._target is None and self._keep_from(media_s):
+                self._position_s = float("-inf")
+                self._wake.notify_all()
+                return
+        super().request(epoch, media_s)
+
+    def _keep_from(self, media_s: float) -> bool:
+        """Drop what lies before a position, if its picture and the next one are here."""
+        kept = [*([self._taken] if self._taken else []), *self._queue]
+        covering = sum(p.pts_s <= media_s + SAME_TIME_S for p in kept) - 1
+        if not 0 <= covering < len(kept) - 1 or self._has_other_sizes:
+            return False
+        if kept[covering].pts_s <= self._hole_s:
+            return False
+        self._queue, self._taken = deque(kept[covering:]), None
+        return True
+
+    def set_seen(self, *, is_seen: bool) -> None:
+        """Say whether anybody sees the pictures; else only their times are kept."""
+        with self._wake:
+            self._is_seen = is_seen
+            self._wake.notify_all()
+
     def set_size(self, width_px: int, height_px: int) -> None:
         """Convert to this size from now on."""
+        self._has_other_sizes |= self._size_px != (width_px, height_px)
         self._size_px = (width_px, height_px)
 
     def set_position(self, media_s: float) -> None:
@@ -141,21 +178,30 @@ class VideoFeeder(Feeder):
     def peek(self, number: int = 0) -> Picture | None:
         """Return a queued picture without taking it."""
         with self._wake:
-            return self._queue[number] if number < len(self._queue) else None
+            picture = self._queue[number] if number < len(self._queue) else None
+            return None if picture and self._is_to_convert(picture) else picture
 
     def pop(self) -> Picture | None:
         """Take the next picture."""
         with self._wake:
-            picture = self._queue.popleft() if self._queue else None
+            if not self._queue or self._is_to_convert(self._queue[0]):
+                return None
+            self._taken = self._queue.popleft()
             self._wake.notify_all()
-            return picture
+            return self._taken
+
+    def _is_to_convert(self, picture: Picture) -> bool:
+        """Whether somebody sees now what nobody saw when it was decoded."""
+        return self._is_seen and not picture.has_pixels
 
     def _has_work(self) -> bool:
-        return len(self._queue) < QUEUE_PICTURES and not self.is_at_end
+        has_room = len(self._queue) < QUEUE_PICTURES and not self.is_at_end
+        return has_room or any(map(self._is_to_convert, self._queue))
 
     def _forget(self) -> None:
         self._queue.clear()
-        self._position_s = float("-inf")
+        self._taken, self._has_other_sizes = None, False
+        self._position_s = self._hole_s = float("-inf")
 
     def _open(self) -> None:
         self._decoder = VideoDecoder(self._path)
@@ -168,6 +214,11 @@ class VideoFeeder(Feeder):
         self._decoder.seek(media_s)
 
     def _decode(self) -> None:
+        with self._wake:
+            outlines = [p for p in self._queue if self._is_to_convert(p)]
+        if outlines:
+            self._fill_in(outlines[0])
+            return
         frame = self._decoder.next_frame()
         self.damaged = self._decoder.damaged
         if frame is None:
@@ -175,12 +226,27 @@ class VideoFeeder(Feeder):
             return
         if self._is_late(frame):
             self.dropped += 1
+            self._hole_s = frame.pts_s
             return
-        picture = self._decoder.convert(frame, *self._wanted_size())
+        picture = self._converted(frame)
         with self._wake:
             if self._target is None:
                 self._queue.append(picture)
                 self._wake.notify_all()
+
+    def _converted(self, frame: DecodedFrame) -> Picture:
+        if self._is_seen:
+            return self._decoder.convert(frame, *self._wanted_size())
+        return Picture.without_pixels(frame.pts_s, frame)
+
+    def _fill_in(self, outline: Picture) -> None:
+        """Make the pixels of a picture, if it is still wanted then."""
+        picture = self._converted(outline.owner)
+        with self._wake:
+            for number, queued in enumerate(self._queue):
+                if queued is outline:
+                    self._queue[number] = picture
+            self._wake.notify_all()
 
     def _is_late(self, frame: DecodedFrame) -> bool:
         is_late = frame.pts_s + frame.duration_s < self._position_s
@@ -207,6 +273,11 @@ class AudioFeeder(Feeder):
     def set_speed(self, speed: float) -> None:
         """Stretch to this speed, keeping the pitch, from the next `request` on."""
         self._speed = speed
+
+    def hurry(self) -> None:
+        """Fill the ring now: the reader stands elsewhere in it."""
+        with self._wake:
+            self._wake.notify_all()
 
     def _has_work(self) -> bool:
         return not self.is_at_end

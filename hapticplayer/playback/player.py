@@ -40,7 +40,7 @@ class Player:
 
     Args:
         clock: of the machine.
-        sink: where pictures go.
+        sink: where pictures go; None: nobody sees them, so that no pixels are made.
         device: name of the haptic device, or "none".
         audio: makes the sound output, see `SoundKeeper`; None plays without sound.
         scheduling: of the haptics process; None for the best there is.
@@ -74,6 +74,7 @@ class Player:
         self._latencies, self.latency = Latencies(), Latency()
         self._farewells = Farewells()
         self._size_px = (0, 0)
+        self._is_seen = sink is not None
         self._first_sound_by_s = self._pictured_s = 0.0
         self._logged_audio_s = float("-inf")
         self._led_by = ClockSource.MONOTONIC
@@ -116,6 +117,7 @@ class Player:
         self._link.load(source.tracks)
         self._video_feeder = VideoFeeder(source.clip.path)
         self._video_feeder.set_size(*self._size_px)
+        self._video_feeder.set_seen(is_seen=self._is_seen)
         self._sound.open(source.clip.path, has_sound=source.clip.has_audio)
         self.phase = Phase.PAUSED
         self._go_to(0.0)
@@ -192,6 +194,7 @@ class Player:
     def set_sink(self, sink: FrameSink) -> None:
         """Present the pictures somewhere else, at a standstill the present one too."""
         self._screen.sink = sink
+        self.set_seen(is_seen=True)
         if not self.is_playing:  # else the next picture comes soon enough
             self.seek(self.media_s())
 
@@ -247,6 +250,16 @@ class Player:
         self._size_px = (width_px, height_px)
         if self._video_feeder is not None:
             self._video_feeder.set_size(width_px, height_px)
+
+    def set_seen(self, *, is_seen: bool) -> None:
+        """Say whether anybody can see the pictures; decoding goes on in any case."""
+        if is_seen is self._is_seen:
+            return
+        self._is_seen = is_seen
+        if self._video_feeder is not None:
+            self._video_feeder.set_seen(is_seen=is_seen)
+            if is_seen and not self.is_playing:
+                self._go_to(self.media_s())  # what was shown meanwhile has no pixels
 
     def stop_force(self) -> None:
         """Take the force away at once and stand still; `rearm` brings it back."""

@@ -25,7 +25,10 @@ class FrameSink(Protocol):
     """Where pictures go."""
 
     def show(self, picture: Picture) -> None:
-        """Present a picture now; returns when it is on the screen."""
+        """Present a picture now; returns when it is on the screen.
+
+        One without pixels is for who wants the times alone.
+        """
         ...
 
 
@@ -56,10 +59,11 @@ class Screen:
         self._preview: Picture | None = None
         self._needs_preview = False
         self._show_cost_s = 0.0
+        self._painted: object = None  # owner of what the sink has
 
     def forget(self) -> None:
         """There is no clip any more."""
-        self._preview, self._needs_preview = None, False
+        self._preview, self._needs_preview, self._painted = None, False, None
 
     def renew(self) -> None:
         """The position has changed: show where it is, without waiting for the clock."""
@@ -104,15 +108,19 @@ class Screen:
     def show_still(self, picture: Picture) -> None:
         """Show a picture that does not count as played yet."""
         self._needs_preview, self._preview = False, picture
-        self.picture_s = picture.pts_s
+        self.picture_s, self._painted = picture.pts_s, picture.owner
         self.sink.show(picture)
 
     def _show(self, picture: Picture) -> None:
         begun_s = self._clock.now_s()
         self.sink.show(picture)
-        shown_s = self._clock.now_s()
-        cost_s = min(shown_s - begun_s, MAX_SHOW_COST_S)
-        self._show_cost_s += SHOW_COST_SMOOTHING * (cost_s - self._show_cost_s)
+        if picture.has_pixels and picture.owner is not self._painted:
+            shown_s = self._clock.now_s()
+            cost_s = min(shown_s - begun_s, MAX_SHOW_COST_S)
+            self._show_cost_s += SHOW_COST_SMOOTHING * (cost_s - self._show_cost_s)
+            self._painted = picture.owner
+        else:  # nothing was painted: it counts when it would have been there
+            shown_s = begun_s + self._show_cost_s
         self.shown += 1
         self.picture_s = picture.pts_s
         self._presented(shown_s, picture.pts_s)

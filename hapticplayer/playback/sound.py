@@ -109,15 +109,27 @@ class Sound:
         self._keeper.use(partial(make, self.ring, self._clock), self._clock.now_s())
 
     def go_to(self, media_s: float) -> None:
-        """Stand at a position of the clock's new epoch, with new samples."""
+        """Stand at a position of the clock's new epoch.
+
+        What has been decoded around it is kept, unless it is of another speed.
+        """
         self._keeper.rest()
-        media = self._media
+        media, feeder = self._media, self.feeder
+        if feeder is not None and feeder.ident is not None and self._resumes(media_s):
+            feeder.hurry()
+            return
         generation = self.ring.load(media.epoch, media_s, media.speed)
-        if self.feeder is not None:
-            self.feeder.set_speed(media.speed)
-            self.feeder.request(generation, media_s)
-            if self.feeder.ident is None:
-                self.feeder.start()
+        if feeder is not None:
+            feeder.set_speed(media.speed)
+            feeder.request(generation, media_s)
+            if feeder.ident is None:
+                feeder.start()
+
+    def _resumes(self, media_s: float) -> bool:
+        """Stand where sound of this speed is here already, if it is."""
+        media = self._media
+        is_same_speed = media.speed == self.ring.speed
+        return is_same_speed and self.ring.resume_from(media.epoch, media_s)
 
     def hold(self, media_s: float) -> None:
         """Stand at a position that was just heard; what is on its way is kept."""

@@ -35,6 +35,16 @@ def test_the_brackets_change_the_speed_and_backspace_brings_it_back(playing):
     assert not playing.transport.speed.isVisible()
 
 
+def test_a_start_without_sound_is_not_remembered(playing, settings):
+    controls, ring = playing.extras.controls, playing.player._sound.ring
+    controls.begin_muted()
+    assert ring.gain == 0.0
+    assert playing.transport.mute.accessibleName() == "Sound on"
+    assert settings.flag("muted", default=True) is False
+    key(playing, Qt.Key.Key_M)
+    assert ring.gain == pytest.approx(1.0)
+
+
 def test_volume_and_mute_are_heard_shown_and_remembered(playing, settings):
     ring = playing.player._sound.ring
     key(playing, Qt.Key.Key_9)

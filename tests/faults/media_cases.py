@@ -113,9 +113,13 @@ def mutated(content: bytes, rng: np.random.Generator) -> bytes:
     return bytes(damaged)
 
 
-def mutation(content: bytes, container: str, number: int) -> bytes:
-    """Return the mutation of that number; the same for ever."""
-    return mutated(content, np.random.default_rng([number, *container.encode()]))
+def mutation(content: bytes, container: str, number: int, seed: int = 0) -> bytes:
+    """Return the mutation of that number; the same for ever.
+
+    Rules are tuned on what they are tried on, so another seed gives other damage.
+    """
+    own = [seed] if seed else []
+    return mutated(content, np.random.default_rng([*own, number, *container.encode()]))
 
 
 def play(path: Path) -> tuple[int, bool]:

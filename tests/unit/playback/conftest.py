@@ -65,9 +65,9 @@ class Theatre:
 
     STEP_S = 0.004
 
-    def __init__(self, info, *, with_sound=True):
+    def __init__(self, info, *, with_sound=True, with_screen=True):
         self.clock = ManualClock()
-        self.sink = RecordingSink(self.clock)
+        self.sink = RecordingSink(self.clock) if with_screen else None
         self.out = None
         self.player = Player(
             self.clock, self.sink, audio=self._make_audio if with_sound else None

@@ -191,6 +191,33 @@ def test_a_clip_that_breaks_ends_with_a_sentence(theatre, monkeypatch):
     assert theatre.player.phase is Phase.ENDED
 
 
+def test_a_seek_in_a_clip_that_has_broken_does_not_wait_for_ever(theatre, monkeypatch):
+    from hapticplayer.errors import MediaError
+
+    player = theatre.player
+    player.play()
+    theatre.run(0.3)
+
+    def broken():
+        raise MediaError("is damaged", where="short.mp4")
+
+    monkeypatch.setattr(player._video_feeder._decoder, "next_frame", broken)
+    player._video_feeder.request(99, 2.0)
+    player._video_feeder.join(20)
+    assert player._video_feeder.problem is not None
+    player.seek(1.0)
+    player.play()
+    reading = threading.Event()
+    for _ in range(500):
+        player.poll()
+        if player.phase is Phase.ENDED:
+            break
+        theatre.out.advance(192)
+        theatre.clock.advance(0.004)
+        reading.wait(0.001)
+    assert player.phase is Phase.ENDED
+
+
 def test_a_sound_output_that_was_lost_comes_back_without_a_jump(theatre, monkeypatch):
     monkeypatch.setattr(sound_keeper, "RETRY_S", 0.001)
     monkeypatch.setattr(sound_keeper, "SETTLED_S", 0.3)
