@@ -20,7 +20,6 @@ from av.stream import Disposition, Stream
 from av.video.stream import VideoStream
 
 from hapticplayer.errors import MediaError
-from hapticplayer.media.allocation import keep_freed
 from hapticplayer.media.files import COPY_AGAIN, reason, resolve_regular
 from hapticplayer.media.lengths import declared_bytes
 from hapticplayer.media.limits import (
@@ -48,7 +47,6 @@ def open_media(path: str | os.PathLike[str]) -> InputContainer:
         MediaError: when it is missing, no regular file, of another kind, damaged,
             truncated, or larger than the limits.
     """
-    keep_freed()
     file = resolve_regular(path)
     with media_errors(file, "it is no video or sound that can be read", CONVERT):
         container = av.open(

@@ -12,7 +12,6 @@ from dataclasses import dataclass
 from av.video.frame import VideoFrame
 
 from hapticplayer.errors import MediaError
-from hapticplayer.media.allocation import give_back
 from hapticplayer.media.clip_info import (
     frame_rate_hz,
     require_video,
@@ -112,7 +111,6 @@ class VideoDecoder(ClipDecoder[VideoFrame]):
         """Release the file and the decoder."""
         self._pending.clear()
         super().close()
-        give_back()
 
     def seek(self, media_s: float) -> None:
         """Go to the picture that covers `media_s`; `next_frame` returns it.
