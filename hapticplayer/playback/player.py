@@ -28,7 +28,6 @@ from hapticplayer.playback.source import Source
 
 FIRST_SOUND_TIMEOUT_S = 3.0  # a sound server that wakes its device took 1.3 s
 AUDIO_LOG_PERIOD_S = 0.04
-
 SLOWEST, FASTEST = 0.5, 4.0  # of `set_speed`
 PICTURE_STOPS_S = 0.2
 NO_TRACK = ""  # no force; what comes after it fades in
@@ -319,17 +318,11 @@ class Player:
     @property
     def frames_dropped(self) -> int:
         """Pictures that came too late to be shown."""
-        feeder = self._video_feeder
-        return (
-            self._dropped_before
-            + self._screen.dropped
-            + (feeder.dropped if feeder else 0)
-        )
+        fed = self._video_feeder.dropped if self._video_feeder else 0
+        return self._dropped_before + self._screen.dropped + fed
 
     def summary(self) -> dict[str, Any]:
         """Return what the log ends with."""
-        ring = self._sound.ring
-        underrun_s = ring.underrun_samples / ring.rate_hz
         return {
             **self._link.summary(),
             "frames": {
@@ -337,7 +330,7 @@ class Player:
                 "dropped": self.frames_dropped,
                 "damaged": self._damaged,
             },
-            "audio_underrun_s": round(underrun_s, 4),
+            "audio_underrun_s": round(self._sound.underrun_s, 4),
             "clock": self._led_by.value,
         }
 
@@ -379,16 +372,13 @@ class Player:
                 self._media.start_with(report)
                 self.phase = Phase.PLAYING
             elif not self._media.report(report, self._clock.now_s()):
-                self._resync(report)
+                # too far off to be caught up with: seek to where the sound is
+                self._event("resync", to_s=report.media_s)
+                self.seek(report.media_s)
                 return
             self._note_sound(report)
         if missing_s := self._sound.missing_s():
             self._event("underrun", missing_s=missing_s)
-
-    def _resync(self, report: AudioReport) -> None:
-        """The sound is too far off to be caught up with: seek to where it is."""
-        self._event("resync", to_s=report.media_s)
-        self.seek(report.media_s)
 
     def _note_sound(self, report: AudioReport) -> None:
         if report.monotonic_s < self._logged_audio_s + AUDIO_LOG_PERIOD_S:
@@ -397,9 +387,8 @@ class Player:
         commanded_s = report.monotonic_s - self.latency.device_s
         self._link.audio_sync.event(commanded_s, report.media_s)
         if self._log:
-            self._log.line(
-                "audio", monotonic_s=report.monotonic_s, media_s=report.media_s
-            )
+            at = {"monotonic_s": report.monotonic_s, "media_s": report.media_s}
+            self._log.line("audio", **at)
 
     def _advance(self, now_s: float) -> None:
         """Move the state machine on."""
@@ -407,6 +396,24 @@ class Player:
         if feeder is None:
             return
         self._keep_sound(now_s)
+        self._note_damage(feeder)
+        if self.phase is Phase.BUFFERING and self._is_ready(feeder, now_s):
+            self._start(now_s)
+        elif self.phase is Phase.STARTING and now_s > self._first_sound_by_s:
+            self._media.start(now_s)
+            self.phase = Phase.PLAYING
+            self._event("no_sound")
+        elif self.phase is Phase.PLAYING:
+            if self._media.source is not self._led_by:  # another clock leads now
+                self._led_by = self._media.source
+                self._event("clock", source=self._led_by.value)
+            if self.loop_s is not None and self.media_s() >= self.loop_s[1]:
+                self.seek(self.loop_s[0])
+            elif self._is_over(feeder, now_s):
+                self._hold(Phase.ENDED)
+                self._event("end")
+
+    def _note_damage(self, feeder: VideoFeeder) -> None:
         if feeder.damaged > self._damaged:
             if not self._damaged:
                 self.told.append(DAMAGED)
@@ -415,25 +422,6 @@ class Player:
         if feeder.problem is not None and not self.problem:
             self.problem = str(feeder.problem)
             self._event("damaged", problem=self.problem)
-        if self.phase is Phase.BUFFERING and self._is_ready(feeder, now_s):
-            self._start(now_s)
-        elif self.phase is Phase.STARTING and now_s > self._first_sound_by_s:
-            self._media.start(now_s)
-            self.phase = Phase.PLAYING
-            self._event("no_sound")
-        elif self.phase is Phase.PLAYING:
-            self._note_source()
-            if self.loop_s is not None and self.media_s() >= self.loop_s[1]:
-                self.seek(self.loop_s[0])
-            elif self._is_over(feeder, now_s):
-                self._hold(Phase.ENDED)
-                self._event("end")
-
-    def _note_source(self) -> None:
-        """Log when another clock takes the lead."""
-        if self._media.source is not self._led_by:
-            self._led_by = self._media.source
-            self._event("clock", source=self._led_by.value)
 
     def _is_ready(self, feeder: VideoFeeder, now_s: float) -> bool:
         has_picture = feeder.peek(1) is not None or feeder.is_at_end

@@ -46,6 +46,11 @@ class Sound:
         return self.feeder is not None
 
     @property
+    def underrun_s(self) -> float:
+        """Silence in place of sound that was not there in time, so far."""
+        return self.ring.underrun_samples / self.ring.rate_hz
+
+    @property
     def is_open(self) -> bool:
         """Whether there is an output that plays."""
         return self.is_wanted and self._keeper.is_open
