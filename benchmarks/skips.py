@@ -5,11 +5,13 @@
 Every case does the same work with its skip and without it, in turns; CPU time of this
 process (all its threads) for each picture, tick, packet or seek, medians of the rounds.
 What the X server does for a painting is not in it. The muted run is a process tree of its
-own, sound process included. Tests hold what remains equal (`tests/**/test_skips.py`,
+own, sound process included. With `--only`, figures of an earlier run stay beside the new
+ones. Tests hold what remains equal (`tests/**/test_skips.py`,
 `tests/app/test_unseen.py`).
 """
 
 import argparse
+import json
 import os
 import statistics
 import sys
@@ -21,6 +23,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from common import (
+    RESULTS,
     player_command,
     run_measured,
     save,
@@ -81,7 +84,14 @@ def muted_runs(clip: Path, rounds: int) -> dict[str, Any]:
     return summary(found) | {"unit": "second"}
 
 
-def report(cases: dict[str, Any], stages: dict[str, Any], rounds: int) -> None:
+def earlier(part: str) -> dict[str, Any]:
+    """Return a part of what was saved before."""
+    path = RESULTS / "skips.json"
+    found: dict[str, Any] = json.loads(path.read_text()) if path.exists() else {}
+    return dict(found.get(part, {}))
+
+
+def report(cases: dict[str, Any], stages: dict[str, Any], options: Any) -> None:
     """Print both tables and keep the figures."""
     rows = [
         [
@@ -98,7 +108,9 @@ def report(cases: dict[str, Any], stages: dict[str, Any], rounds: int) -> None:
     if stages:
         rows = [[n, f["unit"], f"{f['us']:.2f}"] for n, f in stages.items()]
         print("\n" + table(["stage", "per", "us"], rows))
-    figures = {"rounds": rounds, "skips": cases, "stages": stages}
+    if options.only:
+        cases, stages = earlier("skips") | cases, earlier("stages") | stages
+    figures = {"rounds": options.rounds, "skips": cases, "stages": stages}
     print(f"saved {save('skips', figures).name}")
 
 
@@ -137,7 +149,7 @@ def main() -> int:
         for stage in wanted:
             us = statistics.median(taken[stage.name])
             stages[stage.name] = {"unit": stage.unit, "us": us}
-        report(cases, stages, options.rounds)
+        report(cases, stages, options)
     return 0
 
 

@@ -50,7 +50,7 @@ class VideoSurface(QWidget):
         self._target = Box(0, 0, 2, 2)
         self._picture: Picture | None = None
         self._image: QImage | None = None
-        self._was_seen = True
+        self._was_seen, self._was_painted = True, False
 
     @property
     def target(self) -> Box:
@@ -107,8 +107,11 @@ class VideoSurface(QWidget):
             self.repaint(self._logical(self._target).toAlignedRect())
 
     def look(self) -> None:
-        """Notice that the window has been hidden, or is back."""
-        is_seen_now = is_seen(self)
+        """Notice that the window has been hidden, or is back.
+
+        Until it is painted for the first time it is about to be seen.
+        """
+        is_seen_now = is_seen(self) or not self._was_painted
         if is_seen_now is not self._was_seen:
             self._was_seen = is_seen_now
             if is_seen_now:
@@ -136,6 +139,7 @@ class VideoSurface(QWidget):
         # `with`: a traceback keeps this frame, and Qt dies of a painter that lives on
         with QPainter(self) as painter:
             self._paint(painter, event.rect())
+        self._was_painted = True
         self.look()
 
     def _paint(self, painter: QPainter, exposed: QRect) -> None:

@@ -72,8 +72,7 @@ class Player:
         self._link = HapticLink(clock, device, scheduling)
         self._latencies, self.latency = Latencies(), Latency()
         self._farewells = Farewells()
-        self._size_px = (0, 0)
-        self._is_seen = sink is not None
+        self._size_px, self._is_seen = (0, 0), sink is not None
         self._first_sound_by_s = self._pictured_s = 0.0
         self._logged_audio_s = float("-inf")
         self._led_by = ClockSource.MONOTONIC

@@ -155,6 +155,22 @@ def test_a_picture_without_pixels_leaves_what_is_shown(surface, counts):
     assert surface.image.pixelColor(80, 45).red() == 40
 
 
+def test_a_surface_that_is_about_to_be_shown_counts_as_seen(qtbot):
+    surface, told = VideoSurface(), []
+    qtbot.addWidget(surface)
+    surface.seen_changed.connect(told.append)
+    surface.look()
+    assert told == []  # the first pictures are ready before the window is
+    surface.show()
+    qtbot.waitUntil(lambda: surface._was_painted)
+    assert told == []
+    surface.hide()
+    surface.look()
+    assert told == [False]
+    surface.show()
+    qtbot.waitUntil(lambda: told == [False, True])
+
+
 def test_a_widget_without_a_window_is_not_seen(qtbot):
     widget = QWidget()
     qtbot.addWidget(widget)
