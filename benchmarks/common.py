@@ -226,6 +226,19 @@ class Usage:
         """Return what a process was called before it ended and nobody had waited."""
         return self.by_pid[pid][0] if pid in self.by_pid else ""
 
+    def written_mb(self) -> float:
+        """Return what the tree has now that is no file: only that can grow.
+
+        Its share of the libraries depends on who else has them loaded.
+        """
+        total_kb = 0
+        for pid in self._tree(self._pid):
+            with contextlib.suppress(OSError):
+                rollup = Path(f"/proc/{pid}/smaps_rollup").read_text()
+                for kind in ("Pss_Anon:", "Pss_Shmem:"):
+                    total_kb += int(rollup.split(kind)[1].split()[0])
+        return total_kb / 1024.0
+
     def of(self, part: str) -> float:
         """Return the seconds of the processes whose command holds `part`."""
         return sum(s for command, s in self.by_pid.values() if part in command)

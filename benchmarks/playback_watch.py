@@ -84,7 +84,7 @@ class Slope(NamedTuple):
     """Growth of memory.
 
     Attributes:
-        mb_per_hour: of the whole process tree (PSS).
+        mb_per_hour: of the whole process tree, without files.
         sure_mb_per_hour: half the width of its 95 % confidence interval.
         mean_mb: over the time that was looked at.
     """
@@ -122,9 +122,7 @@ def memory_slope(
         while (elapsed_s := time.monotonic() - begin_s) < 60.0 * minutes:
             if process.poll() is not None:
                 sys.exit(f"ended after {elapsed_s:.0f} s: {' '.join(command)}")
-            usage = Usage(process.pid)
-            usage.sample()
-            samples.append((elapsed_s, usage.peak_mb))
+            samples.append((elapsed_s, Usage(process.pid).written_mb()))
             time.sleep(SAMPLE_S)
     finally:
         process.send_signal(signal.SIGTERM)
