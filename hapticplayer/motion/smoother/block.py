@@ -345,12 +345,19 @@ class _Block:
         still = self._believed()
         if not still.any():
             return tilt
+        problem = self._problem
+        weight_mps = still * STANDARD_GRAVITY_MPS2 * problem.duration_s
+        pushed = still * problem.impulse[:2, 0]
+        # frame I turns by what was found of the gyro since it was integrated: halfway
+        # through the interval it is half as far as at its end, in that node's frame
+        turned = (problem.rows[:, :2, 1:] @ self._solution.calibration).T
+        to_end = problem.tilt[:, 0] + 0.5 * turned
         # at an edge of a still span only one side of the node has a say
         span_mps = np.zeros(tilt.shape[1])
         level = np.zeros_like(tilt)
-        for side in (slice(1, None), slice(None, -1)):
-            span_mps[side] += still * STANDARD_GRAVITY_MPS2 * self._problem.duration_s
-            level[:, side] += still * self._problem.impulse[:2, 0]
+        for side, moved in (slice(1, None), to_end), (slice(None, -1), -0.5 * turned):
+            span_mps[side] += weight_mps
+            level[:, side] += pushed + weight_mps * moved
         inside = span_mps > 0.0
         shift = np.where(inside, level / np.where(inside, span_mps, 1.0) - tilt, 0.0)
         size = STANDARD_GRAVITY_MPS2 * np.sqrt(np.square(shift).sum(axis=0))
