@@ -1,6 +1,6 @@
 """Which samples of a log are not to be trusted, and why."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
@@ -35,6 +35,7 @@ class Flaws:
         missing: (N,) samples that were filled in.
         force_clipped: (N,) on a rail of the accelerometer.
         rate_clipped: (N,) on a rail of the gyro.
+        flawless: whether there is nothing to be careful about.
     """
 
     interval_s: float
@@ -42,25 +43,23 @@ class Flaws:
     missing: Flags
     force_clipped: Flags
     rate_clipped: Flags
+    flawless: bool = field(init=False)
+
+    def __post_init__(self) -> None:
+        found = (self.missing, self.force_clipped, self.rate_clipped)
+        flawed = self.gap_s.any() or any(flags.any() for flags in found)
+        object.__setattr__(self, "flawless", not flawed)
 
     @property
     def valid(self) -> Flags:
         """Samples whose motion may be trusted: not missing, clipped or at a gap."""
+        if self.flawless:
+            return np.ones(len(self.gap_s), np.bool_)
         flawed = self.missing | self.force_clipped | self.rate_clipped
         gap = self.gap_s > 0.0
         flawed |= gap
         flawed[:-1] |= gap[1:]
         return ~flawed
-
-    @property
-    def flawless(self) -> bool:
-        """Whether there is nothing to be careful about."""
-        return not (
-            self.gap_s.any()
-            or self.missing.any()
-            or self.force_clipped.any()
-            or self.rate_clipped.any()
-        )
 
     @property
     def beyond_bridging(self) -> Flags:
@@ -98,10 +97,11 @@ class Flaws:
 def find_flaws(imu: ImuLog) -> Flaws:
     """Return the flaws of a log of at least two samples."""
     steps = np.diff(imu.time_s)
-    interval_s = float(np.median(steps))
+    interval_s = _median(steps)
     gap_s = np.zeros(len(imu))
-    wide = steps > GAP_STEPS * interval_s
-    gap_s[1:][wide] = steps[wide] - interval_s
+    if steps.max() > GAP_STEPS * interval_s:
+        wide = steps > GAP_STEPS * interval_s
+        gap_s[1:][wide] = steps[wide] - interval_s
     return Flaws(
         interval_s,
         gap_s,
@@ -109,6 +109,15 @@ def find_flaws(imu: ImuLog) -> Flaws:
         _clipped(imu.specific_force_mps2, ACCELEROMETER),
         _clipped(imu.angular_rate_radps, GYROSCOPE),
     )
+
+
+def _median(values: Floats) -> float:
+    """Return the median of finite values; numpy's own looks for NaN at great cost."""
+    middle = len(values) // 2
+    parted = np.partition(values, middle)
+    if len(values) % 2:
+        return float(parted[middle])
+    return 0.5 * float(parted[middle] + parted[:middle].max())
 
 
 def _clipped(values: Floats, sensor: SensorRange) -> Flags:

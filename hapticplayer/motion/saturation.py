@@ -72,20 +72,16 @@ def saturated_mask(values: Floats, sensor: SensorRange) -> tuple[Flags, float | 
         full_scale: the known range within 4 % of the rail, else the largest rail
             that was found; None when nothing is clipped.
     """
-    tops = np.full((2, 3), -np.inf)
-    for first in range(0, len(values), _CHUNK):
-        # by axis: numpy is slow along axes of three
-        part = np.ascontiguousarray(values[first : first + _CHUNK].T)
-        np.maximum(tops, [part.max(axis=1), -part.min(axis=1)], out=tops)
-    if tops.max() < sensor.least:
-        return np.zeros(values.shape, np.bool_), None
+    mask = np.zeros(values.shape[::-1], np.bool_)
+    if max(values.max(initial=-np.inf), -values.min(initial=np.inf)) < sensor.least:
+        return mask.T, None
+    tops, by_axis = _tops(values)
     rails = np.zeros((2, 3))
     for side, sign in enumerate((1.0, -1.0)):
         for axis in range(3):
             top = float(tops[side, axis])
-            if top >= sensor.least and _is_rail(values[:, axis], sign, top, sensor):
+            if top >= sensor.least and _is_rail(by_axis[axis], sign, top, sensor):
                 rails[side, axis] = top
-    mask = np.zeros(values.shape[::-1], np.bool_)
     if not rails.any():
         return mask.T, None
     _add_siblings(rails, tops)
@@ -93,9 +89,21 @@ def saturated_mask(values: Floats, sensor: SensorRange) -> tuple[Flags, float | 
         for axis in range(3):
             if rails[side, axis] > 0.0:
                 rail = (1.0 - MARKED) * rails[side, axis]
-                mask[axis] |= sign * values[:, axis] >= rail
+                mask[axis] |= sign * by_axis[axis] >= rail
     largest = float(rails.max())
     return mask.T, _known(largest, sensor) or largest
+
+
+def _tops(values: Floats) -> tuple[Floats, Floats]:
+    """Return how far each axis goes both ways (2, 3), and the values by axis (3, N)."""
+    tops, by_axis = np.full((2, 3), -np.inf), values.T
+    for first in range(0, len(values), _CHUNK):
+        # by axis: numpy is slow along axes of three
+        part = np.ascontiguousarray(values[first : first + _CHUNK].T)
+        np.maximum(tops, [part.max(axis=1), -part.min(axis=1)], out=tops)
+        if len(values) <= _CHUNK:
+            by_axis = part
+    return tops, by_axis
 
 
 def _is_rail(values: Floats, sign: float, top: float, sensor: SensorRange) -> bool:

@@ -233,6 +233,7 @@ class _Block:
     def result(self, *, with_sigma: bool) -> Smoothed:
         """Return the orientation at each sample, and how certain it is."""
         solution, count = self._solution, len(self._samples)
+        covariance = solution.covariance
         settled = self._settled(solution.tilt)
         total = self._calibration.copy()
         total[: self._solved_columns] += solution.calibration[: self._solved_columns]
@@ -249,7 +250,7 @@ class _Block:
         return Smoothed(
             quaternion_wxyz=quaternion,
             vertical=vertical,
-            sigma_rad=self._sigma(constant_s, settled)
+            sigma_rad=self._sigma(constant_s, settled, covariance)
             if with_sigma
             else np.zeros(count),
             at_rest=np.repeat(self._believed(), per_node)[:count],
@@ -258,16 +259,18 @@ class _Block:
                 gyro_matrix=total[GYRO_MATRIX].reshape(3, 3),
                 accelerometer_bias_mps2=total[FORCE_BIAS],
                 force_scale=float(total[FORCE_SCALE]),
-                force_scale_sigma=float(solution.covariance[FORCE_SCALE, FORCE_SCALE])
-                ** 0.5,
+                force_scale_sigma=float(covariance[FORCE_SCALE, FORCE_SCALE]) ** 0.5,
                 time_constant_s=constant_s,
             ),
         )
 
-    def _sigma(self, time_constant_s: Floats, settled: Floats) -> Floats:
+    def _sigma(
+        self, time_constant_s: Floats, settled: Floats, covariance: Floats
+    ) -> Floats:
         """Return the standard deviation of the tilt at each sample, rad."""
         variance = tilt_variance(
-            self._problem, self._solution, time_constant_s, self._p.local_s
+            *(self._problem, self._solution, covariance),
+            *(time_constant_s, self._p.local_s),
         )
         per_node = self._per_window * self._per_node
         variance += _turning_variance(self._nodes.turned_rad / per_node)
@@ -304,11 +307,11 @@ class _Block:
         if was_fine:
             return stages.rotated(at, sensor)
         last = len(at[0]) - 1
-        shared = np.append(2 * np.arange(sensor.shape[1] - 1), last)
+        shared = 2 * np.arange(sensor.shape[1])
+        shared[-1] = last
         known = stages.rotated((at[0][shared], at[1][shared]), sensor)
-        place = np.arange(last + 1)
-        self._bound = np.interp(place, shared, self._bound)
-        return _unit(np.stack([np.interp(place, shared, row) for row in known]))
+        self._bound = finer(self._bound, last + 1)
+        return _unit(finer(known, last + 1))
 
     def _vertical(self) -> Floats:
         """Return the vertical of the last solution in frame I, (3, K + 1)."""
@@ -342,12 +345,19 @@ class _Block:
         still = self._believed()
         if not still.any():
             return tilt
+        problem = self._problem
+        weight_mps = still * STANDARD_GRAVITY_MPS2 * problem.duration_s
+        pushed = still * problem.impulse[:2, 0]
+        # frame I turns by what was found of the gyro since it was integrated: halfway
+        # through the interval it is half as far as at its end, in that node's frame
+        turned = (problem.rows[:, :2, 1:] @ self._solution.calibration).T
+        to_end = problem.tilt[:, 0] + 0.5 * turned
         # at an edge of a still span only one side of the node has a say
         span_mps = np.zeros(tilt.shape[1])
         level = np.zeros_like(tilt)
-        for side in (slice(1, None), slice(None, -1)):
-            span_mps[side] += still * STANDARD_GRAVITY_MPS2 * self._problem.duration_s
-            level[:, side] += still * self._problem.impulse[:2, 0]
+        for side, moved in (slice(1, None), to_end), (slice(None, -1), -0.5 * turned):
+            span_mps[side] += weight_mps
+            level[:, side] += pushed + weight_mps * moved
         inside = span_mps > 0.0
         shift = np.where(inside, level / np.where(inside, span_mps, 1.0) - tilt, 0.0)
         size = STANDARD_GRAVITY_MPS2 * np.sqrt(np.square(shift).sum(axis=0))
@@ -415,6 +425,15 @@ def _spins(samples: Samples, per_window: int) -> bool:
     rate = samples.angular_rate_radps
     fastest = max(abs(float(rate.max())), abs(float(rate.min())))
     return bool(2 * per_window * fastest * samples.interval_s > _MEAN_TURN_RAD)
+
+
+def finer(values: Floats, count: int) -> Floats:
+    """Return values (..., K + 1) for so many nodes, half as far apart."""
+    out, last = np.empty((*values.shape[:-1], count)), count - 1
+    out[..., :last:2], out[..., last] = values[..., :-1], values[..., -1]
+    pairs = out[..., : last - 1 : 2], out[..., 2 : last + 1 : 2]
+    np.multiply(0.5, pairs[0] + pairs[1], out=out[..., 1:last:2])
+    return out
 
 
 def _unit(vectors: Floats) -> Floats:

@@ -117,7 +117,7 @@ def best_calibration(problem: Problem, normal: Floats) -> tuple[Floats, Floats]:
         problem: with what is expected.
         normal: (1 + C, 1 + C) matrix of the columns.
     """
-    matrix = 0.5 * (normal[1:, 1:] + normal[1:, 1:].T)
+    matrix = normal[1:, 1:].copy()  # of which the factor takes one half
     matrix.flat[:: len(matrix) + 1] += problem.prior_weight
     right = problem.prior_weight * problem.prior - normal[1:, 0]
     factor, calibration, failed = lapack.dposv(matrix, right)
@@ -133,7 +133,8 @@ def tighter(problem: Problem, solution: Solution, factor: float) -> Problem:
     """
     rows = problem.rows[..., : 1 + BIASES_ONLY].copy()
     found = solution.calibration[BIASES_ONLY:]
-    rows[..., 0] += problem.rows[..., 1 + BIASES_ONLY :] @ found
+    flat = problem.rows.reshape(-1, problem.rows.shape[-1])
+    rows[..., 0] += (flat[:, 1 + BIASES_ONLY :] @ found).reshape(rows.shape[:-1])
     return replace(
         problem,
         rows=rows,

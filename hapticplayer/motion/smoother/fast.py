@@ -117,9 +117,9 @@ def coarse(samples: Samples, per_window: int) -> Samples:
         return samples
     total = -(-len(samples) // per_window)
     spent, force, rate = (
-        np.zeros((3, total)),
-        np.zeros((total, 3)),
-        np.zeros((total, 3)),
+        np.empty((3, total)),
+        np.empty((total, 3)),
+        np.empty((total, 3)),
     )
     means_kernel.coarse(
         _ready(samples.step_s),
@@ -154,7 +154,8 @@ def gather(
     table = np.zeros((count, kernels.NODE_COLUMNS))
     levers = np.zeros((count, 3, 3, 4 if with_scale else 1))
     kernels.gather(
-        windows.rotations, windows.table, per_node, starts, at, table, levers
+        *(windows.rotations, windows.table, per_node),
+        *(starts, at, table, levers, np.eye(3)),
     )
     columns = table.T
     return PackedNodes(
@@ -231,7 +232,8 @@ def minimise(problem: Problem) -> Solution:
     normal = problem.rows.reshape(-1, columns).T @ left.reshape(-1, columns)
     calibration, factor = best_calibration(problem, normal)
     states = nodes.reshape(count + 1, 4, columns)  # tilt x, y, velocity x, y
-    found = (states[..., 0] + states[..., 1:] @ calibration).T
+    weights = np.concatenate([[1.0], calibration])
+    found = (nodes.reshape(-1, columns) @ weights).reshape(count + 1, 4).T
     return Solution(
         tilt=found[:2],
         velocity_mps=found[2:],
@@ -244,19 +246,13 @@ def minimise(problem: Problem) -> Solution:
 def _solved(problem: Problem) -> tuple[Floats, Floats]:
     """Return horizontal states of the nodes, and what all leave of the rows."""
     count, _, columns = problem.rows.shape
-    known, left = _weights(problem), np.empty(problem.rows.shape)
+    left = np.empty(problem.rows.shape)
+    nodes = np.empty((2 * count + 5, 2 * columns))
     flat = problem.rows.reshape(count, -1), left.reshape(count, -1)
-
-    def solved(speed: int, width: int, *, upright: bool) -> Floats:
-        nodes = np.zeros((2 * count + 2, width * columns))
-        band = np.zeros((2 * count + 2, 4))
-        done = solver_kernel.solve(*flat, speed * columns, *known, upright, band, nodes)
-        if not done:
-            raise inseparable()
-        return nodes
-
-    solved(4, 1, upright=True)
-    return solved(2, 2, upright=False), left
+    band = np.empty((2 * count + 2, 4))
+    if not solver_kernel.solve(*flat, columns, *_weights(problem), band, nodes):
+        raise inseparable()
+    return nodes[:-3], left
 
 
 def _weights(problem: Problem) -> tuple[Floats, Floats, Floats, Floats, Floats]:
@@ -275,7 +271,7 @@ def tilt_variances(problem: Problem, chosen: NDArray[np.intp]) -> Floats:
     size = 2 * len(problem.bound_weight)
     variances = np.empty(len(chosen))
     if not solver_kernel.tilt_variances(
-        *_weights(problem), chosen, np.zeros((size, 4)), np.empty(size), variances
+        *_weights(problem), chosen, np.empty((size, 4)), np.empty(size), variances
     ):
         raise inseparable()
     return variances

@@ -1,8 +1,8 @@
 """How the smoother's inner loops are compiled: numba's decorator, with types.
 
 Each kernel has one signature, so that all are compiled, or loaded from numba's cache,
-when their module is imported. Nothing reorders sums (no `fastmath`), or the results
-would not be those of numpy.
+when their module is imported. Nothing reorders sums (of `fastmath` only products may
+go into a sum unrounded), or the results would not be those of numpy.
 """
 
 from collections.abc import Callable
@@ -13,8 +13,10 @@ from numba import types
 
 F = TypeVar("F", bound=Callable[..., Any])
 
-# What vectorising wins here is less than what it costs to compile.
+# What vectorising and the last optimisations win here is less than what they cost to
+# compile.
 numba.config.LOOP_VECTORIZE = numba.config.SLP_VECTORIZE = 0
+numba.config.OPT = type(numba.config.OPT)(1)
 
 INT, BOOL = types.int64, types.boolean
 FLOAT, COMPLEX = types.float64, types.complex128
@@ -38,23 +40,25 @@ OUT1, OUT2, OUT3, OUT4 = (_array(FLOAT, n, readonly=False) for n in (1, 2, 3, 4)
 OUT_PAIRS, OUT_PAIRS_BY_TWO = (_array(COMPLEX, n, readonly=False) for n in (2, 3))
 
 
+_OPTIONS: dict[str, Any] = {
+    "nogil": True,
+    "error_model": "numpy",
+    "fastmath": {"contract"},
+    "no_cfunc_wrapper": True,
+    "_nrt": False,  # nothing is allocated inside, and no argument is let go of
+}
+
+
 def compiled(result: Any, *arguments: Any) -> Callable[[F], F]:
-    """Return a decorator that compiles a function for these types."""
-    return _decorator(result(*arguments))
+    """Return a decorator that compiles a function for these types, and keeps it."""
+    found: Callable[[F], F] = numba.njit(result(*arguments), cache=True, **_OPTIONS)
+    return found
 
 
-def inner(result: Any, *arguments: Any) -> Callable[[F], F]:
-    """The same for what only other kernels of the same file call."""
-    return _decorator(result(*arguments), no_cpython_wrapper=True)
+def inner(function: F) -> F:
+    """Compile what only other kernels of the same file call, when one of them is.
 
-
-def _decorator(signature: Any, **options: bool) -> Callable[[F], F]:
-    found: Callable[[F], F] = numba.njit(
-        signature,
-        cache=True,
-        nogil=True,
-        error_model="numpy",
-        no_cfunc_wrapper=True,
-        **options,
-    )
+    Nothing of it is kept: what is kept of its callers holds it.
+    """
+    found: F = numba.njit(no_cpython_wrapper=True, **_OPTIONS)(function)
     return found

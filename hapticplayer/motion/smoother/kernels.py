@@ -13,12 +13,9 @@ What belongs to a window or node comes first in an array.
 import math
 from typing import Any
 
-from numba import types
-
 from hapticplayer.motion.smoother.jit import (
     BOOL,
     COLUMN,
-    COMPLEX,
     FLAGS,
     FLOAT,
     IN1,
@@ -32,10 +29,8 @@ from hapticplayer.motion.smoother.jit import (
     OUT4,
     OUT_PAIRS,
     OUT_PAIRS_BY_TWO,
-    PAIR,
     PAIRS,
     PAIRS_BY_TWO,
-    VECTOR,
     compiled,
     inner,
 )
@@ -49,15 +44,19 @@ COSINE = tuple((-0.25) ** k / math.factorial(2 * k) for k in range(6))
 HALF_SINC = tuple(0.5 * (-0.25) ** k / math.factorial(2 * k + 1) for k in range(6))
 
 
-@inner(PAIR, COMPLEX, COMPLEX, COMPLEX, COMPLEX)
+@inner
 def _multiply(a1: complex, b1: complex, a2: complex, b2: complex) -> Any:
     """Return the Hamilton product."""
     return a1 * a2 - b1 * b2.conjugate(), a1 * b2 + b1 * a2.conjugate()
 
 
-@inner(types.UniTuple(FLOAT, 2), FLOAT)
+@inner
 def _halves(squared: float) -> Any:
     """Return cos(a / 2) and sin(a / 2) / a for a squared angle."""
+    if squared < 1e-4:  # most samples are done with three terms
+        cosine = (COSINE[2] * squared + COSINE[1]) * squared + COSINE[0]
+        sine = (HALF_SINC[2] * squared + HALF_SINC[1]) * squared + HALF_SINC[0]
+        return cosine, sine
     if squared < 0.04:
         cosine, sine = COSINE[5], HALF_SINC[5]
         for k in range(4, -1, -1):
@@ -68,14 +67,14 @@ def _halves(squared: float) -> Any:
     return math.cos(0.5 * angle), math.sin(0.5 * angle) / angle
 
 
-@inner(PAIR, FLOAT, FLOAT, FLOAT)
+@inner
 def _exponential(x: float, y: float, z: float) -> Any:
     """Return the rotation of a rotation vector."""
     w, by = _halves(x * x + y * y + z * z)
     return complex(w, by * x), complex(by * y, by * z)
 
 
-@inner(VECTOR, COMPLEX, COMPLEX, FLOAT, FLOAT, FLOAT)
+@inner
 def _rotate(first: complex, second: complex, x: float, y: float, z: float) -> Any:
     """Return q v q*."""
     w, i, j, k = first.real, first.imag, second.real, second.imag
@@ -87,14 +86,14 @@ def _rotate(first: complex, second: complex, x: float, y: float, z: float) -> An
     )
 
 
-@inner(PAIR, COMPLEX, COMPLEX)
+@inner
 def _unit(first: complex, second: complex) -> Any:
     size = (first * first.conjugate() + second * second.conjugate()).real
     scale = 1.0 / math.sqrt(size)
     return scale * first, scale * second
 
 
-@inner(PAIR, FLOAT, FLOAT, FLOAT, FLOAT, FLOAT, FLOAT)
+@inner
 def _shortest(x: float, y: float, z: float, a: float, b: float, c: float) -> Any:
     """Return the smallest rotation from unit vector (x, y, z) to (a, b, c)."""
     w = 1.0 + (x * a + y * b + z * c)
@@ -107,14 +106,17 @@ def _shortest(x: float, y: float, z: float, a: float, b: float, c: float) -> Any
     return _unit(complex(w, y * c - z * b), complex(z * a - x * c, x * b - y * a))
 
 
-@inner(VECTOR, FLOAT, FLOAT, FLOAT, FLOAT, FLOAT, FLOAT, BOOL)
+@inner
 def _window_mean(
-    x: float, y: float, z: float, a: float, b: float, c: float, inverse: bool
+    x: float, y: float, z: float, a: float, b: float, c: float, back: float
 ) -> Any:
-    """Return the mean of vector (x, y, z) over a turn (a, b, c), or what has it."""
+    """Return the mean of vector (x, y, z) over a turn (a, b, c).
+
+    Or what has it as its mean, where `back` is 1 and not 0.
+    """
     squared = a * a + b * b + c * c
     factor = 2.0 * _halves(squared)[1]
-    if inverse:
+    if back > 0.0:
         factor = 1.0 / max(factor, 0.1)
     along = (x * a + y * b + z * c) * (1.0 - factor)
     if squared > 0.0:
@@ -192,7 +194,7 @@ def integrate(
             f0, f1, f2 = gain * force[k, 0], gain * force[k, 1], gain * force[k, 2]
             at0, at1 = q0, q1
             if averaged:
-                f0, f1, f2 = _window_mean(f0, f1, f2, t0, t1, t2, True)
+                f0, f1, f2 = _window_mean(f0, f1, f2, t0, t1, t2, 1.0)
                 a, b = _exponential(
                     0.5 * t0 - d0 / 16.0, 0.5 * t1 - d1 / 16.0, 0.5 * t2 - d2 / 16.0
                 )
@@ -223,7 +225,7 @@ def integrate(
         windows[w, 8], windows[w, 9] = unknown, doubtful
 
 
-@compiled(*(NOTHING, PAIRS, IN2, INT), *(OUT_PAIRS, OUT_PAIRS, OUT2, OUT4))
+@compiled(*(NOTHING, PAIRS, IN2, INT), *(OUT_PAIRS, OUT_PAIRS, OUT2, OUT4, OUT2))
 def gather(
     rotation: Any,
     windows: Any,
@@ -232,6 +234,7 @@ def gather(
     at: Any,
     nodes: Any,
     levers: Any,
+    axes: Any,
 ) -> None:
     """See `nodes.gather`; `nodes` and `levers` are zero before.
 
@@ -242,6 +245,7 @@ def gather(
         at: (K + 1, 2).
         nodes: (K, NODE_COLUMNS).
         levers: (K, 3, 3, 1 or 4) mean matrices times duration (and turn x, y, z).
+        axes: (3, 3) scratch, the identity before: the sensor's at a window's start.
     """
     total, columns = len(rotation), levers.shape[3]
     fastest = 0.0
@@ -261,7 +265,9 @@ def gather(
         for i in range(3):
             nodes[k, i] += u[i]
         next0, next1 = _multiply(q0, q1, rotation[w, 0], rotation[w, 1])
-        next0, next1 = _unit(next0, next1)
+        # a product of two units hardly differs from one: no root is needed
+        off = (next0 * next0.conjugate() + next1 * next1.conjugate()).real - 1.0
+        next0, next1 = next0 - 0.5 * off * next0, next1 - 0.5 * off * next1
         # the mean over a window: that of its ends, or exactly
         mean0, mean1 = next0, next1
         if w == total - 1:
@@ -272,16 +278,17 @@ def gather(
         for j in range(3):
             e0, e1, e2 = 1.0 * (j == 0), 1.0 * (j == 1), 1.0 * (j == 2)
             if fastest >= 1.0:
-                e0, e1, e2 = _window_mean(e0, e1, e2, x, y, z, False)
+                e0, e1, e2 = _window_mean(e0, e1, e2, x, y, z, 0.0)
             v = _rotate(mean0, mean1, e0, e1, e2)
-            u = v
-            if fastest < 1.0:
-                u = _rotate(q0, q1, e0, e1, e2)
             for i in range(3):
-                mean = 0.5 * (u[i] + v[i])
+                mean = v[i]
+                if fastest < 1.0:
+                    mean, axes[j, i] = 0.5 * (axes[j, i] + mean), mean
                 levers[k, i, j, 0] += mean * windows[w, 6]
-                for c in range(1, columns):
-                    levers[k, i, j, c] += mean * windows[w, 2 + c]
+                if columns > 1:
+                    levers[k, i, j, 1] += mean * x
+                    levers[k, i, j, 2] += mean * y
+                    levers[k, i, j, 3] += mean * z
         q0, q1 = next0, next1
         at[k + 1, 0], at[k + 1, 1] = q0, q1
     for k in range(len(nodes)):
@@ -464,5 +471,5 @@ def spread(
             x = (rate[k, 0] - bias[0]) * step[k]
             y = (rate[k, 1] - bias[1]) * step[k]
             z = (rate[k, 2] - bias[2]) * step[k]
-            v = _window_mean(v[0], v[1], v[2], x, y, z, False)
+            v = _window_mean(v[0], v[1], v[2], x, y, z, 0.0)
         vertical[k, 0], vertical[k, 1], vertical[k, 2] = v

@@ -62,7 +62,7 @@ def coarse(
     mean_force: Any,
     mean_rate: Any,
 ) -> None:
-    """See `strapdown.coarse`; what is written is zero before.
+    """See `strapdown.coarse`.
 
     Args:
         step, force, rate, lost, doubt: of the samples.
@@ -73,15 +73,32 @@ def coarse(
     count = len(step)
     for w in range(len(mean_force)):
         first = w * per_window
+        time, unknown, doubtful = 0.0, 0.0, 0.0
+        f0, f1, f2, r0, r1, r2 = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
         for k in range(first, min(first + per_window, count)):
             dt = step[k]
-            spent[0, w] += dt
-            spent[1, w] += lost[k]
-            spent[2, w] += doubt[k]
-            for i in range(3):
-                mean_force[w, i] += dt * force[k, i]
-                mean_rate[w, i] += dt * rate[k, i]
-        if spent[0, w] > 0.0:
-            for i in range(3):
-                mean_force[w, i] /= spent[0, w]
-                mean_rate[w, i] /= spent[0, w]
+            time, unknown, doubtful = time + dt, unknown + lost[k], doubtful + doubt[k]
+            f0, f1, f2 = (
+                f0 + dt * force[k, 0],
+                f1 + dt * force[k, 1],
+                f2 + dt * force[k, 2],
+            )
+            r0, r1, r2 = (
+                r0 + dt * rate[k, 0],
+                r1 + dt * rate[k, 1],
+                r2 + dt * rate[k, 2],
+            )
+        spent[0, w], spent[1, w], spent[2, w] = time, unknown, doubtful
+        part = 1.0
+        if time > 0.0:
+            part = 1.0 / time
+        mean_force[w, 0], mean_force[w, 1], mean_force[w, 2] = (
+            part * f0,
+            part * f1,
+            part * f2,
+        )
+        mean_rate[w, 0], mean_rate[w, 1], mean_rate[w, 2] = (
+            part * r0,
+            part * r1,
+            part * r2,
+        )

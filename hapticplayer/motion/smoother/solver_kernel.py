@@ -22,27 +22,29 @@ from hapticplayer.motion.smoother.jit import (
 HALF_GRAVITY = 0.5 * STANDARD_GRAVITY_MPS2
 
 
-@inner(BOOL, IN1, IN1, IN1, IN1, IN1, BOOL, OUT2)
+@inner
 def _factorise(
     duration: Any,
     tilt_weight: Any,
     velocity_weight: Any,
     rest_weight: Any,
     bound_weight: Any,
-    upright: bool,
+    free: float,
     band: Any,
 ) -> bool:
-    """Write the matrix as L D L': D first in each row of the band, then L."""
+    """Write the matrix as L D L': D first in each row of the band, then L.
+
+    `free` is 1, or 0 where the tilt is held at zero.
+    """
     count, size = len(duration), len(band)
+    band[:] = 0.0
     for k in range(count):
         s, v = 2 * k, 2 * k + 1
-        h, wt, wv = HALF_GRAVITY * duration[k], tilt_weight[k], velocity_weight[k]
-        if upright:
-            h, wt = 0.0, 0.0
-            band[s, 0] = 1.0
+        h, wt = free * HALF_GRAVITY * duration[k], free * tilt_weight[k]
+        wv = velocity_weight[k]
         side, slope = wv + rest_weight[k], wv * h
         square = slope * h
-        band[s, 0] += wt + square
+        band[s, 0] += wt + square + (1.0 - free)
         band[s, 1] -= slope  # (v[k], s[k])
         band[s, 2] = square - wt  # (s[k+1], s[k])
         band[s, 3] = slope  # (v[k+1], s[k])
@@ -53,8 +55,7 @@ def _factorise(
         band[s + 2, 1] += slope  # (v[k+1], s[k+1])
         band[v + 2, 0] += side
     band[size - 1, 0] += bound_weight[count]
-    if upright:
-        band[size - 2, 0] = 1.0
+    band[size - 2, 0] += 1.0 - free
     for j in range(size):
         if not band[j, 0] > 0.0:
             return False
@@ -67,72 +68,81 @@ def _factorise(
     return True
 
 
-@compiled(BOOL, IN2, OUT2, INT, IN1, IN1, IN1, IN1, IN1, BOOL, OUT2, OUT2)
+@compiled(BOOL, IN2, OUT2, INT, IN1, IN1, IN1, IN1, IN1, OUT2, OUT2)
 def solve(
     rows: Any,
     left: Any,
-    speed: int,
+    columns: int,
     duration: Any,
     tilt_weight: Any,
     velocity_weight: Any,
     rest_weight: Any,
     bound_weight: Any,
-    upright: bool,
     band: Any,
     nodes: Any,
 ) -> bool:
     """Find tilt and velocity for all columns; see `calibrated` for the equations.
 
+    Nothing falls upwards: that axis comes first, with a tilt that is held at zero and
+    takes no part, then both horizontal ones side by side.
+
     Args:
-        rows: (K, any) what the tilt shall change by in each interval, column by column
-            from the first one on, and the velocity, from `speed` on.
-        left: (K, any) what the solutions leave of them, weighted.
-        speed: the first column of the velocity.
+        rows: (K, 5 columns) what the tilt and the velocity shall change by in each
+            interval, see `Problem`.
+        left: (K, 5 columns) what the solutions leave of them, weighted.
+        columns: of the problem.
         duration: (K,).
         tilt_weight, velocity_weight, rest_weight: (K,).
         bound_weight: (K + 1,) of the velocity.
-        upright: nothing falls upwards; the tilt is held at zero and takes no part.
-        band: (2 (K + 1), 4) zero before.
-        nodes: (2 (K + 1), columns) tilt and velocity of each node; zero before.
+        band: (2 (K + 1), 4) scratch.
+        nodes: (2 (K + 1) + 3, 2 columns) tilt and velocity of each node; nothing is
+            beyond the last.
 
     Returns:
         Whether there is a solution.
     """
-    if not _factorise(
-        duration, tilt_weight, velocity_weight, rest_weight, bound_weight, upright, band
-    ):
-        return False
-    count, columns = len(rows), nodes.shape[1]
-    size = 2 * count + 2
-    for k in range(count):
-        s, v = 2 * k, 2 * k + 1
-        h, wt, wv = HALF_GRAVITY * duration[k], tilt_weight[k], velocity_weight[k]
-        if upright:
-            h, wt = 0.0, 0.0
-        for c in range(columns):
-            moved, pushed = wt * rows[k, c], wv * rows[k, speed + c]
-            nodes[s, c] += h * pushed - moved
-            nodes[v, c] -= pushed
-            nodes[s + 2, c] = h * pushed + moved
-            nodes[v + 2, c] = pushed
-    for j in range(size):
-        for i in range(1, min(4, size - j)):
-            for c in range(columns):
-                nodes[j + i, c] -= band[j, i] * nodes[j, c]
-    for j in range(size - 1, -1, -1):
-        for c in range(columns):
-            nodes[j, c] /= band[j, 0]
-        for i in range(1, min(4, size - j)):
-            for c in range(columns):
-                nodes[j, c] -= band[j, i] * nodes[j + i, c]
-    for k in range(count):
-        s, v = 2 * k, 2 * k + 1
-        h, wt, wv = HALF_GRAVITY * duration[k], tilt_weight[k], velocity_weight[k]
-        for c in range(columns):
-            here, there = nodes[s, c], nodes[s + 2, c]
-            left[k, c] = wt * (rows[k, c] - there + here)
-            fall = nodes[v + 2, c] - nodes[v, c] + h * (there + here)
-            left[k, speed + c] = wv * (rows[k, speed + c] - fall)
+    count, size = len(rows), len(band)
+    for axes in range(1, 3):
+        free, width, speed = axes - 1.0, axes * columns, (6 - 2 * axes) * columns
+        if not _factorise(
+            *(duration, tilt_weight, velocity_weight, rest_weight, bound_weight),
+            *(free, band),
+        ):
+            return False
+        for c in range(width):
+            nodes[0, c] = nodes[1, c] = 0.0
+            nodes[size, c] = nodes[size + 1, c] = nodes[size + 2, c] = 0.0
+        for k in range(count):
+            s, v = 2 * k, 2 * k + 1
+            h, wt = free * HALF_GRAVITY * duration[k], free * tilt_weight[k]
+            wv = velocity_weight[k]
+            for c in range(width):
+                moved, pushed = wt * rows[k, c], wv * rows[k, speed + c]
+                nodes[s, c] += h * pushed - moved
+                nodes[v, c] -= pushed
+                nodes[s + 2, c] = h * pushed + moved
+                nodes[v + 2, c] = pushed
+        for j in range(size):
+            f1, f2, f3 = band[j, 1], band[j, 2], band[j, 3]
+            for c in range(width):
+                x = nodes[j, c]
+                nodes[j + 1, c] -= f1 * x
+                nodes[j + 2, c] -= f2 * x
+                nodes[j + 3, c] -= f3 * x
+        for j in range(size - 1, -1, -1):
+            f0, f1, f2, f3 = 1.0 / band[j, 0], band[j, 1], band[j, 2], band[j, 3]
+            for c in range(width):
+                x, y, z = nodes[j + 1, c], nodes[j + 2, c], nodes[j + 3, c]
+                nodes[j, c] = f0 * nodes[j, c] - f1 * x - f2 * y - f3 * z
+        for k in range(count):
+            s, v = 2 * k, 2 * k + 1
+            h, wt = free * HALF_GRAVITY * duration[k], free * tilt_weight[k]
+            wv = velocity_weight[k]
+            for c in range(width):
+                here, there = nodes[s, c], nodes[s + 2, c]
+                left[k, c] = wt * (rows[k, c] - there + here)
+                fall = nodes[v + 2, c] - nodes[v, c] + h * (there + here)
+                left[k, speed + c] = wv * (rows[k, speed + c] - fall)
     return True
 
 
@@ -156,7 +166,7 @@ def tilt_variances(
         duration, tilt_weight, velocity_weight, rest_weight: (K,) as in `solve`.
         bound_weight: (K + 1,).
         chosen: (n,) nodes.
-        band: (2 (K + 1), 4) zero before.
+        band: (2 (K + 1), 4) scratch.
         column: (2 (K + 1),) scratch.
         variances: (n,).
 
@@ -164,7 +174,7 @@ def tilt_variances(
         Whether there is one.
     """
     if not _factorise(
-        duration, tilt_weight, velocity_weight, rest_weight, bound_weight, False, band
+        duration, tilt_weight, velocity_weight, rest_weight, bound_weight, 1.0, band
     ):
         return False
     size = len(band)

@@ -35,18 +35,23 @@ _LONG_S, _LONGER_S, _MOST = 35.0, 25.0, 2.0
 
 
 def tilt_variance(
-    problem: Problem, solution: Solution, time_constant_s: Floats, local_s: float
+    problem: Problem,
+    solution: Solution,
+    covariance: Floats,
+    time_constant_s: Floats,
+    local_s: float,
 ) -> Floats:
     """Return the variance of both tilts together at the nodes (K + 1,), rad^2.
 
     Args:
         problem: the last one.
         solution: of it.
+        covariance: of its calibration.
         time_constant_s: (K + 1,) of the levelling.
         local_s: half width of the means.
     """
     rows = solution.tilt_per_calibration
-    spread = (rows * (solution.covariance @ rows)).sum(axis=(0, 1))
+    spread = (rows * (covariance @ rows)).sum(axis=(0, 1))
     model = 2.0 * noise_variance(problem) + spread
     longer = np.clip((time_constant_s - _LONG_S) / _LONGER_S, 0.0, _MOST)
     other = minimise(tighter(problem, solution, 1.0 / _LOOSER)).tilt
@@ -62,7 +67,8 @@ def noise_variance(problem: Problem) -> Floats:
     """Return the variance of one tilt for a known calibration, (K + 1,)."""
     count = len(problem.duration_s) + 1
     number = max(_AT_LEAST, round(float(problem.duration_s.sum()) / _EVERY_S))
-    even = np.linspace(0, count - 1, min(number, count)).round().astype(int)
+    number = min(number, count)
+    even = np.rint(np.arange(number) * ((count - 1) / max(1, number - 1))).astype(int)
     # holes are looked at where they are
     holes = _holes(problem.tilt_weight)
     chosen = even

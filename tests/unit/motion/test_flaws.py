@@ -47,6 +47,13 @@ def test_a_whole_log_has_no_flaw(log):
     assert not flaws.doubt_s(step_s).any()
 
 
+@pytest.mark.parametrize("count", [2, 3, 8, 501, 2000])
+def test_the_interval_is_the_median_step(count, rng):
+    time_s = np.cumsum(rng.uniform(0.5, 1.5, count) * STEP_S)
+    log = ImuLog(time_s, np.tile([0.0, 0.0, G], (count, 1)), np.zeros((count, 3)))
+    assert find_flaws(log).interval_s == np.median(np.diff(log.time_s))
+
+
 @pytest.mark.parametrize(("dropped", "is_gap"), [(1, False), (2, False), (3, True)])
 def test_a_step_beyond_three_intervals_is_a_gap(dropped, is_gap, log):
     assert GAP_STEPS == 3.0

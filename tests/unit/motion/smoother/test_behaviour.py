@@ -307,13 +307,14 @@ def test_at_rest_nothing_is_left_and_the_summary_says_so(still_log):
 
 
 @pytest.mark.parametrize("scene", ["car-calm", "car-brisk", "bicycle", "walk", "run"])
-@pytest.mark.parametrize("seed", [1, 2])
+@pytest.mark.parametrize("seed", [1, 2, 3])
 def test_at_rest_hardly_anything_is_left_of_a_bad_sensor(scene, seed):
     # an accelerometer with 0.2 to 0.4 m/s^2 of bias, still for seconds at a time; with
-    # the edges of the spans not levelled 0.06 to 0.4 m/s^2 were left
+    # the edges of the spans not levelled 0.06 to 0.4 m/s^2 were left, and up to 0.08
+    # where what is found of the gyro last turned the frame within an interval
     done = analyse(simulate_motion(scene, seed, sensor="paper-board").imu)
     assert 0.9 < done.summary["still_s"] < 30.0
-    assert done.summary["leak_at_rest_mps2"] < 0.055
+    assert done.summary["leak_at_rest_mps2"] < 0.045
 
 
 @pytest.mark.parametrize("name", ["broad_01", "broad_24", "broad_33"])

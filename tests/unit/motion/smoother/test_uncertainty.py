@@ -121,7 +121,9 @@ def tilt_sigma(problem):
     solution = minimise(problem)
     nodes = len(problem.duration_s) + 1
     constant_s = np.full(nodes, 10.0)
-    return np.sqrt(tilt_variance(problem, solution, constant_s, 17.0))
+    return np.sqrt(
+        tilt_variance(problem, solution, solution.covariance, constant_s, 17.0)
+    )
 
 
 def test_the_deviation_grows_with_what_is_not_known():
