@@ -68,8 +68,8 @@ def test_by_mouse_alone(make_study, sit, wait_for, qtbot):
         if isinstance(row, ButtonsRow):
             click(row.group.button(0))
         elif isinstance(row, NumberRow):
-            up = QPoint(row.box.width() - 8, row.box.height() // 4)
-            qtbot.mouseClick(row.box, Qt.MouseButton.LeftButton, pos=up)
+            plus = next(b for b in row.findChildren(QPushButton) if b.text() == "+")
+            click(plus)
     click(person.page.next)
     person.wait_page(PageKind.DEMONSTRATION)
     click(person.page.buttons["next"])
