@@ -45,7 +45,7 @@ def _empty(stage: Stage, window: PlayerWindow) -> Pictures:
 
     def work(progress: Callable[[float, str], None]) -> None:
         while not is_over:
-            progress(0.4, "frame 312 of 780")
+            progress(0.4, "drawing the ride")
 
     window.session.jobs.run(
         window.session.tr("Preparing the demo"), work, lambda _none: None

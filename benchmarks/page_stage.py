@@ -79,9 +79,16 @@ class Stage:
 
     @contextmanager
     def shown(self, widget: QWidget) -> Iterator[QWidget]:
-        """Show a dialog; closed and deleted afterwards."""
+        """Show a dialog; closed afterwards."""
         widget.show()
         self.wait()
         yield widget
         widget.close()
+        self.wait()
+
+    def clear(self) -> None:
+        """Delete every window; Python would do so at its end, in any order."""
+        for widget in self.application.topLevelWidgets():
+            widget.close()
+            widget.deleteLater()
         self.wait()

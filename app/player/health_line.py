@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QFrame, QHBoxLayout, QVBoxLayout, QWidget
 from app.player.health import Level, Reading, level_word, readings
 from app.widgets import theme
 from app.widgets.labels import ElidedLabel
+from app.widgets.texts import titled
 from hapticplayer.playback.snapshot import Snapshot
 
 _SIGN_ROOM_PX = 20
@@ -49,7 +50,7 @@ class HealthEntry(QWidget):
         self._sign.set_text(sign, colour)
         is_alarming = reading.level >= Level.WATCH
         self._value.set_text(reading.text, colour if is_alarming else theme.TEXT)
-        said = f"{self._title}: {reading.text} ({level_word(reading.level)})"
+        said = titled(self._title, f"{reading.text} ({level_word(reading.level)})")
         if said != self.accessibleName():
             self.setAccessibleName(said)
             self.setToolTip(f"{said}\n{self._tip}")
