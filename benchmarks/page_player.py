@@ -37,6 +37,8 @@ def pictures(stage: Stage) -> Pictures:
         yield from _told(stage, window)
     finally:
         window.close()
+        window.deleteLater()  # before Python does so, item by item of its plots
+        stage.wait()
 
 
 def _empty(stage: Stage, window: PlayerWindow) -> Pictures:

@@ -85,10 +85,3 @@ class Stage:
         yield widget
         widget.close()
         self.wait()
-
-    def clear(self) -> None:
-        """Delete every window; Python would do so at its end, in any order."""
-        for widget in self.application.topLevelWidgets():
-            widget.close()
-            widget.deleteLater()
-        self.wait()

@@ -110,7 +110,6 @@ def _make(options: argparse.Namespace, folder: Path) -> None:
                 if options.sheets:
                     end = f"{language}-{look}-{100 * scale:.0f}"
                     _put_on_sheets(made, options.output / "sheets", f"{group}-{end}")
-            stage.clear()
 
 
 def _use_screen(folder: Path, scale: float) -> None:
