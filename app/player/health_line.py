@@ -105,7 +105,8 @@ class HealthLine(QFrame):
 
     def _share_room(self) -> None:
         """Entries only grow until the window has another size: nothing jitters."""
-        room_px = self._row.contentsRect().width()
+        around = self._row.contentsMargins()
+        room_px = self.width() - around.left() - around.right()
         room_px -= _BETWEEN_PX * (len(self.entries) - 1)
         now = (entry.needed_px() for entry in self.entries)
         self._needed_px = [

@@ -104,7 +104,7 @@ def test_the_line_tells_the_judgement_in_words(qtbot):
 def test_entries_keep_their_width_when_the_values_change(qtbot):
     line = HealthLine()
     qtbot.addWidget(line)
-    line.resize(1900, 44)
+    line.resize(1400, 44)
     line.show()
     qtbot.waitExposed(line)
     line.show_snapshot(GOOD)
