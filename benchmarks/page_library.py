@@ -94,7 +94,7 @@ def _analysis(stage: Stage) -> Pictures:
     with stage.shown(page):
         page.analyse()
         yield "analysis-busy", stage.picture(page, 600)
-        stage.wait_until(lambda: not page.jobs.is_busy)
+        stage.wait_until(lambda: not page.is_busy)
         yield "analysis", stage.picture(page)
         bar = page.text.verticalScrollBar()
         bar.setValue(bar.maximum() // 2)

@@ -37,6 +37,8 @@ def pictures(stage: Stage) -> Pictures:
         yield from _told(stage, window)
     finally:
         window.close()
+        window.deleteLater()  # before Python does so, item by item of its plots
+        stage.wait()
 
 
 def _empty(stage: Stage, window: PlayerWindow) -> Pictures:
@@ -45,7 +47,7 @@ def _empty(stage: Stage, window: PlayerWindow) -> Pictures:
 
     def work(progress: Callable[[float, str], None]) -> None:
         while not is_over:
-            progress(0.4, "frame 312 of 780")
+            progress(0.4, "drawing the ride")
 
     window.session.jobs.run(
         window.session.tr("Preparing the demo"), work, lambda _none: None

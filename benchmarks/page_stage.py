@@ -79,7 +79,7 @@ class Stage:
 
     @contextmanager
     def shown(self, widget: QWidget) -> Iterator[QWidget]:
-        """Show a dialog; closed and deleted afterwards."""
+        """Show a dialog; closed afterwards."""
         widget.show()
         self.wait()
         yield widget

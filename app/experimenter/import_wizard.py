@@ -23,6 +23,7 @@ from app.experimenter.quality_view import QualityView
 from app.widgets import theme
 from app.widgets.buttons import text_button
 from app.widgets.labels import ElidedLabel
+from app.widgets.texts import job_text
 from hapticplayer.capture import LogQuestion
 from hapticplayer.errors import HapticPlayerError
 from hapticplayer.sequence import build_sequence, files
@@ -296,8 +297,7 @@ class ImportWizard(QDialog):
         self.sync.poll()
         state = self.jobs.state()
         if state is not None:
-            text = f"{state.title}: {state.step}" if state.step else state.title
-            self.step.set_text(text)
+            self.step.set_text(job_text(state))
             self.bar.setValue(round(_PARTS * min(1.0, max(0.0, state.fraction))))
         if was_busy and not self.jobs.is_busy:
             if self._is_leaving:

@@ -27,6 +27,7 @@ from app.widgets import theme
 from app.widgets.buttons import text_button
 from app.widgets.labels import ElidedLabel
 from app.widgets.room import ask_text
+from app.widgets.texts import titled
 from hapticplayer.errors import HapticPlayerError
 from hapticplayer.media import Thumbnail, cover_pictures
 from hapticplayer.sequence import verify_sequence
@@ -358,10 +359,12 @@ class LibraryPage(QDialog):
         was_busy = self.jobs.is_busy
         state = self.jobs.state()
         if state is not None:
-            self._tell(f"{state.title}: {100.0 * state.fraction:.0f} %")
+            self._tell(titled(state.title, f"{100.0 * state.fraction:.0f} %"))
         self.jobs.poll()
         if was_busy and not self.jobs.is_busy:
-            if state is not None and self.told.text().startswith(f"{state.title}: "):
+            if state is not None and self.told.text().startswith(
+                titled(state.title, "")
+            ):
                 self._tell("")
             self.stop.hide()
             self._on_chosen()

@@ -20,6 +20,7 @@ from app.experimenter.session_words import found_text
 from app.widgets import theme
 from app.widgets.buttons import set_role, text_button
 from app.widgets.room import indent
+from app.widgets.texts import titled
 from hapticplayer.study.orders import Balance
 from hapticplayer.study.preflight import Check
 
@@ -136,7 +137,7 @@ class StartPanel(QWidget):
             colour = theme.GOOD if check.is_good else theme.BAD
             lines.append(
                 f"<span style='color:{colour}'>{sign}</span> "
-                f"{names[check.name]}: {escape(found_text(check))}"
+                f"{titled(names[check.name], escape(found_text(check)))}"
             )
         text = "<br>".join(lines)
         if text != self.checks.text():

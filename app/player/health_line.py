@@ -2,14 +2,18 @@
 
 from typing import NamedTuple
 
+from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QVBoxLayout, QWidget
 
 from app.player.health import Level, Reading, level_word, readings
 from app.widgets import theme
 from app.widgets.labels import ElidedLabel
+from app.widgets.texts import titled
 from hapticplayer.playback.snapshot import Snapshot
 
 _SIGN_ROOM_PX = 20
+_APART_PX = 4
+_BETWEEN_PX = 14
 
 
 class _Column(NamedTuple):
@@ -24,13 +28,13 @@ class HealthEntry(QWidget):
     def __init__(self, column: _Column) -> None:
         super().__init__()
         self._title, self._tip = column.title, column.tip
-        title = ElidedLabel(column.title, theme.DIM)
+        title = self._name = ElidedLabel(column.title, theme.DIM)
         title.setFont(theme.scaled(self.font(), 0.85))
         self._sign = ElidedLabel("\u25cb", theme.DIM)
         self._sign.fix_width(self.fontMetrics().horizontalAdvance("\u25a0") + 2)
         self._value = ElidedLabel("\u2013")
         row = QHBoxLayout()
-        row.setSpacing(4)
+        row.setSpacing(_APART_PX)
         row.addWidget(self._sign)
         row.addWidget(self._value, 1)
         both = QVBoxLayout(self)
@@ -38,6 +42,11 @@ class HealthEntry(QWidget):
         both.setSpacing(1)
         both.addWidget(title)
         both.addLayout(row)
+
+    def needed_px(self) -> int:
+        """Return the width with which nothing is shortened now."""
+        value_px = self._sign.width() + _APART_PX + self._value.sizeHint().width()
+        return max(self._name.sizeHint().width(), value_px)
 
     def text(self) -> str:
         """Return the value that is shown."""
@@ -49,14 +58,17 @@ class HealthEntry(QWidget):
         self._sign.set_text(sign, colour)
         is_alarming = reading.level >= Level.WATCH
         self._value.set_text(reading.text, colour if is_alarming else theme.TEXT)
-        said = f"{self._title}: {reading.text} ({level_word(reading.level)})"
+        said = titled(self._title, f"{reading.text} ({level_word(reading.level)})")
         if said != self.accessibleName():
             self.setAccessibleName(said)
             self.setToolTip(f"{said}\n{self._tip}")
 
 
 class HealthLine(QFrame):
-    """All entries side by side; each keeps its width, whatever its value is."""
+    """All entries side by side; each keeps its width, whatever its value is.
+
+    Where not all have room, those that say more take it from those that say less.
+    """
 
     def __init__(self) -> None:
         super().__init__()
@@ -65,21 +77,44 @@ class HealthLine(QFrame):
             f"border: 0; border-top: 1px solid {theme.BORDER}; }}"
         )
         self.setAccessibleName(self.tr("Health"))
-        row = QHBoxLayout(self)
+        row = self._row = QHBoxLayout(self)
         row.setContentsMargins(12, 4, 12, 5)
-        row.setSpacing(14)
+        row.setSpacing(_BETWEEN_PX)
         self.entries = []
+        self._rooms_px = []
         for column in self._columns():
             entry = HealthEntry(column)
             wide = max(column.widest, column.title, key=len)
             room_px = self.fontMetrics().horizontalAdvance(wide) + _SIGN_ROOM_PX
             row.addWidget(entry, room_px)
             self.entries.append(entry)
+            self._rooms_px.append(room_px)
+        self._needed_px = [0] * len(self.entries)
 
     def show_snapshot(self, snapshot: Snapshot) -> None:
         """Show what the player reports."""
         for entry, reading in zip(self.entries, readings(snapshot), strict=True):
             entry.show_reading(reading)
+        self._share_room()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Share the room anew."""
+        super().resizeEvent(event)
+        self._needed_px = [0] * len(self.entries)
+        self._share_room()
+
+    def _share_room(self) -> None:
+        """Entries only grow until the window has another size: nothing jitters."""
+        around = self._row.contentsMargins()
+        room_px = self.width() - around.left() - around.right()
+        room_px -= _BETWEEN_PX * (len(self.entries) - 1)
+        now = (entry.needed_px() for entry in self.entries)
+        self._needed_px = [
+            max(*both) for both in zip(now, self._needed_px, strict=True)
+        ]
+        is_wide = sum(self._rooms_px) <= room_px
+        for place, px in enumerate(self._rooms_px if is_wide else self._needed_px):
+            self._row.setStretch(place, px)
 
     def _columns(self) -> list[_Column]:
         return [

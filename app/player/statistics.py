@@ -4,7 +4,7 @@ import math
 from typing import Any
 
 from PySide6.QtCore import QCoreApplication
-from PySide6.QtGui import QFontDatabase
+from PySide6.QtGui import QFont, QFontDatabase, QFontInfo, QFontMetrics
 from PySide6.QtWidgets import QWidget
 
 from app.player.health import device
@@ -17,6 +17,8 @@ translate = QCoreApplication.translate
 
 REFRESH_HZ = 4.0
 _DASH = "\u2013"
+_AROUND_PX = 28  # of the text, above and below
+_SMALLEST_PX = 7
 
 
 class Statistics(OnPicture):
@@ -24,13 +26,27 @@ class Statistics(OnPicture):
 
     def __init__(self, over: QWidget) -> None:
         super().__init__(over)
-        self.setFont(QFontDatabase.systemFont(QFontDatabase.SystemFont.FixedFont))
+        self._usual = QFontDatabase.systemFont(QFontDatabase.SystemFont.FixedFont)
+        self.setFont(self._usual)
 
     def refresh(self, player: Player) -> None:
         """Show the figures of now."""
         rows = figures(player)
         wide = max(len(name) for name, _ in rows)
+        self._fit(len(rows))
         self.show_text("\n".join(f"{name:<{wide}}  {text}" for name, text in rows))
+
+    def _fit(self, lines: int) -> None:
+        """Take smaller letters where the picture is too low for the usual ones."""
+        room_px = self.parentWidget().height() - _AROUND_PX
+        needed_px = lines * QFontMetrics(self._usual).lineSpacing()
+        font = QFont(self._usual)
+        if needed_px > room_px:
+            fitting_px = QFontInfo(font).pixelSize() * room_px // needed_px
+            font.setPixelSize(max(_SMALLEST_PX, fitting_px))
+        if font != self.font():
+            self.setFont(font)
+            self.adjustSize()
 
 
 def figures(player: Player) -> list[tuple[str, str]]:

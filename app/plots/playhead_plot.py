@@ -90,6 +90,7 @@ class PlayheadPlot(pg.PlotWidget):
 
     def _make_group(self, width_px: float) -> list[Any]:
         curves = []
+        width_px *= self.devicePixelRatioF()  # pens are in the screen's own pixels
         for colour in theme.AXIS_COLOURS:
             curve = _Line(pen=pg.mkPen(colour, width=width_px))
             self._view.addItem(curve, ignoreBounds=True)

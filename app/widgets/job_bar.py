@@ -7,6 +7,7 @@ from app.bridge.jobs import JobState
 from app.widgets import theme
 from app.widgets.buttons import text_button
 from app.widgets.labels import ElidedLabel
+from app.widgets.texts import job_text
 
 _PARTS = 1000
 _AT_ONCE_S = 0.3
@@ -54,7 +55,7 @@ class JobBar(QFrame):
             return
         if self._since_s is None:
             self._since_s = now_s
-        text = f"{state.title}: {state.step}" if state.step else state.title
+        text = job_text(state)
         self._label.set_text(text)
         self._bar.setValue(round(_PARTS * min(1.0, max(0.0, state.fraction))))
         self._bar.setAccessibleName(text)

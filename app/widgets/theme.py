@@ -136,6 +136,7 @@ QPlainTextEdit:focus {{ border: 2px solid {FOCUS}; padding: 0; }}
 QCheckBox, QRadioButton {{ border: 2px solid transparent; border-radius: 5px;
   padding: 1px 3px; }}
 QCheckBox:focus, QRadioButton:focus {{ border-color: {FOCUS}; }}
+QTabWidget::pane {{ border: 1px solid {BORDER}; background: {BACKGROUND}; }}
 QTabBar::tab {{ background: {PANEL}; border: 1px solid {BORDER}; padding: 6px 13px;
   margin-right: 2px; border-top-left-radius: 5px; border-top-right-radius: 5px; }}
 QTabBar::tab:selected {{ background: {HOVER}; }}

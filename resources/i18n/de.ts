@@ -21,15 +21,15 @@
     </message>
     <message>
         <source>&amp;Open sequence…</source>
-        <translation>Sequenz ö&amp;ffnen …</translation>
+        <translation>Sequenz ö&amp;ffnen…</translation>
     </message>
     <message>
         <source>Open &amp;video…</source>
-        <translation>&amp;Video öffnen …</translation>
+        <translation>&amp;Video öffnen…</translation>
     </message>
     <message>
         <source>&amp;Import a recording…</source>
-        <translation>Aufnahme &amp;importieren …</translation>
+        <translation>Aufnahme &amp;importieren…</translation>
     </message>
     <message>
         <source>Li&amp;brary…</source>
@@ -41,15 +41,15 @@
     </message>
     <message>
         <source>Play a &amp;log…</source>
-        <translation>&amp;Protokoll abspielen …</translation>
+        <translation>&amp;Protokoll abspielen…</translation>
     </message>
     <message>
         <source>E&amp;xport the settings…</source>
-        <translation>Einstellungen e&amp;xportieren …</translation>
+        <translation>Einstellungen e&amp;xportieren…</translation>
     </message>
     <message>
         <source>I&amp;mport settings…</source>
-        <translation>Einstellungen i&amp;mportieren …</translation>
+        <translation>Einstellungen i&amp;mportieren…</translation>
     </message>
     <message>
         <source>&amp;Quit</source>
@@ -137,7 +137,7 @@
     </message>
     <message>
         <source>Measure l&amp;atencies…</source>
-        <translation>L&amp;atenzen messen …</translation>
+        <translation>L&amp;atenzen messen…</translation>
     </message>
     <message>
         <source>Live &amp;plots</source>
@@ -165,7 +165,7 @@
     </message>
     <message>
         <source>&amp;Keyboard…</source>
-        <translation>&amp;Tastatur …</translation>
+        <translation>&amp;Tastatur…</translation>
     </message>
     <message>
         <source>&amp;About</source>
@@ -451,7 +451,7 @@
     </message>
     <message>
         <source>Open a sequence…</source>
-        <translation>Sequenz öffnen …</translation>
+        <translation>Sequenz öffnen…</translation>
     </message>
     <message>
         <source>The folder of a sequence</source>
@@ -467,7 +467,7 @@
     </message>
     <message>
         <source>Import a recording…</source>
-        <translation>Aufnahme importieren …</translation>
+        <translation>Aufnahme importieren…</translation>
     </message>
     <message>
         <source>Make a sequence of a video and its motion</source>
@@ -475,7 +475,7 @@
     </message>
     <message>
         <source>Choose the device…</source>
-        <translation>Gerät wählen …</translation>
+        <translation>Gerät wählen…</translation>
     </message>
     <message>
         <source>Which haptic device is moved; the simulated one needs no hardware</source>
@@ -2933,6 +2933,85 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     <message>
         <source>{time} s</source>
         <translation>{time} s</translation>
+    </message>
+</context>
+<context>
+    <name>Texts</name>
+    <message>
+        <source>{title}: {text}</source>
+        <translation>{title}: {text}</translation>
+    </message>
+    <message>
+        <source>riding</source>
+        <translation>Fahrt</translation>
+    </message>
+    <message>
+        <source>drawing the ride</source>
+        <translation>die Fahrt wird gezeichnet</translation>
+    </message>
+    <message>
+        <source>adding telemetry</source>
+        <translation>Telemetrie</translation>
+    </message>
+    <message>
+        <source>writing the logs</source>
+        <translation>Protokolle werden geschrieben</translation>
+    </message>
+    <message>
+        <source>listening</source>
+        <translation>Ton wird angehört</translation>
+    </message>
+    <message>
+        <source>reading</source>
+        <translation>gelesen wird</translation>
+    </message>
+    <message>
+        <source>synchronising</source>
+        <translation>wird synchronisiert</translation>
+    </message>
+    <message>
+        <source>removing gravity</source>
+        <translation>Schwerkraft wird entfernt</translation>
+    </message>
+    <message>
+        <source>predicting excursions</source>
+        <translation>Ausschläge werden vorhergesagt</translation>
+    </message>
+    <message>
+        <source>rendering the force</source>
+        <translation>Kraft wird berechnet</translation>
+    </message>
+    <message>
+        <source>copying the clip</source>
+        <translation>Clip wird kopiert</translation>
+    </message>
+    <message>
+        <source>computing checksums</source>
+        <translation>Prüfsummen</translation>
+    </message>
+    <message>
+        <source>reading the answers</source>
+        <translation>Antworten werden gelesen</translation>
+    </message>
+    <message>
+        <source>analysing</source>
+        <translation>ausgewertet wird</translation>
+    </message>
+    <message>
+        <source>drawing</source>
+        <translation>gezeichnet wird</translation>
+    </message>
+    <message>
+        <source>writing</source>
+        <translation>geschrieben wird</translation>
+    </message>
+    <message>
+        <source>writing the numbers</source>
+        <translation>Zahlen werden geschrieben</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>fertig</translation>
     </message>
 </context>
 <context>

@@ -93,7 +93,7 @@
     </message>
     <message>
         <source>&amp;Loop: from here, to here, off</source>
-        <translation>&amp;Boucle : d’ici, à ici, non</translation>
+        <translation>&amp;Boucle&#xa0;: d’ici, à ici, non</translation>
     </message>
     <message>
         <source>Slower</source>
@@ -129,7 +129,7 @@
     </message>
     <message>
         <source>Set up the &amp;device…</source>
-        <translation>Préparer le &amp;dispositif…</translation>
+        <translation>Pré&amp;parer l’appareil…</translation>
     </message>
     <message>
         <source>Get to &amp;know the forces…</source>
@@ -157,7 +157,7 @@
     </message>
     <message>
         <source>Fa&amp;ults of the simulated device…</source>
-        <translation>Pa&amp;nnes du dispositif simulé…</translation>
+        <translation>Pa&amp;nnes de l’appareil simulé…</translation>
     </message>
     <message>
         <source>&amp;Fullscreen</source>
@@ -208,7 +208,7 @@
     </message>
     <message>
         <source>Where shall the folder of the report be made?</source>
-        <translation>Où créer le dossier du rapport ?</translation>
+        <translation>Où créer le dossier du rapport&#xa0;?</translation>
     </message>
 </context>
 <context>
@@ -369,7 +369,7 @@
     </message>
     <message>
         <source>Get to know the forces: {name}</source>
-        <translation>Découvrir les forces : {name}</translation>
+        <translation>Découvrir les forces&#xa0;: {name}</translation>
     </message>
     <message>
         <source>Progress</source>
@@ -439,7 +439,7 @@
     </message>
     <message>
         <source>Open a sequence or a video, or drop one here. A video alone plays without force; import it with its motion to feel it.</source>
-        <translation>Ouvrez une séquence ou une vidéo, ou déposez-la ici. Une vidéo seule est lue sans force ; importez-la avec son mouvement pour le ressentir.</translation>
+        <translation>Ouvrez une séquence ou une vidéo, ou déposez-la ici. Une vidéo seule est lue sans force&#xa0;; importez-la avec son mouvement pour le ressentir.</translation>
     </message>
     <message>
         <source>Play the demo</source>
@@ -479,21 +479,21 @@
     </message>
     <message>
         <source>Which haptic device is moved; the simulated one needs no hardware</source>
-        <translation>Quel appareil haptique est mû ; le simulé ne demande aucun matériel</translation>
+        <translation>Quel appareil haptique est mû&#xa0;; le simulé ne demande aucun matériel</translation>
     </message>
 </context>
 <context>
     <name>ErrorGateway</name>
     <message>
         <source>Something went wrong inside the program ({kind}: {text}); the force was stopped and the playback paused. Details are on the terminal.</source>
-        <translation>Une erreur interne s’est produite ({kind} : {text}) ; la force a été arrêtée et la lecture suspendue. Les détails sont dans le terminal.</translation>
+        <translation>Une erreur interne s’est produite ({kind}&#xa0;: {text})&#xa0;; la force a été arrêtée et la lecture suspendue. Les détails sont dans le terminal.</translation>
     </message>
 </context>
 <context>
     <name>Extras</name>
     <message>
         <source>Goes on at {time}; Home for the beginning</source>
-        <translation>Reprise à {time} ; Origine pour le début</translation>
+        <translation>Reprise à {time}&#xa0;; Origine pour le début</translation>
     </message>
 </context>
 <context>
@@ -512,11 +512,11 @@
     </message>
     <message>
         <source>Start the simulated device again</source>
-        <translation>Relancer le dispositif simulé</translation>
+        <translation>Relancer l’appareil simulé</translation>
     </message>
     <message>
         <source>Faults of the simulated device</source>
-        <translation>Pannes du dispositif simulé</translation>
+        <translation>Pannes de l’appareil simulé</translation>
     </message>
     <message>
         <source>Close</source>
@@ -548,15 +548,15 @@
     </message>
     <message>
         <source>Only a simulated device takes faults, and only while this panel is open: choose it in the window, then press Device anew.</source>
-        <translation>Seul un dispositif simulé accepte des pannes, et seulement tant que ce panneau est ouvert : choisissez-le dans la fenêtre, puis appuyez sur Relancer.</translation>
+        <translation>Seul un appareil simulé accepte des pannes, et seulement tant que ce panneau est ouvert&#xa0;: choisissez-le dans la fenêtre, puis appuyez sur Relancer.</translation>
     </message>
     <message>
         <source>The device has failed: press Device anew.</source>
-        <translation>L&apos;appareil est en panne : appuyez sur Relancer.</translation>
+        <translation>L’appareil est en panne&#xa0;: appuyez sur Relancer.</translation>
     </message>
     <message>
         <source>Play a clip with force, so that there is one to take away.</source>
-        <translation>Lisez un clip avec force, pour qu&apos;il y en ait une à retirer.</translation>
+        <translation>Lisez un clip avec force, pour qu’il y en ait une à retirer.</translation>
     </message>
     <message>
         <source>There is a force. Press a fault and watch what takes it away.</source>
@@ -661,7 +661,7 @@
     </message>
     <message>
         <source>Drop a video here, with the log of its motion sensor if that was a device of its own. GoPro cameras keep their motion inside the video.</source>
-        <translation>Déposez ici une vidéo, avec le journal de son capteur de mouvement si c&apos;était un appareil à part. Les caméras GoPro gardent le mouvement dans la vidéo.</translation>
+        <translation>Déposez ici une vidéo, avec le journal de son capteur de mouvement si c’était un appareil à part. Les caméras GoPro gardent le mouvement dans la vidéo.</translation>
     </message>
     <message>
         <source>&amp;Video</source>
@@ -685,11 +685,11 @@
     </message>
     <message>
         <source>Video: {camera}{width} × {height}, {rate} pictures a second, {duration}, {sound}</source>
-        <translation>Vidéo : {camera}{width} × {height}, {rate} images par seconde, {duration}, {sound}</translation>
+        <translation>Vidéo&#xa0;: {camera}{width} × {height}, {rate} images par seconde, {duration}, {sound}</translation>
     </message>
     <message>
         <source>Motion: {recorder}, {rate} samples a second, {duration}, {gaps} gaps</source>
-        <translation>Mouvement : {recorder}, {rate} mesures par seconde, {duration}, {gaps} lacunes</translation>
+        <translation>Mouvement&#xa0;: {recorder}, {rate} mesures par seconde, {duration}, {gaps} lacunes</translation>
     </message>
     <message>
         <source>It turned so much that gravity does not show its axes.</source>
@@ -697,7 +697,7 @@
     </message>
     <message>
         <source>Axes: x to its right, y to its front, z to its top; on average {up} was up</source>
-        <translation>Axes : x vers sa droite, y vers l&apos;avant, z vers le haut ; en moyenne {up} était en haut</translation>
+        <translation>Axes&#xa0;: x vers sa droite, y vers l’avant, z vers le haut&#xa0;; en moyenne {up} était en haut</translation>
     </message>
     <message>
         <source>Choose a video</source>
@@ -721,7 +721,7 @@
     </message>
     <message>
         <source>Where shall the template be written?</source>
-        <translation>Où faut-il écrire le modèle ?</translation>
+        <translation>Où faut-il écrire le modèle&#xa0;?</translation>
     </message>
 </context>
 <context>
@@ -736,7 +736,7 @@
     </message>
     <message>
         <source>I accept the licence</source>
-        <translation>J&apos;accepte la licence</translation>
+        <translation>J’accepte la licence</translation>
     </message>
     <message>
         <source>Keep it all the same</source>
@@ -751,7 +751,7 @@
     <name>GripView</name>
     <message>
         <source>No device: choose {name} to see what would be felt</source>
-        <translation>Aucun appareil : choisissez {name} pour voir ce qui serait ressenti</translation>
+        <translation>Aucun appareil&#xa0;: choisissez {name} pour voir ce qui serait ressenti</translation>
     </message>
     <message>
         <source>The device has failed</source>
@@ -783,7 +783,7 @@
     </message>
     <message>
         <source>Force is {what}</source>
-        <translation>Force : {what}</translation>
+        <translation>Force&#xa0;: {what}</translation>
     </message>
     <message>
         <source>right</source>
@@ -800,7 +800,7 @@
     <message>
         <source>Thick arrow: the force on the hand. Thin white arrow: the planned force. Purple arrow: the share that keeps the grip inside.
 Drag or use the arrow keys to look from elsewhere, the wheel or + and − to come nearer, a double click or 0 to go back.</source>
-        <translation>Flèche épaisse : la force sur la main. Flèche fine : la force prévue. Flèche violette : la part qui garde la poignée à l’intérieur.
+        <translation>Flèche épaisse&#xa0;: la force sur la main. Flèche fine&#xa0;: la force prévue. Flèche violette&#xa0;: la part qui garde la poignée à l’intérieur.
 Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pour l’approcher, un double clic ou 0 pour revenir.</translation>
     </message>
     <message>
@@ -960,7 +960,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>damaged: {damaged} broken, {dropped} dropped</source>
-        <translation>endommagé : {damaged} illisibles, {dropped} perdues</translation>
+        <translation>endommagé&#xa0;: {damaged} illisibles, {dropped} perdues</translation>
     </message>
     <message>
         <source>audio</source>
@@ -1015,7 +1015,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>Class of the 1 kHz loop: FIFO is best, slice nearly as good, normal lets it be late by milliseconds</source>
-        <translation>Classe de la boucle à 1 kHz : FIFO est la meilleure, tranche presque aussi bonne, normal la laisse en retard de millisecondes</translation>
+        <translation>Classe de la boucle à 1 kHz&#xa0;: FIFO est la meilleure, tranche presque aussi bonne, normal la laisse en retard de millisecondes</translation>
     </message>
     <message>
         <source>Real-time</source>
@@ -1023,7 +1023,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>99 % of the loop&apos;s wake-ups in the last 10 s were no later than this; missed are periods that were skipped. When more than 1 % are, the force is held to 3 N</source>
-        <translation>99 % des réveils des 10 dernières s n’étaient pas plus en retard ; les manqués sont des périodes sautées. Au-delà de 1 %, la force est limitée à 3 N</translation>
+        <translation>99 % des réveils des 10 dernières s n’étaient pas plus en retard&#xa0;; les manqués sont des périodes sautées. Au-delà de 1 %, la force est limitée à 3 N</translation>
     </message>
     <message>
         <source>yes, 888 µs, 88 missed</source>
@@ -1035,7 +1035,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>How much later the force comes than its picture: median and 95 % of the last 20 s. More than 15 ms early or 50 ms late is felt</source>
-        <translation>Retard de la force sur son image : médiane et 95 % des 20 dernières secondes. Plus de 15 ms d’avance ou 50 ms de retard se sentent</translation>
+        <translation>Retard de la force sur son image&#xa0;: médiane et 95 % des 20 dernières secondes. Plus de 15 ms d’avance ou 50 ms de retard se sentent</translation>
     </message>
     <message>
         <source>OFF +88.8, +88.8 ms</source>
@@ -1043,7 +1043,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>How much later the force comes than its sound: median and 95 % of the last 20 s. More than 15 ms early or 50 ms late is felt</source>
-        <translation>Retard de la force sur son son : médiane et 95 % des 20 dernières secondes. Plus de 15 ms d’avance ou 50 ms de retard se sentent</translation>
+        <translation>Retard de la force sur son son&#xa0;: médiane et 95 % des 20 dernières secondes. Plus de 15 ms d’avance ou 50 ms de retard se sentent</translation>
     </message>
     <message>
         <source>Force − sound</source>
@@ -1067,7 +1067,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>What leads: the sound that is heard, or the machine&apos;s monotonic clock where there is no sound</source>
-        <translation>Ce qui mène : le son entendu, ou l’horloge monotone de la machine sans son</translation>
+        <translation>Ce qui mène&#xa0;: le son entendu, ou l’horloge monotone de la machine sans son</translation>
     </message>
     <message>
         <source>monotonic</source>
@@ -1121,7 +1121,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>Homed: {legs}</source>
-        <translation>Initialisées : {legs}</translation>
+        <translation>Initialisées&#xa0;: {legs}</translation>
     </message>
     <message>
         <source>in</source>
@@ -1148,7 +1148,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>Stop this work; nothing is left behind</source>
-        <translation>Arrêter ce travail ; rien n&apos;est laissé</translation>
+        <translation>Arrêter ce travail&#xa0;; rien n’est laissé</translation>
     </message>
     <message>
         <source>&amp;Import another…</source>
@@ -1156,7 +1156,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>Begin again with other files</source>
-        <translation>Recommencer avec d&apos;autres fichiers</translation>
+        <translation>Recommencer avec d’autres fichiers</translation>
     </message>
     <message>
         <source>&amp;Back</source>
@@ -1164,7 +1164,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>To the step before</source>
-        <translation>À l&apos;étape précédente</translation>
+        <translation>À l’étape précédente</translation>
     </message>
     <message>
         <source>&amp;Next</source>
@@ -1172,7 +1172,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>To the next step</source>
-        <translation>À l&apos;étape suivante</translation>
+        <translation>À l’étape suivante</translation>
     </message>
     <message>
         <source>Close</source>
@@ -1223,7 +1223,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>Stop this work; nothing is left behind</source>
-        <translation>Arrêter ce travail ; il n’en reste rien</translation>
+        <translation>Arrêter ce travail&#xa0;; il n’en reste rien</translation>
     </message>
 </context>
 <context>
@@ -1282,7 +1282,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>This key always stops the force; it stays</source>
-        <translation>Cette touche arrête toujours la force ; elle reste</translation>
+        <translation>Cette touche arrête toujours la force&#xa0;; elle reste</translation>
     </message>
     <message>
         <source>Press a key in the field first</source>
@@ -1290,7 +1290,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>{key} is taken by “{command}”</source>
-        <translation>{key} est prise par « {command} »</translation>
+        <translation>{key} est prise par «&#xa0;{command}&#xa0;»</translation>
     </message>
 </context>
 <context>
@@ -1365,11 +1365,11 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>{n} of {least} taps</source>
-        <translation>{n} frappes sur {least}</translation>
+        <translation>Frappes&#xa0;: {n} sur {least}</translation>
     </message>
     <message>
         <source>{n} taps: {ms:.0f} ± {spread:.0f} ms</source>
-        <translation>{n} frappes : {ms:.0f} ± {spread:.0f} ms</translation>
+        <translation>{n} frappes&#xa0;: {ms:.0f} ± {spread:.0f} ms</translation>
     </message>
     <message>
         <source>Each second there are a flash, a beep and a gentle push. Hold the grip loosely and press Start. Esc, STOP or a button on the grip ends it.</source>
@@ -1381,7 +1381,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>Press the space bar with each beat, at least eight times; first to the picture, then to the sound and the force. The differences are put into the numbers; refine them with all together.</source>
-        <translation>Appuyez sur la barre d’espace à chaque battement, au moins huit fois ; d’abord sur l’image, puis sur le son et la force. Les différences sont reportées dans les valeurs ; affinez-les avec tout ensemble.</translation>
+        <translation>Appuyez sur la barre d’espace à chaque battement, au moins huit fois&#xa0;; d’abord sur l’image, puis sur le son et la force. Les différences sont reportées dans les valeurs&#xa0;; affinez-les avec tout ensemble.</translation>
     </message>
 </context>
 <context>
@@ -1396,7 +1396,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>it may be later still than it says. Use headphones with a cable, or measure it: Playback, Measure latencies</source>
-        <translation>elle peut être encore plus en retard qu’elle ne le dit. Prenez un casque à fil, ou mesurez-la : Lecture, Mesurer les latences</translation>
+        <translation>elle peut être encore plus en retard qu’elle ne le dit. Prenez un casque à fil, ou mesurez-la&#xa0;: Lecture, Mesurer les latences</translation>
     </message>
 </context>
 <context>
@@ -1459,7 +1459,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>Make the realistic and the random track anew</source>
-        <translation>Refaire la piste réaliste et l&apos;aléatoire</translation>
+        <translation>Refaire la piste réaliste et l’aléatoire</translation>
     </message>
     <message>
         <source>about {peak} N at the peak, {rms} N RMS…</source>
@@ -1467,11 +1467,11 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>{peak} N at the peak, {rms} N RMS, {share} of the samples at the limit; workspace: relaxed hand {relaxed}, normal {normal}, firm {firm}</source>
-        <translation>{peak} N de crête, {rms} N RMS, {share} des valeurs à la limite ; espace de travail : main souple {relaxed}, normale {normal}, ferme {firm}</translation>
+        <translation>{peak} N de crête, {rms} N RMS, {share} des valeurs à la limite&#xa0;; espace de travail&#xa0;: main souple {relaxed}, normale {normal}, ferme {firm}</translation>
     </message>
     <message>
         <source>the force would stop</source>
-        <translation>la force s&apos;arrêterait</translation>
+        <translation>la force s’arrêterait</translation>
     </message>
     <message>
         <source>Making the force anew</source>
@@ -1522,7 +1522,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>Stop this work; nothing is left behind</source>
-        <translation>Arrêter ce travail ; rien n&apos;est laissé</translation>
+        <translation>Arrêter ce travail&#xa0;; rien n’est laissé</translation>
     </message>
     <message>
         <source>&amp;Import…</source>
@@ -1574,7 +1574,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>There is nothing here yet; import a recording.</source>
-        <translation>Il n&apos;y a encore rien ici ; importez un enregistrement.</translation>
+        <translation>Il n’y a encore rien ici&#xa0;; importez un enregistrement.</translation>
     </message>
     <message>
         <source>Nothing is called so</source>
@@ -1582,7 +1582,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>Where are sequences kept?</source>
-        <translation>Où sont gardées les séquences ?</translation>
+        <translation>Où sont gardées les séquences&#xa0;?</translation>
     </message>
     <message>
         <source>Rename</source>
@@ -1598,11 +1598,11 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>{title}: every file is as it was written</source>
-        <translation>{title} : chaque fichier est tel qu&apos;il a été écrit</translation>
+        <translation>{title}&#xa0;: chaque fichier est tel qu’il a été écrit</translation>
     </message>
     <message>
         <source>Move {title} to the bin? It can be brought back from there.</source>
-        <translation>Mettre {title} à la corbeille ? On peut l&apos;en ramener.</translation>
+        <translation>Mettre {title} à la corbeille&#xa0;? On peut l’en ramener.</translation>
     </message>
     <message>
         <source>Delete</source>
@@ -1610,7 +1610,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>{title} cannot be moved to the bin; nothing was deleted.</source>
-        <translation>{title} ne peut être mis à la corbeille ; rien n&apos;a été supprimé.</translation>
+        <translation>{title} ne peut être mis à la corbeille&#xa0;; rien n’a été supprimé.</translation>
     </message>
     <message>
         <source>{title} is in the bin.</source>
@@ -1674,7 +1674,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>The device stands</source>
-        <translation>L&apos;appareil se trouve</translation>
+        <translation>L’appareil se trouve</translation>
     </message>
     <message>
         <source>Gain</source>
@@ -1734,7 +1734,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>before its user: forward pulls the hand away</source>
-        <translation>devant la personne : l&apos;avant tire la main</translation>
+        <translation>devant la personne&#xa0;: l’avant tire la main</translation>
     </message>
     <message>
         <source>to the right of its user</source>
@@ -1762,7 +1762,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>The &amp;device stands</source>
-        <translation>L&apos;&amp;appareil se trouve</translation>
+        <translation>L’&amp;appareil se trouve</translation>
     </message>
     <message>
         <source>&amp;Gain</source>
@@ -1778,7 +1778,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>The drawing shows the recorder on its actor, who looks to the front; the dashed line is where gravity says that up was.</source>
-        <translation>Le dessin montre l&apos;enregistreur sur la personne, qui regarde devant ; le trait pointillé montre où était le haut selon la pesanteur.</translation>
+        <translation>Le dessin montre l’enregistreur sur la personne, qui regarde devant&#xa0;; le trait pointillé montre où était le haut selon la pesanteur.</translation>
     </message>
     <message>
         <source>It turned so much that gravity does not tell which is right.</source>
@@ -1786,7 +1786,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>Gravity agrees. Which side was the front only you can know.</source>
-        <translation>La pesanteur est d&apos;accord. Quel côté était l&apos;avant, vous seul le savez.</translation>
+        <translation>La pesanteur est d’accord. Quel côté était l’avant, vous seul le savez.</translation>
     </message>
     <message>
         <source>Gravity says that another side was up.</source>
@@ -1794,7 +1794,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>Where shall sequences be kept?</source>
-        <translation>Où faut-il garder les séquences ?</translation>
+        <translation>Où faut-il garder les séquences&#xa0;?</translation>
     </message>
 </context>
 <context>
@@ -1848,15 +1848,15 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>thin: planned</source>
-        <translation>fin : prévue</translation>
+        <translation>fin&#xa0;: prévue</translation>
     </message>
     <message>
         <source>Click: go there. Drag: move. Wheel or + and −: zoom. Double click or Enter: as before</source>
-        <translation>Clic : y aller. Glisser : déplacer. Molette ou + et − : zoom. Double clic ou Entrée : comme avant</translation>
+        <translation>Clic&#xa0;: y aller. Glisser&#xa0;: déplacer. Molette ou + et −&#xa0;: zoom. Double clic ou Entrée&#xa0;: comme avant</translation>
     </message>
     <message>
         <source>Save this view: {plot}</source>
-        <translation>Enregistrer cette vue : {plot}</translation>
+        <translation>Enregistrer cette vue&#xa0;: {plot}</translation>
     </message>
     <message>
         <source>Save this view as PNG, SVG or CSV</source>
@@ -1868,7 +1868,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>{name}: choose a name that ends in {kinds}</source>
-        <translation>{name} : choisissez un nom qui finit par {kinds}</translation>
+        <translation>{name}&#xa0;: choisissez un nom qui finit par {kinds}</translation>
     </message>
 </context>
 <context>
@@ -1882,15 +1882,15 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     <name>Quality</name>
     <message>
         <source>Good: ready for use</source>
-        <translation>Bon : prêt à l&apos;emploi</translation>
+        <translation>Bon&#xa0;: prêt à l’emploi</translation>
     </message>
     <message>
         <source>Doubtful: look at what is marked</source>
-        <translation>Douteux : regardez ce qui est marqué</translation>
+        <translation>Douteux&#xa0;: regardez ce qui est marqué</translation>
     </message>
     <message>
         <source>Bad: better record or import it again</source>
-        <translation>Mauvais : mieux vaut refaire l&apos;enregistrement ou l&apos;importation</translation>
+        <translation>Mauvais&#xa0;: mieux vaut refaire l’enregistrement ou l’importation</translation>
     </message>
     <message>
         <source>good</source>
@@ -1910,7 +1910,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>Clock drift</source>
-        <translation>Dérive de l&apos;horloge</translation>
+        <translation>Dérive de l’horloge</translation>
     </message>
     <message>
         <source>Sampling</source>
@@ -1938,7 +1938,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>Use of the workspace</source>
-        <translation>Usage de l&apos;espace de travail</translation>
+        <translation>Usage de l’espace de travail</translation>
     </message>
     <message>
         <source>Heat of the motors</source>
@@ -1954,11 +1954,11 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>{share} of the motion; {count}, the longest {s} s</source>
-        <translation>{share} du mouvement ; {count}, la plus longue {s} s</translation>
+        <translation>{share} du mouvement&#xa0;; {count}, la plus longue {s} s</translation>
     </message>
     <message>
         <source>{share} of the samples; the peak is {n} N</source>
-        <translation>{share} des valeurs ; la crête est de {n} N</translation>
+        <translation>{share} des valeurs&#xa0;; la crête est de {n} N</translation>
     </message>
     <message>
         <source>three pats</source>
@@ -1990,15 +1990,15 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>The force would stop; lower the gain</source>
-        <translation>La force s&apos;arrêterait ; baissez le gain</translation>
+        <translation>La force s’arrêterait&#xa0;; baissez le gain</translation>
     </message>
     <message>
         <source>Look again, and give three pats next time</source>
-        <translation>Regardez encore ; trois tapes la prochaine fois</translation>
+        <translation>Regardez encore&#xa0;; trois tapes la prochaine fois</translation>
     </message>
     <message>
         <source>Pat at the end of a long recording too</source>
-        <translation>Tapez aussi à la fin d&apos;un long enregistrement</translation>
+        <translation>Tapez aussi à la fin d’un long enregistrement</translation>
     </message>
     <message>
         <source>Record at 100 Hz or more</source>
@@ -2010,11 +2010,11 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>Choose a larger range of the accelerometer</source>
-        <translation>Choisissez une plus grande plage de l&apos;accéléromètre</translation>
+        <translation>Choisissez une plus grande plage de l’accéléromètre</translation>
     </message>
     <message>
         <source>There is no force there; try another card</source>
-        <translation>Il n&apos;y a pas de force là ; essayez une autre carte</translation>
+        <translation>Il n’y a pas de force là&#xa0;; essayez une autre carte</translation>
     </message>
     <message>
         <source>Start the log before the clip, end it after</source>
@@ -2063,7 +2063,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>Something else is being done; wait for it or cancel it</source>
-        <translation>Un autre travail est en cours ; attendez-le ou annulez-le</translation>
+        <translation>Un autre travail est en cours&#xa0;; attendez-le ou annulez-le</translation>
     </message>
     <message>
         <source>Bring the grip to the middle first, then re-arm again</source>
@@ -2071,7 +2071,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>The haptics process has ended; choose the device again</source>
-        <translation>Le processus haptique s’est terminé ; choisissez l’appareil à nouveau</translation>
+        <translation>Le processus haptique s’est terminé&#xa0;; choisissez l’appareil à nouveau</translation>
     </message>
 </context>
 <context>
@@ -2090,7 +2090,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>A note; Enter keeps it</source>
-        <translation>Une note ; Entrée la conserve</translation>
+        <translation>Une note&#xa0;; Entrée la conserve</translation>
     </message>
     <message>
         <source>Pause</source>
@@ -2098,7 +2098,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>Stop the clip; it begins again</source>
-        <translation>Arrêter le clip ; il recommencera</translation>
+        <translation>Arrêter le clip&#xa0;; il recommencera</translation>
     </message>
     <message>
         <source>Repeat</source>
@@ -2166,7 +2166,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>The last trial was not sound: {reasons}</source>
-        <translation>Le dernier essai n’est pas valable : {reasons}</translation>
+        <translation>Le dernier essai n’est pas valable&#xa0;: {reasons}</translation>
     </message>
     <message>
         <source>Skip</source>
@@ -2174,7 +2174,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>Why is this step left out?</source>
-        <translation>Pourquoi omettre cette étape ?</translation>
+        <translation>Pourquoi omettre cette étape&#xa0;?</translation>
     </message>
     <message>
         <source>End the session</source>
@@ -2182,7 +2182,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>Why does it end? All answers given so far are kept.</source>
-        <translation>Pourquoi se termine-t-elle ? Toutes les réponses données sont conservées.</translation>
+        <translation>Pourquoi se termine-t-elle&#xa0;? Toutes les réponses données sont conservées.</translation>
     </message>
     <message>
         <source>Close</source>
@@ -2190,7 +2190,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>The session has not ended. Close, and go on with it later?</source>
-        <translation>La séance n’est pas terminée. Fermer et la reprendre plus tard ?</translation>
+        <translation>La séance n’est pas terminée. Fermer et la reprendre plus tard&#xa0;?</translation>
     </message>
     <message>
         <source>consent</source>
@@ -2233,11 +2233,11 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     <name>SessionWords</name>
     <message>
         <source>the contract stopped it ({0})</source>
-        <translation>le contrat de sécurité l&apos;a arrêté ({0})</translation>
+        <translation>le contrat de sécurité l’a arrêté ({0})</translation>
     </message>
     <message>
         <source>force and picture were apart</source>
-        <translation>la force et l&apos;image étaient décalées</translation>
+        <translation>la force et l’image étaient décalées</translation>
     </message>
     <message>
         <source>force and sound were apart</source>
@@ -2261,7 +2261,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>stopped by the operator</source>
-        <translation>arrêté par l&apos;opérateur</translation>
+        <translation>arrêté par l’opérateur</translation>
     </message>
     <message>
         <source>the participant pressed Esc</source>
@@ -2269,7 +2269,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>the participant pressed the space bar</source>
-        <translation>la personne a appuyé sur la barre d&apos;espace</translation>
+        <translation>la personne a appuyé sur la barre d’espace</translation>
     </message>
     <message>
         <source>another program came in front</source>
@@ -2289,7 +2289,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>there was no sound</source>
-        <translation>il n&apos;y avait pas de son</translation>
+        <translation>il n’y avait pas de son</translation>
     </message>
     <message>
         <source>sound was missing</source>
@@ -2297,11 +2297,11 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>there was no device</source>
-        <translation>il n&apos;y avait pas d&apos;appareil</translation>
+        <translation>il n’y avait pas d’appareil</translation>
     </message>
     <message>
         <source>the device was lost</source>
-        <translation>l&apos;appareil a été perdu</translation>
+        <translation>l’appareil a été perdu</translation>
     </message>
     <message>
         <source>the loop missed periods</source>
@@ -2309,15 +2309,15 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>the device said nothing</source>
-        <translation>l&apos;appareil n&apos;a rien dit</translation>
+        <translation>l’appareil n’a rien dit</translation>
     </message>
     <message>
         <source>the record has gaps</source>
-        <translation>l&apos;enregistrement a des lacunes</translation>
+        <translation>l’enregistrement a des lacunes</translation>
     </message>
     <message>
         <source>{size}; screens in all: {n}</source>
-        <translation>{size} ; écrans en tout : {n}</translation>
+        <translation>{size}&#xa0;; écrans en tout&#xa0;: {n}</translation>
     </message>
     <message>
         <source>{n} GB free</source>
@@ -2344,11 +2344,11 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>Feel every direction, gentle first</source>
-        <translation>Sentir chaque direction, doucement d&apos;abord</translation>
+        <translation>Sentir chaque direction, doucement d’abord</translation>
     </message>
     <message>
         <source>Use this device</source>
-        <translation>Utiliser ce dispositif</translation>
+        <translation>Utiliser cet appareil</translation>
     </message>
     <message>
         <source>Play with it from now on</source>
@@ -2360,15 +2360,15 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>Keep the device from before</source>
-        <translation>Garder le dispositif d&apos;avant</translation>
+        <translation>Garder l’appareil d’avant</translation>
     </message>
     <message>
         <source>Set up the device</source>
-        <translation>Préparer le dispositif</translation>
+        <translation>Préparer l’appareil</translation>
     </message>
     <message>
         <source>Device</source>
-        <translation>Dispositif</translation>
+        <translation>Appareil</translation>
     </message>
     <message>
         <source>Progress</source>
@@ -2376,7 +2376,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>That file cannot be used</source>
-        <translation>Ce fichier n&apos;est pas utilisable</translation>
+        <translation>Ce fichier n’est pas utilisable</translation>
     </message>
 </context>
 <context>
@@ -2387,11 +2387,11 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>The Falcon is not plugged in</source>
-        <translation>Le Falcon n&apos;est pas branché</translation>
+        <translation>Le Falcon n’est pas branché</translation>
     </message>
     <message>
         <source>Connect its USB cable and its power supply; it is found by itself.</source>
-        <translation>Branchez son câble USB et son alimentation ; il est trouvé tout seul.</translation>
+        <translation>Branchez son câble USB et son alimentation&#xa0;; il est trouvé tout seul.</translation>
     </message>
     <message>
         <source>Copy the udev rule {rule} to /etc/udev/rules.d, then unplug the Falcon and plug it in.</source>
@@ -2399,7 +2399,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>You have no permission to use the Falcon</source>
-        <translation>Vous n&apos;avez pas le droit d&apos;utiliser le Falcon</translation>
+        <translation>Vous n’avez pas le droit d’utiliser le Falcon</translation>
     </message>
     <message>
         <source>Another program uses the Falcon</source>
@@ -2407,7 +2407,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>Close that program; then it goes on by itself.</source>
-        <translation>Fermez ce programme ; la suite vient toute seule.</translation>
+        <translation>Fermez ce programme&#xa0;; la suite vient toute seule.</translation>
     </message>
     <message>
         <source>The Falcon has the wrong driver</source>
@@ -2415,7 +2415,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>Give it the driver WinUSB, with the program Zadig, in place of FTDI&apos;s or Force Dimension&apos;s; then unplug it and plug it in.</source>
-        <translation>Donnez-lui, avec le programme Zadig, le pilote WinUSB à la place de celui de FTDI ou de Force Dimension ; puis débranchez-le et rebranchez-le.</translation>
+        <translation>Donnez-lui, avec le programme Zadig, le pilote WinUSB à la place de celui de FTDI ou de Force Dimension&#xa0;; puis débranchez-le et rebranchez-le.</translation>
     </message>
     <message>
         <source>The Falcon needs its firmware</source>
@@ -2427,11 +2427,11 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>Pull the grip out, as far as it goes</source>
-        <translation>Tirez la poignée jusqu&apos;au bout</translation>
+        <translation>Tirez la poignée jusqu’au bout</translation>
     </message>
     <message>
         <source>Push the grip in, until it locks</source>
-        <translation>Poussez la poignée jusqu&apos;à ce qu&apos;elle se bloque</translation>
+        <translation>Poussez la poignée jusqu’à ce qu’elle se bloque</translation>
     </message>
     <message>
         <source>The Falcon is ready</source>
@@ -2451,11 +2451,11 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>Move the grip: the picture follows.</source>
-        <translation>Bougez la poignée : l&apos;image suit.</translation>
+        <translation>Bougez la poignée&#xa0;: l’image suit.</translation>
     </message>
     <message>
         <source>Joints that have found their zero: {legs}. There is no force.</source>
-        <translation>Articulations qui ont trouvé leur zéro : {legs}. Il n&apos;y a pas de force.</translation>
+        <translation>Articulations qui ont trouvé leur zéro&#xa0;: {legs}. Il n’y a pas de force.</translation>
     </message>
     <message>
         <source>none yet</source>
@@ -2463,15 +2463,15 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>Nothing has to be set up</source>
-        <translation>Rien n&apos;est à préparer</translation>
+        <translation>Rien n’est à préparer</translation>
     </message>
     <message>
         <source>A Falcon that is only computed, held by a simulated hand: for trying everything without hardware.</source>
-        <translation>Un Falcon seulement calculé, tenu par une main simulée : pour tout essayer sans matériel.</translation>
+        <translation>Un Falcon seulement calculé, tenu par une main simulée&#xa0;: pour tout essayer sans matériel.</translation>
     </message>
     <message>
         <source>Connect a DualSense or a DualShock 4 by its USB cable. It shakes as strongly as the force is; it has no direction.</source>
-        <translation>Branchez une DualSense ou une DualShock 4 par son câble USB. Elle vibre aussi fort que la force ; elle n&apos;a pas de direction.</translation>
+        <translation>Branchez une DualSense ou une DualShock 4 par son câble USB. Elle vibre aussi fort que la force&#xa0;; elle n’a pas de direction.</translation>
     </message>
     <message>
         <source>The clip plays without force.</source>
@@ -2479,11 +2479,11 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>The firmware of the Falcon belongs to Novint Technologies. libnifalcon passes it on under Novint&apos;s SDK licence (its file license/LICENSE_NOVINT.txt): for personal, noncommercial use, free of charge, and every recipient is bound by it. Read that licence; by going on you say that you may use this file. It stays on this computer.</source>
-        <translation>Le micrologiciel du Falcon appartient à Novint Technologies. libnifalcon le transmet sous la licence SDK de Novint (son fichier license/LICENSE_NOVINT.txt) : pour un usage personnel et non commercial, gratuitement, et chaque destinataire y est lié. Lisez cette licence ; en continuant, vous dites que vous pouvez utiliser ce fichier. Il reste sur cet ordinateur.</translation>
+        <translation>Le micrologiciel du Falcon appartient à Novint Technologies. libnifalcon le transmet sous la licence SDK de Novint (son fichier license/LICENSE_NOVINT.txt)&#xa0;: pour un usage personnel et non commercial, gratuitement, et chaque destinataire y est lié. Lisez cette licence&#xa0;; en continuant, vous dites que vous pouvez utiliser ce fichier. Il reste sur cet ordinateur.</translation>
     </message>
     <message>
         <source>The file is sound, but it is none of the firmware files that are known. It would run the motors. Keep it only if you know where it comes from.</source>
-        <translation>Le fichier est sain, mais ce n&apos;est aucun des micrologiciels connus. Il commanderait les moteurs. Ne le gardez que si vous savez d&apos;où il vient.</translation>
+        <translation>Le fichier est sain, mais ce n’est aucun des micrologiciels connus. Il commanderait les moteurs. Ne le gardez que si vous savez d’où il vient.</translation>
     </message>
 </context>
 <context>
@@ -2744,7 +2744,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>Williams: balanced for what came before</source>
-        <translation>Williams : équilibré selon ce qui précède</translation>
+        <translation>Williams&#xa0;: équilibré selon ce qui précède</translation>
     </message>
     <message>
         <source>From orders.csv</source>
@@ -2814,7 +2814,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>Media time at which the log&apos;s clock reads zero</source>
-        <translation>Temps du média où l&apos;horloge du journal indique zéro</translation>
+        <translation>Temps du média où l’horloge du journal indique zéro</translation>
     </message>
     <message>
         <source> ms</source>
@@ -2822,7 +2822,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>Sound later than picture</source>
-        <translation>Son après l&apos;image</translation>
+        <translation>Son après l’image</translation>
     </message>
     <message>
         <source>How much later than its picture the camera&apos;s sound comes</source>
@@ -2834,7 +2834,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>I have looked and listened: this offset is right</source>
-        <translation>J&apos;ai regardé et écouté : ce décalage est juste</translation>
+        <translation>J’ai regardé et écouté&#xa0;: ce décalage est juste</translation>
     </message>
     <message>
         <source>&amp;Whole clip</source>
@@ -2858,7 +2858,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>Play what is shown: the clip left, a tick at each knock right</source>
-        <translation>Lire ce qui est montré : le clip à gauche, un tic à chaque choc à droite</translation>
+        <translation>Lire ce qui est montré&#xa0;: le clip à gauche, un tic à chaque choc à droite</translation>
     </message>
     <message>
         <source>&amp;Offset</source>
@@ -2866,19 +2866,19 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>S&amp;ound later than picture</source>
-        <translation>S&amp;on après l&apos;image</translation>
+        <translation>S&amp;on après l’image</translation>
     </message>
     <message>
         <source>Drag the acceleration until it lies under the sound; the arrow keys move it by 1 ms, with Shift by 10 ms, with Ctrl by 100 ms. The wheel zooms; the picture is that at the cursor, which comma and point move.</source>
-        <translation>Tirez l&apos;accélération jusqu&apos;à ce qu&apos;elle soit sous le son ; les flèches la déplacent de 1 ms, avec Maj de 10 ms, avec Ctrl de 100 ms. La molette agrandit ; l&apos;image est celle du curseur, que la virgule et le point déplacent.</translation>
+        <translation>Tirez l’accélération jusqu’à ce qu’elle soit sous le son&#xa0;; les flèches la déplacent de 1 ms, avec Maj de 10 ms, avec Ctrl de 100 ms. La molette agrandit&#xa0;; l’image est celle du curseur, que la virgule et le point déplacent.</translation>
     </message>
     <message>
         <source>{recorder} keeps its motion on the clip&apos;s own clock.</source>
-        <translation>{recorder} garde le mouvement sur l&apos;horloge du clip.</translation>
+        <translation>{recorder} garde le mouvement sur l’horloge du clip.</translation>
     </message>
     <message>
         <source>Nothing to go by: {why}. Give the offset by hand.</source>
-        <translation>Aucun repère : {why}. Donnez le décalage à la main.</translation>
+        <translation>Aucun repère&#xa0;: {why}. Donnez le décalage à la main.</translation>
     </message>
     <message>
         <source>The offset was moved by hand.</source>
@@ -2890,11 +2890,11 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>The pats are not certain (confidence {confidence}). Look whether the same events lie under each other, and drag them if not.</source>
-        <translation>Les tapes ne sont pas sûres (confiance {confidence}). Regardez si les mêmes événements sont l&apos;un sous l&apos;autre, sinon tirez-les.</translation>
+        <translation>Les tapes ne sont pas sûres (confiance {confidence}). Regardez si les mêmes événements sont l’un sous l’autre, sinon tirez-les.</translation>
     </message>
     <message>
         <source>No three pats are both heard and felt; drag by hand.</source>
-        <translation>Trois tapes ne sont pas à la fois entendues et senties ; tirez à la main.</translation>
+        <translation>Trois tapes ne sont pas à la fois entendues et senties&#xa0;; tirez à la main.</translation>
     </message>
 </context>
 <context>
@@ -2924,15 +2924,94 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>sound</source>
-        <translation>son</translation>
+        <translation>Son</translation>
     </message>
     <message>
         <source>acceleration</source>
-        <translation>accélération</translation>
+        <translation>Accélération</translation>
     </message>
     <message>
         <source>{time} s</source>
         <translation>{time} s</translation>
+    </message>
+</context>
+<context>
+    <name>Texts</name>
+    <message>
+        <source>{title}: {text}</source>
+        <translation>{title}&#xa0;: {text}</translation>
+    </message>
+    <message>
+        <source>riding</source>
+        <translation>parcours</translation>
+    </message>
+    <message>
+        <source>drawing the ride</source>
+        <translation>dessin du parcours</translation>
+    </message>
+    <message>
+        <source>adding telemetry</source>
+        <translation>ajout de la télémétrie</translation>
+    </message>
+    <message>
+        <source>writing the logs</source>
+        <translation>écriture des journaux</translation>
+    </message>
+    <message>
+        <source>listening</source>
+        <translation>écoute du son</translation>
+    </message>
+    <message>
+        <source>reading</source>
+        <translation>lecture de</translation>
+    </message>
+    <message>
+        <source>synchronising</source>
+        <translation>synchronisation</translation>
+    </message>
+    <message>
+        <source>removing gravity</source>
+        <translation>retrait de la pesanteur</translation>
+    </message>
+    <message>
+        <source>predicting excursions</source>
+        <translation>prévision des excursions</translation>
+    </message>
+    <message>
+        <source>rendering the force</source>
+        <translation>calcul de la force</translation>
+    </message>
+    <message>
+        <source>copying the clip</source>
+        <translation>copie du clip</translation>
+    </message>
+    <message>
+        <source>computing checksums</source>
+        <translation>sommes de contrôle</translation>
+    </message>
+    <message>
+        <source>reading the answers</source>
+        <translation>lecture des réponses</translation>
+    </message>
+    <message>
+        <source>analysing</source>
+        <translation>analyse de</translation>
+    </message>
+    <message>
+        <source>drawing</source>
+        <translation>dessin de</translation>
+    </message>
+    <message>
+        <source>writing</source>
+        <translation>écriture</translation>
+    </message>
+    <message>
+        <source>writing the numbers</source>
+        <translation>écriture des nombres</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>terminé</translation>
     </message>
 </context>
 <context>
@@ -2943,7 +3022,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>Position in the clip: click or drag</source>
-        <translation>Position dans la vidéo : cliquez ou glissez</translation>
+        <translation>Position dans la vidéo&#xa0;: cliquez ou glissez</translation>
     </message>
     <message>
         <source>Time</source>
@@ -2951,7 +3030,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>Speed; Backspace for normal speed</source>
-        <translation>Vitesse ; Retour arrière pour la normale</translation>
+        <translation>Vitesse&#xa0;; Retour arrière pour la normale</translation>
     </message>
     <message>
         <source>Feedback</source>
@@ -3011,7 +3090,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>The force was stopped: let it come back (Ctrl+R)</source>
-        <translation>La force a été arrêtée : la laisser revenir (Ctrl+R)</translation>
+        <translation>La force a été arrêtée&#xa0;: la laisser revenir (Ctrl+R)</translation>
     </message>
     <message>
         <source>Take the force away at once and pause (Esc)</source>
@@ -3038,7 +3117,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     <name>Triad</name>
     <message>
         <source>Right is {right}, front is {front}, up is {up}</source>
-        <translation>La droite est {right}, l&apos;avant {front}, le haut {up}</translation>
+        <translation>La droite est {right}, l’avant {front}, le haut {up}</translation>
     </message>
     <message>
         <source>right</source>
@@ -3084,7 +3163,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>Take the answers from a file</source>
-        <translation>Prendre les réponses d&apos;un fichier</translation>
+        <translation>Prendre les réponses d’un fichier</translation>
     </message>
 </context>
 </TS>

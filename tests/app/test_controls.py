@@ -6,6 +6,7 @@ import threading
 import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, Qt
+from PySide6.QtGui import QFontInfo
 from PySide6.QtTest import QTest
 
 from app.player import history
@@ -83,6 +84,16 @@ def test_the_dot_shows_the_next_picture(playing, wait_for):
     key(playing, Qt.Key.Key_Period)
     assert playing.player._screen.picture_s == pytest.approx(1.04, abs=1e-6)
     assert playing.player.phase is Phase.PAUSED
+
+
+def test_every_line_of_the_statistics_is_on_a_low_picture_too(playing):
+    playing.commands.statistics.setChecked(True)
+    statistics, surface = playing.extras.statistics, playing.surface
+    for height_px in (1000, 260):
+        surface.setFixedHeight(height_px)
+        statistics.refresh(playing.player)
+        assert statistics.geometry().bottom() <= height_px
+    assert QFontInfo(statistics.font()).pixelSize() >= 7
 
 
 def test_the_statistics_show_and_hide(playing, wait_for):

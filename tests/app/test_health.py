@@ -104,7 +104,7 @@ def test_the_line_tells_the_judgement_in_words(qtbot):
 def test_entries_keep_their_width_when_the_values_change(qtbot):
     line = HealthLine()
     qtbot.addWidget(line)
-    line.resize(1000, 44)
+    line.resize(1400, 44)
     line.show()
     qtbot.waitExposed(line)
     line.show_snapshot(GOOD)
@@ -113,3 +113,20 @@ def test_entries_keep_their_width_when_the_values_change(qtbot):
     line.show_snapshot(dataclasses.replace(GOOD, loop=loop, frames_shown=10**9))
     line.layout().activate()
     assert [entry.geometry() for entry in line.entries] == before
+
+
+@pytest.mark.parametrize("more_px", [12, 40, 600])
+def test_what_is_long_takes_its_room_from_what_says_little(qtbot, more_px):
+    line = HealthLine()
+    qtbot.addWidget(line)
+    line.show()
+    qtbot.waitExposed(line)
+    loop = LoopStats(10_000, 88, 1.0, 188.0, 1e3, 1e3)
+    line.show_snapshot(dataclasses.replace(GOOD, loop=loop, force_minus_audio=None))
+    margins = line.layout().contentsMargins()
+    needed_px = sum(entry.needed_px() for entry in line.entries)
+    needed_px += (len(line.entries) - 1) * line.layout().spacing()
+    line.resize(needed_px + margins.left() + margins.right() + more_px, 44)
+    line.layout().activate()
+    short = [e.text() for e in line.entries if e.width() < e.needed_px()]
+    assert short == []
