@@ -26,6 +26,7 @@ class Statistics(OnPicture):
 
     def __init__(self, over: QWidget) -> None:
         super().__init__(over)
+        self._over = over
         self._usual = QFontDatabase.systemFont(QFontDatabase.SystemFont.FixedFont)
         self.setFont(self._usual)
 
@@ -38,7 +39,7 @@ class Statistics(OnPicture):
 
     def _fit(self, lines: int) -> None:
         """Take smaller letters where the picture is too low for the usual ones."""
-        room_px = self.parentWidget().height() - _AROUND_PX
+        room_px = self._over.height() - _AROUND_PX
         needed_px = lines * QFontMetrics(self._usual).lineSpacing()
         font = QFont(self._usual)
         if needed_px > room_px:
