@@ -10,6 +10,7 @@ and questions that are too long. The screen has 1920 x 1080 pixels at 100 and at
 """
 
 import argparse
+import itertools
 import json
 import os
 import subprocess
@@ -38,8 +39,10 @@ def main() -> int:
     """Make the pictures that are asked for, and print their names."""
     options = _options()
     options.output.mkdir(parents=True, exist_ok=True)
-    if len(options.scales) > 1:  # Qt takes the scale when it begins
-        return max(_in_process(options, scale) for scale in options.scales)
+    parts = list(itertools.product(options.scales, options.only))
+    if len(parts) > 1:
+        # Qt takes the scale when it begins, and all windows of a group end with it
+        return max(abs(_in_process(options, *part)) for part in parts)
     with tempfile.TemporaryDirectory() as folder:
         _make(options, Path(folder))
     return 0
@@ -57,11 +60,12 @@ def _options() -> argparse.Namespace:
     return parser.parse_args()
 
 
-def _in_process(options: argparse.Namespace, scale: float) -> int:
+def _in_process(options: argparse.Namespace, scale: float, group: str) -> int:
     command = [sys.executable, "-m", "benchmarks.screenshots", "-o", options.output]
-    for name in ("languages", "looks", "only"):
+    for name in ("languages", "looks"):
         command += [f"--{name}", *getattr(options, name)]
-    command += ["--scales", str(scale), *(["--sheets"] if options.sheets else [])]
+    command += ["--only", group, "--scales", str(scale)]
+    command += [*(["--sheets"] if options.sheets else [])]
     command += ["--docs", options.docs] if options.docs else []
     return subprocess.run(command, check=False).returncode
 
