@@ -1,6 +1,7 @@
 """The command `device` and its actions; needs nothing but the standard library."""
 
 import argparse
+import math
 from collections.abc import Callable
 from typing import Any, NoReturn
 
@@ -20,7 +21,9 @@ def add_device(commands: Any, add_name: Callable[..., None]) -> None:
     actions = command.add_subparsers(title="actions", metavar="ACTION")
 
     def add(name: str, text: str, device: str = "falcon") -> argparse.ArgumentParser:
-        action: argparse.ArgumentParser = actions.add_parser(name, help=text)
+        action: argparse.ArgumentParser = actions.add_parser(
+            name, help=text, description=f"{text[0].upper()}{text[1:]}."
+        )
         action.set_defaults(run=_runs(name))
         if device:
             add_name(action, device)
@@ -31,7 +34,11 @@ def add_device(commands: Any, add_name: Callable[..., None]) -> None:
     add("info", "what a device can do, its firmware, whether it is homed")
     home = add("home", "let the Falcon find its zero, with guidance")
     home.add_argument(
-        "--timeout", type=float, default=HOMING_S, metavar="S", help="give up after S"
+        "--timeout",
+        type=_seconds,
+        default=HOMING_S,
+        metavar="S",
+        help=f"give up after S seconds (default {HOMING_S:g})",
     )
     upload = add("upload-firmware", "keep your copy of the Falcon's firmware, load it")
     upload.add_argument(
@@ -49,6 +56,13 @@ def add_device(commands: Any, add_name: Callable[..., None]) -> None:
         "-o", "--output", metavar="FILE", help="the report, as JSON (a new file)"
     )
     _add_yes(measure)
+
+
+def _seconds(text: str) -> float:
+    value = float(text)
+    if not 0.0 < value < math.inf:
+        raise argparse.ArgumentTypeError(f"{text!r} is no time to wait")
+    return value
 
 
 def _add_yes(action: argparse.ArgumentParser) -> None:

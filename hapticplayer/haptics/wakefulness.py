@@ -6,6 +6,7 @@ time, us as a signed 32-bit number, that waking up may take, for as long as it i
 costs power, so nothing is asked for while nothing plays.
 """
 
+import contextlib
 import os
 import struct
 from pathlib import Path
@@ -34,4 +35,5 @@ class Wakefulness:
             return
         self._is_awake = awake
         if self._file is not None:
-            os.write(self._file, _AT_ONCE if awake else _NO_MATTER)
+            with contextlib.suppress(OSError):  # no force may end with a wish refused
+                os.write(self._file, _AT_ONCE if awake else _NO_MATTER)

@@ -65,6 +65,13 @@ def test_homing_that_nobody_does_ends(device):
     assert "not homed within" in done.stderr
 
 
+@pytest.mark.parametrize("limit", ["nan", "inf", "-1", "0"])
+def test_a_time_limit_that_is_none_is_refused_before_anything_is_done(limit, device):
+    done = device("home", *FALCON, f"--timeout={limit}", status=2)
+    assert "--timeout" in done.stderr
+    assert "firmware" not in done.stderr
+
+
 def test_firmware_is_kept_only_after_consent_and_only_if_it_is_sound(device, tmp_path):
     file = tmp_path / "image.bin"
     kept = tmp_path / "hapticplayer" / "falcon-firmware.bin"

@@ -9,7 +9,7 @@ import math
 
 from hapticplayer.devices.falcon.driver import FalconDriver
 from hapticplayer.devices.falcon.kinematics import Kinematics, OutOfReachError
-from hapticplayer.devices.falcon.link import NO_ANSWER, updated
+from hapticplayer.devices.falcon.link import NO_ANSWER, Freshness, updated
 from hapticplayer.devices.falcon.protocol import ReplyParser
 from hapticplayer.devices.falcon.simulated_usb import BenchMechanics, Board, Chip, Stage
 from hapticplayer.devices.falcon.simulated_usb.backend import (
@@ -29,6 +29,7 @@ class VirtualLink:
     def __init__(self, ftdi, clock, chip):
         self._ftdi, self._clock, self._chip = ftdi, clock, chip
         self._parser, self._answer, self._waiting = ReplyParser(), NO_ANSWER, None
+        self._freshness = Freshness()
 
     def post(self, frame):
         self._waiting = frame
@@ -39,7 +40,8 @@ class VirtualLink:
         while self._chip._due_s() <= self._clock.now_s() and not self._is_stalled():
             data = self._ftdi.read(PERIOD_S)
             now_s = self._clock.now_s()
-            self._answer = updated(self._answer, self._parser, data, now_s)
+            if self._freshness.accepts(data, now_s):
+                self._answer = updated(self._answer, self._parser, data, now_s)
         return self._answer
 
     def stop(self):

@@ -7,6 +7,7 @@ from falcon_rig import FalconGrip
 from haptic_cases import CASES
 from haptic_rig import Rig, SlowClock
 
+from hapticplayer.devices.falcon.driver import State
 from hapticplayer.haptics.contract import Cause, Mode, Reaction
 from hapticplayer.haptics.limiter import ZERO, Limits
 from hapticplayer.haptics.messages import Word
@@ -119,6 +120,27 @@ def test_stalls_of_the_bus(stall_ms, mode, cause, rig):
         rig.player.send(Word.REARM)
     rig.tick(400)
     assert rig.mode is Mode.FOLLOWING
+
+
+@pytest.mark.parametrize("stall_ms", [5, 20, 60, 100, 1000])
+@pytest.mark.parametrize("speed_mps", [0.3, 0.8])
+def test_a_hand_that_moves_during_a_stall_has_not_lost_its_place(
+    stall_ms, speed_mps, rig
+):
+    """What waited in the chip meanwhile is old; no leap follows on it."""
+    rig.following()
+    began_s, way_m = rig.clock.now_s(), 0.02
+    rig.device.chip.stalled_until_s = began_s + stall_ms / 1000.0
+    causes = set()
+    for _ in range(stall_ms + 40):
+        angle = speed_mps / way_m * (rig.clock.now_s() - began_s)
+        rig.device.position_m = (way_m * math.sin(angle), 0.0, 0.0)
+        rig.tick()
+        causes.add(rig.cause)
+    assert rig.device.driver.state is State.READY
+    assert causes <= {Cause.NONE, Cause.REPLY_LATE, Cause.REPLY_LOST}
+    x_m = rig.loop._reading.position_m[0]
+    assert x_m == pytest.approx(rig.device.position_m[0], abs=0.004)
 
 
 @pytest.mark.parametrize("most", [1, 2, 7, 15, 16, 17, 61])

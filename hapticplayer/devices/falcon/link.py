@@ -6,9 +6,11 @@ frame and takes the newest answer. Both threads spend their time in the USB libr
 outside the interpreter's lock.
 """
 
+import math
 import queue
 import threading
 from collections import deque
+from contextlib import suppress
 from typing import NamedTuple, Protocol
 
 from hapticplayer.clock import Clock
@@ -21,6 +23,10 @@ LATE_IN_PERIOD_S = 0.0007
 WRITE_S = 0.02
 """A frame that cannot be sent for so long is taken back: its command is too old."""
 READ_S = 0.02
+IDLE_S = 0.002
+"""Without a frame for so long the chip is read all the same, as it may have answers."""
+OLD_S = 0.005
+"""An answer that comes so long after the packet before may have waited in the chip."""
 _STOP_S = 0.5
 _MOST_TO_WAIT = 2
 _MOST_PACKETS = 64
@@ -41,6 +47,24 @@ class Answer(NamedTuple):
 
 
 NO_ANSWER = Answer(None, 0.0, 0)
+
+
+class Freshness:
+    """Tells answers of now from those that waited in the chip while nobody read.
+
+    What a stall of the bus leaves there would be taken for the place of the hand
+    at the end of the stall, and the next answer for an impossible leap.
+    """
+
+    def __init__(self) -> None:
+        self._answered_s = -math.inf
+
+    def accepts(self, data: bytes, at_s: float) -> bool:
+        """Whether this payload, read at `at_s`, is worth keeping."""
+        gap_s = at_s - self._answered_s
+        if data or gap_s < READ_S:  # else there may have been no packet at all
+            self._answered_s = at_s
+        return bool(data) and gap_s <= OLD_S
 
 
 class Link(Protocol):
@@ -95,10 +119,15 @@ class ThreadedLink:
     there is one read for each frame that was sent. The chip's latency timer runs from
     packet to packet, so answers that have drifted towards the next tick would stay
     there; one frame without a read sets the timer back to early in the period.
+
+    Args:
+        ftdi: a Falcon whose firmware runs.
+        clock: for stamps.
+        idle_s: see `IDLE_S`; in the machine's time.
     """
 
-    def __init__(self, ftdi: Ftdi, clock: Clock) -> None:
-        self._ftdi, self._clock = ftdi, clock
+    def __init__(self, ftdi: Ftdi, clock: Clock, idle_s: float = IDLE_S) -> None:
+        self._ftdi, self._clock, self._idle_s = ftdi, clock, idle_s
         self._frames: queue.SimpleQueue[bytes | None] = queue.SimpleQueue()
         self._sent: queue.SimpleQueue[None] = queue.SimpleQueue()
         self._posted_s = 0.0
@@ -155,23 +184,27 @@ class ThreadedLink:
 
     def _read(self) -> None:
         read, keep, now_s = self._ftdi.read, self._packets.append, self._clock.now_s
-        data, frames_to_wait = b"", 1
+        is_fresh, data, frames_to_wait = Freshness().accepts, b"", 1
         while not self._is_stopping:
             if len(data) < PAYLOAD_BYTES:  # else there may be more
-                for _ in range(frames_to_wait):
-                    self._sent.get()
-                while not self._sent.empty():
-                    self._sent.get()
+                self._wait_for_frames(frames_to_wait)
             try:
                 data = read(READ_S)
             except DeviceError as problem:
                 self._problem = problem
                 return
             at_s = now_s()
-            if data:
+            if is_fresh(data, at_s):
                 keep((data, at_s))
             is_late = at_s - self._posted_s > LATE_IN_PERIOD_S
             frames_to_wait = _MOST_TO_WAIT if is_late else 1
+
+    def _wait_for_frames(self, count: int) -> None:
+        with suppress(queue.Empty):
+            for _ in range(count):
+                self._sent.get(timeout=self._idle_s)
+        while not self._sent.empty():
+            self._sent.get()
 
 
 def updated(answer: Answer, parser: ReplyParser, data: bytes, at_s: float) -> Answer:

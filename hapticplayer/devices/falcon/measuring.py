@@ -28,7 +28,7 @@ _PERIOD_S = 0.001
 _TOO_FAST_MPS, _TOO_FAR_M = 0.5, 0.030
 _SPEED_OVER = 10  # periods; one step of an encoder in one is 0.05 m/s
 _FIRST_ANSWERS = 100
-_TRIES = 5
+_TRIES = 20  # a busy computer stands still for 15 ms every few seconds
 _ZERO: Vector = (0.0, 0.0, 0.0)
 _ZERO_WORDS = (0, 0, 0)
 _AXES: dict[str, Vector] = {
@@ -164,8 +164,7 @@ def force_after_silence(
     at_least_s, within_s = 0.0, math.inf
     for silence_s in SILENCES_S:
         for _ in range(_TRIES):
-            was_disturbed()
-            share = _share_left(driver, clock, silence_s)
+            share = _share_left(driver, clock, silence_s, was_disturbed)
             if not was_disturbed():
                 break
         else:
@@ -185,10 +184,16 @@ def force_after_silence(
     }
 
 
-def _share_left(driver: FalconDriver, clock: Clock, silence_s: float) -> float:
+def _share_left(
+    driver: FalconDriver,
+    clock: Clock,
+    silence_s: float,
+    was_disturbed: Callable[[], bool],
+) -> float:
     """Return the share of the hand's way aside that is left after one silence."""
     bench = Bench(driver, clock)
     rest = bench.still(_SETTLE_S)
+    was_disturbed()  # until here the guard could only say what was said anyway
     aside = _held(bench, driver, clock)
     clock.sleep_until(clock.now_s() + silence_s)
     after = _first_answer(driver, clock)

@@ -184,9 +184,10 @@ def test_processors_are_kept_awake_only_while_a_force_may_be_on(tmp_path):
     assert np.frombuffer(kernel.read_bytes(), "=i4").tolist() == [0, -1]
 
 
-def test_a_loop_that_may_not_ask_for_awake_processors_plays_all_the_same(tmp_path):
+@pytest.mark.parametrize("file", ["nothing is there", "/dev/full"])
+def test_a_loop_that_is_refused_awake_processors_plays_all_the_same(file, tmp_path):
     rig = Rig()
-    rig.loop.wakefulness = Wakefulness(tmp_path / "is not there")
+    rig.loop.wakefulness = Wakefulness(tmp_path / file)
     rig.give_track(CONSTANT)
     rig.play()
     rig.block.beat(rig.clock.now_s() + 100.0)

@@ -100,7 +100,8 @@ def install_image(source: Path, *, accept_unknown: bool = False) -> FirmwareImag
         raise UnknownFirmwareError(
             f"{source}: sound, but none of the known images "
             f"({', '.join(sorted(KNOWN_IMAGES.values()))}; SHA-256 "
-            f"{image.sha256[:16]}...); it would run the motors: say that you want it"
+            f"{image.sha256[:16]}...); it would run the motors: say that you want it "
+            "(--accept-unknown)"
         )
     target = kept_path()
     try:

@@ -118,6 +118,17 @@ def test_buttons_are_seen(world):
     assert world.until(lambda reading: reading.buttons != 0).is_homed
 
 
+def test_buttons_are_a_mask_of_sixteen_bits_whatever_the_other_side_says():
+    """The loop's block has no room for more."""
+    example = WORLDS["example"]()
+    example.device.open()
+    example.press(3 + (1 << 70))
+    assert example.until(lambda reading: reading.is_homed).buttons == 3
+    example.press(-1)
+    assert example.until(lambda reading: reading.buttons != 3).buttons == 0xFFFF
+    example.close()
+
+
 def test_a_silent_device_is_an_old_answer_and_not_an_error(world):
     world.fall_silent()
     world.tick(PUSH, 30)

@@ -7,7 +7,7 @@ import pytest
 
 from hapticplayer.clock import ManualClock, SystemClock
 from hapticplayer.devices.falcon.driver import FalconDriver, State
-from hapticplayer.devices.falcon.link import NO_ANSWER, ThreadedLink
+from hapticplayer.devices.falcon.link import NO_ANSWER, OLD_S, ThreadedLink
 from hapticplayer.devices.falcon.protocol import Reply, encode_reply
 from hapticplayer.devices.falcon.simulated_usb import Stage
 from hapticplayer.devices.falcon.transport import FalconGoneError
@@ -15,6 +15,7 @@ from hapticplayer.errors import DeviceError
 
 LONG_S = 20.0  # for what happens at once unless it is broken
 REPLY = Reply((1, -2, 3), 4, 7)
+OLD = Reply((100, 100, 100), 0, 7)
 
 
 class Gate:
@@ -24,12 +25,18 @@ class Gate:
         self.to_read, self.written = queue.Queue(), queue.Queue()
         self.may_write = threading.Semaphore(0)
         self.is_writing = threading.Semaphore(0)
+        self.has_taken = False
 
     def read(self, timeout_s):
-        item = self.to_read.get()
+        if self.has_taken:
+            self.to_read.task_done()  # only now is the reader through with it
+        item, self.has_taken = self.to_read.get(), True
         if isinstance(item, Exception):
             raise item
         return item
+
+    def is_idle(self):
+        return not self.to_read.unfinished_tasks
 
     def write(self, data, timeout_s):
         self.is_writing.release()
@@ -45,7 +52,8 @@ def gate():
 
 @pytest.fixture
 def link(gate):
-    link = ThreadedLink(gate, ManualClock(50.0))
+    gate.clock = ManualClock(50.0)
+    link = ThreadedLink(gate, gate.clock)
     yield link
     gate.to_read.put(b"")
     gate.may_write.release(10)
@@ -81,6 +89,7 @@ def test_the_newest_answer_is_there_without_waiting(link, gate):
     assert link.newest() == NO_ANSWER
     gate.may_write.release(2)
     link.post(b"x")
+    gate.to_read.put(encode_reply(OLD))
     gate.to_read.put(encode_reply(Reply((9, 9, 9), 0, 7)) + encode_reply(REPLY))
     wait_for(lambda: link.newest().reply == REPLY)
     assert link.newest().at_s == 50.0
@@ -88,6 +97,37 @@ def test_the_newest_answer_is_there_without_waiting(link, gate):
     gate.to_read.put(b"<AAA!AAAAAAAAAAA")
     wait_for(lambda: link.newest().malformed == 1)
     assert link.newest().reply == REPLY
+
+
+def test_what_waited_in_the_chip_during_a_stall_is_no_answer_of_now(link, gate):
+    """The bus goes on after a second: a place of the hand that is a second old."""
+    gate.to_read.put(encode_reply(OLD))  # of what happened before the link
+    gate.to_read.put(encode_reply(REPLY))
+    wait_for(lambda: link.newest().reply == REPLY)
+    wait_for(gate.is_idle)
+    gate.clock.advance(1.0)
+    gate.to_read.put(encode_reply(OLD))
+    wait_for(gate.is_idle)
+    gate.clock.advance(0.001)
+    gate.to_read.put(encode_reply(REPLY))
+    wait_for(lambda: link.newest().at_s == 51.001)
+    assert link.newest().reply == REPLY
+    # neither is anything lost where packets without an answer have come meanwhile
+    for _ in range(30):
+        wait_for(gate.is_idle)
+        gate.clock.advance(0.9 * OLD_S)
+        gate.to_read.put(b"")
+    wait_for(gate.is_idle)
+    gate.to_read.put(encode_reply(OLD))
+    wait_for(lambda: link.newest().reply == OLD)
+
+
+def test_the_chip_is_read_while_nobody_posts(link, gate):
+    """Else the answer to the last frame before a silence is the first after it."""
+    for _ in range(3):
+        gate.to_read.put(b"")
+    wait_for(gate.to_read.empty)
+    assert gate.written.empty()
 
 
 class PacketTimer:
@@ -110,9 +150,13 @@ class PacketTimer:
 
 def test_answers_are_read_early_in_the_period_whatever_the_chips_timer():
     """The phase in which a read returns; a tick is due at 0 and 1 ms."""
-    clock = ManualClock(50.0)
+    clock = ManualClock(49.9999)
     chip = PacketTimer(clock, 50.00095)
-    link = ThreadedLink(chip, clock)
+    link = ThreadedLink(chip, clock, idle_s=LONG_S)
+    link.post(b"x")
+    chip.may_answer.release()
+    assert chip.asked.acquire(timeout=LONG_S)  # the first packet is of no known age
+    assert chip.wrote.acquire(timeout=LONG_S)
     phases_ms, is_reading = [], False
     for tick in range(200):
         tick_s = 50.0 + tick / 1000.0

@@ -81,6 +81,21 @@ def test_a_silence_in_which_somebody_else_spoke_is_measured_again():
     assert lab.simulation.commanded_n == (0.0, 0.0, 0.0)
 
 
+def test_only_what_happens_under_force_disturbs_a_silence():
+    """On a busy computer each second without a disturbance is dear."""
+    asked_s = []
+    with Lab() as lab:
+        measuring.force_after_silence(
+            lab.driver, lab.clock, lambda: asked_s.append(lab.clock.now_s())
+        )
+    spans = [
+        after - before
+        for before, after in zip(asked_s[::2], asked_s[1::2], strict=True)
+    ]
+    expected = [1.0 + silence_s for silence_s in measuring.SILENCES_S]
+    assert spans == pytest.approx(expected, abs=0.02)
+
+
 def test_more_friction_is_found_in_every_direction():
     found = []
     for factor in (1.0, 2.0):
