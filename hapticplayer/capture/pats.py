@@ -1,12 +1,12 @@
 """The three pats: knocks that the sensor feels and the camera hears.
 
-A knock is a damped oscillation of the camera on its mount, and a push: the hand sets
-both in motion together, and whoever holds them brings them back a few millimetres
-later. The push is what an average over a frame shows, for the oscillation cancels in it.
-Real ones were not at hand; frequency, strength and spacing are those of the
-synchronisation's reference clips: 18 to 60 Hz, 10 to 35 m/s2, 0.3 to 0.6 s apart; the
-push has the speed that a knock of those clips leaves, its peak over its angular
-frequency.
+A knock pushes the camera, and sets its mount swinging: from rest the camera gains speed
+the way it is hit, up to the first half of an oscillation; whoever holds it brings it back
+a few millimetres later. The push is what an average over a frame shows, for the
+oscillation cancels in it. Real ones were not at hand; frequency, strength and spacing lie
+in the ranges of the synchronisation's reference clips (18 to 60 Hz, 10 to 35 m/s2, 0.3 to
+0.6 s apart). The push has the speed that a knock of those clips leaves, its peak over its
+angular frequency.
 """
 
 from dataclasses import dataclass
@@ -17,10 +17,12 @@ from hapticplayer.capture.scenes import smooth_step
 from hapticplayer.model.arrays import Floats
 
 _ONSET_S = 0.012
-_RETURN_S = 0.08
+_RETURN_S = 0.12
 """A pushed camera is farthest away after this time."""
-_HIGHEST_HZ = 45.0
-"""Above this the knots of a trajectory (200 Hz) would blunt the knock."""
+_RINGING = 0.6
+"""How much of the speed is the mount's, which swings back; the hand keeps the rest."""
+_FREQUENCY_HZ = (22.0, 38.0)
+"""Above 45 Hz the knots of a trajectory (200 Hz) would blunt the knock."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,7 +31,7 @@ class Pat:
 
     Attributes:
         time_s: when it begins, media time.
-        peak_mps2: of the steady oscillation; the blow itself reaches about 1.3 times it.
+        peak_mps2: of a steady oscillation; the blow itself reaches 1.4 to 2 times it.
         frequency_hz: of the mount.
         decay_s: of the oscillation.
         direction: unit vector, sensor frame.
@@ -49,8 +51,8 @@ class Pat:
 
 def three_pats(rng: np.random.Generator, first_s: float) -> tuple[Pat, ...]:
     """Return three pats by one hand: alike, not equal."""
-    step_s, frequency_hz = rng.uniform(0.38, 0.55), rng.uniform(24.0, _HIGHEST_HZ)
-    peak_mps2 = rng.uniform(13.0, 22.0)
+    step_s, frequency_hz = rng.uniform(0.38, 0.55), rng.uniform(*_FREQUENCY_HZ)
+    peak_mps2 = rng.uniform(14.0, 21.0)
     pats = []
     for number in range(3):
         aside = rng.normal(0.0, 0.25, 2)
@@ -77,9 +79,9 @@ def displacement(pats: tuple[Pat, ...], time_s: Floats) -> Floats:
         swing = smooth_step(time_s, pat.time_s, _ONSET_S) * np.exp(
             -since_s / pat.decay_s
         )
-        # downwards first: minus the second derivative of the sine
-        swing *= pat.peak_mps2 / omega**2 * np.sin(omega * since_s)
+        swing *= _RINGING * pat.peak_mps2 / omega**2 * np.sin(omega * since_s)
         push = smooth_step(time_s, pat.time_s, _ONSET_S) * since_s
         push *= pat.peak_mps2 / omega * np.exp(-since_s / _RETURN_S)
-        moved += np.outer(swing + push, pat.direction)
+        # minus: from rest the camera gains speed the way it is hit, as long as it is hit
+        moved += np.outer(push - swing, pat.direction)
     return moved

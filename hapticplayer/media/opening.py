@@ -28,6 +28,7 @@ from hapticplayer.media.limits import (
     MAX_SIDE_PX,
     MAX_STREAMS,
 )
+from hapticplayer.media.sample_counts import declared_samples
 
 OPTIONS = {
     "protocol_whitelist": "file",
@@ -49,6 +50,7 @@ def open_media(path: str | os.PathLike[str]) -> InputContainer:
     """
     file = resolve_regular(path)
     with media_errors(file, "it is no video or sound that can be read", CONVERT):
+        _check_tables(file)
         container = av.open(
             f"file:{file}", "r", options=dict(OPTIONS), metadata_errors="ignore"
         )
@@ -90,6 +92,16 @@ def media_errors(
         raise MediaError(
             f"{what} ({reason(error)})", where=str(path), remedy=remedy
         ) from error
+
+
+def _check_tables(file: Path) -> None:
+    """Refuse an index that FFmpeg would fill the memory with."""
+    if declared_samples(file) > file.stat().st_size:
+        raise MediaError(
+            "its index lists more samples than it has bytes",
+            where=str(file),
+            remedy=COPY_AGAIN,
+        )
 
 
 def _check_streams(container: InputContainer, file: Path) -> None:

@@ -23,7 +23,8 @@ _RIVALS = 5
 _FIT_REACH_S = 0.012
 _LEAST_END = 9.0  # evidence of pats where the other end has told where to look
 _ANY_SHIFT = (-math.inf, math.inf)
-_ENOUGH, _CHANCE = 3.5, 10.0  # fitted on simulated clips, right, wrong and mismatched
+_ENOUGH, _CHANCE = 4.0, 10.0  # fitted on simulated clips, right, wrong and mismatched
+_CHANCE_S2 = 60.0 * 66.0  # of their sound times their log: in less, chance gives less
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -39,13 +40,18 @@ class _Streams:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Found:
-    """A shift that was found and fitted."""
+    """A shift that was found and fitted.
+
+    `chance` is the evidence that mere chance reaches: the logarithm of how many pairs of
+    events there are, which grows with the length of either stream.
+    """
 
     best: Candidate
     rivals: list[Candidate]
     pats: tuple[Pat, ...]
     shift_s: float
     sigma_s: float
+    chance: float
 
     @property
     def margin(self) -> float:
@@ -55,7 +61,7 @@ class _Found:
     @property
     def score(self) -> float:
         """What confidence rests on: nobody near, and more than chance gives."""
-        return min(self.margin, 0.6 * (self.best.evidence - _CHANCE))
+        return min(self.margin, 0.6 * (self.best.evidence - self.chance))
 
     @property
     def at_s(self) -> float:
@@ -155,7 +161,9 @@ def _found(streams: _Streams, sound: Events, ranked: list[Candidate]) -> _Found 
     mean_s = float(np.mean([pat.heard_s - pat.felt_s for pat in pats])) + late_s
     reach_s = _FIT_REACH_S + 1.0 / streams.imu.rate_hz
     fit = fit_shift(streams.imu, streams.whitener, sound.time_s[heard], mean_s, reach_s)
-    return _Found(best, rivals[:_RIVALS], pats, fit.shift_s, fit.sigma_s)
+    tried_s2 = float(np.ptp(sound.time_s)) * float(np.ptp(streams.imu.time_s))
+    chance = _CHANCE + math.log(min(1.0, max(tried_s2, 1.0) / _CHANCE_S2))
+    return _Found(best, rivals[:_RIVALS], pats, fit.shift_s, fit.sigma_s, chance)
 
 
 def _is_rival(one: Candidate, best: Candidate) -> bool:
