@@ -19,6 +19,8 @@ from hapticplayer.model import ImuLog
 
 _RAREST = 24
 _RARE_HZ = 0.25  # weaker pats are found by chance as easily
+_MOST_CHANCE = 0.1
+_GAPS_S = INTERVAL_S[1] - INTERVAL_S[0]
 _RHYTHM = 0.16
 
 
@@ -29,21 +31,27 @@ class StreamCheck:
     Attributes:
         pats_s: their times on the stream's clock; empty without any.
         rarity_hz: how often events as strong as the weakest of them come.
+        chance: how many such triples are expected where nobody has patted: events at
+            random times (a Poisson process of that rate), each followed by two others
+            in the intervals of pats. Of a log; a sound has more to tell knocks by.
     """
 
     pats_s: tuple[float, ...] = ()
     rarity_hz: float = 0.0
+    chance: float = 0.0
 
     @property
     def is_usable(self) -> bool:
         """Whether they stand out enough to be told from what else is there."""
-        return bool(self.pats_s) and self.rarity_hz <= _RARE_HZ
+        is_rare = self.rarity_hz <= _RARE_HZ and self.chance <= _MOST_CHANCE
+        return bool(self.pats_s) and is_rare
 
     def described(self) -> dict[str, Any]:
         """Return it as plain values."""
         return {
             "pats_s": [round(at_s, 3) for at_s in self.pats_s],
             "rarity_hz": round(self.rarity_hz, 4),
+            "chance": round(self.chance, 4),
             "is_usable": self.is_usable,
         }
 
@@ -55,10 +63,11 @@ def check_sound(sound: Sound) -> StreamCheck:
 
 def check_log(imu: ImuLog) -> StreamCheck:
     """Look for pats in a log."""
-    return _check(shock_events(imu, shocks(imu)))
+    duration_s = float(imu.time_s[-1] - imu.time_s[0]) if len(imu.time_s) else 0.0
+    return _check(shock_events(imu, shocks(imu)), duration_s)
 
 
-def _check(events: Events) -> StreamCheck:
+def _check(events: Events, duration_s: float = 0.0) -> StreamCheck:
     rare = events.rarest(_RAREST)
     best, best_cost = StreamCheck(), np.inf
     for rows in combinations(range(len(rare)), 3):
@@ -70,5 +79,7 @@ def _check(events: Events) -> StreamCheck:
         cost = 0.5 * rhythm**2 + 2.0 * float(np.log(rarity_hz).sum())
         if cost < best_cost:
             times = tuple(rare.time_s[list(rows)].tolist())
-            best, best_cost = StreamCheck(times, float(rarity_hz.max())), cost
+            rate_hz = float(rarity_hz.max())
+            chance = duration_s * rate_hz * (rate_hz * _GAPS_S) ** 2
+            best, best_cost = StreamCheck(times, rate_hz, chance), cost
     return best

@@ -1,0 +1,31 @@
+"""Whether three pats stand out of one stream: told from rides without any."""
+
+import pytest
+
+from hapticplayer.capture import simulate_motion
+from hapticplayer.capture.sync.check import check_log, check_sound
+from hapticplayer.capture.sync.clips import simulate_pats
+from hapticplayer.capture.sync.synchronize import Sound
+
+SCENES = ("car-hard", "car-motorway", "walk", "run", "bicycle")
+
+
+def test_rides_without_pats_are_hardly_ever_called_usable():
+    rides = [
+        simulate_motion(scene, seed, duration_s=60.0)
+        for scene in SCENES
+        for seed in (71, 72)
+    ]
+    assert sum(check_log(ride.imu).is_usable for ride in rides) <= 1
+
+
+@pytest.mark.parametrize("seed", range(870_000, 870_006))
+def test_clear_pats_are_found_where_they_are(seed):
+    clip = simulate_pats(seed, hard=False, rate_hz=200)
+    log = check_log(clip.imu)
+    sound = check_sound(Sound(clip.audio, clip.audio_rate_hz))
+    assert log.is_usable
+    assert sound.pats_s == pytest.approx(clip.pats_s, abs=0.03)
+    clocks = clip.clock_map
+    felt_s = [clocks.rate * at_s + clocks.offset_s for at_s in log.pats_s]
+    assert felt_s == pytest.approx(list(clip.pats_s), abs=0.03)
