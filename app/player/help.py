@@ -27,8 +27,9 @@ def about_dialog(parent: QWidget) -> QDialog:
         translate(
             "Help",
             "<b>hapticplayer {version}</b><p>Plays a video and lets you feel the "
-            "motion of whoever recorded it.</p><p>After Danieau et al., Enhancing "
-            "audiovisual experience with haptic feedback (2012).<br>MIT licence.</p>",
+            "motion of whoever recorded it.</p><p>After Danieau et al., A "
+            "Framework for Enhancing Video Viewing Experience with Haptic Effects of "
+            "Motion (2012).<br>MIT licence.</p>",
         ).format(version=__version__)
     )
     text.setTextFormat(Qt.TextFormat.RichText)

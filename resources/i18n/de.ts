@@ -1081,8 +1081,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>Über hapticplayer</translation>
     </message>
     <message>
-        <source>&lt;b&gt;hapticplayer {version}&lt;/b&gt;&lt;p&gt;Plays a video and lets you feel the motion of whoever recorded it.&lt;/p&gt;&lt;p&gt;After Danieau et al., Enhancing audiovisual experience with haptic feedback (2012).&lt;br&gt;MIT licence.&lt;/p&gt;</source>
-        <translation>&lt;b&gt;hapticplayer {version}&lt;/b&gt;&lt;p&gt;Spielt ein Video und lässt die Bewegung dessen spüren, der es aufgenommen hat.&lt;/p&gt;&lt;p&gt;Nach Danieau et al., Enhancing audiovisual experience with haptic feedback (2012).&lt;br&gt;MIT-Lizenz.&lt;/p&gt;</translation>
+        <source>&lt;b&gt;hapticplayer {version}&lt;/b&gt;&lt;p&gt;Plays a video and lets you feel the motion of whoever recorded it.&lt;/p&gt;&lt;p&gt;After Danieau et al., A Framework for Enhancing Video Viewing Experience with Haptic Effects of Motion (2012).&lt;br&gt;MIT licence.&lt;/p&gt;</source>
+        <translation>&lt;b&gt;hapticplayer {version}&lt;/b&gt;&lt;p&gt;Spielt ein Video und lässt die Bewegung dessen spüren, der es aufgenommen hat.&lt;/p&gt;&lt;p&gt;Nach Danieau et al., A Framework for Enhancing Video Viewing Experience with Haptic Effects of Motion (2012).&lt;br&gt;MIT-Lizenz.&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Close</source>

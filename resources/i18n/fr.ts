@@ -1081,8 +1081,8 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>À propos de hapticplayer</translation>
     </message>
     <message>
-        <source>&lt;b&gt;hapticplayer {version}&lt;/b&gt;&lt;p&gt;Plays a video and lets you feel the motion of whoever recorded it.&lt;/p&gt;&lt;p&gt;After Danieau et al., Enhancing audiovisual experience with haptic feedback (2012).&lt;br&gt;MIT licence.&lt;/p&gt;</source>
-        <translation>&lt;b&gt;hapticplayer {version}&lt;/b&gt;&lt;p&gt;Lit une vidéo et fait ressentir le mouvement de la personne qui l’a filmée.&lt;/p&gt;&lt;p&gt;D’après Danieau et al., Enhancing audiovisual experience with haptic feedback (2012).&lt;br&gt;Licence MIT.&lt;/p&gt;</translation>
+        <source>&lt;b&gt;hapticplayer {version}&lt;/b&gt;&lt;p&gt;Plays a video and lets you feel the motion of whoever recorded it.&lt;/p&gt;&lt;p&gt;After Danieau et al., A Framework for Enhancing Video Viewing Experience with Haptic Effects of Motion (2012).&lt;br&gt;MIT licence.&lt;/p&gt;</source>
+        <translation>&lt;b&gt;hapticplayer {version}&lt;/b&gt;&lt;p&gt;Lit une vidéo et fait ressentir le mouvement de la personne qui l’a filmée.&lt;/p&gt;&lt;p&gt;D’après Danieau et al., A Framework for Enhancing Video Viewing Experience with Haptic Effects of Motion (2012).&lt;br&gt;Licence MIT.&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Close</source>
