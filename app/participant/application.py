@@ -234,6 +234,7 @@ class StudySession:
         self._is_over = True
         self.pump.stop()
         self.player.close()
+        self._tell_force()  # those since the last look
         if self.runner is not None:
             self.runner.close()
         self.undisturbed.release()

@@ -10,7 +10,7 @@ from hapticplayer.interchange.lsl import FORCE, MARKERS, LslStreams
 from hapticplayer.interchange.session_data import tick_chunks, tick_files
 from hapticplayer.study.pages import PageKind
 
-WAIT_S, NOW_S = 20.0, 0.0
+WAIT_S, NOW_S = 20.0, 0.5  # what has been sent may still be on its way
 ANSWERS = (3, 2, 5, 1)
 
 
