@@ -3,6 +3,7 @@
 from collections.abc import Callable
 
 from PySide6.QtCore import Qt, QTimer, Signal
+from PySide6.QtGui import QFontMetrics
 from PySide6.QtWidgets import (
     QComboBox,
     QDialog,
@@ -170,6 +171,8 @@ class SetupPage(QDialog):
             label.setWordWrap(True)
         lines = 4 * self.text.fontMetrics().lineSpacing()
         self.text.setMinimumHeight(lines)
+        # two of the title's: a window that is open does not grow for a second one
+        self.title.setMinimumHeight(2 * QFontMetrics(self.title.font()).lineSpacing())
         caption = QLabel(self.tr("Device"))
         caption.setBuddy(self.device)
         top, buttons = QHBoxLayout(), QHBoxLayout()
