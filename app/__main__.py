@@ -28,11 +28,13 @@ def has_display() -> bool:
 
 
 def _open_window(options: argparse.Namespace) -> int:
-    from app.bridge.interrupts import hold_signals
-
-    hold_signals()
     try:
         with _quick_imports():
+            # before Qt, whose import hook reads the source of each module that comes later
+            import hapticplayer.playback.player  # noqa: F401
+            from app.bridge.interrupts import hold_signals
+
+            hold_signals()
             if getattr(options, "study", None) is not None:
                 from app.participant.application import run
             else:

@@ -9,7 +9,6 @@ from __future__ import annotations
 import argparse
 import ctypes
 import dataclasses
-import importlib.metadata
 import importlib.util
 import json
 import os
@@ -192,6 +191,8 @@ def _check_apt() -> list[Check]:
 
 def _check_python_packages() -> Check:
     """Metadata and finders only: importing them all would take seconds."""
+    import importlib.metadata  # with all of email's: a start must not wait for it
+
     paths = sys.path
     if sys.prefix == sys.base_prefix and (ROOT / ".venv").is_dir():
         paths = [str(path) for path in ROOT.glob(".venv/lib/python3*/site-packages")]

@@ -40,7 +40,8 @@ from hapticplayer.playback.source import Source
 WIDTH_PX, HEIGHT_PX = 1280, 800
 LEAST_SCREEN_PX = 520  # on a lower screen the plots would push STOP out of it
 SETTLED_MS = 150  # after the last step of a resize
-WATCH_HZ = 30.0  # what is shown beside the picture needs no more
+DRAW_HZ = 30.0  # what is shown beside the picture needs no more
+WATCH_HZ = 15.0
 LONGEST_TITLE_PX = 600
 DEVICE = "device"
 
@@ -97,7 +98,7 @@ class PlayerWindow(QMainWindow):
         )
         self.looks = LookMenus(self.commands, settings)
         self.pump = Pump(player.poll, clock, self._on_gap, self)
-        self._watch_turn = Cadence(WATCH_HZ)
+        self._draw_turn, self._watch_turn = Cadence(DRAW_HZ), Cadence(WATCH_HZ)
         self._escape = EscapeEverywhere(self.stop, self)
         self._settled = QTimer(self)
         self._settled.setSingleShot(True)
@@ -278,16 +279,16 @@ class PlayerWindow(QMainWindow):
     # --- what the session tells ----------------------------------------------
 
     def _on_gap(self) -> None:
-        if not self._watch_turn.is_due(self.clock.now_s()):
-            return
-        self.session.watch()
-        self.surface.look()
-        if not self.fullscreen.is_on:
-            state = self.session.jobs.state()
-            self.job_bar.show_state(state, self.clock.now_s())
-        self._display.refresh()
-        self.sync_plot.follow(self.clock.now_s(), self.player.link)
-        self.extras.refresh(self.clock.now_s())
+        now_s = self.clock.now_s()
+        if self._watch_turn.is_due(now_s):
+            self.session.watch()
+            self.surface.look()
+            if not self.fullscreen.is_on:
+                self.job_bar.show_state(self.session.jobs.state(), now_s)
+            self.extras.refresh(now_s)
+        if self._draw_turn.is_due(now_s):
+            self._display.refresh()
+            self.sync_plot.follow(now_s, self.player.link)
 
     def _on_opening(self, source: Source) -> None:
         self.messages.hide()

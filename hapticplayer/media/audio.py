@@ -154,18 +154,19 @@ class AudioDecoder(ClipDecoder[AudioFrame]):
             return
         format_ = (frame.format.name, frame.layout.name, frame.sample_rate)
         start_s = self._start_s(frame)
-        if self._resampler is None or format_ != self._format or self._is_gap(start_s):
+        if format_ != self._format or self._is_gap(start_s):
             self._flush()
             self._begin_run()
-            self._resampler = AudioResampler(
-                "flt", _LAYOUTS[self.channels], self.rate_hz
-            )
+            layout = _LAYOUTS[self.channels]
+            if format_ != ("fltp", layout, self.rate_hz):
+                self._resampler = AudioResampler("flt", layout, self.rate_hz)
             self._format = format_
             self._run_s = start_s
             self._expected_s = start_s
         assert self._expected_s is not None
         self._expected_s += frame.samples / frame.sample_rate
-        self._emit(self._resampler.resample(frame))
+        resampler = self._resampler
+        self._emit([frame] if resampler is None else resampler.resample(frame))
 
     def _flush(self) -> None:
         """Push the resampler's last samples out at the end of a run."""
@@ -173,9 +174,9 @@ class AudioDecoder(ClipDecoder[AudioFrame]):
             self._emit(self._resampler.resample(None))
 
     def _start_s(self, frame: AudioFrame) -> float:
-        if frame.pts is None or frame.time_base is None:
+        if frame.time is None:
             return 0.0 if self._expected_s is None else self._expected_s
-        return float(frame.pts * frame.time_base) - self._origin_s
+        return frame.time - self._origin_s
 
     def _is_gap(self, start_s: float) -> bool:
         return self._expected_s is None or abs(start_s - self._expected_s) > _JITTER_S
@@ -192,7 +193,12 @@ class AudioDecoder(ClipDecoder[AudioFrame]):
                 self._blocks.append(AudioBlock(media_s + early / self.rate_hz, kept))
 
     def _samples(self, frame: AudioFrame) -> NDArray[np.float32]:
-        plane = cast("Any", frame.planes[0])
-        count = frame.samples * self.channels
-        flat = np.frombuffer(plane, np.float32, count)
-        return flat.reshape(frame.samples, self.channels).copy()
+        planes = cast("Any", frame.planes)
+        samples = np.empty((frame.samples, self.channels), np.float32)
+        if frame.format.is_planar:
+            for channel, plane in enumerate(planes):
+                samples[:, channel] = np.frombuffer(plane, np.float32, frame.samples)
+        else:
+            flat = np.frombuffer(planes[0], np.float32, samples.size)
+            samples[:] = flat.reshape(samples.shape)
+        return samples

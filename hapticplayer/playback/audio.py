@@ -155,7 +155,8 @@ class AudioRing:
             room = read + round(ahead_s * self.rate_hz) - start
             count = max(0, min(len(samples) - late, room))
             if count:
-                self._fill(written, np.zeros((start - written, CHANNELS)))
+                if start > written:
+                    self._fill(written, np.zeros((start - written, CHANNELS)))
                 self._fill(start, samples[late : late + count])
                 self._publish(written=start + count)
             return late + count
@@ -206,5 +207,7 @@ class AudioRing:
 
     def _fill(self, index: int, samples: NDArray[Any]) -> None:
         samples = samples[-self._capacity :]
-        rows = np.arange(index, index + len(samples)) % self._capacity
-        self._samples[rows] = samples
+        at = index % self._capacity
+        before_the_end = min(len(samples), self._capacity - at)
+        self._samples[at : at + before_the_end] = samples[:before_the_end]
+        self._samples[: len(samples) - before_the_end] = samples[before_the_end:]

@@ -35,7 +35,7 @@ class Tally:
         if not len(values):
             return
         at = ((values - self._lowest) / self._step).astype(np.int64)
-        at = np.clip(at, 0, len(self._counts) - 1)
+        at = np.minimum(np.maximum(at, 0), len(self._counts) - 1)
         np.add.at(self._counts, at, 1)
         np.add.at(self._sums, at, values)
         self.count += len(values)

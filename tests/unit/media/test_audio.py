@@ -99,6 +99,33 @@ def test_resampled_clicks_keep_their_place(
     assert click_s(late_blocks, 2.3, 48_000) == pytest.approx(2.3, abs=1.2e-5)
 
 
+@pytest.mark.parametrize(("codec", "channels"), [("aac", 2), ("aac", 1), ("opus", 2)])
+def test_sound_that_is_as_wanted_goes_round_the_resampler_and_is_the_same(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, codec: str, channels: int
+) -> None:
+    path = tmp_path / "sound.mkv"
+    t = np.arange(48_000) / 48_000
+    tones = [0.3 * np.sin(2 * np.pi * f * t) for f in (440, 660)][:channels]
+    layout = ("mono", "stereo")[channels - 1]
+    with av.open(str(path), "w") as container:
+        stream = container.add_stream(codec, rate=48_000, layout=layout)
+        rows = np.stack(tones, axis=1).astype(np.float32).reshape(1, -1)
+        frame = av.AudioFrame.from_ndarray(rows, format="flt", layout=layout)
+        frame.rate, frame.time_base = 48_000, Fraction(1, 48_000)
+        container.mux(stream.encode(frame))
+        container.mux(stream.encode(None))
+    resampler = av.AudioResampler("flt", layout, 48_000)
+    with av.open(str(path)) as container:
+        frames = [f for d in container.decode(audio=0) for f in resampler.resample(d)]
+        frames += resampler.resample(None)
+    wanted = np.concatenate([f.to_ndarray().reshape(-1, channels) for f in frames])
+    monkeypatch.setattr("hapticplayer.media.audio.AudioResampler", None)
+    with AudioDecoder(path, channels=channels) as decoder:
+        found = np.concatenate([block.samples for block in blocks_of(decoder)])
+    assert len(found) >= 48_000
+    np.testing.assert_array_equal(found, wanted[-len(found) :])
+
+
 def sound_file(
     path: Path, runs: list[tuple[float, NDArray[np.float32]]], codec: str
 ) -> Path:
