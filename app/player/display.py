@@ -11,7 +11,7 @@ from app.widgets.room import is_seen
 from hapticplayer.clock import Clock
 
 PLOTS_HZ, STILL_PLOTS_HZ, TRANSPORT_HZ, HEALTH_HZ = 30.0, 4.0, 10.0, 2.0
-GRIP_HZ = 20.0  # a hand is slower than what scrolls
+GRIP_HZ = 15.0  # a hand is slower than what scrolls
 
 
 class Display:
