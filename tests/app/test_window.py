@@ -21,6 +21,23 @@ def key(window, code, modifier=Qt.KeyboardModifier.NoModifier) -> None:
     QTest.keyClick(window.windowHandle(), code, modifier)
 
 
+def test_work_that_fails_at_once_leaves_nothing_switched_off(
+    window, tmp_path, wait_for
+):
+    wait_for(window.commands.open_sequence.isEnabled)
+    window.session.open_path(tmp_path / "no such ride.mp4")
+    while not window.session.jobs._job.is_done:  # before the window looks again
+        pass
+    assert not window.commands.open_sequence.isEnabled()
+    wait_for(lambda: "no such ride" in window.messages.text())
+    wait_for(window.commands.open_sequence.isEnabled)
+
+
+def test_help_is_the_last_menu(window):
+    titles = [action.text() for action in window.menuBar().actions()]
+    assert titles == ["&File", "&Playback", "&View", "&Study", "&Help"]
+
+
 def test_nothing_is_open_at_first(window):
     assert window.stage.currentWidget() is window.empty_page
     assert window.player.phase is Phase.EMPTY
