@@ -26,6 +26,7 @@ from app.player.times import time_text
 from app.widgets import theme
 from app.widgets.buttons import text_button
 from app.widgets.labels import ElidedLabel
+from app.widgets.numbers import date_text
 from app.widgets.room import ask_text
 from app.widgets.texts import titled
 from hapticplayer.errors import HapticPlayerError
@@ -200,7 +201,11 @@ class LibraryPage(QDialog):
         if entry.problem:
             problem = entry.problem.removeprefix(f"{entry.folder}: ")
             return f"{entry.title}\n\u25a0 {problem}"
-        parts = [time_text(entry.duration_s), entry.camera, entry.created_utc[:10]]
+        parts = [
+            time_text(entry.duration_s),
+            entry.camera,
+            date_text(entry.created_utc),
+        ]
         first = ", ".join(part for part in parts if part)
         return f"{entry.title}\n{first}\n{mark_name(worst(entry.findings))}"
 

@@ -8,6 +8,7 @@ from PySide6.QtGui import QTextOption
 from PySide6.QtWidgets import QTextBrowser
 
 from app.widgets import theme
+from app.widgets.numbers import local
 from hapticplayer.sequence.report import Finding, Mark, worst
 
 translate = QCoreApplication.translate
@@ -80,7 +81,7 @@ def _row(one: Finding) -> str:
     cells = (
         f"{_sign(one.mark)} {escape(mark_name(one.mark))}",
         f"<b>{escape(name_of(one))}</b>",
-        escape(value_of(one)),
+        escape(local(value_of(one))),
         f"<span style='color:{theme.DIM}'>{escape(advice)}</span>",
     )
     return "<tr>" + "".join(f"<td>{cell}</td>" for cell in cells) + "</tr>"

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from app.bridge.cadence import Cadence
 from app.widgets import theme
+from app.widgets.numbers import local
 from app.widgets.room import is_seen
 from hapticplayer.playback.haptic_link import HapticLink
 from hapticplayer.playback.sync_alarm import EARLY_MS, LATE_MS
@@ -153,7 +154,7 @@ def _figures(trace: Trace) -> str:
     if not len(trace.later_ms):
         return "\u2013"
     p50, p95 = np.percentile(trace.later_ms, [50.0, 95.0])
-    return f"p50 {p50:+.1f}, p95 {p95:+.1f} ms".replace("-", "\u2212")
+    return local(f"p50 {p50:+.1f}, p95 {p95:+.1f} ms").replace("-", "\u2212")
 
 
 def _colours() -> tuple[str, str]:

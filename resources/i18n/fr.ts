@@ -948,11 +948,11 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>OFF {p50:+.1f}, {p95:+.1f} ms</source>
-        <translation>DÉCALÉ {p50:+.1f}, {p95:+.1f} ms</translation>
+        <translation>DÉCALÉ {p50:+.1f}&#xa0;; {p95:+.1f} ms</translation>
     </message>
     <message>
         <source>{p50:+.1f}, {p95:+.1f} ms</source>
-        <translation>{p50:+.1f}, {p95:+.1f} ms</translation>
+        <translation>{p50:+.1f}&#xa0;; {p95:+.1f} ms</translation>
     </message>
     <message>
         <source>{shown} shown, {dropped} dropped</source>
@@ -1795,6 +1795,14 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     <message>
         <source>Where shall sequences be kept?</source>
         <translation>Où faut-il garder les séquences&#xa0;?</translation>
+    </message>
+</context>
+<context>
+    <name>Numbers</name>
+    <message>
+        <source>yyyy-MM-dd</source>
+        <extracomment>how a date is written in figures, in Qt&apos;s letters</extracomment>
+        <translation>dd/MM/yyyy</translation>
     </message>
 </context>
 <context>
