@@ -21,6 +21,7 @@ from app.player.files import file_dialog, video_filter
 from app.player.times import time_text
 from app.widgets import theme
 from app.widgets.buttons import text_button
+from app.widgets.numbers import local
 from hapticplayer.capture import LogChoices, LogQuestion, parse_choices, write_template
 from hapticplayer.capture.mounting import AS_RECORDED
 from hapticplayer.errors import HapticPlayerError
@@ -214,15 +215,15 @@ class FilesPage(QWidget):
             camera=f"{found.clip_camera}, " if found.clip_camera else "",
             width=clip.width,
             height=clip.height,
-            rate=f"{clip.frame_rate_hz:.4g}",
+            rate=local(f"{clip.frame_rate_hz:.4g}"),
             duration=time_text(clip.duration_s),
             sound=sound,
         )
         motion = self.tr(
-            "Motion: {recorder}, {rate} samples a second, {duration}, {gaps} gaps"
+            "Motion: {recorder}, {rate} samples a second, {duration}, gaps: {gaps}"
         ).format(
             recorder=found.recorder,
-            rate=f"{found.rate_hz:.4g}",
+            rate=local(f"{found.rate_hz:.4g}"),
             duration=time_text(found.duration_s),
             gaps=found.gaps,
         )

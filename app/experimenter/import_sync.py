@@ -18,6 +18,7 @@ from app.experimenter.clip_frame import ClipFrame
 from app.experimenter.sync_strip import STEP_S, SyncStrip
 from app.widgets import theme
 from app.widgets.buttons import text_button
+from app.widgets.numbers import local
 from app.widgets.room import indent
 from hapticplayer.capture import Synchronisation
 from hapticplayer.errors import HapticPlayerError
@@ -269,14 +270,14 @@ class SyncPage(QWidget):
             text = self.tr("Nothing to go by: {why}. Give the offset by hand.")
             return text.format(why=found.problem), theme.WARN
         choice = self.choice()
-        confidence = f"{sync.clock_map.confidence:.2f}"
+        confidence = local(f"{sync.clock_map.confidence:.2f}")
         if choice is not None and choice.method == "offset":
             return self.tr("The offset was moved by hand."), theme.WARN
         if sync.is_confident:
             text = self.tr(
                 "The pats were found (confidence {confidence}, residual {ms} ms)."
             )
-            ms = f"{1e3 * sync.clock_map.residual_s:.1f}"
+            ms = local(f"{1e3 * sync.clock_map.residual_s:.1f}")
             return text.format(confidence=confidence, ms=ms), theme.GOOD
         if sync.pats:
             text = self.tr(

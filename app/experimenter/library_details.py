@@ -26,6 +26,7 @@ from app.player.files import file_dialog
 from app.widgets import theme
 from app.widgets.buttons import text_button
 from app.widgets.labels import BESIDE
+from app.widgets.numbers import local
 from app.widgets.room import ask_text, indent
 from hapticplayer.errors import HapticPlayerError
 from hapticplayer.model import Feedback
@@ -43,6 +44,7 @@ _LEAST_GAIN, _LARGEST_GAIN, _STEPS = 0.05, 1.0, 95
 _OWN = [feedback.value for feedback in Feedback]
 _SETTLE_POLLS = 8
 _LEAST_SLIDER_PX = 80
+_PREVIEW_LINES = 3
 
 Run = Callable[[str, Callable[[Progress], Any], Callable[[Any], None]], None]
 
@@ -100,6 +102,11 @@ class LibraryDetails(QWidget):
         for label in (self.preview, self.problem):
             label.setWordWrap(True)
         self.problem.setStyleSheet(f"color: {theme.BAD};")
+        # its room is kept, so that nothing jumps while the gain is moved
+        lines_px = _PREVIEW_LINES * self.preview.fontMetrics().lineSpacing()
+        self.preview.setMinimumHeight(lines_px)
+        self.preview.setAlignment(Qt.AlignmentFlag.AlignTop)
+        self.problem.hide()
         self._lay_out()
         self.gain.valueChanged.connect(
             lambda step: self.number.setValue(_LEAST_GAIN + 0.01 * step)
@@ -126,6 +133,7 @@ class LibraryDetails(QWidget):
         self.apply.clicked.connect(self._set_gain)
         gain, last = QHBoxLayout(), QHBoxLayout()
         caption = QLabel(self.tr("Gain"))
+        self._changing = (self.tracks, self.add, caption, self.gain, self.number)
         for widget in (caption, self.gain, self.number):
             gain.addWidget(widget, 1 if widget is self.gain else 0)
         last.addStretch(1)
@@ -139,6 +147,8 @@ class LibraryDetails(QWidget):
         column.addLayout(last)
         column.addWidget(self.preview)
         column.addWidget(self.problem)
+        self._show_gain()
+        self._show_buttons()
 
     # --- what is shown -------------------------------------------------------
 
@@ -146,10 +156,11 @@ class LibraryDetails(QWidget):
         """Show another entry, or none."""
         is_same = entry == self._entry
         self._entry = entry
-        self.setEnabled(entry is not None and not entry.problem)
+        for widget in self._changing:
+            widget.setEnabled(entry is not None and not entry.problem)
         if is_same:
             return
-        self.problem.clear()
+        self._tell_problem("")
         if entry is None:
             self.report.clear()
         elif entry.problem:
@@ -163,8 +174,8 @@ class LibraryDetails(QWidget):
             reach = "\u2013" if track.reach is None else f"{100.0 * track.reach:.0f} %"
             cells = (
                 choice.text,
-                f"{track.peak_n:.2f} N",
-                f"{track.rms_n:.2f} N",
+                local(f"{track.peak_n:.2f} N"),
+                local(f"{track.rms_n:.2f} N"),
                 reach,
             )
             for column, text in enumerate(cells):
@@ -212,8 +223,8 @@ class LibraryDetails(QWidget):
             factor = gain / entry.gain_n_per_mps2
             text = self.tr("about {peak} N at the peak, {rms} N RMS\u2026")
             peak, rms = (
-                f"{factor * real[0].peak_n:.2f}",
-                f"{factor * real[0].rms_n:.2f}",
+                local(f"{factor * real[0].peak_n:.2f}"),
+                local(f"{factor * real[0].rms_n:.2f}"),
             )
             self.preview.setText(text.format(peak=peak, rms=rms))
         self.preview.setStyleSheet(f"color: {theme.DIM};")
@@ -242,9 +253,9 @@ class LibraryDetails(QWidget):
             "{peak} N at the peak, {rms} N RMS, {share} of the samples at the limit; "
             "workspace: relaxed hand {relaxed}, normal {normal}, firm {firm}"
         ).format(
-            peak=f"{found.peak_n:.2f}",
-            rms=f"{found.rms_n:.2f}",
-            share=f"{100.0 * found.saturated_share:.2g} %",
+            peak=local(f"{found.peak_n:.2f}"),
+            rms=local(f"{found.rms_n:.2f}"),
+            share=local(f"{100.0 * found.saturated_share:.2g} %"),
             **{name: f"{100.0 * r:.0f} %" for name, r in found.reaches.items()},
         )
         if found.trips:
@@ -299,9 +310,13 @@ class LibraryDetails(QWidget):
         try:
             change(entry.folder, *names)
         except HapticPlayerError as problem:
-            self.problem.setText(str(problem))
+            self._tell_problem(str(problem))
         else:
             self.changed.emit()
+
+    def _tell_problem(self, text: str) -> None:
+        self.problem.setText(text)
+        self.problem.setVisible(bool(text))
 
     def close_jobs(self) -> None:
         """Wait for a prediction that still runs."""

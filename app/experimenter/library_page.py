@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from PySide6.QtCore import QFile, QLocale, QSize, Qt, QTimer, Signal
+from PySide6.QtCore import QFile, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QColor, QIcon, QImage, QPixmap
 from PySide6.QtWidgets import (
     QDialog,
@@ -26,8 +26,9 @@ from app.player.times import time_text
 from app.widgets import theme
 from app.widgets.buttons import text_button
 from app.widgets.labels import ElidedLabel
+from app.widgets.numbers import date_text
 from app.widgets.room import ask_text
-from app.widgets.texts import titled
+from app.widgets.texts import quoted, titled
 from hapticplayer.errors import HapticPlayerError
 from hapticplayer.media import Thumbnail, cover_pictures
 from hapticplayer.sequence import verify_sequence
@@ -200,7 +201,11 @@ class LibraryPage(QDialog):
         if entry.problem:
             problem = entry.problem.removeprefix(f"{entry.folder}: ")
             return f"{entry.title}\n\u25a0 {problem}"
-        parts = [time_text(entry.duration_s), entry.camera, entry.created_utc[:10]]
+        parts = [
+            time_text(entry.duration_s),
+            entry.camera,
+            date_text(entry.created_utc),
+        ]
         first = ", ".join(part for part in parts if part)
         return f"{entry.title}\n{first}\n{mark_name(worst(entry.findings))}"
 
@@ -298,7 +303,7 @@ class LibraryPage(QDialog):
         box = QMessageBox(
             QMessageBox.Icon.Question,
             self.tr("Delete"),
-            text.format(title=QLocale().quoteString(_shortened(entry.title))),
+            text.format(title=quoted(_shortened(entry.title))),
             buttons.Yes | buttons.Cancel,
             self,
         )

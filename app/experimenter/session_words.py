@@ -5,11 +5,18 @@ The records keep the engine's own words, the same in every language.
 
 from PySide6.QtCore import QCoreApplication
 
-from app.player.health import device_name
+from app.player.health import cause_text, device_name
+from app.widgets.numbers import local
+from hapticplayer.haptics.contract import Cause
 from hapticplayer.study.preflight import DEVICE, DISK, SCHEDULING, SCREEN, Check
 
 translate = QCoreApplication.translate
 
+_SAME = {  # for a moment or for good: in the same words
+    "heartbeat_late": "heartbeat_lost",
+    "reply_late": "reply_lost",
+    "tick_late": "tick_lost",
+}
 _FREE, _SCREENS = " MB free", ", screens: "
 
 
@@ -17,7 +24,9 @@ def reason_text(reason: str) -> str:
     """Return why a trial was not sound; what is not known keeps the record's word."""
     kind, _, more = reason.partition(":")
     if kind == "fault":
-        return translate("SessionWords", "the contract stopped it ({0})").format(more)
+        known = {cause.name.lower(): cause_text(cause) for cause in Cause}
+        text = translate("SessionWords", "the contract stopped it ({0})")
+        return text.format(known.get(_SAME.get(more, more)) or more)
     if kind == "sync":
         return {
             "picture": translate("SessionWords", "force and picture were apart"),
@@ -57,7 +66,7 @@ def found_text(check: Check) -> str:
         return text.format(size=size, n=count)
     if check.name == DISK and found.endswith(_FREE):
         text = translate("SessionWords", "{n} GB free")
-        return text.format(n=f"{float(found.removesuffix(_FREE)) / 1e3:.1f}")
+        return text.format(n=local(f"{float(found.removesuffix(_FREE)) / 1e3:.1f}"))
     if check.name == SCHEDULING and not found:
         return "\u2013"
     return _words().get(found, found)

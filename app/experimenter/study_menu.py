@@ -4,7 +4,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from PySide6.QtCore import QCoreApplication, QObject, Signal
-from PySide6.QtWidgets import QFileDialog, QInputDialog, QMainWindow
+from PySide6.QtWidgets import QFileDialog, QInputDialog, QMainWindow, QMenu
 
 from app.bridge.settings import Settings
 from app.experimenter.study_process import StudyProcess
@@ -46,7 +46,9 @@ class StudyMenu(QObject):
         self._report, self._release, self._settings = report, release, settings
         self.process = StudyProcess(self)
         self.process.ended.connect(self._on_ended)
-        menu = window.menuBar().addMenu(translate("StudyMenu", "&Study"))
+        menu = QMenu(translate("StudyMenu", "&Study"), window)
+        bar = window.menuBar()
+        bar.insertMenu(bar.actions()[-1], menu)  # help stays last
         for text, slot in (
             (translate("StudyMenu", "&New study\u2026"), self.new),
             (translate("StudyMenu", "&Edit study\u2026"), self.edit),

@@ -15,6 +15,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from app.widgets import theme
+from app.widgets.numbers import local
 
 STEP_S = 0.001
 PICTURE_S = 1.0 / 30.0
@@ -225,7 +226,7 @@ class SyncStrip(QWidget):
         for tick in range(int(np.ceil(begin_s / step_s)), int(end_s / step_s) + 1):
             x = (tick * step_s - begin_s) / self._s_per_px()
             box = QRectF(x - 40, self.height() - _LABELS_PX, 80, _LABELS_PX)
-            text = self.tr("{time} s").format(time=f"{tick * step_s:.6g}")
+            text = self.tr("{time} s").format(time=local(f"{tick * step_s:.6g}"))
             painter.drawText(box, Qt.AlignmentFlag.AlignCenter, text)
 
 

@@ -5,7 +5,7 @@ A letter 1/22 of the picture's height is 14 mm on a 24-inch screen: capitals of 
 smallest have capitals of 6 mm.
 """
 
-from PySide6.QtCore import QSize, Qt, QTimer
+from PySide6.QtCore import QCoreApplication, QEvent, QSize, Qt, QTimer
 from PySide6.QtGui import QFont, QFontMetrics, QResizeEvent
 from PySide6.QtWidgets import (
     QAbstractButton,
@@ -76,7 +76,7 @@ class FittedPage(QScrollArea):
         self._settling = QTimer(self)
         self._settling.setSingleShot(True)
         self._settling.timeout.connect(self._on_settled)
-        self._in_sight: QWidget | None = None
+        self._in_sight: tuple[QWidget, ...] = ()
         self.body = _Body()
         self.column = QVBoxLayout(self.body)
         self.setWidget(self.body)
@@ -98,17 +98,19 @@ class FittedPage(QScrollArea):
         self._shrink()
         self._settling.start()
 
-    def keep_in_sight(self, widget: QWidget) -> None:
-        """Scroll to a widget, once everything has its size."""
-        self._in_sight = widget
+    def keep_in_sight(self, *widgets: QWidget) -> None:
+        """Scroll to widgets, the last first of all, once everything has its size."""
+        self._in_sight = widgets
         self._settling.start()
 
     def _on_settled(self) -> None:
         self._shrink()
-        wanted, self._in_sight = self._in_sight, None
-        if wanted is not None:
-            self.column.activate()
-            self.ensureWidgetVisible(wanted)
+        wanted, self._in_sight = self._in_sight, ()
+        self.column.activate()
+        # now, not after the next painting, which would show it cut off
+        QCoreApplication.sendEvent(self, QEvent(QEvent.Type.LayoutRequest))
+        for widget in wanted:
+            self.ensureWidgetVisible(widget)
 
     def _take_step(self) -> None:
         share = LARGEST + (SMALLEST - LARGEST) * self._size_step / (STEPS - 1)

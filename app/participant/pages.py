@@ -158,7 +158,8 @@ class QuestionsPage(FittedPage):
             if is_it:
                 row.focus()
                 self.fit()
-                self.keep_in_sight(row)
+                is_last = row is self.rows[-1]
+                self.keep_in_sight(*([self.next] if is_last else []), row)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Answer by digits, move by arrows, go on with Enter."""

@@ -4,7 +4,7 @@ from abc import abstractmethod
 from collections.abc import Callable
 from typing import Any
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QFocusEvent, QKeyEvent
 from PySide6.QtWidgets import (
     QButtonGroup,
@@ -25,6 +25,7 @@ from hapticplayer.study.pages import Asked
 
 Word = Callable[[str], str]
 TEXT_LINES = 2
+_BESIDE_PX = 8  # between a scale and what stands at its ends
 
 
 class QuestionRow(QFrame):
@@ -69,6 +70,12 @@ class QuestionRow(QFrame):
     @abstractmethod
     def focus(self) -> None:
         """Take the keyboard."""
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:  # noqa: N802
+        """Tell when the keyboard comes to a field; buttons tell it themselves."""
+        if event.type() == QEvent.Type.FocusIn:
+            self.entered.emit()
+        return super().eventFilter(watched, event)
 
     def show_current(self, *, is_current: bool) -> None:
         """Show whether the digits go here."""
@@ -117,7 +124,10 @@ class ButtonsRow(QuestionRow):
 
     def _add_end(self, row: QHBoxLayout, text: str) -> None:
         if text:
+            is_first = row.count() == 0
+            row.addSpacing(0 if is_first else _BESIDE_PX)
             row.addWidget(QLabel(text))
+            row.addSpacing(_BESIDE_PX if is_first else 0)
 
     def _on_clicked(self) -> None:
         self.show_missing("")
@@ -181,6 +191,7 @@ class NumberRow(QuestionRow):
         self.box.setValue(asked.least - 1)
         self.box.setAccessibleName(asked.text)
         self.box.valueChanged.connect(lambda _value: self.answered.emit())
+        self.box.installEventFilter(self)
         self.box.setButtonSymbols(QSpinBox.ButtonSymbols.NoButtons)
         row = QHBoxLayout()
         row.addWidget(self.box)
@@ -220,6 +231,7 @@ class TextRow(QuestionRow):
         self.box.setTabChangesFocus(True)
         self.box.setAccessibleName(asked.text)
         self.box.textChanged.connect(self._on_changed)
+        self.box.installEventFilter(self)
         self.column.addWidget(self.box)
         self.column.addWidget(self.missing)
 

@@ -9,6 +9,7 @@ from app.bridge.child import in_child
 from app.bridge.jobs import Progress
 from app.bridge.settings import Settings
 from app.player.times import time_text
+from app.widgets.numbers import local
 from hapticplayer.playback.player import FASTEST, SLOWEST, Player
 from hapticplayer.playback.sound_device import sound_outputs
 from hapticplayer.playback.sound_process import SoundProcess
@@ -104,7 +105,7 @@ class Controls(QObject):
     def set_speed(self, speed: float) -> None:
         """Play at a speed, within what the player can do."""
         self._player.set_speed(min(max(speed, SLOWEST), FASTEST))
-        self.told.emit(self.tr("Speed {x:.2f}").format(x=self._player.speed))
+        self.told.emit(local(self.tr("Speed {x:.2f}").format(x=self._player.speed)))
         self.changed.emit()
 
     def loop(self) -> None:

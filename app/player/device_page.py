@@ -12,6 +12,7 @@ from PySide6.QtWidgets import (
 
 from app.player.health import device_name, stop_reason
 from app.widgets.buttons import text_button
+from app.widgets.numbers import local
 from hapticplayer.clock import Clock
 from hapticplayer.devices import find_device
 from hapticplayer.errors import HapticPlayerError
@@ -60,7 +61,7 @@ def step_text(step: Step) -> str:
         "away from you": translate("DevicePage", "Away from you"),
         "vibration": translate("DevicePage", "Vibration"),
     }
-    return f"{ways[step.direction]}, {step.strength_n:.1f} N"
+    return local(f"{ways[step.direction]}, {step.strength_n:.1f} N")
 
 
 class DevicePage(QDialog):

@@ -5,6 +5,7 @@ from typing import NamedTuple
 
 from PySide6.QtCore import QCoreApplication
 
+from app.widgets.numbers import local
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.process import Health
 from hapticplayer.haptics.scheduling import Scheduling
@@ -103,8 +104,13 @@ def mode_text(mode: Mode) -> str:
 
 def stop_reason(cause: Cause) -> str:
     """Return why the force was stopped."""
-    stopped = translate("Health", "STOPPED")
-    reason = {
+    stopped, reason = translate("Health", "STOPPED"), cause_text(cause)
+    return f"{stopped}: {reason}" if reason else stopped
+
+
+def cause_text(cause: Cause) -> str:
+    """Return what happened; nothing where a person did it, or it went by itself."""
+    return {
         Cause.HEARTBEAT_LOST: translate("Health", "the window hung"),
         Cause.PLAYER_GONE: translate("Health", "the player ended"),
         Cause.NOT_FINITE: translate("Health", "the track is broken"),
@@ -116,7 +122,6 @@ def stop_reason(cause: Cause) -> str:
         Cause.RUNAWAY: translate("Health", "the grip was let go"),
         Cause.OUTSIDE: translate("Health", "the grip is at its edge"),
     }.get(cause, "")
-    return f"{stopped}: {reason}" if reason else stopped
 
 
 def scheduling(snapshot: Snapshot) -> Reading:
@@ -158,7 +163,7 @@ def sync(stats: SyncStats | None) -> Reading:
     else:
         level = Level.GOOD if abs(stats.p50_ms) <= SYNC_GOOD_MS else Level.WATCH
         text = translate("Health", "{p50:+.1f}, {p95:+.1f} ms")
-    text = text.format(p50=stats.p50_ms, p95=stats.p95_ms)
+    text = local(text.format(p50=stats.p50_ms, p95=stats.p95_ms))
     return Reading(level, text.replace("-", "\u2212"))
 
 

@@ -34,7 +34,7 @@ from app.player.video_surface import SurfaceSink, VideoSurface
 from app.widgets import theme
 from app.widgets.buttons import text_button
 from app.widgets.labels import ElidedLabel
-from app.widgets.room import indent
+from app.widgets.room import framed, indent
 from hapticplayer.clock import Clock
 from hapticplayer.errors import HapticPlayerError
 from hapticplayer.haptics.contract import Cause, Mode
@@ -374,7 +374,7 @@ class LatencyPage(QDialog):
         page = QVBoxLayout(self)
         page.setContentsMargins(18, 16, 18, 14)
         page.setSpacing(12)
-        page.addWidget(self.surface)
+        page.addWidget(framed(self.surface))
         page.addWidget(self.told)
         page.addLayout(table)
         page.addStretch()

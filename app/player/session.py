@@ -84,6 +84,8 @@ class Session(QObject):
             )
             return
         self.jobs.run(title, work, self._play_source)
+        # even work that ends before the next look has been seen to begin
+        self._state = (*self._state[:-1], self.jobs.is_busy)
         self.changed.emit()
 
     def _play_source(self, source: Source) -> None:

@@ -7,8 +7,10 @@ from PySide6.QtCore import QCoreApplication
 from PySide6.QtGui import QFont, QFontDatabase, QFontInfo, QFontMetrics
 from PySide6.QtWidgets import QWidget
 
-from app.player.health import device
+from app.player.choices import feedbacks
+from app.player.health import clock, device, scheduling
 from app.player.times import position_text
+from app.widgets.numbers import local
 from app.widgets.toast import OnPicture
 from hapticplayer.model import SyncStats
 from hapticplayer.playback.player import Player
@@ -18,7 +20,7 @@ translate = QCoreApplication.translate
 REFRESH_HZ = 4.0
 _DASH = "\u2013"
 _AROUND_PX = 28  # of the text, above and below
-_SMALLEST_PX = 7
+_SMALLEST_PX = 6
 
 
 class Statistics(OnPicture):
@@ -57,7 +59,7 @@ def figures(player: Player) -> list[tuple[str, str]]:
     rows = [
         (
             translate("Statistics", "Clip"),
-            f"{clip.width} x {clip.height}, {clip.frame_rate_hz:.3f} Hz"
+            local(f"{clip.width} x {clip.height}, {clip.frame_rate_hz:.3f} Hz")
             if clip
             else _DASH,
         ),
@@ -65,21 +67,23 @@ def figures(player: Player) -> list[tuple[str, str]]:
             translate("Statistics", "Position"),
             position_text(snapshot.media_s, snapshot.duration_s),
         ),
-        (translate("Statistics", "Speed"), f"{player.speed:.2f}"),
+        (translate("Statistics", "Speed"), local(f"{player.speed:.2f}")),
         (
             translate("Statistics", "Pictures"),
             translate("Statistics", "{shown} shown, {dropped} dropped").format(
                 shown=snapshot.frames_shown, dropped=snapshot.frames_dropped
             ),
         ),
-        (translate("Statistics", "Clock"), f"{snapshot.clock}  {snapshot.audio}"),
+        (translate("Statistics", "Clock"), f"{clock(snapshot).text}  {snapshot.audio}"),
         (translate("Statistics", "Device"), device(snapshot).text),
-        (translate("Statistics", "Feedback"), snapshot.feedback or _DASH),
-        (translate("Statistics", "Scheduling"), snapshot.scheduling or _DASH),
+        (translate("Statistics", "Feedback"), _feedback(snapshot.feedback)),
+        (translate("Statistics", "Scheduling"), scheduling(snapshot).text),
         (
             translate("Statistics", "Late, \u00b5s"),
-            f"p50 {loop.lateness_p50_us:.0f}  p99 {loop.lateness_p99_us:.0f}  "
-            f"p99.9 {loop.lateness_p999_us:.0f}  max {loop.lateness_max_us:.0f}"
+            local(
+                f"p50 {loop.lateness_p50_us:.0f}  p99 {loop.lateness_p99_us:.0f}  "
+                f"p99.9 {loop.lateness_p999_us:.0f}  max {loop.lateness_max_us:.0f}"
+            )
             if loop
             else _DASH,
         ),
@@ -120,7 +124,7 @@ def _tick(latest: Any) -> list[tuple[str, str]]:
 
 def _vector(values: list[float]) -> str:
     parts = "  ".join(f"{value:+7.2f}" for value in values)
-    return f"{parts}  |{math.hypot(*values):6.2f}|"
+    return local(f"{parts}  |{math.hypot(*values):6.2f}|")
 
 
 def _latency(player: Player) -> str:
@@ -133,7 +137,13 @@ def _latency(player: Player) -> str:
     return text.format(*(1e3 * value for value in values))
 
 
+def _feedback(name: str) -> str:
+    return feedbacks([name])[0].text if name else _DASH
+
+
 def _sync(stats: SyncStats | None) -> str:
     if stats is None:
         return _DASH
-    return f"p05 {stats.p05_ms:+.2f}  p50 {stats.p50_ms:+.2f}  p95 {stats.p95_ms:+.2f}"
+    return local(
+        f"p05 {stats.p05_ms:+.2f}  p50 {stats.p50_ms:+.2f}  p95 {stats.p95_ms:+.2f}"
+    )

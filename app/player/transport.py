@@ -21,6 +21,7 @@ from app.widgets import theme
 from app.widgets.buttons import ICON_PX, set_role, text_button, tool_button
 from app.widgets.icons import control_icon
 from app.widgets.labels import ElidedLabel
+from app.widgets.numbers import local
 from app.widgets.seek_slider import SeekSlider
 
 _COMBO_PX, _LEAST_CHARACTERS = 170, 6
@@ -171,7 +172,7 @@ class Transport(QFrame):
 
     def show_speed(self, speed: float) -> None:
         """Show the speed, where it is not the normal one."""
-        self.speed.setText(f"{speed:.2f}\u00d7")
+        self.speed.setText(local(f"{speed:.2f}\u00d7"))
         self.speed.setVisible(abs(speed - 1.0) > 1e-3)
 
     def set_duration(self, duration_s: float) -> None:

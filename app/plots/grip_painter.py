@@ -4,6 +4,8 @@ What only the camera moves is painted once and kept as two pictures, one behind 
 grip and one before it; each step of the grip costs what moves.
 """
 
+import math
+
 from PySide6.QtCore import QCoreApplication, QPointF, QRectF, QSizeF, Qt
 from PySide6.QtGui import (
     QColor,
@@ -158,21 +160,33 @@ def _paint_axes(painter: QPainter, view: Projection) -> None:
 def _paint_axis_word(
     painter: QPainter, view: Projection, word: str, end_px: Pixel
 ) -> None:
-    """Write beside the end of an axis, away from the middle, inside the picture."""
+    """Write beside the end of an axis, off the sphere's rim, inside the picture."""
     metrics = painter.fontMetrics()
     most_px = int(view.width_px / 2)
     word = metrics.elidedText(word, Qt.TextElideMode.ElideRight, most_px)
     width_px, height_px = metrics.horizontalAdvance(word) + 1, metrics.height()
     x_px, y_px = end_px
     is_left = x_px < view.middle_px[0] - 2.0
-    left_px = x_px - _GAP_PX - width_px if is_left else x_px + _GAP_PX
     is_above = y_px < view.middle_px[1] - 0.5 * view.sphere_px
     top_px = y_px - height_px if is_above else y_px - 0.5 * height_px
-    inside_px = min(max(0.0, left_px), view.width_px - width_px - 1.0)
-    if inside_px != left_px and not is_above:
-        top_px = y_px + _GAP_PX  # pushed back over the axis: go below it
-    left_px = inside_px
+    room_px = view.width_px - width_px - 1.0
+    for from_px in (x_px if is_above else _rim_px(view, end_px), x_px):
+        left_px = from_px - _GAP_PX - width_px if is_left else from_px + _GAP_PX
+        if 0.0 <= left_px <= room_px:
+            break
+    else:
+        left_px = min(max(0.0, left_px), room_px)
+        if not is_above:
+            top_px = y_px + _GAP_PX  # pushed back over the axis: go below it
     top_px = min(max(0.0, top_px), view.height_px - height_px)
     painter.setPen(QColor(theme.DIM))
     box = QRectF(left_px, top_px, width_px, height_px)
     painter.drawText(box, Qt.AlignmentFlag.AlignCenter, word)
+
+
+def _rim_px(view: Projection, end_px: Pixel) -> float:
+    """Return where the rim is on the side and at the height of an axis's end."""
+    middle_x_px, middle_y_px = view.middle_px
+    high_px = min(abs(end_px[1] - middle_y_px), view.sphere_px)
+    out_px = math.sqrt(view.sphere_px**2 - high_px**2)
+    return middle_x_px + math.copysign(out_px, end_px[0] - middle_x_px)

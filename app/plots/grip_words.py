@@ -10,6 +10,7 @@ from app.plots.grip_camera import Projection
 from app.plots.grip_moving import CENTRING, arrow_tip, colours, zone_colour
 from app.plots.grip_scene import LEAST_SHOWN_N, Activity, Grip
 from app.widgets import theme
+from app.widgets.numbers import local
 
 translate = QCoreApplication.translate
 
@@ -59,13 +60,13 @@ def headline(grip: Grip) -> str:
 def force_text(grip: Grip) -> str:
     """Return how strong the force on the hand is."""
     force_n = math.hypot(*grip.force_n)
-    return translate("GripView", "{force:.1f} N").format(force=force_n)
+    return local(translate("GripView", "{force:.1f} N").format(force=force_n))
 
 
 def centring_text(grip: Grip) -> str:
     """Return how much of the force keeps the grip inside."""
     text = translate("GripView", "centring {force:.1f} N")
-    return text.format(force=math.hypot(*grip.centring_n))
+    return local(text.format(force=math.hypot(*grip.centring_n)))
 
 
 def excursion_text(grip: Grip) -> str:

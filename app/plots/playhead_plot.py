@@ -20,6 +20,7 @@ from app.plots.plot_pointer import PlotPointer
 from app.plots.series import EMPTY, PAGE_MARGIN_S, Page, cut
 from app.plots.view_span import ViewSpan
 from app.widgets import theme
+from app.widgets.numbers import local
 
 _TICKS_S = (0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 15.0)
 _TICKS = 5  # about, in a view
@@ -100,7 +101,7 @@ class PlayheadPlot(pg.PlotWidget):
     def set_half_range(self, value: float) -> None:
         """Show values from minus to plus this one, with five ticks."""
         self._view.setYRange(-value, value, padding=0.04)
-        ticks = [(k * value / 2, f"{k * value / 2:g}") for k in range(-2, 3)]
+        ticks = [(k * value / 2, local(f"{k * value / 2:g}")) for k in range(-2, 3)]
         self.getPlotItem().getAxis("left").setTicks([ticks])
 
     def set_notice(self, text: str) -> None:

@@ -6,6 +6,7 @@ from PySide6.QtCore import QCoreApplication, QEvent, QObject, QPointF, QRectF, Q
 from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter, QPen, QWheelEvent
 
 from app.widgets import theme
+from app.widgets.numbers import local
 
 if TYPE_CHECKING:
     from app.plots.playhead_plot import PlayheadPlot
@@ -121,12 +122,12 @@ class PlotPointer(QObject):
 
     def words(self, media_s: float) -> list[tuple[str, str]]:
         """Return (text, colour) of the lines of the read-out."""
-        lines = [(f"{media_s:.3f} s", theme.TEXT)]
+        lines = [(local(f"{media_s:.3f} s"), theme.TEXT)]
         groups = self._plot.values_at(media_s)
         for axis, colour in enumerate(theme.AXIS_COLOURS):
             values = "  ".join(f"{group[axis]:+.2f}" for group in groups)
             if values:
-                lines.append((f"{'xyz'[axis]} {values}", colour))
+                lines.append((local(f"{'xyz'[axis]} {values}"), colour))
         return lines
 
     def _paint_words(

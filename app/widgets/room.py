@@ -1,6 +1,14 @@
 """Windows and their screen: how much room there is, and whether they are seen."""
 
-from PySide6.QtWidgets import QAbstractSpinBox, QInputDialog, QWidget
+from PySide6.QtWidgets import (
+    QAbstractSpinBox,
+    QFrame,
+    QInputDialog,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.widgets import theme
 
 ASKED_PX = 460
 _INDENT_PX = 8
@@ -43,6 +51,17 @@ def indent(box: QAbstractSpinBox) -> None:
     """
     box.lineEdit().setTextMargins(_INDENT_PX, 0, 0, 0)
     box.setMinimumWidth(box.sizeHint().width() + _INDENT_PX)
+
+
+def framed(widget: QWidget) -> QWidget:
+    """Return a frame around a widget whose ground may be that of the window."""
+    frame = QFrame()
+    frame.setObjectName("framed")
+    frame.setStyleSheet(f"QFrame#framed {{ border: 1px solid {theme.BORDER}; }}")
+    column = QVBoxLayout(frame)
+    column.setContentsMargins(0, 0, 0, 0)
+    column.addWidget(widget)
+    return frame
 
 
 def is_seen(widget: QWidget) -> bool:

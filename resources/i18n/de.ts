@@ -688,8 +688,8 @@
         <translation>Video: {camera}{width} × {height}, {rate} Bilder je Sekunde, {duration}, {sound}</translation>
     </message>
     <message>
-        <source>Motion: {recorder}, {rate} samples a second, {duration}, {gaps} gaps</source>
-        <translation>Bewegung: {recorder}, {rate} Werte je Sekunde, {duration}, {gaps} Lücken</translation>
+        <source>Motion: {recorder}, {rate} samples a second, {duration}, gaps: {gaps}</source>
+        <translation>Bewegung: {recorder}, {rate} Werte je Sekunde, {duration}, Lücken: {gaps}</translation>
     </message>
     <message>
         <source>It turned so much that gravity does not show its axes.</source>
@@ -948,11 +948,11 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     </message>
     <message>
         <source>OFF {p50:+.1f}, {p95:+.1f} ms</source>
-        <translation>VERSETZT {p50:+.1f}, {p95:+.1f} ms</translation>
+        <translation>VERSETZT {p50:+.1f}; {p95:+.1f} ms</translation>
     </message>
     <message>
         <source>{p50:+.1f}, {p95:+.1f} ms</source>
-        <translation>{p50:+.1f}, {p95:+.1f} ms</translation>
+        <translation>{p50:+.1f}; {p95:+.1f} ms</translation>
     </message>
     <message>
         <source>{shown} shown, {dropped} dropped</source>
@@ -1578,7 +1578,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     </message>
     <message>
         <source>Nothing is called so</source>
-        <translation>Nichts heißt so</translation>
+        <translation>Nichts gefunden</translation>
     </message>
     <message>
         <source>Where are sequences kept?</source>
@@ -1795,6 +1795,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     <message>
         <source>Where shall sequences be kept?</source>
         <translation>Wo sollen Sequenzen aufbewahrt werden?</translation>
+    </message>
+</context>
+<context>
+    <name>Numbers</name>
+    <message>
+        <source>yyyy-MM-dd</source>
+        <extracomment>how a date is written in figures, in Qt&apos;s letters</extracomment>
+        <translation>dd.MM.yyyy</translation>
     </message>
 </context>
 <context>
@@ -2090,7 +2098,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     </message>
     <message>
         <source>A note; Enter keeps it</source>
-        <translation>Eine Notiz; Eingabe behält sie</translation>
+        <translation>Eine Notiz; die Eingabetaste speichert sie</translation>
     </message>
     <message>
         <source>Pause</source>
@@ -2783,7 +2791,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     </message>
     <message>
         <source>&amp;Run a participant…</source>
-        <translation>&amp;Person durchführen lassen…</translation>
+        <translation>&amp;Sitzung durchführen…</translation>
     </message>
     <message>
         <source>&amp;Analyse study…</source>

@@ -172,6 +172,10 @@ def test_the_question_that_is_not_answered_comes_into_sight(make_study, sit, qtb
     at = said.mapTo(page.viewport(), said.rect().bottomLeft())
     assert page.verticalScrollBar().maximum() > 0
     assert page.viewport().rect().contains(at)
+    at = page.next.mapTo(page.viewport(), page.next.rect().bottomLeft())
+    assert page.viewport().rect().contains(at)  # and what goes on from there
+    framed = [row for row in page.rows if row.property("role") == "current"]
+    assert framed == [page.rows[-1]]
 
 
 def whole_texts(window, source, folder, qtbot) -> list[str]:

@@ -11,6 +11,7 @@ from PySide6.QtGui import QColor, QImage, QPainter, QWheelEvent
 from PySide6.QtTest import QTest
 
 from app.player.grip_feed import grip_of
+from app.plots import grip_painter
 from app.plots.grip_camera import Camera, Projection
 from app.plots.grip_moving import CENTRING, colours
 from app.plots.grip_painter import GripPainter
@@ -274,6 +275,23 @@ def luminance(name: str) -> float:
 def test_every_colour_of_arrows_and_words_stands_out(name):
     contrast = (luminance(name) + 0.05) / (luminance(theme.PANEL) + 0.05)
     assert contrast > 4.5
+
+
+def test_the_words_of_the_axes_keep_off_the_rim_where_there_is_room(monkeypatch):
+    written = []
+    monkeypatch.setattr(
+        QPainter, "drawText", lambda _p, box, _flags, text: written.append((text, box))
+    )
+    view = projection(Camera(), height_px=180.0)
+    image = QImage(round(SIDE_PX), 180, QImage.Format.Format_RGB32)
+    with QPainter(image) as painter:
+        grip_painter._paint_axes(painter, view)
+    boxes = dict(written)
+    assert set(boxes) == {"right", "up", "towards you"}
+    for text in ("right", "towards you"):
+        middle_left = (boxes[text].left(), boxes[text].center().y())
+        assert math.dist(middle_left, view.middle_px) > view.sphere_px + 2.0
+        assert boxes[text].right() <= SIDE_PX
 
 
 # --- the widget ---------------------------------------------------------------

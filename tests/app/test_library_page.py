@@ -69,6 +69,26 @@ def test_enter_opens_and_a_damaged_one_is_not_opened(page, qtbot):
     assert wanted.args[0].name == "a"
 
 
+def test_why_a_damaged_one_does_not_open_is_not_greyed(page):
+    page.list.setCurrentRow(1)
+    assert "cannot be played" in page.details.report.toPlainText()
+    assert page.details.report.isEnabled()
+    assert not page.details.tracks.isEnabled()
+    assert not page.details.gain.isEnabled()
+
+
+def test_the_preview_of_a_gain_is_whole_and_moves_nothing(page, qtbot, wait_for):
+    page.list.setCurrentRow(0)
+    qtbot.wait(20)
+    before = page.details.tracks.geometry()
+    page.details.gain.setValue(15)
+    wait_for(lambda: "relaxed hand" in page.details.preview.text())
+    preview = page.details.preview
+    assert preview.height() >= preview.heightForWidth(preview.width())
+    qtbot.wait(20)
+    assert page.details.tracks.geometry() == before
+
+
 def test_deleting_asks_and_can_be_undone(page, library, monkeypatch):
     page.list.setCurrentRow(0)
     asked = []

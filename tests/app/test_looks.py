@@ -7,13 +7,14 @@ from pathlib import Path
 from xml.etree import ElementTree as ET
 
 import pytest
-from PySide6.QtCore import QTimer
+from PySide6.QtCore import Qt, QTimer
 from PySide6.QtWidgets import (
     QAbstractButton,
     QAbstractSlider,
     QAbstractSpinBox,
     QComboBox,
     QLineEdit,
+    QScrollBar,
     QWidget,
 )
 from shiboken6 import isValid
@@ -99,6 +100,24 @@ def test_another_look_colours_everything(shown, look, wait_for):
     assert shown.window.isVisible()
     panel = shown.window.transport.grab().toImage().pixelColor(2, 30).name()
     assert panel == theme.LOOKS[look]["PANEL"]
+
+
+def test_a_scroll_bar_of_high_contrast_is_white_on_black(application, qtbot):
+    before = theme.name
+    theme.use(theme.CONTRAST)
+    try:
+        bar = QScrollBar(Qt.Orientation.Vertical)
+        qtbot.addWidget(bar)
+        bar.setStyleSheet(theme.style_sheet())
+        bar.setRange(0, 100)
+        bar.setPageStep(100)
+        bar.resize(14, 200)
+        image = bar.grab().toImage()
+    finally:
+        theme.use(before)
+    seen = [image.pixelColor(7, y).name() for y in range(200)]
+    assert 60 < seen.count("#ffffff") < 140  # half of it can be moved
+    assert seen.count("#000000") + seen.count("#ffffff") >= 196  # round ends
 
 
 def test_english_again_after_german(shown, wait_for):
