@@ -9,7 +9,13 @@ from pathlib import Path
 import faces
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QPushButton
+from PySide6.QtWidgets import (
+    QComboBox,
+    QPushButton,
+    QTableWidget,
+    QVBoxLayout,
+    QWidget,
+)
 from sitting import Person
 
 from app.bridge import languages
@@ -189,6 +195,30 @@ def whole_texts(window, source, folder, qtbot) -> list[str]:
         if isinstance(face, ImportWizard | LibraryPage):
             face.close_jobs()  # the window does so for those that it has opened
     return found
+
+
+def test_what_is_cut_off_in_a_choice_or_a_header_is_found(dressed, qtbot):
+    dressed(language="de")
+    face = QWidget()
+    qtbot.addWidget(face)
+    column = QVBoxLayout(face)
+    combo, table = QComboBox(), QTableWidget(1, 2)
+    combo.addItems(["kurz", "viel zu lang f\u00fcr so wenig Raum"])
+    table.setHorizontalHeaderLabels(["Spur", "Auch dieser Titel ist zu lang"])
+    for widget in (combo, table):
+        column.addWidget(widget)
+    face.resize(700, 300)
+    combo.setFixedWidth(90)
+    table.setColumnWidth(1, 60)
+    face.show()
+    found = list(faces.cut_off(face))
+    assert [text.partition(":")[0] for text in found] == [
+        "choice 'viel zu lang f\u00fcr so wenig Raum'",
+        "header 'Auch dieser Titel ist zu lang'",
+    ]
+    combo.setFixedWidth(400)
+    table.setColumnWidth(1, 400)
+    assert list(faces.cut_off(face)) == []
 
 
 @pytest.mark.parametrize("language", list(languages.NAMES))
