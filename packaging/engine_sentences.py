@@ -110,6 +110,7 @@ WORDS = (  # that stand for themselves, as values
     "number",
     "repeats",
     "semicolons",
+    "simulated camera",
     "tabs",
     "opened",
     "closed",

@@ -213,7 +213,7 @@ class FilesPage(QWidget):
             "Video: {camera}{width} \u00d7 {height}, {rate} pictures a second, "
             "{duration}, {sound}"
         ).format(
-            camera=f"{found.clip_camera}, " if found.clip_camera else "",
+            camera=f"{translated(found.clip_camera)}, " if found.clip_camera else "",
             width=clip.width,
             height=clip.height,
             rate=f"{clip.frame_rate_hz:.4g}",

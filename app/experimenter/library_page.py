@@ -202,7 +202,11 @@ class LibraryPage(QDialog):
         if entry.problem:
             problem = entry.problem.removeprefix(f"{entry.folder}: ")
             return f"{entry.title}\n\u25a0 {translated(problem)}"
-        parts = [time_text(entry.duration_s), entry.camera, entry.created_utc[:10]]
+        parts = [
+            time_text(entry.duration_s),
+            translated(entry.camera),
+            entry.created_utc[:10],
+        ]
         first = ", ".join(part for part in parts if part)
         return f"{entry.title}\n{first}\n{mark_name(worst(entry.findings))}"
 

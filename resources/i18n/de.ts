@@ -2815,6 +2815,13 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     </message>
 </context>
 <context>
+    <name>StudyProcess</name>
+    <message>
+        <source>The session has ended with status {0}</source>
+        <translation>Die Sitzung endete mit dem Status {0}</translation>
+    </message>
+</context>
+<context>
     <name>SyncPage</name>
     <message>
         <source> s</source>
@@ -4038,11 +4045,11 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     </message>
     <message>
         <source>give the specific force in m/s2, about 9.8 at rest</source>
-        <translation>geben Sie die spezifische Kraft in m/s2 an, etwa 9,8 in Ruhe</translation>
+        <translation>geben Sie die spezifische Kraft in m/s2 an, etwa 9.8 in Ruhe</translation>
     </message>
     <message>
         <source>give the specific force in m/s^2, about 9.8 at rest</source>
-        <translation>geben Sie die spezifische Kraft in m/s^2 an, etwa 9,8 in Ruhe</translation>
+        <translation>geben Sie die spezifische Kraft in m/s^2 an, etwa 9.8 in Ruhe</translation>
     </message>
     <message>
         <source>give the time of each sample in seconds</source>
@@ -4074,7 +4081,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     </message>
     <message>
         <source>gravity is 9.81 m/s2 and not {0}: the accelerometer is doubtful</source>
-        <translation>die Schwerkraft ist 9,81 m/s2 und nicht {0}: Der Beschleunigungssensor ist zweifelhaft</translation>
+        <translation>die Schwerkraft ist 9.81 m/s2 und nicht {0}: Der Beschleunigungssensor ist zweifelhaft</translation>
     </message>
     <message>
         <source>gravity says that {0}{1} of the recorder was up, not its z</source>
@@ -5093,6 +5100,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>teilen die Zeit mit einer anderen und wurden mit ihr gemittelt</translation>
     </message>
     <message>
+        <source>simulated camera</source>
+        <translation>simulierte Kamera</translation>
+    </message>
+    <message>
         <source>sort the log by time and remove duplicates</source>
         <translation>sortieren Sie das Protokoll nach der Zeit, und entfernen Sie Wiederholungen</translation>
     </message>
@@ -5438,7 +5449,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     </message>
     <message>
         <source>the specific force is {0} m/s2 at rest when it is read in {1}, but gravity is 9.81</source>
-        <translation>die spezifische Kraft ist in Ruhe {0} m/s2, wenn sie in {1} gelesen wird, aber die Schwerkraft ist 9,81</translation>
+        <translation>die spezifische Kraft ist in Ruhe {0} m/s2, wenn sie in {1} gelesen wird, aber die Schwerkraft ist 9.81</translation>
     </message>
     <message>
         <source>the study has no condition {0}</source>

@@ -2815,6 +2815,13 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
 </context>
 <context>
+    <name>StudyProcess</name>
+    <message>
+        <source>The session has ended with status {0}</source>
+        <translation>La séance s’est terminée avec l’état {0}</translation>
+    </message>
+</context>
+<context>
     <name>SyncPage</name>
     <message>
         <source> s</source>
@@ -4038,11 +4045,11 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>give the specific force in m/s2, about 9.8 at rest</source>
-        <translation>donnez la force spécifique en m/s2, environ 9,8 au repos</translation>
+        <translation>donnez la force spécifique en m/s2, environ 9.8 au repos</translation>
     </message>
     <message>
         <source>give the specific force in m/s^2, about 9.8 at rest</source>
-        <translation>donnez la force spécifique en m/s^2, environ 9,8 au repos</translation>
+        <translation>donnez la force spécifique en m/s^2, environ 9.8 au repos</translation>
     </message>
     <message>
         <source>give the time of each sample in seconds</source>
@@ -4074,7 +4081,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>gravity is 9.81 m/s2 and not {0}: the accelerometer is doubtful</source>
-        <translation>la pesanteur est de 9,81 m/s2 et non de {0}&#xa0;: l’accéléromètre est douteux</translation>
+        <translation>la pesanteur est de 9.81 m/s2 et non de {0}&#xa0;: l’accéléromètre est douteux</translation>
     </message>
     <message>
         <source>gravity says that {0}{1} of the recorder was up, not its z</source>
@@ -5093,6 +5100,10 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>partagent le temps d’une autre et ont été moyennées avec elle</translation>
     </message>
     <message>
+        <source>simulated camera</source>
+        <translation>caméra simulée</translation>
+    </message>
+    <message>
         <source>sort the log by time and remove duplicates</source>
         <translation>triez le journal par temps et enlevez les doublons</translation>
     </message>
@@ -5438,7 +5449,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>the specific force is {0} m/s2 at rest when it is read in {1}, but gravity is 9.81</source>
-        <translation>la force spécifique est de {0} m/s2 au repos quand elle est lue en {1}, mais la pesanteur est de 9,81</translation>
+        <translation>la force spécifique est de {0} m/s2 au repos quand elle est lue en {1}, mais la pesanteur est de 9.81</translation>
     </message>
     <message>
         <source>the study has no condition {0}</source>
