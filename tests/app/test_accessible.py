@@ -90,7 +90,7 @@ def test_the_window_and_every_dialog_can_be_used_by_keyboard_alone(
         face = make()
         face.show()
         check_keyboard(face, qtbot)
-        face.close()
+        close(face)
 
 
 def test_the_participants_pages_can_be_used_by_keyboard_and_by_finger(
@@ -191,10 +191,15 @@ def whole_texts(window, source, folder, qtbot) -> list[str]:
         face.show()
         qtbot.wait(1)
         found += [f"{name}: {text}" for text in faces.cut_off(face)]
-        face.close()
-        if isinstance(face, ImportWizard | LibraryPage):
-            face.close_jobs()  # the window does so for those that it has opened
+        close(face)
     return found
+
+
+def close(face) -> None:
+    """Close a page; the window ends the work of those that it has opened."""
+    face.close()
+    if isinstance(face, ImportWizard | LibraryPage):
+        face.close_jobs()
 
 
 def test_what_is_cut_off_in_a_choice_or_a_header_is_found(dressed, qtbot):
