@@ -9,6 +9,7 @@ from types import TracebackType
 
 from PySide6.QtCore import QCoreApplication
 
+from app.bridge.engine_words import told
 from hapticplayer.errors import HapticPlayerError
 
 Show = Callable[[str], None]
@@ -47,7 +48,7 @@ class ErrorGateway:
     def report(self, problem: BaseException) -> None:
         """Show a problem; on the window's thread."""
         if isinstance(problem, HapticPlayerError):
-            self._show(str(problem))
+            self._show(told(problem))
         else:
             self._unexpected(problem)
 

@@ -10,6 +10,7 @@ NAMES = {ENGLISH: "English", "de": "Deutsch", "fr": "Fran\u00e7ais"}
 """Each in itself: who looks for a language reads no other."""
 
 _installed: list[QTranslator] = []
+_spoken = [ENGLISH]
 
 
 def wanted(chosen: str) -> str:
@@ -18,6 +19,11 @@ def wanted(chosen: str) -> str:
         return chosen
     ours = (name.split("-")[0] for name in QLocale.system().uiLanguages())
     return next((name for name in ours if name in NAMES), ENGLISH)
+
+
+def spoken() -> str:
+    """Return the language that is spoken now."""
+    return _spoken[-1]
 
 
 def install(application: QCoreApplication, chosen: str) -> str:
@@ -29,6 +35,7 @@ def install(application: QCoreApplication, chosen: str) -> str:
     while _installed:
         application.removeTranslator(_installed.pop())
     language = wanted(chosen)
+    _spoken[:] = [language]
     QLocale.setDefault(QLocale(language))
     of_qt = QLibraryInfo.path(QLibraryInfo.LibraryPath.TranslationsPath)
     for file in (Path(of_qt) / f"qtbase_{language}.qm", FOLDER / f"{language}.qm"):

@@ -12,7 +12,7 @@ from PySide6.QtGui import (
     QTextCursor,
     QTextDocument,
 )
-from PySide6.QtWidgets import QHBoxLayout, QTextBrowser, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QTextBrowser, QVBoxLayout, QWidget
 
 from app.bridge.child import in_child
 from app.bridge.jobs import Jobs, Progress
@@ -107,6 +107,11 @@ class AnalysisPage(QWidget):
 
     def _lay_out(self) -> None:
         self._heading = ElidedLabel(self._title)
+        language = QLabel(
+            self.tr("The report is in English, to be published as it is.")
+        )
+        language.setStyleSheet(f"color: {theme.DIM};")
+        language.setWordWrap(True)
         row = QHBoxLayout()
         row.setSpacing(8)
         row.addWidget(self._heading, 1)
@@ -116,6 +121,7 @@ class AnalysisPage(QWidget):
         column.setContentsMargins(12, 10, 12, 12)
         column.setSpacing(8)
         column.addLayout(row)
+        column.addWidget(language)
         column.addWidget(self.job_bar)
         column.addWidget(self.text, 1)
 

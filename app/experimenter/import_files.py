@@ -16,12 +16,14 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.bridge.engine_words import told, translated
 from app.experimenter.triad import Triad
 from app.player.files import file_dialog, video_filter
 from app.player.times import time_text
 from app.widgets import theme
 from app.widgets.buttons import text_button
 from app.widgets.numbers import local
+from app.widgets.texts import titled
 from hapticplayer.capture import LogChoices, LogQuestion, parse_choices, write_template
 from hapticplayer.capture.mounting import AS_RECORDED
 from hapticplayer.errors import HapticPlayerError
@@ -165,7 +167,7 @@ class FilesPage(QWidget):
             self.choices()
         except HapticPlayerError as problem:
             self._words = self._before
-            self.question.show_problem(str(problem))
+            self.question.show_problem(told(problem))
         else:
             self.changed.emit()
 
@@ -188,9 +190,9 @@ class FilesPage(QWidget):
         if self._asked is not None and self._words != self._before:
             self._words = self._before  # the answer is none: it is asked again
             self.question.ask(self._asked)
-            self.question.show_problem(str(problem))
+            self.question.show_problem(told(problem))
             return
-        self.problem.setText(str(problem))
+        self.problem.setText(told(problem))
         self.problem.setStyleSheet(f"color: {theme.BAD};")
         self.problem.show()
 
@@ -199,7 +201,7 @@ class FilesPage(QWidget):
         self.forget()
         self.facts.setText("\n".join(self._facts(found)))
         more = len(found.notes) - _MOST_NOTES
-        lines = [f"\u2022 {note}" for note in found.notes[:_MOST_NOTES]]
+        lines = [f"\u2022 {translated(note)}" for note in found.notes[:_MOST_NOTES]]
         self.notes.setText("\n".join(lines) + (f"\n\u2026 +{more}" if more > 0 else ""))
         self.triad.show_axes(AS_RECORDED, found.up)
         self.triad.show()
@@ -212,7 +214,7 @@ class FilesPage(QWidget):
             "Video: {camera}{width} \u00d7 {height}, {rate} pictures a second, "
             "{duration}, {sound}"
         ).format(
-            camera=f"{found.clip_camera}, " if found.clip_camera else "",
+            camera=f"{translated(found.clip_camera)}, " if found.clip_camera else "",
             width=clip.width,
             height=clip.height,
             rate=local(f"{clip.frame_rate_hz:.4g}"),
@@ -222,7 +224,7 @@ class FilesPage(QWidget):
         motion = self.tr(
             "Motion: {recorder}, {rate} samples a second, {duration}, gaps: {gaps}"
         ).format(
-            recorder=found.recorder,
+            recorder=translated(found.recorder),
             rate=local(f"{found.rate_hz:.4g}"),
             duration=time_text(found.duration_s),
             gaps=found.gaps,
@@ -279,7 +281,7 @@ class FilesPage(QWidget):
         try:
             write_template(Path(path), parse_choices(self._words))
         except HapticPlayerError as problem:
-            self.problem.setText(str(problem))
+            self.problem.setText(told(problem))
             self.problem.show()
 
     # --- dropping ------------------------------------------------------------
@@ -347,13 +349,14 @@ class _Question(QFrame):
 
     def ask(self, question: LogQuestion) -> None:
         """Put a question."""
-        self.text.setText(f"{Path(question.where).name}: {question.what}")
+        name = Path(question.where).name
+        self.text.setText(titled(name, translated(question.what)))
         self.problem.clear()
         for button in self.answers.buttons():
             self.answers.removeButton(button)
             button.deleteLater()
         for answer in _each(question.answers):
-            radio = QRadioButton(answer)
+            radio = QRadioButton(translated(answer))
             radio.clicked.connect(lambda _on, a=answer: self._propose(a))
             self.answers.addButton(radio)
             self._choices.addWidget(radio)

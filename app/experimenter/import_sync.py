@@ -13,6 +13,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.bridge.engine_words import told, translated
 from app.bridge.jobs import Job
 from app.experimenter.clip_frame import ClipFrame
 from app.experimenter.sync_strip import STEP_S, SyncStrip
@@ -238,7 +239,7 @@ class SyncPage(QWidget):
             self.snippet.play(job.result)
             self.problem.clear()
         except (HapticPlayerError, OSError) as problem:
-            self.problem.setText(str(problem))
+            self.problem.setText(told(problem))
 
     def close_jobs(self) -> None:
         """Be silent, and wait for what still decodes."""
@@ -264,11 +265,11 @@ class SyncPage(QWidget):
     def _verdict(self, found: Recognised) -> tuple[str, str]:
         if found.knows_clip_clock:
             text = self.tr("{recorder} keeps its motion on the clip's own clock.")
-            return text.format(recorder=found.recorder), theme.GOOD
+            return text.format(recorder=translated(found.recorder)), theme.GOOD
         sync = found.found
         if sync is None:
             text = self.tr("Nothing to go by: {why}. Give the offset by hand.")
-            return text.format(why=found.problem), theme.WARN
+            return text.format(why=translated(found.problem)), theme.WARN
         choice = self.choice()
         confidence = local(f"{sync.clock_map.confidence:.2f}")
         if choice is not None and choice.method == "offset":

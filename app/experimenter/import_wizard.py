@@ -15,6 +15,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.bridge.child import in_child
+from app.bridge.engine_words import told
 from app.bridge.jobs import Jobs, Progress
 from app.experimenter.import_files import FilesPage
 from app.experimenter.import_mounting import MountingPage
@@ -241,12 +242,12 @@ class ImportWizard(QDialog):
         if self._is_stale:
             return
         if not isinstance(problem, HapticPlayerError):
-            self.problem.setText(str(problem))
+            self.problem.setText(told(problem))
             raise problem
         if self.stack.currentIndex() == FILES or isinstance(problem, LogQuestion):
             self.files.show_problem(problem)
         else:
-            self.problem.setText(str(problem))
+            self.problem.setText(told(problem))
 
     def _import(self) -> None:
         chosen = self.files.chosen()
@@ -255,7 +256,7 @@ class ImportWizard(QDialog):
             self.sync.keep()
             target, choices = self.mounting.target(), self._choices()
         except HapticPlayerError as problem:
-            self.problem.setText(str(problem))
+            self.problem.setText(told(problem))
             return
         video, log = chosen
 

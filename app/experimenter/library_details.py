@@ -19,6 +19,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.bridge.child import in_child
+from app.bridge.engine_words import told
 from app.bridge.jobs import Job, Progress
 from app.experimenter.quality_view import QualityView
 from app.player.choices import feedbacks
@@ -310,7 +311,7 @@ class LibraryDetails(QWidget):
         try:
             change(entry.folder, *names)
         except HapticPlayerError as problem:
-            self._tell_problem(str(problem))
+            self._tell_problem(told(problem))
         else:
             self.changed.emit()
 

@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.bridge.child import in_child
+from app.bridge.engine_words import told, translated
 from app.bridge.jobs import Job, Jobs, Progress
 from app.experimenter.library_details import LibraryDetails
 from app.experimenter.quality_view import colour_of, mark_name
@@ -29,10 +30,11 @@ from app.widgets.labels import ElidedLabel
 from app.widgets.numbers import date_text
 from app.widgets.room import ask_text
 from app.widgets.texts import quoted, titled
-from hapticplayer.errors import HapticPlayerError
+from hapticplayer.errors import HapticPlayerError, InputError
 from hapticplayer.media import Thumbnail, cover_pictures
 from hapticplayer.sequence import verify_sequence
 from hapticplayer.sequence.editing import rename_sequence
+from hapticplayer.sequence.files import refuse_existing
 from hapticplayer.sequence.library import Entry, entries
 from hapticplayer.sequence.report import Mark, worst
 
@@ -200,10 +202,10 @@ class LibraryPage(QDialog):
     def _text(self, entry: Entry) -> str:
         if entry.problem:
             problem = entry.problem.removeprefix(f"{entry.folder}: ")
-            return f"{entry.title}\n\u25a0 {problem}"
+            return f"{entry.title}\n\u25a0 {translated(problem)}"
         parts = [
             time_text(entry.duration_s),
-            entry.camera,
+            translated(entry.camera),
             date_text(entry.created_utc),
         ]
         first = ", ".join(part for part in parts if part)
@@ -327,13 +329,15 @@ class LibraryPage(QDialog):
             return
         binned, folder = self._binned
         try:
-            if folder.exists():
-                raise FileExistsError(17, "it exists again", str(folder))
+            refuse_existing(folder)
             binned.rename(folder)
             info = binned.parent.parent / "info" / f"{binned.name}.trashinfo"
             info.unlink(missing_ok=True)
+        except InputError as problem:
+            self._tell(told(problem), theme.BAD)
         except OSError as problem:
-            self._tell(str(problem), theme.BAD)
+            what = f"cannot be brought back ({problem.strerror})"
+            self._tell(told(InputError(what, where=str(folder))), theme.BAD)
         else:
             self._tell("")
         self._binned = None
@@ -354,7 +358,7 @@ class LibraryPage(QDialog):
     def _on_failed(self, problem: BaseException) -> None:
         if not isinstance(problem, HapticPlayerError):
             raise problem
-        self._tell(str(problem), theme.BAD)
+        self._tell(told(problem), theme.BAD)
 
     def _tell(self, text: str, colour: str = "") -> None:
         self.told.setText(text)

@@ -7,6 +7,7 @@ from PySide6.QtCore import QCoreApplication, Qt
 from PySide6.QtGui import QTextOption
 from PySide6.QtWidgets import QTextBrowser
 
+from app.bridge.engine_words import translated
 from app.widgets import theme
 from app.widgets.numbers import local
 from hapticplayer.sequence.report import Finding, Mark, worst
@@ -32,7 +33,7 @@ class QualityView(QTextBrowser):
         whole = worst(list(findings))
         head = f"<h3>{_sign(whole)} {escape(verdict(whole))}</h3>"
         rows = "".join(_row(one) for one in findings)
-        said = "".join(f"<li>{escape(note)}</li>" for note in notes)
+        said = "".join(f"<li>{escape(translated(note))}</li>" for note in notes)
         more = ""
         if said:
             title = escape(self.tr("Notes"))
@@ -48,7 +49,9 @@ class QualityView(QTextBrowser):
     def show_problem(self, text: str) -> None:
         """Say why there is no report: the sequence cannot be read."""
         title = escape(self.tr("This sequence cannot be played"))
-        self.setHtml(f"<h3>{_sign(Mark.BAD)} {title}</h3><p>{escape(text)}</p>")
+        self.setHtml(
+            f"<h3>{_sign(Mark.BAD)} {title}</h3><p>{escape(translated(text))}</p>"
+        )
 
 
 def verdict(mark: Mark) -> str:

@@ -5,6 +5,7 @@ The records keep the engine's own words, the same in every language.
 
 from PySide6.QtCore import QCoreApplication
 
+from app.bridge.engine_words import translated
 from app.player.health import cause_text, device_name
 from app.widgets.numbers import local
 from hapticplayer.haptics.contract import Cause
@@ -69,7 +70,7 @@ def found_text(check: Check) -> str:
         return text.format(n=local(f"{float(found.removesuffix(_FREE)) / 1e3:.1f}"))
     if check.name == SCHEDULING and not found:
         return "\u2013"
-    return _words().get(found, found)
+    return _words().get(found) or translated(found)
 
 
 def _words() -> dict[str, str]:

@@ -22,6 +22,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.bridge.engine_words import told
 from app.widgets import theme
 from app.widgets.buttons import set_role, text_button
 from app.widgets.room import indent, resize_within_screen
@@ -186,7 +187,7 @@ class StudyEditor(QDialog):
         try:
             self.study = change_definition(self.study, self.edited())
         except StudyError as problem:
-            self.problem.setText(str(problem))
+            self.problem.setText(told(problem))
             self.problem.show()
         else:
             self.accept()

@@ -67,4 +67,5 @@ class StudyProcess(QObject):
         self.leave()
         said = [line for line in lines if line.startswith(_PREFIX)]
         told = said[-1].removeprefix(_PREFIX) if said else "".join(lines[-1:])
-        self.ended.emit(told or f"exit status {status}" if status else "")
+        exited = self.tr("The session has ended with status {0}").format(status)
+        self.ended.emit((told or exited) if status else "")

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.bridge.engine_words import told, translated
 from app.player.health import device_name, stop_reason
 from app.widgets.buttons import text_button
 from app.widgets.numbers import local
@@ -121,7 +122,7 @@ class DevicePage(QDialog):
         try:
             self._player = ForcePlayer(self._clock, self._device, self._track)
         except HapticPlayerError as problem:
-            self._show_end(str(problem))
+            self._show_end(told(problem))
             return
         self.start_button.setEnabled(False)
         self.stop_button.setEnabled(True)
@@ -203,7 +204,8 @@ class DevicePage(QDialog):
             return stop_reason(player.cause)
         if player.media_s >= player.end_s:
             return self.tr("These were all the forces that you can meet.")
-        return player.process.problem or self.tr("The haptics process has ended.")
+        said = translated(player.process.problem)
+        return said or self.tr("The haptics process has ended.")
 
     def _end(self, text: str) -> None:
         self._timer.stop()

@@ -6,6 +6,7 @@ from pathlib import Path
 from PySide6.QtCore import QCoreApplication, Qt
 from PySide6.QtWidgets import QDialog, QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
+from app.bridge.engine_words import told
 from app.player import setup_texts
 from app.player.files import file_dialog
 from app.widgets.buttons import text_button
@@ -57,7 +58,7 @@ def offer_firmware(
                 lambda: install(accept_unknown=True),
             )
         except HapticPlayerError as problem:
-            failed(str(problem))
+            failed(told(problem))
         else:
             kept()
 

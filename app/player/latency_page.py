@@ -17,6 +17,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.bridge.engine_words import told, translated
 from app.bridge.jobs import Jobs, Progress
 from app.bridge.latencies import (
     DEVICE,
@@ -217,7 +218,7 @@ class LatencyPage(QDialog):
             self.told.setText(stop_reason(cause))
         elif problem := player.problem or player.link.problem:
             self.stop()
-            self.told.setText(problem)
+            self.told.setText(translated(problem))
 
     @staticmethod
     def _make_beats(progress: Progress) -> Source:
@@ -290,7 +291,7 @@ class LatencyPage(QDialog):
 
     def _on_problem(self, problem: BaseException) -> None:
         self.start_button.setEnabled(True)
-        self.told.setText(str(problem))
+        self.told.setText(told(problem))
 
     def _end(self) -> None:
         self.stop()

@@ -4,6 +4,7 @@ from typing import NamedTuple
 
 from PySide6.QtCore import QCoreApplication
 
+from app.bridge.engine_words import told
 from app.player.homing_picture import leg_names
 from hapticplayer.devices.falcon.firmware import FirmwareMissingError
 from hapticplayer.devices.falcon.homing import Advice
@@ -45,7 +46,7 @@ def trouble(problem: BaseException) -> Trouble:
         if isinstance(problem, kind):
             return say()
     title = translate("SetupTexts", "The Falcon cannot be used")
-    return Trouble(title, str(problem))
+    return Trouble(title, told(problem))
 
 
 def _gone() -> Trouble:

@@ -1,9 +1,10 @@
 """The place where the window says what went wrong."""
 
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QAccessible, QAccessibleEvent
+from PySide6.QtGui import QAccessible, QAccessibleEvent, QGuiApplication
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QSizePolicy
 
+from app.bridge.engine_words import in_english
 from app.widgets import theme
 from app.widgets.buttons import text_button
 
@@ -29,10 +30,15 @@ class MessageBar(QFrame):
         self._text.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self._close = text_button(self.tr("Close"), self.tr("Hide this message"))
         self._close.clicked.connect(self.hide)
+        self.copy = text_button(
+            self.tr("Copy"), self.tr("Copy it, in English too, to report")
+        )
+        self.copy.clicked.connect(self._copy)
         row = QHBoxLayout(self)
         row.setContentsMargins(12, 6, 8, 6)
         row.addWidget(self._sign, 0)
         row.addWidget(self._text, 1)
+        row.addWidget(self.copy, 0)
         row.addWidget(self._close, 0)
         self.hide()
 
@@ -48,6 +54,11 @@ class MessageBar(QFrame):
         self.setAccessibleName(text)
         self.show()
         QAccessible.updateAccessibility(QAccessibleEvent(self, QAccessible.Event.Alert))
+
+    def _copy(self) -> None:
+        text = self.text()
+        said = in_english(text)
+        QGuiApplication.clipboard().setText(text if said == text else f"{text}\n{said}")
 
 
 def breakable(text: str) -> str:

@@ -203,6 +203,10 @@
         <translation>Bericht wird geschrieben</translation>
     </message>
     <message>
+        <source>The report is in English, to be published as it is.</source>
+        <translation>Der Bericht ist auf Englisch, damit er so veröffentlicht werden kann.</translation>
+    </message>
+    <message>
         <source>Saved in {0}</source>
         <translation>Gespeichert in {0}</translation>
     </message>
@@ -1654,6 +1658,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <source>Hide this message</source>
         <translation>Diese Meldung ausblenden</translation>
     </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Copy it, in English too, to report</source>
+        <translation>Zum Melden kopieren, auch auf Englisch</translation>
+    </message>
 </context>
 <context>
     <name>Mirror</name>
@@ -2811,6 +2823,13 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     </message>
 </context>
 <context>
+    <name>StudyProcess</name>
+    <message>
+        <source>The session has ended with status {0}</source>
+        <translation>Die Sitzung endete mit dem Status {0}</translation>
+    </message>
+</context>
+<context>
     <name>SyncPage</name>
     <message>
         <source> s</source>
@@ -3172,6 +3191,2821 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     <message>
         <source>Take the answers from a file</source>
         <translation>Die Antworten aus einer Datei nehmen</translation>
+    </message>
+</context>
+<context>
+    <name>engine</name>
+    <message>
+        <source>1 g = {0} and 2000 deg/s</source>
+        <translation>1 g = {0} und 2000 °/s</translation>
+    </message>
+    <message>
+        <source>1 line is damaged and left out (first: line {0})</source>
+        <translation>1 Zeile ist beschädigt und wurde weggelassen (die erste: Zeile {0})</translation>
+    </message>
+    <message>
+        <source>Broken pipe</source>
+        <translation>die Verbindung ist abgebrochen</translation>
+    </message>
+    <message>
+        <source>CSV log</source>
+        <translation>CSV-Protokoll</translation>
+    </message>
+    <message>
+        <source>CSV with chosen columns</source>
+        <translation>CSV mit gewählten Spalten</translation>
+    </message>
+    <message>
+        <source>Cannot allocate memory</source>
+        <translation>der Arbeitsspeicher reicht nicht</translation>
+    </message>
+    <message>
+        <source>Connection timed out</source>
+        <translation>es kam keine Antwort in der Zeit</translation>
+    </message>
+    <message>
+        <source>Device or resource busy</source>
+        <translation>das Gerät ist belegt</translation>
+    </message>
+    <message>
+        <source>Disk quota exceeded</source>
+        <translation>das Kontingent der Platte ist erschöpft</translation>
+    </message>
+    <message>
+        <source>File exists</source>
+        <translation>die Datei existiert schon</translation>
+    </message>
+    <message>
+        <source>File name too long</source>
+        <translation>der Dateiname ist zu lang</translation>
+    </message>
+    <message>
+        <source>File too large</source>
+        <translation>die Datei ist zu groß</translation>
+    </message>
+    <message>
+        <source>GPMF track</source>
+        <translation>GPMF-Spur</translation>
+    </message>
+    <message>
+        <source>Gyroflow gcsv</source>
+        <translation>Gyroflow-gcsv</translation>
+    </message>
+    <message>
+        <source>Input/output error</source>
+        <translation>Fehler beim Lesen oder Schreiben</translation>
+    </message>
+    <message>
+        <source>Invalid argument</source>
+        <translation>ungültige Angabe</translation>
+    </message>
+    <message>
+        <source>Is a directory</source>
+        <translation>es ist ein Ordner</translation>
+    </message>
+    <message>
+        <source>LSL streams cannot be kept on this machine ({0})</source>
+        <translation>LSL-Ströme können auf diesem Rechner nicht gehalten werden ({0})</translation>
+    </message>
+    <message>
+        <source>LSL streams cannot be opened ({0})</source>
+        <translation>LSL-Ströme können nicht geöffnet werden ({0})</translation>
+    </message>
+    <message>
+        <source>LSL streams need pylsl 1.18 or newer with its library</source>
+        <translation>LSL-Ströme brauchen pylsl 1.18 oder neuer mit seiner Bibliothek</translation>
+    </message>
+    <message>
+        <source>MARS logger</source>
+        <translation>MARS logger</translation>
+    </message>
+    <message>
+        <source>No space left on device</source>
+        <translation>kein Platz mehr auf der Platte</translation>
+    </message>
+    <message>
+        <source>No such device</source>
+        <translation>kein solches Gerät</translation>
+    </message>
+    <message>
+        <source>No such file or directory</source>
+        <translation>Datei oder Ordner gibt es nicht</translation>
+    </message>
+    <message>
+        <source>Not a directory</source>
+        <translation>es ist kein Ordner</translation>
+    </message>
+    <message>
+        <source>Operation not permitted</source>
+        <translation>nicht erlaubt</translation>
+    </message>
+    <message>
+        <source>Permission denied</source>
+        <translation>keine Berechtigung</translation>
+    </message>
+    <message>
+        <source>Razor, raw output</source>
+        <translation>Razor, Rohausgabe</translation>
+    </message>
+    <message>
+        <source>Read-only file system</source>
+        <translation>die Platte ist schreibgeschützt</translation>
+    </message>
+    <message>
+        <source>Sensor Logger ({0})</source>
+        <translation>Sensor Logger ({0})</translation>
+    </message>
+    <message>
+        <source>The compass is left out: the file does not say which axes it has.</source>
+        <translation>Der Kompass wird weggelassen: Die Datei sagt nicht, welche Achsen er hat.</translation>
+    </message>
+    <message>
+        <source>The compass is left out: {0}.</source>
+        <translation>Der Kompass wird weggelassen: {0}.</translation>
+    </message>
+    <message>
+        <source>The file does not say how the sensor sits in {0}: the axes of a HERO5 are assumed.</source>
+        <translation>Die Datei sagt nicht, wie der Sensor in {0} sitzt: Es werden die Achsen einer HERO5 angenommen.</translation>
+    </message>
+    <message>
+        <source>The log has {0}, the longest of {1} s at {2} s.</source>
+        <translation>Das Protokoll hat {0}, die längste von {1} s bei {2} s.</translation>
+    </message>
+    <message>
+        <source>This camera does not stamp its samples: they may lie 10 to 30 ms off the picture.</source>
+        <translation>Diese Kamera stempelt ihre Werte nicht: Sie können 10 bis 30 ms neben dem Bild liegen.</translation>
+    </message>
+    <message>
+        <source>Too many levels of symbolic links</source>
+        <translation>zu viele symbolische Verknüpfungen</translation>
+    </message>
+    <message>
+        <source>Too many open files</source>
+        <translation>zu viele offene Dateien</translation>
+    </message>
+    <message>
+        <source>Ultimate IMU, stock firmware</source>
+        <translation>Ultimate IMU, Firmware des Herstellers</translation>
+    </message>
+    <message>
+        <source>`study status` lists them</source>
+        <translation>`study status` zählt sie auf</translation>
+    </message>
+    <message>
+        <source>a GoPro&apos;s telemetry is read without it, and is damaged</source>
+        <translation>die Telemetrie einer GoPro wird ohne ihn gelesen, und sie ist beschädigt</translation>
+    </message>
+    <message>
+        <source>a Williams design has every pair of neighbours, also those of one sequence</source>
+        <translation>ein Williams-Plan enthält jedes Paar von Nachbarn, auch die einer selben Sequenz</translation>
+    </message>
+    <message>
+        <source>a block of {0} words at {1} fits nowhere</source>
+        <translation>ein Block von {0} Wörtern bei {1} passt nirgends hin</translation>
+    </message>
+    <message>
+        <source>a clip cannot be copied onto itself</source>
+        <translation>ein Clip kann nicht auf sich selbst kopiert werden</translation>
+    </message>
+    <message>
+        <source>a code has {0} letters, as `study status` lists them</source>
+        <translation>ein Code hat {0} Buchstaben, wie `study status` sie aufzählt</translation>
+    </message>
+    <message>
+        <source>a condition was rated twice although it was sound the first time</source>
+        <translation>eine Bedingung wurde zweimal bewertet, obwohl sie beim ersten Mal einwandfrei war</translation>
+    </message>
+    <message>
+        <source>a cutoff of {0} Hz is not below half the rate of the samples, {1} Hz</source>
+        <translation>eine Grenzfrequenz von {0} Hz liegt nicht unter der halben Rate der Werte, {1} Hz</translation>
+    </message>
+    <message>
+        <source>a force that is no number was asked for, a defect of this program; please report it, and choose the device again</source>
+        <translation>es wurde eine Kraft verlangt, die keine Zahl ist, ein Fehler dieses Programms; bitte melden Sie ihn und wählen Sie das Gerät noch einmal</translation>
+    </message>
+    <message>
+        <source>a force track needs at least one row</source>
+        <translation>eine Kraftspur braucht mindestens eine Zeile</translation>
+    </message>
+    <message>
+        <source>a gain span holds a number that is not finite: {0}</source>
+        <translation>ein Abschnitt der Verstärkung enthält eine Zahl, die nicht endlich ist: {0}</translation>
+    </message>
+    <message>
+        <source>a latency of {0} s is not between 0 and 1 s</source>
+        <translation>eine Latenz von {0} s liegt nicht zwischen 0 und 1 s</translation>
+    </message>
+    <message>
+        <source>a list</source>
+        <translation>eine Liste</translation>
+    </message>
+    <message>
+        <source>a low-pass of order {0} is not possible</source>
+        <translation>ein Tiefpass der Ordnung {0} ist nicht möglich</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>eine Zahl</translation>
+    </message>
+    <message>
+        <source>a picture has the shape {0}, expected {1} of uint8</source>
+        <translation>ein Bild hat die Form {0}, erwartet wird {1} aus uint8</translation>
+    </message>
+    <message>
+        <source>a rating names the {0} {1}, which there is not</source>
+        <translation>eine Bewertung nennt: {0} {1}, was es nicht gibt</translation>
+    </message>
+    <message>
+        <source>a rating of {0} is outside {1} to {2}</source>
+        <translation>eine Bewertung von {0} liegt außerhalb von {1} bis {2}</translation>
+    </message>
+    <message>
+        <source>a sound of {0} Hz is too coarse; give 8000 or more</source>
+        <translation>ein Ton mit {0} Hz ist zu grob; geben Sie 8000 oder mehr an</translation>
+    </message>
+    <message>
+        <source>a span without a fade makes the force jump</source>
+        <translation>ein Abschnitt ohne Überblendung lässt die Kraft springen</translation>
+    </message>
+    <message>
+        <source>a step is skipped only with a reason</source>
+        <translation>ein Schritt wird nur mit einem Grund übersprungen</translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation>ein Text</translation>
+    </message>
+    <message>
+        <source>a time constant can only be set for the method smoother, not for {0}</source>
+        <translation>eine Zeitkonstante gibt es nur für das Verfahren smoother, nicht für {0}</translation>
+    </message>
+    <message>
+        <source>a title has 1 to {0} characters</source>
+        <translation>ein Titel hat 1 bis {0} Zeichen</translation>
+    </message>
+    <message>
+        <source>a {0} has half a character in its name</source>
+        <translation>im Namen steht ein halbes Zeichen: {0}</translation>
+    </message>
+    <message>
+        <source>a {0} is named twice ({1})</source>
+        <translation>zweimal genannt: {0} ({1})</translation>
+    </message>
+    <message>
+        <source>about {0} samples were never recorded; the longest gap is {1} s; nothing was put in their place</source>
+        <translation>etwa {0} Werte wurden nie aufgezeichnet; die längste Lücke ist {1} s; an ihre Stelle wurde nichts gesetzt</translation>
+    </message>
+    <message>
+        <source>accel</source>
+        <translation>accel</translation>
+    </message>
+    <message>
+        <source>add a question to {0}</source>
+        <translation>fügen Sie eine Frage zu {0} hinzu</translation>
+    </message>
+    <message>
+        <source>add it</source>
+        <translation>fügen Sie ihn hinzu</translation>
+    </message>
+    <message>
+        <source>add orders.csv</source>
+        <translation>fügen Sie orders.csv hinzu</translation>
+    </message>
+    <message>
+        <source>after record {0}</source>
+        <translation>nach Eintrag {0}</translation>
+    </message>
+    <message>
+        <source>all lines from {0} on carry the same time</source>
+        <translation>alle Zeilen ab {0} tragen dieselbe Zeit</translation>
+    </message>
+    <message>
+        <source>all rows from {0} on carry the same time</source>
+        <translation>alle Zeilen ab {0} tragen dieselbe Zeit</translation>
+    </message>
+    <message>
+        <source>all samples are the same, so the sensor was stuck</source>
+        <translation>alle Werte sind gleich, der Sensor hing also fest</translation>
+    </message>
+    <message>
+        <source>all samples are the same: was the sensor stuck?</source>
+        <translation>alle Werte sind gleich: Hing der Sensor fest?</translation>
+    </message>
+    <message>
+        <source>already exists</source>
+        <translation>existiert schon</translation>
+    </message>
+    <message>
+        <source>an entry is missing or of the wrong kind ({0})</source>
+        <translation>ein Eintrag fehlt oder ist von der falschen Art ({0})</translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation>ein Objekt</translation>
+    </message>
+    <message>
+        <source>an unknown logger</source>
+        <translation>ein unbekannter Logger</translation>
+    </message>
+    <message>
+        <source>angular rate in {0}</source>
+        <translation>Drehrate in {0}</translation>
+    </message>
+    <message>
+        <source>as stored, orientation {0}</source>
+        <translation>wie gespeichert, Ausrichtung {0}</translation>
+    </message>
+    <message>
+        <source>as telemetry-parser gives them</source>
+        <translation>wie telemetry-parser sie liefert</translation>
+    </message>
+    <message>
+        <source>asks about feedbacks before any was felt</source>
+        <translation>fragt nach Feedbacks, bevor eines gefühlt wurde</translation>
+    </message>
+    <message>
+        <source>asks nothing after a clip</source>
+        <translation>fragt nichts nach einem Clip</translation>
+    </message>
+    <message>
+        <source>at the beginning</source>
+        <translation>am Anfang</translation>
+    </message>
+    <message>
+        <source>averaged from {0} to {1} Hz</source>
+        <translation>gemittelt von {0} auf {1} Hz</translation>
+    </message>
+    <message>
+        <source>axes=RIGHT,FRONT,UP in its axes, such as axes=x,-z,y</source>
+        <translation>axes=RECHTS,VORN,OBEN in ihren Achsen, etwa axes=x,-z,y</translation>
+    </message>
+    <message>
+        <source>axes={0} are not three axes; give right, front and up in the axes of the log, for example axes=x,-z,y</source>
+        <translation>axes={0} sind keine drei Achsen; geben Sie rechts, vorn und oben in den Achsen des Protokolls an, etwa axes=x,-z,y</translation>
+    </message>
+    <message>
+        <source>axes={0} mirror the log; turn one sign round, for right, front and up have to follow the right hand</source>
+        <translation>axes={0} spiegeln das Protokoll; drehen Sie ein Vorzeichen um, denn rechts, vorn und oben müssen der rechten Hand folgen</translation>
+    </message>
+    <message>
+        <source>axes={0} or what else was right, front, up</source>
+        <translation>axes={0} oder was sonst rechts, vorn, oben war</translation>
+    </message>
+    <message>
+        <source>begin a new one</source>
+        <translation>beginnen Sie eine neue</translation>
+    </message>
+    <message>
+        <source>begin the file with {0}</source>
+        <translation>beginnen Sie die Datei mit {0}</translation>
+    </message>
+    <message>
+        <source>begins without a header</source>
+        <translation>beginnt ohne Kopf</translation>
+    </message>
+    <message>
+        <source>belongs to the clip {0}, not to {1}</source>
+        <translation>gehört zum Clip {0}, nicht zu {1}</translation>
+    </message>
+    <message>
+        <source>bring the old one back, or stop this session</source>
+        <translation>bringen Sie die alte zurück, oder beenden Sie diese Sitzung</translation>
+    </message>
+    <message>
+        <source>bring the streams to common times by interpolation first</source>
+        <translation>bringen Sie die Ströme zuerst durch Interpolation auf gemeinsame Zeiten</translation>
+    </message>
+    <message>
+        <source>byte {0}</source>
+        <translation>Byte {0}</translation>
+    </message>
+    <message>
+        <source>bytes {0} to {1} (line {2}, {3}) are damaged</source>
+        <translation>die Bytes {0} bis {1} (Zeile {2}, {3}) sind beschädigt</translation>
+    </message>
+    <message>
+        <source>call the experimenter</source>
+        <translation>rufen Sie die Versuchsleitung</translation>
+    </message>
+    <message>
+        <source>cancelled; nothing was written</source>
+        <translation>abgebrochen; nichts wurde geschrieben</translation>
+    </message>
+    <message>
+        <source>cannot be copied ({0})</source>
+        <translation>kann nicht kopiert werden ({0})</translation>
+    </message>
+    <message>
+        <source>cannot be decoded ({0})</source>
+        <translation>kann nicht dekodiert werden ({0})</translation>
+    </message>
+    <message>
+        <source>cannot be listed ({0})</source>
+        <translation>kann nicht aufgelistet werden ({0})</translation>
+    </message>
+    <message>
+        <source>cannot be positioned</source>
+        <translation>kann nicht positioniert werden</translation>
+    </message>
+    <message>
+        <source>cannot be reached ({0})</source>
+        <translation>kann nicht erreicht werden ({0})</translation>
+    </message>
+    <message>
+        <source>cannot be read ({0})</source>
+        <translation>kann nicht gelesen werden ({0})</translation>
+    </message>
+    <message>
+        <source>cannot be started ({0})</source>
+        <translation>kann nicht gestartet werden ({0})</translation>
+    </message>
+    <message>
+        <source>cannot be written</source>
+        <translation>kann nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>cannot be written ({0})</source>
+        <translation>kann nicht geschrieben werden ({0})</translation>
+    </message>
+    <message>
+        <source>carry the time of their packet and were spread evenly</source>
+        <translation>tragen die Zeit ihres Pakets und wurden gleichmäßig verteilt</translation>
+    </message>
+    <message>
+        <source>change the rights of the file</source>
+        <translation>ändern Sie die Rechte der Datei</translation>
+    </message>
+    <message>
+        <source>check the name and the folder</source>
+        <translation>prüfen Sie Namen und Ordner</translation>
+    </message>
+    <message>
+        <source>check the name and the rights of its folder</source>
+        <translation>prüfen Sie den Namen und die Rechte des Ordners</translation>
+    </message>
+    <message>
+        <source>check the rights of the folder</source>
+        <translation>prüfen Sie die Rechte des Ordners</translation>
+    </message>
+    <message>
+        <source>choose a clip with sound</source>
+        <translation>wählen Sie einen Clip mit Ton</translation>
+    </message>
+    <message>
+        <source>choose a file</source>
+        <translation>wählen Sie eine Datei</translation>
+    </message>
+    <message>
+        <source>choose a file that was exported by it</source>
+        <translation>wählen Sie eine Datei, die es exportiert hat</translation>
+    </message>
+    <message>
+        <source>choose a folder that you may write to</source>
+        <translation>wählen Sie einen Ordner, in den Sie schreiben dürfen</translation>
+    </message>
+    <message>
+        <source>choose a log that `play --log` wrote</source>
+        <translation>wählen Sie ein Protokoll, das `play --log` geschrieben hat</translation>
+    </message>
+    <message>
+        <source>choose another file</source>
+        <translation>wählen Sie eine andere Datei</translation>
+    </message>
+    <message>
+        <source>choose another folder</source>
+        <translation>wählen Sie einen anderen Ordner</translation>
+    </message>
+    <message>
+        <source>choose another log</source>
+        <translation>wählen Sie ein anderes Protokoll</translation>
+    </message>
+    <message>
+        <source>choose another name</source>
+        <translation>wählen Sie einen anderen Namen</translation>
+    </message>
+    <message>
+        <source>choose another place</source>
+        <translation>wählen Sie einen anderen Ort</translation>
+    </message>
+    <message>
+        <source>choose another {0}</source>
+        <translation>wählen Sie etwas anderes ({0})</translation>
+    </message>
+    <message>
+        <source>choose one of {0}</source>
+        <translation>wählen Sie eines von {0}</translation>
+    </message>
+    <message>
+        <source>clipped peaks: {0}</source>
+        <translation>abgeschnittene Spitzen: {0}</translation>
+    </message>
+    <message>
+        <source>close it there first</source>
+        <translation>schließen Sie es zuerst dort</translation>
+    </message>
+    <message>
+        <source>closed</source>
+        <translation>geschlossen</translation>
+    </message>
+    <message>
+        <source>columns=time,ax,ay,az,gx,gy,gz (- for what is not wanted)</source>
+        <translation>columns=time,ax,ay,az,gx,gy,gz (- für das, was nicht gebraucht wird)</translation>
+    </message>
+    <message>
+        <source>complete</source>
+        <translation>vollständig</translation>
+    </message>
+    <message>
+        <source>convert it to a smaller size</source>
+        <translation>wandeln Sie es in eine kleinere Größe um</translation>
+    </message>
+    <message>
+        <source>convert its sound to stereo at 48 kHz</source>
+        <translation>wandeln Sie den Ton in Stereo mit 48 kHz um</translation>
+    </message>
+    <message>
+        <source>copy it again</source>
+        <translation>kopieren Sie es noch einmal</translation>
+    </message>
+    <message>
+        <source>copy it again from the camera, or choose another file</source>
+        <translation>kopieren Sie es noch einmal von der Kamera, oder wählen Sie eine andere Datei</translation>
+    </message>
+    <message>
+        <source>copy it again from the recorder</source>
+        <translation>kopieren Sie es noch einmal vom Recorder</translation>
+    </message>
+    <message>
+        <source>copy it again, convert it to MP4 (H.264 and AAC), or choose another file</source>
+        <translation>kopieren Sie es noch einmal, wandeln Sie es in MP4 (H.264 und AAC) um, oder wählen Sie eine andere Datei</translation>
+    </message>
+    <message>
+        <source>copy the recording again from the camera</source>
+        <translation>kopieren Sie die Aufnahme noch einmal von der Kamera</translation>
+    </message>
+    <message>
+        <source>copy the sequence again or import it again</source>
+        <translation>kopieren oder importieren Sie die Sequenz noch einmal</translation>
+    </message>
+    <message>
+        <source>copy the session again</source>
+        <translation>kopieren Sie die Sitzung noch einmal</translation>
+    </message>
+    <message>
+        <source>correct it</source>
+        <translation>berichtigen Sie es</translation>
+    </message>
+    <message>
+        <source>correct that line</source>
+        <translation>berichtigen Sie diese Zeile</translation>
+    </message>
+    <message>
+        <source>could be {0}</source>
+        <translation>könnte {0} sein</translation>
+    </message>
+    <message>
+        <source>counts of {0}</source>
+        <translation>Zählwerten von {0}</translation>
+    </message>
+    <message>
+        <source>cut it into parts</source>
+        <translation>teilen Sie sie in Stücke</translation>
+    </message>
+    <message>
+        <source>cut the log into parts</source>
+        <translation>teilen Sie das Protokoll in Stücke</translation>
+    </message>
+    <message>
+        <source>cut the recording there and give the parts one by one</source>
+        <translation>schneiden Sie die Aufnahme dort, und geben Sie die Stücke einzeln an</translation>
+    </message>
+    <message>
+        <source>describes no sequence</source>
+        <translation>beschreibt keine Sequenz</translation>
+    </message>
+    <message>
+        <source>describes no study</source>
+        <translation>beschreibt keine Studie</translation>
+    </message>
+    <message>
+        <source>device {0}: this version has no driver for it; use {1}</source>
+        <translation>Gerät {0}: Diese Version hat keinen Treiber dafür; nehmen Sie {1}</translation>
+    </message>
+    <message>
+        <source>does not say whether it comes from iOS or Android, whose accelerations have opposite signs</source>
+        <translation>sagt nicht, ob es von iOS oder Android kommt, deren Beschleunigungen entgegengesetzte Vorzeichen haben</translation>
+    </message>
+    <message>
+        <source>drop one video and at most one log; import further ones after it</source>
+        <translation>legen Sie ein Video und höchstens ein Protokoll ab; importieren Sie weitere danach</translation>
+    </message>
+    <message>
+        <source>drop the constraint</source>
+        <translation>lassen Sie die Einschränkung weg</translation>
+    </message>
+    <message>
+        <source>drop the constraint or add sequences</source>
+        <translation>lassen Sie die Einschränkung weg, oder fügen Sie Sequenzen hinzu</translation>
+    </message>
+    <message>
+        <source>drop the constraint or choose random or latin-square</source>
+        <translation>lassen Sie die Einschränkung weg, oder wählen Sie random oder latin-square</translation>
+    </message>
+    <message>
+        <source>ended</source>
+        <translation>beendet</translation>
+    </message>
+    <message>
+        <source>enter it under sequences, or with `study new --sequence KEY=FOLDER`</source>
+        <translation>tragen Sie ihn unter sequences ein, oder mit `study new --sequence KEY=FOLDER`</translation>
+    </message>
+    <message>
+        <source>every sequence has the track {0}; it stays</source>
+        <translation>jede Sequenz hat die Spur {0}; sie bleibt</translation>
+    </message>
+    <message>
+        <source>export the acceleration with gravity, and the gyroscope</source>
+        <translation>exportieren Sie die Beschleunigung mit Schwerkraft, und das Gyroskop</translation>
+    </message>
+    <message>
+        <source>export the log again</source>
+        <translation>exportieren Sie das Protokoll noch einmal</translation>
+    </message>
+    <message>
+        <source>export the log again or choose another one</source>
+        <translation>exportieren Sie das Protokoll noch einmal, oder wählen Sie ein anderes</translation>
+    </message>
+    <message>
+        <source>export the log as comma-separated text</source>
+        <translation>exportieren Sie das Protokoll als Text, durch Kommas getrennt</translation>
+    </message>
+    <message>
+        <source>export the recording again</source>
+        <translation>exportieren Sie die Aufnahme noch einmal</translation>
+    </message>
+    <message>
+        <source>export the recording as CSV</source>
+        <translation>exportieren Sie die Aufnahme als CSV</translation>
+    </message>
+    <message>
+        <source>export the times as numbers, in s, ms, us or ns</source>
+        <translation>exportieren Sie die Zeiten als Zahlen, in s, ms, us oder ns</translation>
+    </message>
+    <message>
+        <source>factor</source>
+        <translation>Faktor</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>fehlgeschlagen</translation>
+    </message>
+    <message>
+        <source>faults are only for simulated devices that were chosen with them</source>
+        <translation>Fehler gibt es nur für simulierte Geräte, die mit ihnen gewählt wurden</translation>
+    </message>
+    <message>
+        <source>faults are refused: this loop is not for them</source>
+        <translation>Fehler werden abgelehnt: Diese Schleife ist nicht dafür da</translation>
+    </message>
+    <message>
+        <source>feedback</source>
+        <translation>Feedback</translation>
+    </message>
+    <message>
+        <source>file</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>finite number</source>
+        <translation>endliche Zahl</translation>
+    </message>
+    <message>
+        <source>firm</source>
+        <translation>feste</translation>
+    </message>
+    <message>
+        <source>folder</source>
+        <translation>Ordner</translation>
+    </message>
+    <message>
+        <source>force track refused: {0}</source>
+        <translation>Kraftspur abgelehnt: {0}</translation>
+    </message>
+    <message>
+        <source>force-sign is + or -</source>
+        <translation>force-sign ist + oder -</translation>
+    </message>
+    <message>
+        <source>force-sign=- if its accelerometer shows -1 g upwards</source>
+        <translation>force-sign=- wenn der Beschleunigungssensor nach oben -1 g zeigt</translation>
+    </message>
+    <message>
+        <source>force-unit={0} to scale it to gravity</source>
+        <translation>force-unit={0} um auf die Schwerkraft zu skalieren</translation>
+    </message>
+    <message>
+        <source>force-unit={0} to take it as it is</source>
+        <translation>force-unit={0} um es so zu nehmen, wie es ist</translation>
+    </message>
+    <message>
+        <source>format=csv and columns=time,ax,ay,az,gx,gy,gz (- for others)</source>
+        <translation>format=csv und columns=time,ax,ay,az,gx,gy,gz (- für andere)</translation>
+    </message>
+    <message>
+        <source>free some memory and disk, and try again</source>
+        <translation>machen Sie etwas Arbeitsspeicher und Plattenplatz frei, und versuchen Sie es noch einmal</translation>
+    </message>
+    <message>
+        <source>free some space or choose another folder</source>
+        <translation>machen Sie Platz frei, oder wählen Sie einen anderen Ordner</translation>
+    </message>
+    <message>
+        <source>free some space or copy the sequence to a folder of yours</source>
+        <translation>machen Sie Platz frei, oder kopieren Sie die Sequenz in einen eigenen Ordner</translation>
+    </message>
+    <message>
+        <source>free some space, or choose a folder that you may write to</source>
+        <translation>machen Sie Platz frei, oder wählen Sie einen Ordner, in den Sie schreiben dürfen</translation>
+    </message>
+    <message>
+        <source>from {0} to {1} Hz</source>
+        <translation>von {0} bis {1} Hz</translation>
+    </message>
+    <message>
+        <source>gcsv of {0}</source>
+        <translation>gcsv von {0}</translation>
+    </message>
+    <message>
+        <source>give --offset S, the media time at which the log&apos;s clock reads 0</source>
+        <translation>geben Sie --offset S an, die Medienzeit, zu der die Uhr des Protokolls 0 zeigt</translation>
+    </message>
+    <message>
+        <source>give 0 or more; directions are set by the mapping</source>
+        <translation>geben Sie 0 oder mehr an; Richtungen bestimmt die Abbildung</translation>
+    </message>
+    <message>
+        <source>give a frequency in Hz</source>
+        <translation>geben Sie eine Frequenz in Hz an</translation>
+    </message>
+    <message>
+        <source>give a higher rate or a longer recording</source>
+        <translation>geben Sie eine höhere Rate oder eine längere Aufnahme an</translation>
+    </message>
+    <message>
+        <source>give a lower cutoff, or leave the low-pass out</source>
+        <translation>geben Sie eine niedrigere Grenzfrequenz an, oder lassen Sie den Tiefpass weg</translation>
+    </message>
+    <message>
+        <source>give a lower rate; samples can be merged, not made up</source>
+        <translation>geben Sie eine niedrigere Rate an; Werte lassen sich zusammenfassen, nicht erfinden</translation>
+    </message>
+    <message>
+        <source>give a rate in Hz, such as 30</source>
+        <translation>geben Sie eine Rate in Hz an, etwa 30</translation>
+    </message>
+    <message>
+        <source>give a recording of a sensor that worked</source>
+        <translation>geben Sie eine Aufnahme von einem Sensor an, der funktioniert hat</translation>
+    </message>
+    <message>
+        <source>give a recording of at least a few seconds</source>
+        <translation>geben Sie eine Aufnahme von mindestens einigen Sekunden an</translation>
+    </message>
+    <message>
+        <source>give a recording with at least two samples</source>
+        <translation>geben Sie eine Aufnahme mit mindestens zwei Werten an</translation>
+    </message>
+    <message>
+        <source>give an order of 1 to {0}</source>
+        <translation>geben Sie eine Ordnung von 1 bis {0} an</translation>
+    </message>
+    <message>
+        <source>give another --offset</source>
+        <translation>geben Sie ein anderes --offset an</translation>
+    </message>
+    <message>
+        <source>give at least {0} samples a second</source>
+        <translation>geben Sie mindestens {0} Werte je Sekunde an</translation>
+    </message>
+    <message>
+        <source>give fades above zero, such as {0} s</source>
+        <translation>geben Sie Überblendungen über null an, etwa {0} s</translation>
+    </message>
+    <message>
+        <source>give shorter fades or a longer span</source>
+        <translation>geben Sie kürzere Überblendungen oder einen längeren Abschnitt an</translation>
+    </message>
+    <message>
+        <source>give the angular rate in rad/s</source>
+        <translation>geben Sie die Drehrate in rad/s an</translation>
+    </message>
+    <message>
+        <source>give the files the names they were recorded with</source>
+        <translation>geben Sie den Dateien die Namen, mit denen sie aufgenommen wurden</translation>
+    </message>
+    <message>
+        <source>give the folder of a sequence</source>
+        <translation>geben Sie den Ordner einer Sequenz an</translation>
+    </message>
+    <message>
+        <source>give the folder of a sequence, or a video</source>
+        <translation>geben Sie den Ordner einer Sequenz oder ein Video an</translation>
+    </message>
+    <message>
+        <source>give the folder of a sequence, or nothing</source>
+        <translation>geben Sie den Ordner einer Sequenz an, oder nichts</translation>
+    </message>
+    <message>
+        <source>give the folder of a study</source>
+        <translation>geben Sie den Ordner einer Studie an</translation>
+    </message>
+    <message>
+        <source>give the folder of one recording</source>
+        <translation>geben Sie den Ordner einer einzigen Aufnahme an</translation>
+    </message>
+    <message>
+        <source>give the folder of the sequence</source>
+        <translation>geben Sie den Ordner der Sequenz an</translation>
+    </message>
+    <message>
+        <source>give the folder or the zip that the logger has written, or a sequence</source>
+        <translation>geben Sie den Ordner oder das Zip an, das der Logger geschrieben hat, oder eine Sequenz</translation>
+    </message>
+    <message>
+        <source>give the folder with the files of all sensors</source>
+        <translation>geben Sie den Ordner mit den Dateien aller Sensoren an</translation>
+    </message>
+    <message>
+        <source>give the forces in newton</source>
+        <translation>geben Sie die Kräfte in Newton an</translation>
+    </message>
+    <message>
+        <source>give the log with --imu LOG --offset S</source>
+        <translation>geben Sie das Protokoll mit --imu LOG --offset S an</translation>
+    </message>
+    <message>
+        <source>give the log with --imu LOG --offset S, and {0} where it is asked</source>
+        <translation>geben Sie das Protokoll mit --imu LOG --offset S an, und {0}, wo danach gefragt wird</translation>
+    </message>
+    <message>
+        <source>give the samples per second</source>
+        <translation>geben Sie die Werte je Sekunde an</translation>
+    </message>
+    <message>
+        <source>give the specific force in m/s2, about 9.8 at rest</source>
+        <translation>geben Sie die spezifische Kraft in m/s2 an, etwa 9.8 in Ruhe</translation>
+    </message>
+    <message>
+        <source>give the specific force in m/s^2, about 9.8 at rest</source>
+        <translation>geben Sie die spezifische Kraft in m/s^2 an, etwa 9.8 in Ruhe</translation>
+    </message>
+    <message>
+        <source>give the time of each sample in seconds</source>
+        <translation>geben Sie die Zeit jedes Werts in Sekunden an</translation>
+    </message>
+    <message>
+        <source>give the whole folder or zip, recorded with the gyroscope</source>
+        <translation>geben Sie den ganzen Ordner oder das Zip an, aufgenommen mit dem Gyroskop</translation>
+    </message>
+    <message>
+        <source>give the whole zip, recorded with accelerometer and gyroscope</source>
+        <translation>geben Sie das ganze Zip an, aufgenommen mit Beschleunigungssensor und Gyroskop</translation>
+    </message>
+    <message>
+        <source>give their times in seconds</source>
+        <translation>geben Sie ihre Zeiten in Sekunden an</translation>
+    </message>
+    <message>
+        <source>give three axes for each time</source>
+        <translation>geben Sie drei Achsen für jede Zeit an</translation>
+    </message>
+    <message>
+        <source>give times in seconds and a gain</source>
+        <translation>geben Sie Zeiten in Sekunden und eine Verstärkung an</translation>
+    </message>
+    <message>
+        <source>give times in seconds of the clip</source>
+        <translation>geben Sie Zeiten in Sekunden des Clips an</translation>
+    </message>
+    <message>
+        <source>gravity is 9.81 m/s2 and not {0}: the accelerometer is doubtful</source>
+        <translation>die Schwerkraft ist 9.81 m/s2 und nicht {0}: Der Beschleunigungssensor ist zweifelhaft</translation>
+    </message>
+    <message>
+        <source>gravity says that {0}{1} of the recorder was up, not its z</source>
+        <translation>nach der Schwerkraft war {0}{1} des Recorders oben, nicht sein z</translation>
+    </message>
+    <message>
+        <source>gravity seems to be removed already: export the acceleration with gravity</source>
+        <translation>die Schwerkraft scheint schon entfernt zu sein: Exportieren Sie die Beschleunigung mit Schwerkraft</translation>
+    </message>
+    <message>
+        <source>gravity seems to be removed already: give the acceleration with gravity</source>
+        <translation>die Schwerkraft scheint schon entfernt zu sein: Geben Sie die Beschleunigung mit Schwerkraft an</translation>
+    </message>
+    <message>
+        <source>gravity shows that {0} was up, not the axis that was chosen</source>
+        <translation>nach der Schwerkraft war {0} oben, nicht die gewählte Achse</translation>
+    </message>
+    <message>
+        <source>gravity was already removed by the recorder</source>
+        <translation>die Schwerkraft hatte der Recorder schon entfernt</translation>
+    </message>
+    <message>
+        <source>gyro</source>
+        <translation>gyro</translation>
+    </message>
+    <message>
+        <source>has a damaged header: no line t,gx,gy,gz,ax,ay,az</source>
+        <translation>hat einen beschädigten Kopf: keine Zeile t,gx,gy,gz,ax,ay,az</translation>
+    </message>
+    <message>
+        <source>has a line of more than {0} characters</source>
+        <translation>hat eine Zeile mit mehr als {0} Zeichen</translation>
+    </message>
+    <message>
+        <source>has an answer that was not offered</source>
+        <translation>hat eine Antwort, die nicht angeboten wurde</translation>
+    </message>
+    <message>
+        <source>has another number of columns</source>
+        <translation>hat eine andere Zahl von Spalten</translation>
+    </message>
+    <message>
+        <source>has changed since it was written (its checksum differs)</source>
+        <translation>hat sich geändert, seit es geschrieben wurde (die Prüfsumme ist eine andere)</translation>
+    </message>
+    <message>
+        <source>has more than {0} characters</source>
+        <translation>hat mehr als {0} Zeichen</translation>
+    </message>
+    <message>
+        <source>has more than {0} rows</source>
+        <translation>hat mehr als {0} Zeilen</translation>
+    </message>
+    <message>
+        <source>has no force ({0})</source>
+        <translation>hat keine Kraft ({0})</translation>
+    </message>
+    <message>
+        <source>has no times, and its firmware has no fixed rate</source>
+        <translation>hat keine Zeiten, und die Firmware hat keine feste Rate</translation>
+    </message>
+    <message>
+        <source>has only {0} samples per second, in which pats do not show</source>
+        <translation>hat nur {0} Werte je Sekunde, in denen sich Klopfen nicht zeigt</translation>
+    </message>
+    <message>
+        <source>has the unknown entry {0}</source>
+        <translation>hat den unbekannten Eintrag {0}</translation>
+    </message>
+    <message>
+        <source>has the unknown name {0}</source>
+        <translation>hat den unbekannten Namen {0}</translation>
+    </message>
+    <message>
+        <source>has version {0}, this program reads {1}</source>
+        <translation>hat die Version {0}, dieses Programm liest {1}</translation>
+    </message>
+    <message>
+        <source>has {0} MB, the limit is {1} MB</source>
+        <translation>hat {0} MB, die Grenze ist {1} MB</translation>
+    </message>
+    <message>
+        <source>has {0} bytes instead of {1}</source>
+        <translation>hat {0} Bytes statt {1}</translation>
+    </message>
+    <message>
+        <source>has {0} bytes, too many</source>
+        <translation>hat {0} Bytes, zu viele</translation>
+    </message>
+    <message>
+        <source>has {0} columns, and a Razor M0 does not say which they are</source>
+        <translation>hat {0} Spalten, und ein Razor M0 sagt nicht, welche es sind</translation>
+    </message>
+    <message>
+        <source>has {0} columns, the header has {1}</source>
+        <translation>hat {0} Spalten, der Kopf hat {1}</translation>
+    </message>
+    <message>
+        <source>has {0} entries; {1} to {2} go</source>
+        <translation>hat {0} Einträge; {1} bis {2} gehen</translation>
+    </message>
+    <message>
+        <source>has {0} rows of {1} numbers</source>
+        <translation>hat {0} Zeilen mit {1} Zahlen</translation>
+    </message>
+    <message>
+        <source>has {0} rows, expected {1} to {2}</source>
+        <translation>hat {0} Zeilen, erwartet werden {1} bis {2}</translation>
+    </message>
+    <message>
+        <source>has {0} telemetry payloads, too many</source>
+        <translation>hat {0} Telemetrieblöcke, zu viele</translation>
+    </message>
+    <message>
+        <source>header promises</source>
+        <translation>Kopf verspricht</translation>
+    </message>
+    <message>
+        <source>holds Euler angles and no acceleration</source>
+        <translation>enthält Eulerwinkel und keine Beschleunigung</translation>
+    </message>
+    <message>
+        <source>holds a force of {0} N, beyond any device</source>
+        <translation>enthält eine Kraft von {0} N, mehr als jedes Gerät kann</translation>
+    </message>
+    <message>
+        <source>holds acceleration from which the recorder has removed gravity, so it cannot be checked or levelled</source>
+        <translation>enthält Beschleunigung, aus der der Recorder die Schwerkraft entfernt hat, sie lässt sich also weder prüfen noch ausrichten</translation>
+    </message>
+    <message>
+        <source>holds an acceleration of {0} m/s2, beyond any sensor</source>
+        <translation>enthält eine Beschleunigung von {0} m/s2, mehr als jeder Sensor misst</translation>
+    </message>
+    <message>
+        <source>holds angles without angular rates, from which motion cannot be had</source>
+        <translation>enthält Winkel ohne Drehraten, woraus sich keine Bewegung gewinnen lässt</translation>
+    </message>
+    <message>
+        <source>holds counts of an unknown range (norm {0})</source>
+        <translation>enthält Zählwerte eines unbekannten Messbereichs (Betrag {0})</translation>
+    </message>
+    <message>
+        <source>holds more than {0} files</source>
+        <translation>enthält mehr als {0} Dateien</translation>
+    </message>
+    <message>
+        <source>holds no acceleration (only {0})</source>
+        <translation>enthält keine Beschleunigung (nur {0})</translation>
+    </message>
+    <message>
+        <source>holds no acceleration with gravity</source>
+        <translation>enthält keine Beschleunigung mit Schwerkraft</translation>
+    </message>
+    <message>
+        <source>holds no accelerometer samples (DJI stores orientations only)</source>
+        <translation>enthält keine Werte des Beschleunigungssensors (DJI speichert nur Ausrichtungen)</translation>
+    </message>
+    <message>
+        <source>holds no angular rate, without which gravity cannot be told from motion</source>
+        <translation>enthält keine Drehrate, ohne die sich Schwerkraft und Bewegung nicht trennen lassen</translation>
+    </message>
+    <message>
+        <source>holds no force</source>
+        <translation>enthält keine Kraft</translation>
+    </message>
+    <message>
+        <source>holds no gyroscope (only {0})</source>
+        <translation>enthält kein Gyroskop (nur {0})</translation>
+    </message>
+    <message>
+        <source>holds no log that is known</source>
+        <translation>enthält kein bekanntes Protokoll</translation>
+    </message>
+    <message>
+        <source>holds no motion telemetry</source>
+        <translation>enthält keine Telemetrie der Bewegung</translation>
+    </message>
+    <message>
+        <source>holds no settings of this program</source>
+        <translation>enthält keine Einstellungen dieses Programms</translation>
+    </message>
+    <message>
+        <source>holds no {0}</source>
+        <translation>enthält kein {0}</translation>
+    </message>
+    <message>
+        <source>holds no {0} file</source>
+        <translation>enthält keine Datei {0}</translation>
+    </message>
+    <message>
+        <source>holds records of version {0}, this program reads {1}</source>
+        <translation>enthält Aufzeichnungen der Version {0}, dieses Programm liest {1}</translation>
+    </message>
+    <message>
+        <source>holds several recordings ({0}, {1})</source>
+        <translation>enthält mehrere Aufnahmen ({0}, {1})</translation>
+    </message>
+    <message>
+        <source>holds {0} logs ({1})</source>
+        <translation>enthält {0} Protokolle ({1})</translation>
+    </message>
+    <message>
+        <source>holds {0} only, no acceleration</source>
+        <translation>enthält nur {0}, keine Beschleunigung</translation>
+    </message>
+    <message>
+        <source>holds {0}, a name that points out of the zip</source>
+        <translation>enthält {0}, einen Namen, der aus dem Zip hinausführt</translation>
+    </message>
+    <message>
+        <source>if it is in g, multiply it by 9.80665; if gravity was removed already, give the acceleration with gravity</source>
+        <translation>wenn es in g ist, multiplizieren Sie mit 9.80665; wenn die Schwerkraft schon entfernt ist, geben Sie die Beschleunigung mit Schwerkraft an</translation>
+    </message>
+    <message>
+        <source>import it again</source>
+        <translation>importieren Sie es noch einmal</translation>
+    </message>
+    <message>
+        <source>index needs</source>
+        <translation>Index braucht</translation>
+    </message>
+    <message>
+        <source>install hapticplayer[lsl], or {0}</source>
+        <translation>installieren Sie hapticplayer[lsl], oder: {0}</translation>
+    </message>
+    <message>
+        <source>is a damaged zip ({0})</source>
+        <translation>ist ein beschädigtes Zip ({0})</translation>
+    </message>
+    <message>
+        <source>is a device, not a file</source>
+        <translation>ist ein Gerät, keine Datei</translation>
+    </message>
+    <message>
+        <source>is a folder, not a file</source>
+        <translation>ist ein Ordner, keine Datei</translation>
+    </message>
+    <message>
+        <source>is a pipe, not a file</source>
+        <translation>ist eine Pipe, keine Datei</translation>
+    </message>
+    <message>
+        <source>is a socket, not a file</source>
+        <translation>ist ein Socket, keine Datei</translation>
+    </message>
+    <message>
+        <source>is a table of {0} columns ({1}) that says not what they are</source>
+        <translation>ist eine Tabelle mit {0} Spalten ({1}), die nicht sagt, was sie sind</translation>
+    </message>
+    <message>
+        <source>is an Excel workbook</source>
+        <translation>ist eine Excel-Arbeitsmappe</translation>
+    </message>
+    <message>
+        <source>is damaged (its checksum differs)</source>
+        <translation>ist beschädigt (die Prüfsumme ist eine andere)</translation>
+    </message>
+    <message>
+        <source>is damaged ({0})</source>
+        <translation>ist beschädigt ({0})</translation>
+    </message>
+    <message>
+        <source>is damaged or missing, and the study&apos;s own definition is another one now</source>
+        <translation>ist beschädigt oder fehlt, und die Definition der Studie ist inzwischen eine andere</translation>
+    </message>
+    <message>
+        <source>is empty (0 bytes)</source>
+        <translation>ist leer (0 Bytes)</translation>
+    </message>
+    <message>
+        <source>is larger than the limit of {0} MB</source>
+        <translation>ist größer als die Grenze von {0} MB</translation>
+    </message>
+    <message>
+        <source>is larger than {0} GB</source>
+        <translation>ist größer als {0} GB</translation>
+    </message>
+    <message>
+        <source>is longer than {0} characters</source>
+        <translation>ist länger als {0} Zeichen</translation>
+    </message>
+    <message>
+        <source>is missing</source>
+        <translation>fehlt</translation>
+    </message>
+    <message>
+        <source>is no JSON</source>
+        <translation>ist kein JSON</translation>
+    </message>
+    <message>
+        <source>is no JSON object</source>
+        <translation>ist kein JSON-Objekt</translation>
+    </message>
+    <message>
+        <source>is no UTF-8 text</source>
+        <translation>ist kein Text in UTF-8</translation>
+    </message>
+    <message>
+        <source>is no log</source>
+        <translation>ist kein Protokoll</translation>
+    </message>
+    <message>
+        <source>is no participant&apos;s code</source>
+        <translation>ist kein Code einer teilnehmenden Person</translation>
+    </message>
+    <message>
+        <source>is no question of this page</source>
+        <translation>ist keine Frage dieser Seite</translation>
+    </message>
+    <message>
+        <source>is no session</source>
+        <translation>ist keine Sitzung</translation>
+    </message>
+    <message>
+        <source>is no template of a log ({0})</source>
+        <translation>ist keine Vorlage für ein Protokoll ({0})</translation>
+    </message>
+    <message>
+        <source>is no text</source>
+        <translation>ist kein Text</translation>
+    </message>
+    <message>
+        <source>is no valid JSON ({0})</source>
+        <translation>ist kein gültiges JSON ({0})</translation>
+    </message>
+    <message>
+        <source>is no video</source>
+        <translation>ist kein Video</translation>
+    </message>
+    <message>
+        <source>is no yes-no question</source>
+        <translation>ist keine Ja-Nein-Frage</translation>
+    </message>
+    <message>
+        <source>is not a file</source>
+        <translation>ist keine Datei</translation>
+    </message>
+    <message>
+        <source>is not a regular file</source>
+        <translation>ist keine gewöhnliche Datei</translation>
+    </message>
+    <message>
+        <source>is not a text file in UTF-8</source>
+        <translation>ist keine Textdatei in UTF-8</translation>
+    </message>
+    <message>
+        <source>is not answered yet</source>
+        <translation>ist noch nicht beantwortet</translation>
+    </message>
+    <message>
+        <source>is not available in {0}</source>
+        <translation>gibt es nicht auf {0}</translation>
+    </message>
+    <message>
+        <source>is not finite or too large</source>
+        <translation>ist nicht endlich oder zu groß</translation>
+    </message>
+    <message>
+        <source>is not text</source>
+        <translation>ist kein Text</translation>
+    </message>
+    <message>
+        <source>is not valid ({0})</source>
+        <translation>ist nicht gültig ({0})</translation>
+    </message>
+    <message>
+        <source>is nothing that telemetry-parser can read ({0})</source>
+        <translation>kann telemetry-parser nicht lesen ({0})</translation>
+    </message>
+    <message>
+        <source>is of a newer version of this program</source>
+        <translation>ist von einer neueren Version dieses Programms</translation>
+    </message>
+    <message>
+        <source>is of a {0}, whose axes its telemetry does not tell</source>
+        <translation>ist von einer {0}, deren Achsen ihre Telemetrie nicht nennt</translation>
+    </message>
+    <message>
+        <source>is of another version of the program</source>
+        <translation>ist von einer anderen Version des Programms</translation>
+    </message>
+    <message>
+        <source>is open in another window</source>
+        <translation>ist in einem anderen Fenster geöffnet</translation>
+    </message>
+    <message>
+        <source>is text in UTF-16</source>
+        <translation>ist Text in UTF-16</translation>
+    </message>
+    <message>
+        <source>is too large</source>
+        <translation>ist zu groß</translation>
+    </message>
+    <message>
+        <source>is {0}</source>
+        <translation>ist {0}</translation>
+    </message>
+    <message>
+        <source>is {0} instead of a list</source>
+        <translation>ist {0} statt einer Liste</translation>
+    </message>
+    <message>
+        <source>is {0} instead of a number</source>
+        <translation>ist {0} statt einer Zahl</translation>
+    </message>
+    <message>
+        <source>is {0} instead of a text</source>
+        <translation>ist {0} statt eines Textes</translation>
+    </message>
+    <message>
+        <source>is {0} instead of an object</source>
+        <translation>ist {0} statt eines Objekts</translation>
+    </message>
+    <message>
+        <source>is {0} instead of true or false</source>
+        <translation>ist {0} statt true oder false</translation>
+    </message>
+    <message>
+        <source>it cannot be decoded any further</source>
+        <translation>es kann nicht weiter dekodiert werden</translation>
+    </message>
+    <message>
+        <source>it cannot be probed</source>
+        <translation>es kann nicht untersucht werden</translation>
+    </message>
+    <message>
+        <source>it cannot be read any further</source>
+        <translation>es kann nicht weiter gelesen werden</translation>
+    </message>
+    <message>
+        <source>it died, status {0}</source>
+        <translation>er brach ab, Status {0}</translation>
+    </message>
+    <message>
+        <source>it does not begin with the boot loader&apos;s key 08AA</source>
+        <translation>sie beginnt nicht mit dem Schlüssel 08AA des Ladeprogramms</translation>
+    </message>
+    <message>
+        <source>it ends in its header</source>
+        <translation>sie endet in ihrem Kopf</translation>
+    </message>
+    <message>
+        <source>it gives {0} s as its duration</source>
+        <translation>es gibt {0} s als Dauer an</translation>
+    </message>
+    <message>
+        <source>it has {0}</source>
+        <translation>sie hat {0}</translation>
+    </message>
+    <message>
+        <source>it holds no accelerations</source>
+        <translation>sie enthält keine Beschleunigungen</translation>
+    </message>
+    <message>
+        <source>it holds no sound</source>
+        <translation>es enthält keinen Ton</translation>
+    </message>
+    <message>
+        <source>it holds no sound, in which pats could be heard</source>
+        <translation>es enthält keinen Ton, in dem Klopfen zu hören wäre</translation>
+    </message>
+    <message>
+        <source>it holds no video that can be shown</source>
+        <translation>es enthält kein Video, das gezeigt werden kann</translation>
+    </message>
+    <message>
+        <source>it holds {0} motion samples in {1} payloads, as time-lapse recordings do</source>
+        <translation>es enthält {0} Bewegungswerte in {1} Blöcken, wie Zeitrafferaufnahmen es tun</translation>
+    </message>
+    <message>
+        <source>it holds {0} streams, expected 1 to {1}</source>
+        <translation>es enthält {0} Ströme, erwartet werden 1 bis {1}</translation>
+    </message>
+    <message>
+        <source>it is cut off</source>
+        <translation>sie ist abgeschnitten</translation>
+    </message>
+    <message>
+        <source>it is no video or sound that can be read</source>
+        <translation>es ist kein Video oder Ton, der gelesen werden kann</translation>
+    </message>
+    <message>
+        <source>it is too large</source>
+        <translation>sie ist zu groß</translation>
+    </message>
+    <message>
+        <source>it looks like deg/s: multiply gx, gy, gz by 0.0174532925</source>
+        <translation>es sieht nach °/s aus: Multiplizieren Sie gx, gy, gz mit 0.0174532925</translation>
+    </message>
+    <message>
+        <source>it looks like g: multiply ax, ay, az by 9.80665</source>
+        <translation>es sieht nach g aus: Multiplizieren Sie ax, ay, az mit 9.80665</translation>
+    </message>
+    <message>
+        <source>it looks like milli-g: multiply ax, ay, az by 0.00980665</source>
+        <translation>es sieht nach Milli-g aus: Multiplizieren Sie ax, ay, az mit 0.00980665</translation>
+    </message>
+    <message>
+        <source>it looks like milliseconds: divide time_s by 1000</source>
+        <translation>es sieht nach Millisekunden aus: Teilen Sie time_s durch 1000</translation>
+    </message>
+    <message>
+        <source>it may hold texts for {0}</source>
+        <translation>sie darf Texte enthalten für {0}</translation>
+    </message>
+    <message>
+        <source>it seems to be in deg/s: multiply it by 0.0174532925</source>
+        <translation>es scheint in °/s zu sein: Multiplizieren Sie mit 0.0174532925</translation>
+    </message>
+    <message>
+        <source>it seems to be in g: multiply it by 9.80665</source>
+        <translation>es scheint in g zu sein: Multiplizieren Sie mit 9.80665</translation>
+    </message>
+    <message>
+        <source>it seems to be in milli-g: multiply it by 0.00980665</source>
+        <translation>es scheint in Milli-g zu sein: Multiplizieren Sie mit 0.00980665</translation>
+    </message>
+    <message>
+        <source>it seems to have been converted twice: multiply it by 57.2957795</source>
+        <translation>es scheint zweimal umgerechnet zu sein: Multiplizieren Sie mit 57.2957795</translation>
+    </message>
+    <message>
+        <source>it took not all of the data at {0}</source>
+        <translation>er nahm bei {0} nicht alle Daten an</translation>
+    </message>
+    <message>
+        <source>its accelerometer and gyro do not overlap in time</source>
+        <translation>Beschleunigungssensor und Gyroskop überlappen sich zeitlich nicht</translation>
+    </message>
+    <message>
+        <source>its accelerometer and gyroscope do not overlap in time</source>
+        <translation>Beschleunigungssensor und Gyroskop überlappen sich zeitlich nicht</translation>
+    </message>
+    <message>
+        <source>its arrays do not belong together</source>
+        <translation>die Felder passen nicht zusammen</translation>
+    </message>
+    <message>
+        <source>its axes (MTRX) are no matrix, so it is damaged</source>
+        <translation>die Achsen (MTRX) sind keine Matrix, sie ist also beschädigt</translation>
+    </message>
+    <message>
+        <source>its axes ({0}) mirror the camera, so the telemetry is damaged</source>
+        <translation>die Achsen ({0}) spiegeln die Kamera, die Telemetrie ist also beschädigt</translation>
+    </message>
+    <message>
+        <source>its axis {0} was up, so the sensor was not mounted with {1} to the right, front and up{2}</source>
+        <translation>die Achse {0} war oben, der Sensor war also nicht mit {1} nach rechts, vorn und oben befestigt{2}</translation>
+    </message>
+    <message>
+        <source>its boot processor does not answer</source>
+        <translation>der Boot-Prozessor antwortet nicht</translation>
+    </message>
+    <message>
+        <source>its echo at {0} ended after {1} of {2} bytes</source>
+        <translation>das Echo bei {0} endete nach {1} von {2} Bytes</translation>
+    </message>
+    <message>
+        <source>its echo at {0} was wrong</source>
+        <translation>das Echo bei {0} war falsch</translation>
+    </message>
+    <message>
+        <source>its entry point {0} lies in none of its blocks</source>
+        <translation>der Einsprungpunkt {0} liegt in keinem der Blöcke</translation>
+    </message>
+    <message>
+        <source>its gravity cannot be used</source>
+        <translation>die Schwerkraft darin ist nicht zu gebrauchen</translation>
+    </message>
+    <message>
+        <source>its gyro file has the norm {0} of gravity, its accel file has not, so the names are exchanged</source>
+        <translation>die gyro-Datei hat den Betrag {0} der Schwerkraft, die accel-Datei nicht, die Namen sind also vertauscht</translation>
+    </message>
+    <message>
+        <source>its headers are damaged</source>
+        <translation>die Kopfdaten sind beschädigt</translation>
+    </message>
+    <message>
+        <source>its index lists more samples than it has bytes</source>
+        <translation>der Index nennt mehr Einträge, als es Bytes hat</translation>
+    </message>
+    <message>
+        <source>its pictures have a format that is not known</source>
+        <translation>die Bilder haben ein unbekanntes Format</translation>
+    </message>
+    <message>
+        <source>its pictures of {0} x {1} pixels are too large (up to 8192 x 4320 are shown)</source>
+        <translation>die Bilder mit {0} x {1} Pixeln sind zu groß (bis 8192 x 4320 werden gezeigt)</translation>
+    </message>
+    <message>
+        <source>its sound cannot be resampled</source>
+        <translation>der Ton kann nicht umgerechnet werden</translation>
+    </message>
+    <message>
+        <source>its sound cannot be set up</source>
+        <translation>der Ton kann nicht eingerichtet werden</translation>
+    </message>
+    <message>
+        <source>its sound has {0} channels at {1} Hz</source>
+        <translation>der Ton hat {0} Kanäle mit {1} Hz</translation>
+    </message>
+    <message>
+        <source>its telemetry ({0}) holds no {1} samples</source>
+        <translation>die Telemetrie ({0}) enthält keine Werte von {1}</translation>
+    </message>
+    <message>
+        <source>its telemetry claims {0} {1}, beyond what sensors measure</source>
+        <translation>die Telemetrie behauptet {0} {1}, mehr als Sensoren messen</translation>
+    </message>
+    <message>
+        <source>its telemetry holds no accelerometer samples</source>
+        <translation>die Telemetrie enthält keine Werte des Beschleunigungssensors</translation>
+    </message>
+    <message>
+        <source>its telemetry is larger than any camera&apos;s (payload {0} has {1} bytes)</source>
+        <translation>die Telemetrie ist größer als die jeder Kamera (Block {0} hat {1} Bytes)</translation>
+    </message>
+    <message>
+        <source>its telemetry track is damaged</source>
+        <translation>die Telemetriespur ist beschädigt</translation>
+    </message>
+    <message>
+        <source>its time stamps run backwards, so it is damaged</source>
+        <translation>die Zeitstempel laufen rückwärts, sie ist also beschädigt</translation>
+    </message>
+    <message>
+        <source>its units are not known</source>
+        <translation>die Einheiten sind nicht bekannt</translation>
+    </message>
+    <message>
+        <source>its video cannot be set up</source>
+        <translation>das Video kann nicht eingerichtet werden</translation>
+    </message>
+    <message>
+        <source>its {0} is {1}, not a number above zero</source>
+        <translation>{0} ist {1}, keine Zahl über null</translation>
+    </message>
+    <message>
+        <source>known are {0}</source>
+        <translation>bekannt sind {0}</translation>
+    </message>
+    <message>
+        <source>lacks the entry {0}</source>
+        <translation>der Eintrag {0} fehlt</translation>
+    </message>
+    <message>
+        <source>lacks the object sound_late_s</source>
+        <translation>das Objekt sound_late_s fehlt</translation>
+    </message>
+    <message>
+        <source>lacks {0}</source>
+        <translation>es fehlt {0}</translation>
+    </message>
+    <message>
+        <source>leave LSL out</source>
+        <translation>lassen Sie LSL weg</translation>
+    </message>
+    <message>
+        <source>libusb is missing; install the package libusb-1.0-0 (Windows: put libusb-1.0.dll on the path)</source>
+        <translation>libusb fehlt; installieren Sie das Paket libusb-1.0-0 (Windows: legen Sie libusb-1.0.dll in den Suchpfad)</translation>
+    </message>
+    <message>
+        <source>line {0} was left out, as its time is more than an hour apart</source>
+        <translation>Zeile {0} wurde weggelassen, da ihre Zeit mehr als eine Stunde abliegt</translation>
+    </message>
+    <message>
+        <source>look at `hapticplayer sync` with --plot FILE, then give --offset S</source>
+        <translation>sehen Sie `hapticplayer sync` mit --plot FILE an, und geben Sie dann --offset S an</translation>
+    </message>
+    <message>
+        <source>look for values far beyond what a sensor can measure</source>
+        <translation>suchen Sie nach Werten, die weit über dem liegen, was ein Sensor messen kann</translation>
+    </message>
+    <message>
+        <source>looked for</source>
+        <translation>gesucht</translation>
+    </message>
+    <message>
+        <source>made telemetry-parser answer nonsense ({0})</source>
+        <translation>ließ telemetry-parser Unsinn antworten ({0})</translation>
+    </message>
+    <message>
+        <source>magnetic field in {0}</source>
+        <translation>Magnetfeld in {0}</translation>
+    </message>
+    <message>
+        <source>makes {0} conditions; 2 to {1} go</source>
+        <translation>ergibt {0} Bedingungen; 2 bis {1} gehen</translation>
+    </message>
+    <message>
+        <source>mapping axes</source>
+        <translation>Achsen der Abbildung</translation>
+    </message>
+    <message>
+        <source>mapping axes must be a signed permutation with determinant +1</source>
+        <translation>die Achsen der Abbildung müssen eine Permutation mit Vorzeichen und Determinante +1 sein</translation>
+    </message>
+    <message>
+        <source>may not be read</source>
+        <translation>darf nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>motion low-passed at {0} Hz, zero phase</source>
+        <translation>Bewegung mit Tiefpass bei {0} Hz, ohne Phasenverschiebung</translation>
+    </message>
+    <message>
+        <source>motion track</source>
+        <translation>Bewegungsspur</translation>
+    </message>
+    <message>
+        <source>name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>names a column twice</source>
+        <translation>nennt eine Spalte zweimal</translation>
+    </message>
+    <message>
+        <source>names a part of mx, my, mz</source>
+        <translation>nennt nur einen Teil von mx, my, mz</translation>
+    </message>
+    <message>
+        <source>names {0} columns, the table has {1} ({2})</source>
+        <translation>nennt {0} Spalten, die Tabelle hat {1} ({2})</translation>
+    </message>
+    <message>
+        <source>needs 1 to {0} characters</source>
+        <translation>braucht 1 bis {0} Zeichen</translation>
+    </message>
+    <message>
+        <source>needs a number from {0} to {1}</source>
+        <translation>braucht eine Zahl von {0} bis {1}</translation>
+    </message>
+    <message>
+        <source>needs {0} MB and only {1} MB are free</source>
+        <translation>braucht {0} MB, und nur {1} MB sind frei</translation>
+    </message>
+    <message>
+        <source>no --offset was given: the log&apos;s clock is taken as media time</source>
+        <translation>kein --offset wurde angegeben: Die Uhr des Protokolls gilt als Medienzeit</translation>
+    </message>
+    <message>
+        <source>no Falcon is plugged in</source>
+        <translation>kein Falcon ist angesteckt</translation>
+    </message>
+    <message>
+        <source>no Falcon is plugged in; connect its USB cable and its power supply</source>
+        <translation>kein Falcon ist angesteckt; schließen Sie sein USB-Kabel und sein Netzteil an</translation>
+    </message>
+    <message>
+        <source>no Falcon {0} is plugged in; there is: {1}</source>
+        <translation>kein Falcon {0} ist angesteckt; es gibt: {1}</translation>
+    </message>
+    <message>
+        <source>no factor may be called {0}, the name of their sum</source>
+        <translation>kein Faktor darf {0} heißen, wie die Summe aller</translation>
+    </message>
+    <message>
+        <source>no game pad is plugged in; connect a DualSense or DualShock 4 by USB cable</source>
+        <translation>kein Gamepad ist angesteckt; schließen Sie einen DualSense oder DualShock 4 mit USB-Kabel an</translation>
+    </message>
+    <message>
+        <source>no leg reaches ({0}, {1}, {2}) mm</source>
+        <translation>kein Bein erreicht ({0}, {1}, {2}) mm</translation>
+    </message>
+    <message>
+        <source>no order was found in which no sequence is played twice in a row</source>
+        <translation>es wurde keine Reihenfolge gefunden, in der keine Sequenz zweimal hintereinander kommt</translation>
+    </message>
+    <message>
+        <source>no summary</source>
+        <translation>keine Zusammenfassung</translation>
+    </message>
+    <message>
+        <source>nobody&apos;s home folder is known; set {0} to the firmware&apos;s path</source>
+        <translation>der persönliche Ordner ist nicht bekannt; setzen Sie {0} auf den Pfad der Firmware</translation>
+    </message>
+    <message>
+        <source>none of its pictures can be decoded</source>
+        <translation>keines der Bilder lässt sich dekodieren</translation>
+    </message>
+    <message>
+        <source>none of its streams can be decoded, because its headers are damaged</source>
+        <translation>keiner der Ströme lässt sich dekodieren, denn die Kopfdaten sind beschädigt</translation>
+    </message>
+    <message>
+        <source>normal</source>
+        <translation>normale</translation>
+    </message>
+    <message>
+        <source>nothing was recorded for {0} s after line {1}</source>
+        <translation>nach Zeile {1} wurde {0} s lang nichts aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>nothing was recorded for {0} s after row {1}</source>
+        <translation>nach Zeile {1} wurde {0} s lang nichts aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>nothing, but give the file or folder of one of them</source>
+        <translation>nichts, aber geben Sie die Datei oder den Ordner von einem an</translation>
+    </message>
+    <message>
+        <source>nothing, but give the folder of one of them</source>
+        <translation>nichts, aber geben Sie den Ordner von einer an</translation>
+    </message>
+    <message>
+        <source>number</source>
+        <translation>Zahl</translation>
+    </message>
+    <message>
+        <source>of another result</source>
+        <translation>gehört zu einem anderen Ergebnis</translation>
+    </message>
+    <message>
+        <source>offset {0} s with rate {1} is no clock map; give finite numbers and a positive rate</source>
+        <translation>Versatz {0} s mit Rate {1} ist keine Zuordnung der Uhren; geben Sie endliche Zahlen und eine positive Rate an</translation>
+    </message>
+    <message>
+        <source>one feedback alone cannot be compared with anything</source>
+        <translation>ein einziges Feedback kann mit nichts verglichen werden</translation>
+    </message>
+    <message>
+        <source>one gap</source>
+        <translation>eine Lücke</translation>
+    </message>
+    <message>
+        <source>one sequence cannot but follow itself</source>
+        <translation>eine einzige Sequenz folgt zwangsläufig sich selbst</translation>
+    </message>
+    <message>
+        <source>only {0} of its samples are whole</source>
+        <translation>nur {0} der Werte sind vollständig</translation>
+    </message>
+    <message>
+        <source>only {0} of {1} rows hold both specific force and angular rate</source>
+        <translation>nur {0} von {1} Zeilen enthalten spezifische Kraft und Drehrate zugleich</translation>
+    </message>
+    <message>
+        <source>only {0} of {1} times can be used</source>
+        <translation>nur {0} von {1} Zeiten sind zu gebrauchen</translation>
+    </message>
+    <message>
+        <source>open its sequence first, then the log</source>
+        <translation>öffnen Sie zuerst die zugehörige Sequenz, dann das Protokoll</translation>
+    </message>
+    <message>
+        <source>opened</source>
+        <translation>geöffnet</translation>
+    </message>
+    <message>
+        <source>order {0} has a condition twice</source>
+        <translation>Reihenfolge {0} hat eine Bedingung zweimal</translation>
+    </message>
+    <message>
+        <source>order {0} has two trials at position {1}</source>
+        <translation>Reihenfolge {0} hat zwei Durchgänge an Stelle {1}</translation>
+    </message>
+    <message>
+        <source>order {0} lacks {1}</source>
+        <translation>in Reihenfolge {0} fehlt {1}</translation>
+    </message>
+    <message>
+        <source>order {0} plays {1} twice in a row</source>
+        <translation>Reihenfolge {0} spielt {1} zweimal hintereinander</translation>
+    </message>
+    <message>
+        <source>participant</source>
+        <translation>teilnehmende Person</translation>
+    </message>
+    <message>
+        <source>participant {0}, {1}, {2}, {3}</source>
+        <translation>Person {0}, {1}, {2}, {3}</translation>
+    </message>
+    <message>
+        <source>rate-hz={0} is no rate; give 100, for example</source>
+        <translation>rate-hz={0} ist keine Rate; geben Sie zum Beispiel 100 an</translation>
+    </message>
+    <message>
+        <source>rate-unit={0} to take it as it is</source>
+        <translation>rate-unit={0} um es so zu nehmen, wie es ist</translation>
+    </message>
+    <message>
+        <source>read as telemetry of the camera: specific force in m/s2, angular rate in rad/s, x to its right, y to where it looks, z to its top{0}, turning at {1} rad/s at most</source>
+        <translation>gelesen als Telemetrie der Kamera: spezifische Kraft in m/s2, Drehrate in rad/s, x nach rechts, y in Blickrichtung, z nach oben{0}, höchste Drehrate {1} rad/s</translation>
+    </message>
+    <message>
+        <source>read as {0}: specific force in {1}</source>
+        <translation>gelesen als {0}: spezifische Kraft in {1}</translation>
+    </message>
+    <message>
+        <source>read by telemetry-parser; its times are those of an average rate</source>
+        <translation>gelesen mit telemetry-parser; die Zeiten entsprechen einer mittleren Rate</translation>
+    </message>
+    <message>
+        <source>read from</source>
+        <translation>gelesen</translation>
+    </message>
+    <message>
+        <source>ready</source>
+        <translation>bereit</translation>
+    </message>
+    <message>
+        <source>record again with the gravity sensor</source>
+        <translation>nehmen Sie noch einmal mit dem Schwerkraftsensor auf</translation>
+    </message>
+    <message>
+        <source>record at 100 Hz or more, or give --offset S</source>
+        <translation>nehmen Sie mit 100 Hz oder mehr auf, oder geben Sie --offset S an</translation>
+    </message>
+    <message>
+        <source>record both at once</source>
+        <translation>nehmen Sie beide zugleich auf</translation>
+    </message>
+    <message>
+        <source>record damaged</source>
+        <translation>Aufzeichnung beschädigt</translation>
+    </message>
+    <message>
+        <source>record normal video</source>
+        <translation>nehmen Sie gewöhnliches Video auf</translation>
+    </message>
+    <message>
+        <source>record the accelerometer too</source>
+        <translation>nehmen Sie auch den Beschleunigungssensor auf</translation>
+    </message>
+    <message>
+        <source>record the gravity sensor (iOS) or total acceleration (Android)</source>
+        <translation>nehmen Sie den Schwerkraftsensor (iOS) oder die Gesamtbeschleunigung (Android) auf</translation>
+    </message>
+    <message>
+        <source>record the gyroscope too</source>
+        <translation>nehmen Sie auch das Gyroskop auf</translation>
+    </message>
+    <message>
+        <source>record with a camera that stores its motion, or give an IMU log</source>
+        <translation>nehmen Sie mit einer Kamera auf, die ihre Bewegung speichert, oder geben Sie ein IMU-Protokoll an</translation>
+    </message>
+    <message>
+        <source>record with sound, or give --offset S</source>
+        <translation>nehmen Sie mit Ton auf, oder geben Sie --offset S an</translation>
+    </message>
+    <message>
+        <source>relaxed</source>
+        <translation>lockere</translation>
+    </message>
+    <message>
+        <source>remove or complete the line</source>
+        <translation>entfernen oder ergänzen Sie die Zeile</translation>
+    </message>
+    <message>
+        <source>remove the line or correct the number</source>
+        <translation>entfernen Sie die Zeile, oder berichtigen Sie die Zahl</translation>
+    </message>
+    <message>
+        <source>remux it to MP4 so that its duration is written</source>
+        <translation>packen Sie es in MP4 um, damit die Dauer darin steht</translation>
+    </message>
+    <message>
+        <source>rename one</source>
+        <translation>benennen Sie einen um</translation>
+    </message>
+    <message>
+        <source>repeat the one before and were left out</source>
+        <translation>wiederholen die vorige und wurden weggelassen</translation>
+    </message>
+    <message>
+        <source>repeats</source>
+        <translation>wiederholt sich</translation>
+    </message>
+    <message>
+        <source>row {0} was left out, as its time is more than an hour apart</source>
+        <translation>Zeile {0} wurde weggelassen, da ihre Zeit mehr als eine Stunde abliegt</translation>
+    </message>
+    <message>
+        <source>run a participant first</source>
+        <translation>lassen Sie erst eine Person teilnehmen</translation>
+    </message>
+    <message>
+        <source>runs backwards</source>
+        <translation>läuft rückwärts</translation>
+    </message>
+    <message>
+        <source>sampling is averaged or instant</source>
+        <translation>sampling ist averaged oder instant</translation>
+    </message>
+    <message>
+        <source>save it as text in UTF-8</source>
+        <translation>speichern Sie sie als Text in UTF-8</translation>
+    </message>
+    <message>
+        <source>semicolons</source>
+        <translation>Semikolons</translation>
+    </message>
+    <message>
+        <source>sequence</source>
+        <translation>Sequenz</translation>
+    </message>
+    <message>
+        <source>session {0} cannot be used: {1}</source>
+        <translation>Sitzung {0} ist nicht zu gebrauchen: {1}</translation>
+    </message>
+    <message>
+        <source>session {0} is {1}</source>
+        <translation>Sitzung {0} ist {1}</translation>
+    </message>
+    <message>
+        <source>session {0}: {1} was left out, the definition no longer has it</source>
+        <translation>Sitzung {0}: {1} wurde weggelassen, die Definition enthält sie nicht mehr</translation>
+    </message>
+    <message>
+        <source>set up</source>
+        <translation>eingerichtet</translation>
+    </message>
+    <message>
+        <source>share the time of another and were averaged with it</source>
+        <translation>teilen die Zeit mit einer anderen und wurden mit ihr gemittelt</translation>
+    </message>
+    <message>
+        <source>simulated camera</source>
+        <translation>simulierte Kamera</translation>
+    </message>
+    <message>
+        <source>sort the log by time and remove duplicates</source>
+        <translation>sortieren Sie das Protokoll nach der Zeit, und entfernen Sie Wiederholungen</translation>
+    </message>
+    <message>
+        <source>sort the rows by time or cut the recording there</source>
+        <translation>sortieren Sie die Zeilen nach der Zeit, oder schneiden Sie die Aufnahme dort</translation>
+    </message>
+    <message>
+        <source>span from {0} s to {1} s</source>
+        <translation>Abschnitt von {0} s bis {1} s</translation>
+    </message>
+    <message>
+        <source>specific force is acceleration plus the phone&apos;s own gravity</source>
+        <translation>die spezifische Kraft ist die Beschleunigung plus die Schwerkraft, wie das Telefon sie angibt</translation>
+    </message>
+    <message>
+        <source>starts at {0} s, but the clip ends at {1} s</source>
+        <translation>beginnt bei {0} s, aber der Clip endet bei {1} s</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>beendet</translation>
+    </message>
+    <message>
+        <source>switch the Euler output of the board off and record again</source>
+        <translation>schalten Sie die Euler-Ausgabe der Platine ab, und nehmen Sie noch einmal auf</translation>
+    </message>
+    <message>
+        <source>switch the board to its sensor output (#osct with Razor-AHRS)</source>
+        <translation>schalten Sie die Platine auf Sensorausgabe (#osct bei Razor-AHRS)</translation>
+    </message>
+    <message>
+        <source>tabs</source>
+        <translation>Tabulatoren</translation>
+    </message>
+    <message>
+        <source>telemetry is nested deeper than {0} levels, so it is damaged</source>
+        <translation>die Telemetrie ist tiefer als {0} Ebenen geschachtelt, also beschädigt</translation>
+    </message>
+    <message>
+        <source>the Falcon could not be {0} ({1}); unplug it and plug it in again</source>
+        <translation>der Falcon konnte nicht {0} werden ({1}); ziehen Sie ihn ab und stecken Sie ihn wieder an</translation>
+    </message>
+    <message>
+        <source>the Falcon did not start in {0} attempts (the last: {1}); unplug its power and USB, plug both in, if you can without a hub, and try again</source>
+        <translation>der Falcon ist in {0} Versuchen nicht gestartet (zuletzt: {1}); ziehen Sie Netzteil und USB ab, stecken Sie beide wieder an, möglichst ohne Hub, und versuchen Sie es noch einmal</translation>
+    </message>
+    <message>
+        <source>the Falcon does not answer any more; unplug its power and USB, and plug both in</source>
+        <translation>der Falcon antwortet nicht mehr; ziehen Sie Netzteil und USB ab, und stecken Sie beide wieder an</translation>
+    </message>
+    <message>
+        <source>the Falcon does not answer; unplug its power and USB, and plug both in</source>
+        <translation>der Falcon antwortet nicht; ziehen Sie Netzteil und USB ab, und stecken Sie beide wieder an</translation>
+    </message>
+    <message>
+        <source>the Falcon has a driver that keeps libusb out; give it the driver WinUSB (with the program Zadig) in place of FTDI&apos;s or Force Dimension&apos;s</source>
+        <translation>der Falcon hat einen Treiber, der libusb aussperrt; geben Sie ihm den Treiber WinUSB (mit dem Programm Zadig) statt dem von FTDI oder Force Dimension</translation>
+    </message>
+    <message>
+        <source>the Falcon is in use by another program; close that one and try again</source>
+        <translation>der Falcon wird von einem anderen Programm benutzt; schließen Sie es, und versuchen Sie es noch einmal</translation>
+    </message>
+    <message>
+        <source>the Falcon is not open; choose the device again</source>
+        <translation>der Falcon ist nicht geöffnet; wählen Sie das Gerät noch einmal</translation>
+    </message>
+    <message>
+        <source>the Falcon may not be used by you; copy the udev rule {0} to /etc/udev/rules.d, then unplug the Falcon and plug it in</source>
+        <translation>Sie dürfen den Falcon nicht benutzen; kopieren Sie die udev-Regel {0} nach /etc/udev/rules.d, ziehen Sie den Falcon dann ab und stecken Sie ihn wieder an</translation>
+    </message>
+    <message>
+        <source>the Falcon was not homed within {0} s; pull the grip all the way out, push it all the way in until it locks, and try again</source>
+        <translation>der Falcon hat in {0} s seine Nullstellung nicht gefunden; ziehen Sie den Griff ganz heraus, schieben Sie ihn ganz hinein, bis er einrastet, und versuchen Sie es noch einmal</translation>
+    </message>
+    <message>
+        <source>the Falcon was unplugged, or its cable is loose; plug it in and choose the device again</source>
+        <translation>der Falcon wurde abgezogen, oder sein Kabel ist lose; stecken Sie ihn an, und wählen Sie das Gerät noch einmal</translation>
+    </message>
+    <message>
+        <source>the Falcon&apos;s firmware is missing ({0}); it may not be passed on with this program: take nvent_firmware.bin from a libnifalcon source archive and install it with `hapticplayer device upload-firmware FILE`, or in the window with Playback &gt; Set up the device</source>
+        <translation>die Firmware des Falcon fehlt ({0}); sie darf mit diesem Programm nicht weitergegeben werden: Nehmen Sie nvent_firmware.bin aus einem Quellarchiv von libnifalcon und installieren Sie sie mit `hapticplayer device upload-firmware FILE`, oder im Fenster mit Wiedergabe &gt; Gerät einrichten</translation>
+    </message>
+    <message>
+        <source>the Falcon&apos;s position has jumped and stayed away; home it again, then choose the device again</source>
+        <translation>die Position des Falcon ist gesprungen und weggeblieben; lassen Sie ihn seine Nullstellung neu finden, und wählen Sie das Gerät dann noch einmal</translation>
+    </message>
+    <message>
+        <source>the IMU&apos;s axes</source>
+        <translation>Achsen der IMU</translation>
+    </message>
+    <message>
+        <source>the Python package hidapi is missing; ./run sets it up in .venv</source>
+        <translation>das Python-Paket hidapi fehlt; ./run richtet es in .venv ein</translation>
+    </message>
+    <message>
+        <source>the angular rate is zero throughout, so no rotation is assumed</source>
+        <translation>die Drehrate ist durchweg null, es wird also keine Drehung angenommen</translation>
+    </message>
+    <message>
+        <source>the angular rate reaches {0} rad/s when it is read in {1}, which no sensor shows</source>
+        <translation>die Drehrate erreicht {0} rad/s, wenn sie in {1} gelesen wird, was kein Sensor zeigt</translation>
+    </message>
+    <message>
+        <source>the angular rate turns gravity about 57 times too fast</source>
+        <translation>die Drehrate dreht die Schwerkraft etwa 57-mal zu schnell</translation>
+    </message>
+    <message>
+        <source>the angular rate turns gravity about 57 times too slowly</source>
+        <translation>die Drehrate dreht die Schwerkraft etwa 57-mal zu langsam</translation>
+    </message>
+    <message>
+        <source>the answer could not be saved ({0})</source>
+        <translation>die Antwort konnte nicht gespeichert werden ({0})</translation>
+    </message>
+    <message>
+        <source>the board&apos;s axes</source>
+        <translation>Achsen der Platine</translation>
+    </message>
+    <message>
+        <source>the chip&apos;s axes</source>
+        <translation>Achsen des Chips</translation>
+    </message>
+    <message>
+        <source>the clip is damaged: some of its pictures are missing or broken</source>
+        <translation>der Clip ist beschädigt: Einige seiner Bilder fehlen oder sind defekt</translation>
+    </message>
+    <message>
+        <source>the columns are in another order</source>
+        <translation>die Spalten stehen in anderer Reihenfolge</translation>
+    </message>
+    <message>
+        <source>the columns are separated by {0} instead of commas</source>
+        <translation>die Spalten sind durch {0} statt durch Kommas getrennt</translation>
+    </message>
+    <message>
+        <source>the columns have to be {0}</source>
+        <translation>die Spalten müssen {0} sein</translation>
+    </message>
+    <message>
+        <source>the cutoff</source>
+        <translation>die Grenzfrequenz</translation>
+    </message>
+    <message>
+        <source>the entry {0} stands twice in one object</source>
+        <translation>der Eintrag {0} steht zweimal in einem Objekt</translation>
+    </message>
+    <message>
+        <source>the experiment was paused; its clock ran on without the pause</source>
+        <translation>das Experiment wurde angehalten; seine Uhr lief ohne die Pause weiter</translation>
+    </message>
+    <message>
+        <source>the fades take {0} s</source>
+        <translation>die Überblendungen dauern {0} s</translation>
+    </message>
+    <message>
+        <source>the file ends at byte {0} but its {1} {2}</source>
+        <translation>die Datei endet bei Byte {0}, aber ihr {1} {2}</translation>
+    </message>
+    <message>
+        <source>the file was removed</source>
+        <translation>die Datei wurde entfernt</translation>
+    </message>
+    <message>
+        <source>the firmware was loaded and does not answer</source>
+        <translation>die Firmware wurde geladen und antwortet nicht</translation>
+    </message>
+    <message>
+        <source>the firmware&apos;s axes: x forward, y right, z down</source>
+        <translation>Achsen der Firmware: x vorn, y rechts, z unten</translation>
+    </message>
+    <message>
+        <source>the folder was replaced</source>
+        <translation>der Ordner wurde ersetzt</translation>
+    </message>
+    <message>
+        <source>the gain {0} would reverse the motion</source>
+        <translation>die Verstärkung {0} würde die Bewegung umkehren</translation>
+    </message>
+    <message>
+        <source>the game pad is not open; choose the device again</source>
+        <translation>das Gamepad ist nicht geöffnet; wählen Sie das Gerät noch einmal</translation>
+    </message>
+    <message>
+        <source>the guard of the haptics process has ended, so there is no force; choose the device again</source>
+        <translation>der Wächter des Haptikprozesses ist beendet, es gibt also keine Kraft; wählen Sie das Gerät noch einmal</translation>
+    </message>
+    <message>
+        <source>the haptics process could not be started: {0}</source>
+        <translation>der Haptikprozess konnte nicht gestartet werden: {0}</translation>
+    </message>
+    <message>
+        <source>the haptics process did not become ready; try again, and run &apos;hapticplayer doctor&apos; if it stays so</source>
+        <translation>der Haptikprozess wurde nicht bereit; versuchen Sie es noch einmal, und rufen Sie „hapticplayer doctor“ auf, wenn es so bleibt</translation>
+    </message>
+    <message>
+        <source>the haptics process has ended, so there is no force any more</source>
+        <translation>der Haptikprozess ist beendet, es gibt also keine Kraft mehr</translation>
+    </message>
+    <message>
+        <source>the header is {0}</source>
+        <translation>der Kopf ist {0}</translation>
+    </message>
+    <message>
+        <source>the key {0} stands twice</source>
+        <translation>der Schlüssel {0} steht zweimal da</translation>
+    </message>
+    <message>
+        <source>the largest angular rate is {0} rad/s</source>
+        <translation>die größte Drehrate ist {0} rad/s</translation>
+    </message>
+    <message>
+        <source>the legs cannot be assembled at these joint angles</source>
+        <translation>bei diesen Gelenkwinkeln lassen sich die Beine nicht zusammensetzen</translation>
+    </message>
+    <message>
+        <source>the letter A</source>
+        <translation>dem Buchstaben A</translation>
+    </message>
+    <message>
+        <source>the list of orders is empty</source>
+        <translation>die Liste der Reihenfolgen ist leer</translation>
+    </message>
+    <message>
+        <source>the log cannot be written ({0})</source>
+        <translation>das Protokoll kann nicht geschrieben werden ({0})</translation>
+    </message>
+    <message>
+        <source>the log has no times: 50 frames a second are assumed</source>
+        <translation>das Protokoll hat keine Zeiten: Es werden 50 Werte je Sekunde angenommen</translation>
+    </message>
+    <message>
+        <source>the log is not complete ({0})</source>
+        <translation>das Protokoll ist nicht vollständig ({0})</translation>
+    </message>
+    <message>
+        <source>the magnetometer was left out: {0} of {1} samples are empty</source>
+        <translation>das Magnetometer wurde weggelassen: {0} von {1} Werten sind leer</translation>
+    </message>
+    <message>
+        <source>the median of |(ax, ay, az)| is {0} m/s2</source>
+        <translation>der Median von |(ax, ay, az)| ist {0} m/s2</translation>
+    </message>
+    <message>
+        <source>the method offset needs one; give --offset S</source>
+        <translation>das Verfahren offset braucht einen Versatz; geben Sie --offset S an</translation>
+    </message>
+    <message>
+        <source>the motion cannot be separated from gravity</source>
+        <translation>die Bewegung lässt sich nicht von der Schwerkraft trennen</translation>
+    </message>
+    <message>
+        <source>the motion covers {0} to {1} s of media time, but the clip lasts from 0 to {2} s</source>
+        <translation>die Bewegung reicht von {0} bis {1} s Medienzeit, aber der Clip dauert von 0 bis {2} s</translation>
+    </message>
+    <message>
+        <source>the motion covers {0} to {1} s of the clip&apos;s {2} s; there is no force outside</source>
+        <translation>die Bewegung reicht von {0} bis {1} s der {2} s des Clips; außerhalb gibt es keine Kraft</translation>
+    </message>
+    <message>
+        <source>the motion track is empty, so there is no force to render</source>
+        <translation>die Bewegungsspur ist leer, es gibt also keine Kraft zu berechnen</translation>
+    </message>
+    <message>
+        <source>the norm of the specific force is {0} where it is calmest, but gravity is {1} m/s^2</source>
+        <translation>der Betrag der spezifischen Kraft ist {0}, wo sie am ruhigsten ist, aber die Schwerkraft ist {1} m/s^2</translation>
+    </message>
+    <message>
+        <source>the number of samples is {0}; {1} to {2} can be used</source>
+        <translation>die Zahl der Werte ist {0}; {1} bis {2} sind zu gebrauchen</translation>
+    </message>
+    <message>
+        <source>the phone&apos;s axes: x right, y top, z out of the screen</source>
+        <translation>Achsen des Telefons: x rechts, y oben, z aus dem Bildschirm</translation>
+    </message>
+    <message>
+        <source>the position {0} is no whole number</source>
+        <translation>die Stelle {0} ist keine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>the rate</source>
+        <translation>die Rate</translation>
+    </message>
+    <message>
+        <source>the record cannot be written ({0})</source>
+        <translation>die Aufzeichnung kann nicht geschrieben werden ({0})</translation>
+    </message>
+    <message>
+        <source>the sampling rate changes over the recording, {0}</source>
+        <translation>die Abtastrate ändert sich in der Aufnahme, {0}</translation>
+    </message>
+    <message>
+        <source>the scale of {0} is damaged ({1})</source>
+        <translation>der Maßstab von {0} ist beschädigt ({1})</translation>
+    </message>
+    <message>
+        <source>the second half could not be drawn ({0})</source>
+        <translation>die zweite Hälfte konnte nicht gezeichnet werden ({0})</translation>
+    </message>
+    <message>
+        <source>the sensor turned so much that gravity does not show its axes</source>
+        <translation>der Sensor drehte sich so sehr, dass die Schwerkraft seine Achsen nicht zeigt</translation>
+    </message>
+    <message>
+        <source>the sequence {0} has changed since this session began</source>
+        <translation>die Sequenz {0} hat sich geändert, seit diese Sitzung begann</translation>
+    </message>
+    <message>
+        <source>the sequence {0} has no feedback {1}</source>
+        <translation>die Sequenz {0} hat kein Feedback {1}</translation>
+    </message>
+    <message>
+        <source>the sequence {0} has no folder with a sequence</source>
+        <translation>zur Sequenz {0} gibt es keinen Ordner mit einer Sequenz</translation>
+    </message>
+    <message>
+        <source>the simulated Falcon did not answer within {0} s; try again, and run &apos;hapticplayer doctor&apos; if it stays so</source>
+        <translation>der simulierte Falcon hat in {0} s nicht geantwortet; versuchen Sie es noch einmal, und rufen Sie „hapticplayer doctor“ auf, wenn es so bleibt</translation>
+    </message>
+    <message>
+        <source>the simulated Falcon was unplugged: its process has ended; choose the device again to start a new one</source>
+        <translation>der simulierte Falcon wurde abgezogen: Sein Prozess ist beendet; wählen Sie das Gerät noch einmal, um einen neuen zu starten</translation>
+    </message>
+    <message>
+        <source>the simulated Falcon was unplugged; choose the device again</source>
+        <translation>der simulierte Falcon wurde abgezogen; wählen Sie das Gerät noch einmal</translation>
+    </message>
+    <message>
+        <source>the sound has the shape {0}, expected (n, 1) or (n, 2)</source>
+        <translation>der Ton hat die Form {0}, erwartet wird (n, 1) oder (n, 2)</translation>
+    </message>
+    <message>
+        <source>the sound holds values that are not finite</source>
+        <translation>der Ton enthält Werte, die nicht endlich sind</translation>
+    </message>
+    <message>
+        <source>the sound is silent</source>
+        <translation>der Ton ist stumm</translation>
+    </message>
+    <message>
+        <source>the sound was lost; picture and force go on</source>
+        <translation>der Ton ging verloren; Bild und Kraft laufen weiter</translation>
+    </message>
+    <message>
+        <source>the specific force is {0} m/s2 at rest when it is read in {1}, but gravity is 9.81</source>
+        <translation>die spezifische Kraft ist in Ruhe {0} m/s2, wenn sie in {1} gelesen wird, aber die Schwerkraft ist 9.81</translation>
+    </message>
+    <message>
+        <source>the study has no condition {0}</source>
+        <translation>die Studie hat keine Bedingung {0}</translation>
+    </message>
+    <message>
+        <source>the time {0} ({1} s after {2} s)</source>
+        <translation>die Zeit {0} ({1} s nach {2} s)</translation>
+    </message>
+    <message>
+        <source>the work was ended from outside (exit status {0}), perhaps for want of memory; nothing was written</source>
+        <translation>die Arbeit wurde von außen beendet (Status {0}), vielleicht aus Mangel an Arbeitsspeicher; nichts wurde geschrieben</translation>
+    </message>
+    <message>
+        <source>the {0} may not be used by you, or is gone; copy the udev rule {1} to /etc/udev/rules.d, then unplug it and plug it in</source>
+        <translation>Sie dürfen das Gerät ({0}) nicht benutzen, oder es ist weg; kopieren Sie die udev-Regel {1} nach /etc/udev/rules.d, ziehen Sie es dann ab und stecken Sie es wieder an</translation>
+    </message>
+    <message>
+        <source>the {0} was unplugged; plug it in and choose the device again</source>
+        <translation>das Gerät ({0}) wurde abgezogen; stecken Sie es an, und wählen Sie es noch einmal</translation>
+    </message>
+    <message>
+        <source>there are no pictures to write</source>
+        <translation>es gibt keine Bilder zu schreiben</translation>
+    </message>
+    <message>
+        <source>there is a track {0} already; choose another name</source>
+        <translation>eine Spur {0} gibt es schon; wählen Sie einen anderen Namen</translation>
+    </message>
+    <message>
+        <source>there is no device that could have a fault</source>
+        <translation>es gibt kein Gerät, das einen Fehler haben könnte</translation>
+    </message>
+    <message>
+        <source>there is no format {0}; choose one of {1}</source>
+        <translation>es gibt kein Format {0}; wählen Sie eines von {1}</translation>
+    </message>
+    <message>
+        <source>there is no header, the file begins with numbers</source>
+        <translation>es gibt keinen Kopf, die Datei beginnt mit Zahlen</translation>
+    </message>
+    <message>
+        <source>there is no judgement that could be analysed</source>
+        <translation>es gibt kein Urteil, das sich auswerten ließe</translation>
+    </message>
+    <message>
+        <source>there is no method {0}; choose one of {1}</source>
+        <translation>es gibt kein Verfahren {0}; wählen Sie eines von {1}</translation>
+    </message>
+    <message>
+        <source>there is no mounting {0}; choose one of {1}, or give right, front and up of the actor in the recorder&apos;s axes, such as --mounting=-x,y,-z</source>
+        <translation>es gibt keine Befestigung {0}; wählen Sie eine von {1}, oder geben Sie rechts, vorn und oben der Person in den Achsen des Recorders an, etwa --mounting=-x,y,-z</translation>
+    </message>
+    <message>
+        <source>there is no participant {0}</source>
+        <translation>es gibt keine teilnehmende Person {0}</translation>
+    </message>
+    <message>
+        <source>there is no sequence {0}; {1} are</source>
+        <translation>es gibt keine Sequenz {0}; es gibt {1}</translation>
+    </message>
+    <message>
+        <source>there is no sound in which pats could be heard</source>
+        <translation>es gibt keinen Ton, in dem Klopfen zu hören wäre</translation>
+    </message>
+    <message>
+        <source>there is no sound output, so the clip plays silently</source>
+        <translation>es gibt keine Tonausgabe, der Clip läuft also stumm</translation>
+    </message>
+    <message>
+        <source>there is no sound output: {0}</source>
+        <translation>es gibt keine Tonausgabe: {0}</translation>
+    </message>
+    <message>
+        <source>there is no such file</source>
+        <translation>diese Datei gibt es nicht</translation>
+    </message>
+    <message>
+        <source>there is no template {0}; there is {1}</source>
+        <translation>es gibt keine Vorlage {0}; es gibt {1}</translation>
+    </message>
+    <message>
+        <source>there is no track {0}</source>
+        <translation>es gibt keine Spur {0}</translation>
+    </message>
+    <message>
+        <source>there is no {0}</source>
+        <translation>es fehlt: {0}</translation>
+    </message>
+    <message>
+        <source>there is nothing in it</source>
+        <translation>es ist nichts darin</translation>
+    </message>
+    <message>
+        <source>these are two of a kind: {0}</source>
+        <translation>das sind zwei von derselben Art: {0}</translation>
+    </message>
+    <message>
+        <source>this is no firmware for the Falcon: {0}; choose the file nvent_firmware.bin of a libnifalcon source archive</source>
+        <translation>das ist keine Firmware für den Falcon: {0}; wählen Sie die Datei nvent_firmware.bin eines Quellarchivs von libnifalcon</translation>
+    </message>
+    <message>
+        <source>this is the page {0}, not {1}</source>
+        <translation>dies ist die Seite {0}, nicht {1}</translation>
+    </message>
+    <message>
+        <source>this track heats the motors to {0} % of what they bear for ever; they may weaken it</source>
+        <translation>diese Spur erwärmt die Motoren auf {0} % dessen, was sie auf Dauer vertragen; sie könnten sie abschwächen</translation>
+    </message>
+    <message>
+        <source>this track would move a {0} hand so that the force stops ({1}) at {2} s</source>
+        <translation>diese Spur würde eine {0} Hand so bewegen, dass die Kraft abschaltet ({1}), bei {2} s</translation>
+    </message>
+    <message>
+        <source>this track would reach {0} % of the workspace with a relaxed hand, at {1} s; beyond {2} % the force outward is weakened</source>
+        <translation>diese Spur würde mit einer lockeren Hand {0} % des Arbeitsraums erreichen, bei {1} s; jenseits von {2} % wird die Kraft nach außen abgeschwächt</translation>
+    </message>
+    <message>
+        <source>time_s has {0} axes, expected one</source>
+        <translation>time_s hat {0} Achsen, erwartet wird eine</translation>
+    </message>
+    <message>
+        <source>time_s jumps back by {0} s at line {1}</source>
+        <translation>time_s springt in Zeile {1} um {0} s zurück</translation>
+    </message>
+    <message>
+        <source>time_s jumps back by {0} s at row {1}</source>
+        <translation>time_s springt in Zeile {1} um {0} s zurück</translation>
+    </message>
+    <message>
+        <source>time_s runs at {0} samples a second</source>
+        <translation>time_s läuft mit {0} Werten je Sekunde</translation>
+    </message>
+    <message>
+        <source>time_s runs backwards at line {0}, and no order can be found</source>
+        <translation>time_s läuft in Zeile {0} rückwärts, und es findet sich keine Reihenfolge</translation>
+    </message>
+    <message>
+        <source>time_s runs backwards at row {0}, and no order can be found</source>
+        <translation>time_s läuft in Zeile {0} rückwärts, und es findet sich keine Reihenfolge</translation>
+    </message>
+    <message>
+        <source>took telemetry-parser {0} s</source>
+        <translation>brauchte mit telemetry-parser {0} s</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true oder false</translation>
+    </message>
+    <message>
+        <source>turning at {0} rad/s at most</source>
+        <translation>höchste Drehrate {0} rad/s</translation>
+    </message>
+    <message>
+        <source>update hapticplayer</source>
+        <translation>aktualisieren Sie hapticplayer</translation>
+    </message>
+    <message>
+        <source>update the program, or export again with this version</source>
+        <translation>aktualisieren Sie das Programm, oder exportieren Sie noch einmal mit dieser Version</translation>
+    </message>
+    <message>
+        <source>use at most {0} of a-z, 0-9, _ and -</source>
+        <translation>nehmen Sie höchstens {0} Zeichen aus a-z, 0-9, _ und -</translation>
+    </message>
+    <message>
+        <source>without a readable number</source>
+        <translation>ohne lesbare Nummer</translation>
+    </message>
+    <message>
+        <source>without names</source>
+        <translation>ohne Namen</translation>
+    </message>
+    <message>
+        <source>write one with --save-template</source>
+        <translation>schreiben Sie eine mit --save-template</translation>
+    </message>
+    <message>
+        <source>writes its times as dates ({0})</source>
+        <translation>schreibt seine Zeiten als Datum ({0})</translation>
+    </message>
+    <message>
+        <source>writing failed ({0})</source>
+        <translation>das Schreiben ist fehlgeschlagen ({0})</translation>
+    </message>
+    <message>
+        <source>written to</source>
+        <translation>beschrieben</translation>
+    </message>
+    <message>
+        <source>{0} (first in line {1})</source>
+        <translation>{0} (zuerst in Zeile {1})</translation>
+    </message>
+    <message>
+        <source>{0} (or rate-hz=100)</source>
+        <translation>{0} (oder rate-hz=100)</translation>
+    </message>
+    <message>
+        <source>{0} Falcons are plugged in: {1}; choose one, such as falcon:{2}</source>
+        <translation>{0} Falcons sind angesteckt: {1}; wählen Sie einen, etwa falcon:{2}</translation>
+    </message>
+    <message>
+        <source>{0} Hz is above the rate of the samples, {1} Hz</source>
+        <translation>{0} Hz liegen über der Rate der Werte, {1} Hz</translation>
+    </message>
+    <message>
+        <source>{0} and are marked as not valid</source>
+        <translation>{0} und sind als ungültig markiert</translation>
+    </message>
+    <message>
+        <source>{0} and no {1}</source>
+        <translation>{0} und kein {1}</translation>
+    </message>
+    <message>
+        <source>{0} and {1}</source>
+        <translation>{0} und {1}</translation>
+    </message>
+    <message>
+        <source>{0} and {1} damaged lines</source>
+        <translation>{0} und {1} beschädigte Zeilen</translation>
+    </message>
+    <message>
+        <source>{0} and {1} for {2}</source>
+        <translation>{0} und {1} für {2}</translation>
+    </message>
+    <message>
+        <source>{0} are no axes, so the telemetry is damaged</source>
+        <translation>{0} sind keine Achsen, die Telemetrie ist also beschädigt</translation>
+    </message>
+    <message>
+        <source>{0} bytes are no whole number of words, or too many</source>
+        <translation>{0} Bytes sind keine ganze Zahl von Wörtern, oder zu viele</translation>
+    </message>
+    <message>
+        <source>{0} bytes follow its end</source>
+        <translation>auf das Ende folgen {0} Bytes</translation>
+    </message>
+    <message>
+        <source>{0} cannot be the name of a track; use up to 40 letters, digits, blanks, dots and hyphens</source>
+        <translation>{0} kann nicht der Name einer Spur sein; nehmen Sie bis zu 40 Buchstaben, Ziffern, Leerzeichen, Punkte und Bindestriche</translation>
+    </message>
+    <message>
+        <source>{0} does not hold numbers only ({1})</source>
+        <translation>{0} enthält nicht nur Zahlen ({1})</translation>
+    </message>
+    <message>
+        <source>{0} does not know the clip&apos;s clock; use --method pats or give --offset S</source>
+        <translation>{0} kennt die Uhr des Clips nicht; nehmen Sie --method pats, oder geben Sie --offset S an</translation>
+    </message>
+    <message>
+        <source>{0} gaps</source>
+        <translation>{0} Lücken</translation>
+    </message>
+    <message>
+        <source>{0} gyroscope values were scaled twice and are left out</source>
+        <translation>{0} Gyroskopwerte waren zweimal skaliert und wurden weggelassen</translation>
+    </message>
+    <message>
+        <source>{0} has no feedback {1}; choose one of {2}</source>
+        <translation>{0} hat kein Feedback {1}; wählen Sie eines von {2}</translation>
+    </message>
+    <message>
+        <source>{0} has the shape {1}, expected {2}</source>
+        <translation>{0} hat die Form {1}, erwartet wird {2}</translation>
+    </message>
+    <message>
+        <source>{0} has the shape {1}, expected {2} x 3</source>
+        <translation>{0} hat die Form {1}, erwartet wird {2} x 3</translation>
+    </message>
+    <message>
+        <source>{0} has {1} rows, but there are {2} times</source>
+        <translation>{0} hat {1} Zeilen, aber es gibt {2} Zeiten</translation>
+    </message>
+    <message>
+        <source>{0} has {1} samples, more than is read</source>
+        <translation>{0} hat {1} Werte, mehr als gelesen werden</translation>
+    </message>
+    <message>
+        <source>{0} holds a value that is not finite in line {1}</source>
+        <translation>{0} enthält in Zeile {1} einen Wert, der nicht endlich ist</translation>
+    </message>
+    <message>
+        <source>{0} holds a value that is not finite in row {1}</source>
+        <translation>{0} enthält in Zeile {1} einen Wert, der nicht endlich ist</translation>
+    </message>
+    <message>
+        <source>{0} is a real device and takes no faults</source>
+        <translation>{0} ist ein echtes Gerät und nimmt keine Fehler an</translation>
+    </message>
+    <message>
+        <source>{0} is missing</source>
+        <translation>{0} fehlt</translation>
+    </message>
+    <message>
+        <source>{0} is no Falcon; use falcon, or falcon:SERIAL</source>
+        <translation>{0} ist kein Falcon; nehmen Sie falcon oder falcon:SERIAL</translation>
+    </message>
+    <message>
+        <source>{0} is no key</source>
+        <translation>{0} ist kein Schlüssel</translation>
+    </message>
+    <message>
+        <source>{0} is no number</source>
+        <translation>{0} ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>{0} is no participant&apos;s code</source>
+        <translation>{0} ist kein Code einer teilnehmenden Person</translation>
+    </message>
+    <message>
+        <source>{0} is no plain file name</source>
+        <translation>{0} ist kein einfacher Dateiname</translation>
+    </message>
+    <message>
+        <source>{0} is no skew of sound and picture; give seconds between -{1} and {2}</source>
+        <translation>{0} ist kein Versatz von Ton und Bild; geben Sie Sekunden zwischen -{1} und {2} an</translation>
+    </message>
+    <message>
+        <source>{0} is no whole number</source>
+        <translation>{0} ist keine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>{0} is not a number</source>
+        <translation>{0} ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>{0} is not a {1}</source>
+        <translation>{0} ist nicht wie verlangt: {1}</translation>
+    </message>
+    <message>
+        <source>{0} is out of range</source>
+        <translation>{0} liegt außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>{0} is zero, not finite or beyond any sensor in {1} of {2} rows, first in line {3}</source>
+        <translation>{0} ist in {1} von {2} Zeilen null, nicht endlich oder jenseits jedes Sensors, zuerst in Zeile {3}</translation>
+    </message>
+    <message>
+        <source>{0} is zero, not finite or beyond any sensor in {1} of {2} rows, first in row {3}</source>
+        <translation>{0} ist in {1} von {2} Zeilen null, nicht endlich oder jenseits jedes Sensors, zuerst in Zeile {3}</translation>
+    </message>
+    <message>
+        <source>{0} lies outside {1} to {2}</source>
+        <translation>{0} liegt außerhalb von {1} bis {2}</translation>
+    </message>
+    <message>
+        <source>{0} lines are damaged and left out (first: line {1})</source>
+        <translation>{0} Zeilen sind beschädigt und wurden weggelassen (die erste: Zeile {1})</translation>
+    </message>
+    <message>
+        <source>{0} m/s2 at rest</source>
+        <translation>{0} m/s2 in Ruhe</translation>
+    </message>
+    <message>
+        <source>{0} m/s2 of gravity are left where the recording stands still</source>
+        <translation>{0} m/s2 der Schwerkraft bleiben übrig, wo die Aufnahme stillsteht</translation>
+    </message>
+    <message>
+        <source>{0} missing or wild times were interpolated</source>
+        <translation>{0} fehlende oder wilde Zeiten wurden interpoliert</translation>
+    </message>
+    <message>
+        <source>{0} motion samples are too few; at least {1} are needed</source>
+        <translation>{0} Bewegungswerte sind zu wenige; mindestens {1} werden gebraucht</translation>
+    </message>
+    <message>
+        <source>{0} motion samples within {1} ms are no motion</source>
+        <translation>{0} Bewegungswerte in {1} ms sind keine Bewegung</translation>
+    </message>
+    <message>
+        <source>{0} must be a positive number, got {1}</source>
+        <translation>{0} muss eine positive Zahl sein, war aber {1}</translation>
+    </message>
+    <message>
+        <source>{0} must increase strictly, but line {1} has {2} s after {3} s</source>
+        <translation>{0} muss streng steigen, aber in Zeile {1} stehen {2} s nach {3} s</translation>
+    </message>
+    <message>
+        <source>{0} must increase strictly, but row {1} has {2} s after {3} s</source>
+        <translation>{0} muss streng steigen, aber in Zeile {1} stehen {2} s nach {3} s</translation>
+    </message>
+    <message>
+        <source>{0} of the force samples reach the force limit</source>
+        <translation>{0} der Kraftwerte erreichen die Grenze der Kraft</translation>
+    </message>
+    <message>
+        <source>{0} of the motion is not to be trusted (gaps, missing or clipped samples); there is no force there</source>
+        <translation>{0} der Bewegung ist nicht zu trauen (Lücken, fehlende oder abgeschnittene Werte); dort gibt es keine Kraft</translation>
+    </message>
+    <message>
+        <source>{0} of the samples are at the sensor&apos;s limit</source>
+        <translation>{0} der Werte liegen an der Grenze des Sensors</translation>
+    </message>
+    <message>
+        <source>{0} of {1} rows {2}</source>
+        <translation>{0} von {1} Zeilen {2}</translation>
+    </message>
+    <message>
+        <source>{0} of {1} samples of {2} were missing, the first in line {3}; they were filled in</source>
+        <translation>{0} von {1} Werten von {2} fehlten, der erste in Zeile {3}; sie wurden aufgefüllt</translation>
+    </message>
+    <message>
+        <source>{0} of {1} samples of {2} were missing, the first in row {3}; they were filled in</source>
+        <translation>{0} von {1} Werten von {2} fehlten, der erste in Zeile {3}; sie wurden aufgefüllt</translation>
+    </message>
+    <message>
+        <source>{0} of {1} sessions are simulated: nobody sat there</source>
+        <translation>{0} von {1} Sitzungen sind simuliert: Niemand saß dort</translation>
+    </message>
+    <message>
+        <source>{0} of {1} sessions have answers and no end</source>
+        <translation>{0} von {1} Sitzungen haben Antworten und kein Ende</translation>
+    </message>
+    <message>
+        <source>{0} of {1} sessions hold no answer to a trial</source>
+        <translation>{0} von {1} Sitzungen enthalten keine Antwort zu einem Durchgang</translation>
+    </message>
+    <message>
+        <source>{0} or {1}</source>
+        <translation>{0} oder {1}</translation>
+    </message>
+    <message>
+        <source>{0} packets in a row are damaged</source>
+        <translation>{0} Pakete hintereinander sind beschädigt</translation>
+    </message>
+    <message>
+        <source>{0} pairs of rows were swapped in time and put in order</source>
+        <translation>{0} Zeilenpaare waren zeitlich vertauscht und wurden geordnet</translation>
+    </message>
+    <message>
+        <source>{0} rows without a time were left out, as they stand in a gap</source>
+        <translation>{0} Zeilen ohne Zeit wurden weggelassen, da sie in einer Lücke stehen</translation>
+    </message>
+    <message>
+        <source>{0} s of samples are less than one window of {1} s</source>
+        <translation>{0} s Werte sind weniger als ein Fenster von {1} s</translation>
+    </message>
+    <message>
+        <source>{0} samples have no rate</source>
+        <translation>{0} Werte haben keine Rate</translation>
+    </message>
+    <message>
+        <source>{0} telemetry payloads are damaged; the rest was read.</source>
+        <translation>{0} Telemetrieblöcke sind beschädigt; der Rest wurde gelesen.</translation>
+    </message>
+    <message>
+        <source>{0} x {1} pixels are too large for a picture</source>
+        <translation>{0} x {1} Pixel sind zu groß für ein Bild</translation>
+    </message>
+    <message>
+        <source>{0} {1} is not understood; give KEY=VALUE with one of {2}</source>
+        <translation>{0} {1} wird nicht verstanden; geben Sie KEY=VALUE mit einem von {2} an</translation>
+    </message>
+    <message>
+        <source>{0}, but the numbers would fit another unit</source>
+        <translation>{0}, aber die Zahlen würden zu einer anderen Einheit passen</translation>
+    </message>
+    <message>
+        <source>{0}, column {1}</source>
+        <translation>{0}, Spalte {1}</translation>
+    </message>
+    <message>
+        <source>{0}, line 1</source>
+        <translation>{0}, Zeile 1</translation>
+    </message>
+    <message>
+        <source>{0}, line {1}</source>
+        <translation>{0}, Zeile {1}</translation>
+    </message>
+    <message>
+        <source>{0}, or {1}</source>
+        <translation>{0}, oder {1}</translation>
+    </message>
+    <message>
+        <source>{0}, others {1} s</source>
+        <translation>{0}, andere {1} s</translation>
+    </message>
+    <message>
+        <source>{0}, {1} m/s2 at rest</source>
+        <translation>{0}, {1} m/s2 in Ruhe</translation>
+    </message>
+    <message>
+        <source>{0}: cannot be read ({1}); choose another file</source>
+        <translation>{0}: kann nicht gelesen werden ({1}); wählen Sie eine andere Datei</translation>
+    </message>
+    <message>
+        <source>{0}: columns={1} {2}</source>
+        <translation>{0}: columns={1} {2}</translation>
+    </message>
+    <message>
+        <source>{0}: is damaged; the study&apos;s own definition was used</source>
+        <translation>{0}: ist beschädigt; die Definition der Studie wurde verwendet</translation>
+    </message>
+    <message>
+        <source>{0}: is no log of {1}</source>
+        <translation>{0}: ist kein Protokoll von {1}</translation>
+    </message>
+    <message>
+        <source>{0}: is no table of numbers; choose another log</source>
+        <translation>{0}: ist keine Tabelle mit Zahlen; wählen Sie ein anderes Protokoll</translation>
+    </message>
+    <message>
+        <source>{0}: no three pats are both heard and felt; {1}</source>
+        <translation>{0}: Es gibt kein dreimaliges Klopfen, das zu hören und zu spüren ist; {1}</translation>
+    </message>
+    <message>
+        <source>{0}: sound, but none of the known images ({1}; SHA-256 {2}...); it would run the motors: say that you want it (--accept-unknown)</source>
+        <translation>{0}: einwandfrei, aber keine der bekannten Firmware-Dateien ({1}; SHA-256 {2}...); sie würde die Motoren betreiben: Sagen Sie, dass Sie das wollen (--accept-unknown)</translation>
+    </message>
+    <message>
+        <source>{0}: the firmware cannot be kept there ({1}); set {2} to another path</source>
+        <translation>{0}: Die Firmware kann dort nicht aufbewahrt werden ({1}); setzen Sie {2} auf einen anderen Pfad</translation>
+    </message>
+    <message>
+        <source>{0}: the pats are not certain (confidence {1}): the best offset is {2} s{3}; {4}</source>
+        <translation>{0}: Das Klopfen ist nicht sicher (Konfidenz {1}): Der beste Versatz ist {2} s{3}; {4}</translation>
+    </message>
+    <message>
+        <source>{0}: {1}</source>
+        <translation>{0}: {1}</translation>
+    </message>
+    <message>
+        <source>{0}: {1}; decide with {2}</source>
+        <translation>{0}: {1}; entscheiden Sie mit {2}</translation>
+    </message>
+    <message>
+        <source>{0}: {1}; give --mounting {2}, or another of {3}, or --mounting forward to take it as it is</source>
+        <translation>{0}: {1}; geben Sie --mounting {2} an, oder etwas anderes von {3}, oder --mounting forward, um es so zu nehmen, wie es ist</translation>
+    </message>
+    <message>
+        <source>{0}; see --mounting</source>
+        <translation>{0}; siehe --mounting</translation>
+    </message>
+    <message>
+        <source>{0}; the copy among the answers was used</source>
+        <translation>{0}; die Kopie bei den Antworten wurde verwendet</translation>
+    </message>
+    <message>
+        <source>{0}; {1}</source>
+        <translation>{0}; {1}</translation>
+    </message>
+    <message>
+        <source>{0}={1} is no unit; choose {2}, or give the factor to SI as a number above zero</source>
+        <translation>{0}={1} ist keine Einheit; wählen Sie {2}, oder geben Sie den Faktor zu SI als Zahl über null an</translation>
+    </message>
+    <message>
+        <source>{0}{1} are right, front, up</source>
+        <translation>{0}{1} sind rechts, vorn, oben</translation>
     </message>
 </context>
 </TS>

@@ -203,6 +203,10 @@
         <translation>Écriture du rapport</translation>
     </message>
     <message>
+        <source>The report is in English, to be published as it is.</source>
+        <translation>Le rapport est en anglais, pour être publié tel quel.</translation>
+    </message>
+    <message>
         <source>Saved in {0}</source>
         <translation>Enregistré dans {0}</translation>
     </message>
@@ -1654,6 +1658,14 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <source>Hide this message</source>
         <translation>Masquer ce message</translation>
     </message>
+    <message>
+        <source>Copy</source>
+        <translation>Copier</translation>
+    </message>
+    <message>
+        <source>Copy it, in English too, to report</source>
+        <translation>Copier pour le signaler, aussi en anglais</translation>
+    </message>
 </context>
 <context>
     <name>Mirror</name>
@@ -2811,6 +2823,13 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
 </context>
 <context>
+    <name>StudyProcess</name>
+    <message>
+        <source>The session has ended with status {0}</source>
+        <translation>La séance s’est terminée avec l’état {0}</translation>
+    </message>
+</context>
+<context>
     <name>SyncPage</name>
     <message>
         <source> s</source>
@@ -3172,6 +3191,2821 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     <message>
         <source>Take the answers from a file</source>
         <translation>Prendre les réponses d’un fichier</translation>
+    </message>
+</context>
+<context>
+    <name>engine</name>
+    <message>
+        <source>1 g = {0} and 2000 deg/s</source>
+        <translation>1 g = {0} et 2000 °/s</translation>
+    </message>
+    <message>
+        <source>1 line is damaged and left out (first: line {0})</source>
+        <translation>1 ligne est endommagée et a été omise (la première&#xa0;: ligne {0})</translation>
+    </message>
+    <message>
+        <source>Broken pipe</source>
+        <translation>la connexion est rompue</translation>
+    </message>
+    <message>
+        <source>CSV log</source>
+        <translation>journal CSV</translation>
+    </message>
+    <message>
+        <source>CSV with chosen columns</source>
+        <translation>CSV aux colonnes choisies</translation>
+    </message>
+    <message>
+        <source>Cannot allocate memory</source>
+        <translation>la mémoire ne suffit pas</translation>
+    </message>
+    <message>
+        <source>Connection timed out</source>
+        <translation>pas de réponse à temps</translation>
+    </message>
+    <message>
+        <source>Device or resource busy</source>
+        <translation>l’appareil est occupé</translation>
+    </message>
+    <message>
+        <source>Disk quota exceeded</source>
+        <translation>le quota du disque est épuisé</translation>
+    </message>
+    <message>
+        <source>File exists</source>
+        <translation>le fichier existe déjà</translation>
+    </message>
+    <message>
+        <source>File name too long</source>
+        <translation>le nom du fichier est trop long</translation>
+    </message>
+    <message>
+        <source>File too large</source>
+        <translation>le fichier est trop grand</translation>
+    </message>
+    <message>
+        <source>GPMF track</source>
+        <translation>piste GPMF</translation>
+    </message>
+    <message>
+        <source>Gyroflow gcsv</source>
+        <translation>gcsv de Gyroflow</translation>
+    </message>
+    <message>
+        <source>Input/output error</source>
+        <translation>erreur de lecture ou d’écriture</translation>
+    </message>
+    <message>
+        <source>Invalid argument</source>
+        <translation>indication non valable</translation>
+    </message>
+    <message>
+        <source>Is a directory</source>
+        <translation>c’est un dossier</translation>
+    </message>
+    <message>
+        <source>LSL streams cannot be kept on this machine ({0})</source>
+        <translation>les flux LSL ne peuvent pas rester sur cette machine ({0})</translation>
+    </message>
+    <message>
+        <source>LSL streams cannot be opened ({0})</source>
+        <translation>les flux LSL ne peuvent pas être ouverts ({0})</translation>
+    </message>
+    <message>
+        <source>LSL streams need pylsl 1.18 or newer with its library</source>
+        <translation>les flux LSL demandent pylsl 1.18 ou plus récent, avec sa bibliothèque</translation>
+    </message>
+    <message>
+        <source>MARS logger</source>
+        <translation>MARS logger</translation>
+    </message>
+    <message>
+        <source>No space left on device</source>
+        <translation>plus de place sur le disque</translation>
+    </message>
+    <message>
+        <source>No such device</source>
+        <translation>cet appareil n’existe pas</translation>
+    </message>
+    <message>
+        <source>No such file or directory</source>
+        <translation>ce fichier ou ce dossier n’existe pas</translation>
+    </message>
+    <message>
+        <source>Not a directory</source>
+        <translation>ce n’est pas un dossier</translation>
+    </message>
+    <message>
+        <source>Operation not permitted</source>
+        <translation>ce n’est pas permis</translation>
+    </message>
+    <message>
+        <source>Permission denied</source>
+        <translation>accès refusé</translation>
+    </message>
+    <message>
+        <source>Razor, raw output</source>
+        <translation>Razor, sortie brute</translation>
+    </message>
+    <message>
+        <source>Read-only file system</source>
+        <translation>le disque est en lecture seule</translation>
+    </message>
+    <message>
+        <source>Sensor Logger ({0})</source>
+        <translation>Sensor Logger ({0})</translation>
+    </message>
+    <message>
+        <source>The compass is left out: the file does not say which axes it has.</source>
+        <translation>La boussole est omise&#xa0;: le fichier ne dit pas quels axes elle a.</translation>
+    </message>
+    <message>
+        <source>The compass is left out: {0}.</source>
+        <translation>La boussole est omise&#xa0;: {0}.</translation>
+    </message>
+    <message>
+        <source>The file does not say how the sensor sits in {0}: the axes of a HERO5 are assumed.</source>
+        <translation>Le fichier ne dit pas comment le capteur est placé dans {0}&#xa0;: les axes d’une HERO5 sont supposés.</translation>
+    </message>
+    <message>
+        <source>The log has {0}, the longest of {1} s at {2} s.</source>
+        <translation>Le journal a {0}, la plus longue de {1} s à {2} s.</translation>
+    </message>
+    <message>
+        <source>This camera does not stamp its samples: they may lie 10 to 30 ms off the picture.</source>
+        <translation>Cette caméra ne date pas ses mesures&#xa0;: elles peuvent être décalées de 10 à 30 ms par rapport à l’image.</translation>
+    </message>
+    <message>
+        <source>Too many levels of symbolic links</source>
+        <translation>trop de liens symboliques</translation>
+    </message>
+    <message>
+        <source>Too many open files</source>
+        <translation>trop de fichiers ouverts</translation>
+    </message>
+    <message>
+        <source>Ultimate IMU, stock firmware</source>
+        <translation>Ultimate IMU, micrologiciel d’origine</translation>
+    </message>
+    <message>
+        <source>`study status` lists them</source>
+        <translation>`study status` en donne la liste</translation>
+    </message>
+    <message>
+        <source>a GoPro&apos;s telemetry is read without it, and is damaged</source>
+        <translation>la télémétrie d’une GoPro se lit sans lui, et elle est endommagée</translation>
+    </message>
+    <message>
+        <source>a Williams design has every pair of neighbours, also those of one sequence</source>
+        <translation>un plan de Williams contient chaque paire de voisins, aussi ceux d’une même séquence</translation>
+    </message>
+    <message>
+        <source>a block of {0} words at {1} fits nowhere</source>
+        <translation>un bloc de {0} mots à {1} n’a sa place nulle part</translation>
+    </message>
+    <message>
+        <source>a clip cannot be copied onto itself</source>
+        <translation>une vidéo ne peut pas être copiée sur elle-même</translation>
+    </message>
+    <message>
+        <source>a code has {0} letters, as `study status` lists them</source>
+        <translation>un code a {0} lettres, comme `study status` les donne</translation>
+    </message>
+    <message>
+        <source>a condition was rated twice although it was sound the first time</source>
+        <translation>une condition a été notée deux fois, bien qu’elle ait été valable la première fois</translation>
+    </message>
+    <message>
+        <source>a cutoff of {0} Hz is not below half the rate of the samples, {1} Hz</source>
+        <translation>une fréquence de coupure de {0} Hz n’est pas inférieure à la moitié de la cadence des mesures, {1} Hz</translation>
+    </message>
+    <message>
+        <source>a force that is no number was asked for, a defect of this program; please report it, and choose the device again</source>
+        <translation>une force qui n’est pas un nombre a été demandée, un défaut de ce programme&#xa0;; veuillez le signaler et choisir de nouveau l’appareil</translation>
+    </message>
+    <message>
+        <source>a force track needs at least one row</source>
+        <translation>une piste de force demande au moins une ligne</translation>
+    </message>
+    <message>
+        <source>a gain span holds a number that is not finite: {0}</source>
+        <translation>une plage de gain contient un nombre qui n’est pas fini&#xa0;: {0}</translation>
+    </message>
+    <message>
+        <source>a latency of {0} s is not between 0 and 1 s</source>
+        <translation>une latence de {0} s n’est pas entre 0 et 1 s</translation>
+    </message>
+    <message>
+        <source>a list</source>
+        <translation>une liste</translation>
+    </message>
+    <message>
+        <source>a low-pass of order {0} is not possible</source>
+        <translation>un passe-bas d’ordre {0} n’est pas possible</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>un nombre</translation>
+    </message>
+    <message>
+        <source>a picture has the shape {0}, expected {1} of uint8</source>
+        <translation>une image a la forme {0}, attendu&#xa0;: {1} en uint8</translation>
+    </message>
+    <message>
+        <source>a rating names the {0} {1}, which there is not</source>
+        <translation>une note désigne&#xa0;: {0} {1}, qui n’existe pas</translation>
+    </message>
+    <message>
+        <source>a rating of {0} is outside {1} to {2}</source>
+        <translation>une note de {0} est en dehors de {1} à {2}</translation>
+    </message>
+    <message>
+        <source>a sound of {0} Hz is too coarse; give 8000 or more</source>
+        <translation>un son de {0} Hz est trop grossier&#xa0;; donnez 8000 ou plus</translation>
+    </message>
+    <message>
+        <source>a span without a fade makes the force jump</source>
+        <translation>une plage sans fondu fait sauter la force</translation>
+    </message>
+    <message>
+        <source>a step is skipped only with a reason</source>
+        <translation>une étape n’est omise qu’avec une raison</translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation>un texte</translation>
+    </message>
+    <message>
+        <source>a time constant can only be set for the method smoother, not for {0}</source>
+        <translation>une constante de temps ne vaut que pour la méthode smoother, pas pour {0}</translation>
+    </message>
+    <message>
+        <source>a title has 1 to {0} characters</source>
+        <translation>un titre a de 1 à {0} caractères</translation>
+    </message>
+    <message>
+        <source>a {0} has half a character in its name</source>
+        <translation>un demi-caractère se trouve dans le nom&#xa0;: {0}</translation>
+    </message>
+    <message>
+        <source>a {0} is named twice ({1})</source>
+        <translation>nommé deux fois&#xa0;: {0} ({1})</translation>
+    </message>
+    <message>
+        <source>about {0} samples were never recorded; the longest gap is {1} s; nothing was put in their place</source>
+        <translation>environ {0} mesures n’ont jamais été enregistrées&#xa0;; la plus longue lacune est de {1} s&#xa0;; rien n’a été mis à leur place</translation>
+    </message>
+    <message>
+        <source>accel</source>
+        <translation>accel</translation>
+    </message>
+    <message>
+        <source>add a question to {0}</source>
+        <translation>ajoutez une question à {0}</translation>
+    </message>
+    <message>
+        <source>add it</source>
+        <translation>ajoutez-la</translation>
+    </message>
+    <message>
+        <source>add orders.csv</source>
+        <translation>ajoutez orders.csv</translation>
+    </message>
+    <message>
+        <source>after record {0}</source>
+        <translation>après l’entrée {0}</translation>
+    </message>
+    <message>
+        <source>all lines from {0} on carry the same time</source>
+        <translation>toutes les lignes à partir de {0} portent le même temps</translation>
+    </message>
+    <message>
+        <source>all rows from {0} on carry the same time</source>
+        <translation>toutes les lignes à partir de {0} portent le même temps</translation>
+    </message>
+    <message>
+        <source>all samples are the same, so the sensor was stuck</source>
+        <translation>toutes les mesures sont égales, le capteur était donc bloqué</translation>
+    </message>
+    <message>
+        <source>all samples are the same: was the sensor stuck?</source>
+        <translation>toutes les mesures sont égales&#xa0;: le capteur était-il bloqué&#xa0;?</translation>
+    </message>
+    <message>
+        <source>already exists</source>
+        <translation>existe déjà</translation>
+    </message>
+    <message>
+        <source>an entry is missing or of the wrong kind ({0})</source>
+        <translation>une entrée manque ou n’est pas du bon type ({0})</translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation>un objet</translation>
+    </message>
+    <message>
+        <source>an unknown logger</source>
+        <translation>un enregistreur inconnu</translation>
+    </message>
+    <message>
+        <source>angular rate in {0}</source>
+        <translation>vitesse angulaire en {0}</translation>
+    </message>
+    <message>
+        <source>as stored, orientation {0}</source>
+        <translation>tel qu’enregistré, orientation {0}</translation>
+    </message>
+    <message>
+        <source>as telemetry-parser gives them</source>
+        <translation>tels que telemetry-parser les donne</translation>
+    </message>
+    <message>
+        <source>asks about feedbacks before any was felt</source>
+        <translation>interroge sur des retours avant qu’un seul ait été senti</translation>
+    </message>
+    <message>
+        <source>asks nothing after a clip</source>
+        <translation>ne demande rien après une vidéo</translation>
+    </message>
+    <message>
+        <source>at the beginning</source>
+        <translation>au début</translation>
+    </message>
+    <message>
+        <source>averaged from {0} to {1} Hz</source>
+        <translation>moyenné de {0} à {1} Hz</translation>
+    </message>
+    <message>
+        <source>axes=RIGHT,FRONT,UP in its axes, such as axes=x,-z,y</source>
+        <translation>axes=DROITE,AVANT,HAUT dans ses axes, par exemple axes=x,-z,y</translation>
+    </message>
+    <message>
+        <source>axes={0} are not three axes; give right, front and up in the axes of the log, for example axes=x,-z,y</source>
+        <translation>axes={0} ne sont pas trois axes&#xa0;; donnez la droite, l’avant et le haut dans les axes du journal, par exemple axes=x,-z,y</translation>
+    </message>
+    <message>
+        <source>axes={0} mirror the log; turn one sign round, for right, front and up have to follow the right hand</source>
+        <translation>axes={0} inversent le journal en miroir&#xa0;; changez un signe, car droite, avant et haut doivent suivre la main droite</translation>
+    </message>
+    <message>
+        <source>axes={0} or what else was right, front, up</source>
+        <translation>axes={0} ou ce qui était autrement droite, avant, haut</translation>
+    </message>
+    <message>
+        <source>begin a new one</source>
+        <translation>commencez-en une nouvelle</translation>
+    </message>
+    <message>
+        <source>begin the file with {0}</source>
+        <translation>commencez le fichier par {0}</translation>
+    </message>
+    <message>
+        <source>begins without a header</source>
+        <translation>commence sans en-tête</translation>
+    </message>
+    <message>
+        <source>belongs to the clip {0}, not to {1}</source>
+        <translation>appartient à la vidéo {0}, pas à {1}</translation>
+    </message>
+    <message>
+        <source>bring the old one back, or stop this session</source>
+        <translation>remettez l’ancienne, ou arrêtez cette séance</translation>
+    </message>
+    <message>
+        <source>bring the streams to common times by interpolation first</source>
+        <translation>ramenez d’abord les flux à des temps communs par interpolation</translation>
+    </message>
+    <message>
+        <source>byte {0}</source>
+        <translation>l’octet {0}</translation>
+    </message>
+    <message>
+        <source>bytes {0} to {1} (line {2}, {3}) are damaged</source>
+        <translation>les octets {0} à {1} (ligne {2}, {3}) sont endommagés</translation>
+    </message>
+    <message>
+        <source>call the experimenter</source>
+        <translation>appelez l’expérimentateur</translation>
+    </message>
+    <message>
+        <source>cancelled; nothing was written</source>
+        <translation>annulé&#xa0;; rien n’a été écrit</translation>
+    </message>
+    <message>
+        <source>cannot be copied ({0})</source>
+        <translation>ne peut pas être copié ({0})</translation>
+    </message>
+    <message>
+        <source>cannot be decoded ({0})</source>
+        <translation>ne peut pas être décodé ({0})</translation>
+    </message>
+    <message>
+        <source>cannot be listed ({0})</source>
+        <translation>ne peut pas être listé ({0})</translation>
+    </message>
+    <message>
+        <source>cannot be positioned</source>
+        <translation>ne peut pas être positionné</translation>
+    </message>
+    <message>
+        <source>cannot be reached ({0})</source>
+        <translation>ne peut pas être atteint ({0})</translation>
+    </message>
+    <message>
+        <source>cannot be read ({0})</source>
+        <translation>ne peut pas être lu ({0})</translation>
+    </message>
+    <message>
+        <source>cannot be started ({0})</source>
+        <translation>ne peut pas être lancé ({0})</translation>
+    </message>
+    <message>
+        <source>cannot be written</source>
+        <translation>ne peut pas être écrit</translation>
+    </message>
+    <message>
+        <source>cannot be written ({0})</source>
+        <translation>ne peut pas être écrit ({0})</translation>
+    </message>
+    <message>
+        <source>carry the time of their packet and were spread evenly</source>
+        <translation>portent le temps de leur paquet et ont été réparties régulièrement</translation>
+    </message>
+    <message>
+        <source>change the rights of the file</source>
+        <translation>changez les droits du fichier</translation>
+    </message>
+    <message>
+        <source>check the name and the folder</source>
+        <translation>vérifiez le nom et le dossier</translation>
+    </message>
+    <message>
+        <source>check the name and the rights of its folder</source>
+        <translation>vérifiez le nom et les droits de son dossier</translation>
+    </message>
+    <message>
+        <source>check the rights of the folder</source>
+        <translation>vérifiez les droits du dossier</translation>
+    </message>
+    <message>
+        <source>choose a clip with sound</source>
+        <translation>choisissez une vidéo avec du son</translation>
+    </message>
+    <message>
+        <source>choose a file</source>
+        <translation>choisissez un fichier</translation>
+    </message>
+    <message>
+        <source>choose a file that was exported by it</source>
+        <translation>choisissez un fichier qu’il a exporté</translation>
+    </message>
+    <message>
+        <source>choose a folder that you may write to</source>
+        <translation>choisissez un dossier où vous pouvez écrire</translation>
+    </message>
+    <message>
+        <source>choose a log that `play --log` wrote</source>
+        <translation>choisissez un journal que `play --log` a écrit</translation>
+    </message>
+    <message>
+        <source>choose another file</source>
+        <translation>choisissez un autre fichier</translation>
+    </message>
+    <message>
+        <source>choose another folder</source>
+        <translation>choisissez un autre dossier</translation>
+    </message>
+    <message>
+        <source>choose another log</source>
+        <translation>choisissez un autre journal</translation>
+    </message>
+    <message>
+        <source>choose another name</source>
+        <translation>choisissez un autre nom</translation>
+    </message>
+    <message>
+        <source>choose another place</source>
+        <translation>choisissez un autre endroit</translation>
+    </message>
+    <message>
+        <source>choose another {0}</source>
+        <translation>choisissez autre chose ({0})</translation>
+    </message>
+    <message>
+        <source>choose one of {0}</source>
+        <translation>choisissez parmi {0}</translation>
+    </message>
+    <message>
+        <source>clipped peaks: {0}</source>
+        <translation>crêtes écrêtées&#xa0;: {0}</translation>
+    </message>
+    <message>
+        <source>close it there first</source>
+        <translation>fermez-la d’abord là-bas</translation>
+    </message>
+    <message>
+        <source>closed</source>
+        <translation>fermé</translation>
+    </message>
+    <message>
+        <source>columns=time,ax,ay,az,gx,gy,gz (- for what is not wanted)</source>
+        <translation>columns=time,ax,ay,az,gx,gy,gz (- pour ce qui ne sert pas)</translation>
+    </message>
+    <message>
+        <source>complete</source>
+        <translation>complète</translation>
+    </message>
+    <message>
+        <source>convert it to a smaller size</source>
+        <translation>convertissez-la dans une taille plus petite</translation>
+    </message>
+    <message>
+        <source>convert its sound to stereo at 48 kHz</source>
+        <translation>convertissez son son en stéréo à 48 kHz</translation>
+    </message>
+    <message>
+        <source>copy it again</source>
+        <translation>copiez-le encore une fois</translation>
+    </message>
+    <message>
+        <source>copy it again from the camera, or choose another file</source>
+        <translation>copiez-le encore une fois depuis la caméra, ou choisissez un autre fichier</translation>
+    </message>
+    <message>
+        <source>copy it again from the recorder</source>
+        <translation>copiez-le encore une fois depuis l’enregistreur</translation>
+    </message>
+    <message>
+        <source>copy it again, convert it to MP4 (H.264 and AAC), or choose another file</source>
+        <translation>copiez-le encore une fois, convertissez-le en MP4 (H.264 et AAC), ou choisissez un autre fichier</translation>
+    </message>
+    <message>
+        <source>copy the recording again from the camera</source>
+        <translation>copiez encore une fois l’enregistrement depuis la caméra</translation>
+    </message>
+    <message>
+        <source>copy the sequence again or import it again</source>
+        <translation>copiez encore une fois la séquence, ou importez-la de nouveau</translation>
+    </message>
+    <message>
+        <source>copy the session again</source>
+        <translation>copiez encore une fois la séance</translation>
+    </message>
+    <message>
+        <source>correct it</source>
+        <translation>corrigez cela</translation>
+    </message>
+    <message>
+        <source>correct that line</source>
+        <translation>corrigez cette ligne</translation>
+    </message>
+    <message>
+        <source>could be {0}</source>
+        <translation>pourrait être {0}</translation>
+    </message>
+    <message>
+        <source>counts of {0}</source>
+        <translation>unités brutes de {0}</translation>
+    </message>
+    <message>
+        <source>cut it into parts</source>
+        <translation>coupez-le en morceaux</translation>
+    </message>
+    <message>
+        <source>cut the log into parts</source>
+        <translation>coupez le journal en morceaux</translation>
+    </message>
+    <message>
+        <source>cut the recording there and give the parts one by one</source>
+        <translation>coupez l’enregistrement à cet endroit et donnez les morceaux un par un</translation>
+    </message>
+    <message>
+        <source>describes no sequence</source>
+        <translation>ne décrit pas de séquence</translation>
+    </message>
+    <message>
+        <source>describes no study</source>
+        <translation>ne décrit pas d’étude</translation>
+    </message>
+    <message>
+        <source>device {0}: this version has no driver for it; use {1}</source>
+        <translation>appareil {0}&#xa0;: cette version n’a pas de pilote pour lui&#xa0;; prenez {1}</translation>
+    </message>
+    <message>
+        <source>does not say whether it comes from iOS or Android, whose accelerations have opposite signs</source>
+        <translation>ne dit pas s’il vient d’iOS ou d’Android, dont les accélérations sont de signes contraires</translation>
+    </message>
+    <message>
+        <source>drop one video and at most one log; import further ones after it</source>
+        <translation>déposez une vidéo et au plus un journal&#xa0;; importez les autres ensuite</translation>
+    </message>
+    <message>
+        <source>drop the constraint</source>
+        <translation>abandonnez la contrainte</translation>
+    </message>
+    <message>
+        <source>drop the constraint or add sequences</source>
+        <translation>abandonnez la contrainte ou ajoutez des séquences</translation>
+    </message>
+    <message>
+        <source>drop the constraint or choose random or latin-square</source>
+        <translation>abandonnez la contrainte ou choisissez random ou latin-square</translation>
+    </message>
+    <message>
+        <source>ended</source>
+        <translation>terminée</translation>
+    </message>
+    <message>
+        <source>enter it under sequences, or with `study new --sequence KEY=FOLDER`</source>
+        <translation>inscrivez-le sous sequences, ou avec `study new --sequence KEY=FOLDER`</translation>
+    </message>
+    <message>
+        <source>every sequence has the track {0}; it stays</source>
+        <translation>chaque séquence a la piste {0}&#xa0;; elle reste</translation>
+    </message>
+    <message>
+        <source>export the acceleration with gravity, and the gyroscope</source>
+        <translation>exportez l’accélération avec la pesanteur, et le gyroscope</translation>
+    </message>
+    <message>
+        <source>export the log again</source>
+        <translation>exportez encore une fois le journal</translation>
+    </message>
+    <message>
+        <source>export the log again or choose another one</source>
+        <translation>exportez encore une fois le journal ou choisissez-en un autre</translation>
+    </message>
+    <message>
+        <source>export the log as comma-separated text</source>
+        <translation>exportez le journal en texte séparé par des virgules</translation>
+    </message>
+    <message>
+        <source>export the recording again</source>
+        <translation>exportez encore une fois l’enregistrement</translation>
+    </message>
+    <message>
+        <source>export the recording as CSV</source>
+        <translation>exportez l’enregistrement en CSV</translation>
+    </message>
+    <message>
+        <source>export the times as numbers, in s, ms, us or ns</source>
+        <translation>exportez les temps en nombres, en s, ms, us ou ns</translation>
+    </message>
+    <message>
+        <source>factor</source>
+        <translation>facteur</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>a échoué</translation>
+    </message>
+    <message>
+        <source>faults are only for simulated devices that were chosen with them</source>
+        <translation>les pannes ne sont que pour des appareils simulés qui ont été choisis avec elles</translation>
+    </message>
+    <message>
+        <source>faults are refused: this loop is not for them</source>
+        <translation>les pannes sont refusées&#xa0;: cette boucle n’est pas faite pour elles</translation>
+    </message>
+    <message>
+        <source>feedback</source>
+        <translation>retour</translation>
+    </message>
+    <message>
+        <source>file</source>
+        <translation>fichier</translation>
+    </message>
+    <message>
+        <source>finite number</source>
+        <translation>nombre fini</translation>
+    </message>
+    <message>
+        <source>firm</source>
+        <translation>ferme</translation>
+    </message>
+    <message>
+        <source>folder</source>
+        <translation>dossier</translation>
+    </message>
+    <message>
+        <source>force track refused: {0}</source>
+        <translation>piste de force refusée&#xa0;: {0}</translation>
+    </message>
+    <message>
+        <source>force-sign is + or -</source>
+        <translation>force-sign est + ou -</translation>
+    </message>
+    <message>
+        <source>force-sign=- if its accelerometer shows -1 g upwards</source>
+        <translation>force-sign=- si son accéléromètre indique -1 g vers le haut</translation>
+    </message>
+    <message>
+        <source>force-unit={0} to scale it to gravity</source>
+        <translation>force-unit={0} pour l’ajuster à la pesanteur</translation>
+    </message>
+    <message>
+        <source>force-unit={0} to take it as it is</source>
+        <translation>force-unit={0} pour la prendre telle quelle</translation>
+    </message>
+    <message>
+        <source>format=csv and columns=time,ax,ay,az,gx,gy,gz (- for others)</source>
+        <translation>format=csv et columns=time,ax,ay,az,gx,gy,gz (- pour les autres)</translation>
+    </message>
+    <message>
+        <source>free some memory and disk, and try again</source>
+        <translation>libérez de la mémoire et du disque, puis réessayez</translation>
+    </message>
+    <message>
+        <source>free some space or choose another folder</source>
+        <translation>libérez de la place ou choisissez un autre dossier</translation>
+    </message>
+    <message>
+        <source>free some space or copy the sequence to a folder of yours</source>
+        <translation>libérez de la place ou copiez la séquence dans un dossier à vous</translation>
+    </message>
+    <message>
+        <source>free some space, or choose a folder that you may write to</source>
+        <translation>libérez de la place, ou choisissez un dossier où vous pouvez écrire</translation>
+    </message>
+    <message>
+        <source>from {0} to {1} Hz</source>
+        <translation>de {0} à {1} Hz</translation>
+    </message>
+    <message>
+        <source>gcsv of {0}</source>
+        <translation>gcsv de {0}</translation>
+    </message>
+    <message>
+        <source>give --offset S, the media time at which the log&apos;s clock reads 0</source>
+        <translation>donnez --offset S, le temps du média où l’horloge du journal indique 0</translation>
+    </message>
+    <message>
+        <source>give 0 or more; directions are set by the mapping</source>
+        <translation>donnez 0 ou plus&#xa0;; les directions dépendent de la correspondance</translation>
+    </message>
+    <message>
+        <source>give a frequency in Hz</source>
+        <translation>donnez une fréquence en Hz</translation>
+    </message>
+    <message>
+        <source>give a higher rate or a longer recording</source>
+        <translation>donnez une cadence plus élevée ou un enregistrement plus long</translation>
+    </message>
+    <message>
+        <source>give a lower cutoff, or leave the low-pass out</source>
+        <translation>donnez une fréquence de coupure plus basse, ou laissez le passe-bas de côté</translation>
+    </message>
+    <message>
+        <source>give a lower rate; samples can be merged, not made up</source>
+        <translation>donnez une cadence plus basse&#xa0;; des mesures se regroupent, elles ne s’inventent pas</translation>
+    </message>
+    <message>
+        <source>give a rate in Hz, such as 30</source>
+        <translation>donnez une cadence en Hz, par exemple 30</translation>
+    </message>
+    <message>
+        <source>give a recording of a sensor that worked</source>
+        <translation>donnez l’enregistrement d’un capteur qui a fonctionné</translation>
+    </message>
+    <message>
+        <source>give a recording of at least a few seconds</source>
+        <translation>donnez un enregistrement d’au moins quelques secondes</translation>
+    </message>
+    <message>
+        <source>give a recording with at least two samples</source>
+        <translation>donnez un enregistrement d’au moins deux mesures</translation>
+    </message>
+    <message>
+        <source>give an order of 1 to {0}</source>
+        <translation>donnez un ordre de 1 à {0}</translation>
+    </message>
+    <message>
+        <source>give another --offset</source>
+        <translation>donnez un autre --offset</translation>
+    </message>
+    <message>
+        <source>give at least {0} samples a second</source>
+        <translation>donnez au moins {0} mesures par seconde</translation>
+    </message>
+    <message>
+        <source>give fades above zero, such as {0} s</source>
+        <translation>donnez des fondus supérieurs à zéro, par exemple {0} s</translation>
+    </message>
+    <message>
+        <source>give shorter fades or a longer span</source>
+        <translation>donnez des fondus plus courts ou une plage plus longue</translation>
+    </message>
+    <message>
+        <source>give the angular rate in rad/s</source>
+        <translation>donnez la vitesse angulaire en rad/s</translation>
+    </message>
+    <message>
+        <source>give the files the names they were recorded with</source>
+        <translation>donnez aux fichiers les noms de leur enregistrement</translation>
+    </message>
+    <message>
+        <source>give the folder of a sequence</source>
+        <translation>donnez le dossier d’une séquence</translation>
+    </message>
+    <message>
+        <source>give the folder of a sequence, or a video</source>
+        <translation>donnez le dossier d’une séquence, ou une vidéo</translation>
+    </message>
+    <message>
+        <source>give the folder of a sequence, or nothing</source>
+        <translation>donnez le dossier d’une séquence, ou rien</translation>
+    </message>
+    <message>
+        <source>give the folder of a study</source>
+        <translation>donnez le dossier d’une étude</translation>
+    </message>
+    <message>
+        <source>give the folder of one recording</source>
+        <translation>donnez le dossier d’un seul enregistrement</translation>
+    </message>
+    <message>
+        <source>give the folder of the sequence</source>
+        <translation>donnez le dossier de la séquence</translation>
+    </message>
+    <message>
+        <source>give the folder or the zip that the logger has written, or a sequence</source>
+        <translation>donnez le dossier ou le zip que l’enregistreur a écrit, ou une séquence</translation>
+    </message>
+    <message>
+        <source>give the folder with the files of all sensors</source>
+        <translation>donnez le dossier avec les fichiers de tous les capteurs</translation>
+    </message>
+    <message>
+        <source>give the forces in newton</source>
+        <translation>donnez les forces en newtons</translation>
+    </message>
+    <message>
+        <source>give the log with --imu LOG --offset S</source>
+        <translation>donnez le journal avec --imu LOG --offset S</translation>
+    </message>
+    <message>
+        <source>give the log with --imu LOG --offset S, and {0} where it is asked</source>
+        <translation>donnez le journal avec --imu LOG --offset S, et {0} là où c’est demandé</translation>
+    </message>
+    <message>
+        <source>give the samples per second</source>
+        <translation>donnez le nombre de mesures par seconde</translation>
+    </message>
+    <message>
+        <source>give the specific force in m/s2, about 9.8 at rest</source>
+        <translation>donnez la force spécifique en m/s2, environ 9.8 au repos</translation>
+    </message>
+    <message>
+        <source>give the specific force in m/s^2, about 9.8 at rest</source>
+        <translation>donnez la force spécifique en m/s^2, environ 9.8 au repos</translation>
+    </message>
+    <message>
+        <source>give the time of each sample in seconds</source>
+        <translation>donnez le temps de chaque mesure en secondes</translation>
+    </message>
+    <message>
+        <source>give the whole folder or zip, recorded with the gyroscope</source>
+        <translation>donnez le dossier ou le zip entier, enregistré avec le gyroscope</translation>
+    </message>
+    <message>
+        <source>give the whole zip, recorded with accelerometer and gyroscope</source>
+        <translation>donnez le zip entier, enregistré avec l’accéléromètre et le gyroscope</translation>
+    </message>
+    <message>
+        <source>give their times in seconds</source>
+        <translation>donnez leurs temps en secondes</translation>
+    </message>
+    <message>
+        <source>give three axes for each time</source>
+        <translation>donnez trois axes pour chaque temps</translation>
+    </message>
+    <message>
+        <source>give times in seconds and a gain</source>
+        <translation>donnez des temps en secondes et un gain</translation>
+    </message>
+    <message>
+        <source>give times in seconds of the clip</source>
+        <translation>donnez des temps en secondes de la vidéo</translation>
+    </message>
+    <message>
+        <source>gravity is 9.81 m/s2 and not {0}: the accelerometer is doubtful</source>
+        <translation>la pesanteur est de 9.81 m/s2 et non de {0}&#xa0;: l’accéléromètre est douteux</translation>
+    </message>
+    <message>
+        <source>gravity says that {0}{1} of the recorder was up, not its z</source>
+        <translation>selon la pesanteur, {0}{1} de l’enregistreur était en haut, pas son z</translation>
+    </message>
+    <message>
+        <source>gravity seems to be removed already: export the acceleration with gravity</source>
+        <translation>la pesanteur semble déjà retirée&#xa0;: exportez l’accélération avec la pesanteur</translation>
+    </message>
+    <message>
+        <source>gravity seems to be removed already: give the acceleration with gravity</source>
+        <translation>la pesanteur semble déjà retirée&#xa0;: donnez l’accélération avec la pesanteur</translation>
+    </message>
+    <message>
+        <source>gravity shows that {0} was up, not the axis that was chosen</source>
+        <translation>selon la pesanteur, {0} était en haut, pas l’axe choisi</translation>
+    </message>
+    <message>
+        <source>gravity was already removed by the recorder</source>
+        <translation>la pesanteur avait déjà été retirée par l’enregistreur</translation>
+    </message>
+    <message>
+        <source>gyro</source>
+        <translation>gyro</translation>
+    </message>
+    <message>
+        <source>has a damaged header: no line t,gx,gy,gz,ax,ay,az</source>
+        <translation>a un en-tête endommagé&#xa0;: pas de ligne t,gx,gy,gz,ax,ay,az</translation>
+    </message>
+    <message>
+        <source>has a line of more than {0} characters</source>
+        <translation>a une ligne de plus de {0} caractères</translation>
+    </message>
+    <message>
+        <source>has an answer that was not offered</source>
+        <translation>a une réponse qui n’était pas proposée</translation>
+    </message>
+    <message>
+        <source>has another number of columns</source>
+        <translation>a un autre nombre de colonnes</translation>
+    </message>
+    <message>
+        <source>has changed since it was written (its checksum differs)</source>
+        <translation>a changé depuis son écriture (sa somme de contrôle diffère)</translation>
+    </message>
+    <message>
+        <source>has more than {0} characters</source>
+        <translation>a plus de {0} caractères</translation>
+    </message>
+    <message>
+        <source>has more than {0} rows</source>
+        <translation>a plus de {0} lignes</translation>
+    </message>
+    <message>
+        <source>has no force ({0})</source>
+        <translation>n’a pas de force ({0})</translation>
+    </message>
+    <message>
+        <source>has no times, and its firmware has no fixed rate</source>
+        <translation>n’a pas de temps, et son micrologiciel n’a pas de cadence fixe</translation>
+    </message>
+    <message>
+        <source>has only {0} samples per second, in which pats do not show</source>
+        <translation>n’a que {0} mesures par seconde, où des tapes ne se voient pas</translation>
+    </message>
+    <message>
+        <source>has the unknown entry {0}</source>
+        <translation>a l’entrée inconnue {0}</translation>
+    </message>
+    <message>
+        <source>has the unknown name {0}</source>
+        <translation>a le nom inconnu {0}</translation>
+    </message>
+    <message>
+        <source>has version {0}, this program reads {1}</source>
+        <translation>a la version {0}, ce programme lit {1}</translation>
+    </message>
+    <message>
+        <source>has {0} MB, the limit is {1} MB</source>
+        <translation>a {0} Mo, la limite est de {1} Mo</translation>
+    </message>
+    <message>
+        <source>has {0} bytes instead of {1}</source>
+        <translation>a {0} octets au lieu de {1}</translation>
+    </message>
+    <message>
+        <source>has {0} bytes, too many</source>
+        <translation>a {0} octets, c’est trop</translation>
+    </message>
+    <message>
+        <source>has {0} columns, and a Razor M0 does not say which they are</source>
+        <translation>a {0} colonnes, et un Razor M0 ne dit pas lesquelles</translation>
+    </message>
+    <message>
+        <source>has {0} columns, the header has {1}</source>
+        <translation>a {0} colonnes, l’en-tête en a {1}</translation>
+    </message>
+    <message>
+        <source>has {0} entries; {1} to {2} go</source>
+        <translation>a {0} entrées&#xa0;; de {1} à {2} sont possibles</translation>
+    </message>
+    <message>
+        <source>has {0} rows of {1} numbers</source>
+        <translation>a {0} lignes de {1} nombres</translation>
+    </message>
+    <message>
+        <source>has {0} rows, expected {1} to {2}</source>
+        <translation>a {0} lignes, attendu&#xa0;: {1} à {2}</translation>
+    </message>
+    <message>
+        <source>has {0} telemetry payloads, too many</source>
+        <translation>a {0} blocs de télémétrie, c’est trop</translation>
+    </message>
+    <message>
+        <source>header promises</source>
+        <translation>en-tête en annonce</translation>
+    </message>
+    <message>
+        <source>holds Euler angles and no acceleration</source>
+        <translation>contient des angles d’Euler et pas d’accélération</translation>
+    </message>
+    <message>
+        <source>holds a force of {0} N, beyond any device</source>
+        <translation>contient une force de {0} N, au-delà de tout appareil</translation>
+    </message>
+    <message>
+        <source>holds acceleration from which the recorder has removed gravity, so it cannot be checked or levelled</source>
+        <translation>contient une accélération dont l’enregistreur a retiré la pesanteur, elle ne peut donc être ni vérifiée ni mise de niveau</translation>
+    </message>
+    <message>
+        <source>holds an acceleration of {0} m/s2, beyond any sensor</source>
+        <translation>contient une accélération de {0} m/s2, au-delà de tout capteur</translation>
+    </message>
+    <message>
+        <source>holds angles without angular rates, from which motion cannot be had</source>
+        <translation>contient des angles sans vitesses angulaires, dont on ne peut pas tirer de mouvement</translation>
+    </message>
+    <message>
+        <source>holds counts of an unknown range (norm {0})</source>
+        <translation>contient des unités brutes d’une plage inconnue (norme {0})</translation>
+    </message>
+    <message>
+        <source>holds more than {0} files</source>
+        <translation>contient plus de {0} fichiers</translation>
+    </message>
+    <message>
+        <source>holds no acceleration (only {0})</source>
+        <translation>ne contient pas d’accélération (seulement {0})</translation>
+    </message>
+    <message>
+        <source>holds no acceleration with gravity</source>
+        <translation>ne contient pas d’accélération avec la pesanteur</translation>
+    </message>
+    <message>
+        <source>holds no accelerometer samples (DJI stores orientations only)</source>
+        <translation>ne contient pas de mesures d’accéléromètre (DJI n’enregistre que des orientations)</translation>
+    </message>
+    <message>
+        <source>holds no angular rate, without which gravity cannot be told from motion</source>
+        <translation>ne contient pas de vitesse angulaire, sans laquelle la pesanteur ne se distingue pas du mouvement</translation>
+    </message>
+    <message>
+        <source>holds no force</source>
+        <translation>ne contient pas de force</translation>
+    </message>
+    <message>
+        <source>holds no gyroscope (only {0})</source>
+        <translation>ne contient pas de gyroscope (seulement {0})</translation>
+    </message>
+    <message>
+        <source>holds no log that is known</source>
+        <translation>ne contient aucun journal connu</translation>
+    </message>
+    <message>
+        <source>holds no motion telemetry</source>
+        <translation>ne contient pas de télémétrie du mouvement</translation>
+    </message>
+    <message>
+        <source>holds no settings of this program</source>
+        <translation>ne contient pas de réglages de ce programme</translation>
+    </message>
+    <message>
+        <source>holds no {0}</source>
+        <translation>ne contient pas {0}</translation>
+    </message>
+    <message>
+        <source>holds no {0} file</source>
+        <translation>ne contient pas de fichier {0}</translation>
+    </message>
+    <message>
+        <source>holds records of version {0}, this program reads {1}</source>
+        <translation>contient des données de la version {0}, ce programme lit {1}</translation>
+    </message>
+    <message>
+        <source>holds several recordings ({0}, {1})</source>
+        <translation>contient plusieurs enregistrements ({0}, {1})</translation>
+    </message>
+    <message>
+        <source>holds {0} logs ({1})</source>
+        <translation>contient {0} journaux ({1})</translation>
+    </message>
+    <message>
+        <source>holds {0} only, no acceleration</source>
+        <translation>contient seulement {0}, pas d’accélération</translation>
+    </message>
+    <message>
+        <source>holds {0}, a name that points out of the zip</source>
+        <translation>contient {0}, un nom qui mène hors du zip</translation>
+    </message>
+    <message>
+        <source>if it is in g, multiply it by 9.80665; if gravity was removed already, give the acceleration with gravity</source>
+        <translation>si c’est en g, multipliez par 9.80665&#xa0;; si la pesanteur a déjà été retirée, donnez l’accélération avec la pesanteur</translation>
+    </message>
+    <message>
+        <source>import it again</source>
+        <translation>importez de nouveau</translation>
+    </message>
+    <message>
+        <source>index needs</source>
+        <translation>index en demande</translation>
+    </message>
+    <message>
+        <source>install hapticplayer[lsl], or {0}</source>
+        <translation>installez hapticplayer[lsl], ou&#xa0;: {0}</translation>
+    </message>
+    <message>
+        <source>is a damaged zip ({0})</source>
+        <translation>est un zip endommagé ({0})</translation>
+    </message>
+    <message>
+        <source>is a device, not a file</source>
+        <translation>est un périphérique, pas un fichier</translation>
+    </message>
+    <message>
+        <source>is a folder, not a file</source>
+        <translation>est un dossier, pas un fichier</translation>
+    </message>
+    <message>
+        <source>is a pipe, not a file</source>
+        <translation>est un tube, pas un fichier</translation>
+    </message>
+    <message>
+        <source>is a socket, not a file</source>
+        <translation>est un socket, pas un fichier</translation>
+    </message>
+    <message>
+        <source>is a table of {0} columns ({1}) that says not what they are</source>
+        <translation>est un tableau de {0} colonnes ({1}) qui ne dit pas ce qu’elles sont</translation>
+    </message>
+    <message>
+        <source>is an Excel workbook</source>
+        <translation>est un classeur Excel</translation>
+    </message>
+    <message>
+        <source>is damaged (its checksum differs)</source>
+        <translation>est endommagé (sa somme de contrôle diffère)</translation>
+    </message>
+    <message>
+        <source>is damaged ({0})</source>
+        <translation>est endommagé ({0})</translation>
+    </message>
+    <message>
+        <source>is damaged or missing, and the study&apos;s own definition is another one now</source>
+        <translation>est endommagé ou manque, et la définition de l’étude est maintenant une autre</translation>
+    </message>
+    <message>
+        <source>is empty (0 bytes)</source>
+        <translation>est vide (0 octet)</translation>
+    </message>
+    <message>
+        <source>is larger than the limit of {0} MB</source>
+        <translation>dépasse la limite de {0} Mo</translation>
+    </message>
+    <message>
+        <source>is larger than {0} GB</source>
+        <translation>dépasse {0} Go</translation>
+    </message>
+    <message>
+        <source>is longer than {0} characters</source>
+        <translation>dépasse {0} caractères</translation>
+    </message>
+    <message>
+        <source>is missing</source>
+        <translation>manque</translation>
+    </message>
+    <message>
+        <source>is no JSON</source>
+        <translation>n’est pas du JSON</translation>
+    </message>
+    <message>
+        <source>is no JSON object</source>
+        <translation>n’est pas un objet JSON</translation>
+    </message>
+    <message>
+        <source>is no UTF-8 text</source>
+        <translation>n’est pas du texte en UTF-8</translation>
+    </message>
+    <message>
+        <source>is no log</source>
+        <translation>n’est pas un journal</translation>
+    </message>
+    <message>
+        <source>is no participant&apos;s code</source>
+        <translation>n’est pas le code d’un participant</translation>
+    </message>
+    <message>
+        <source>is no question of this page</source>
+        <translation>n’est pas une question de cette page</translation>
+    </message>
+    <message>
+        <source>is no session</source>
+        <translation>n’est pas une séance</translation>
+    </message>
+    <message>
+        <source>is no template of a log ({0})</source>
+        <translation>n’est pas un modèle de journal ({0})</translation>
+    </message>
+    <message>
+        <source>is no text</source>
+        <translation>n’est pas un texte</translation>
+    </message>
+    <message>
+        <source>is no valid JSON ({0})</source>
+        <translation>n’est pas du JSON valable ({0})</translation>
+    </message>
+    <message>
+        <source>is no video</source>
+        <translation>n’est pas une vidéo</translation>
+    </message>
+    <message>
+        <source>is no yes-no question</source>
+        <translation>n’est pas une question à répondre par oui ou non</translation>
+    </message>
+    <message>
+        <source>is not a file</source>
+        <translation>n’est pas un fichier</translation>
+    </message>
+    <message>
+        <source>is not a regular file</source>
+        <translation>n’est pas un fichier ordinaire</translation>
+    </message>
+    <message>
+        <source>is not a text file in UTF-8</source>
+        <translation>n’est pas un fichier de texte en UTF-8</translation>
+    </message>
+    <message>
+        <source>is not answered yet</source>
+        <translation>n’a pas encore de réponse</translation>
+    </message>
+    <message>
+        <source>is not available in {0}</source>
+        <translation>n’existe pas en {0}</translation>
+    </message>
+    <message>
+        <source>is not finite or too large</source>
+        <translation>n’est pas fini ou est trop grand</translation>
+    </message>
+    <message>
+        <source>is not text</source>
+        <translation>n’est pas du texte</translation>
+    </message>
+    <message>
+        <source>is not valid ({0})</source>
+        <translation>n’est pas valable ({0})</translation>
+    </message>
+    <message>
+        <source>is nothing that telemetry-parser can read ({0})</source>
+        <translation>n’est rien que telemetry-parser sache lire ({0})</translation>
+    </message>
+    <message>
+        <source>is of a newer version of this program</source>
+        <translation>est d’une version plus récente de ce programme</translation>
+    </message>
+    <message>
+        <source>is of a {0}, whose axes its telemetry does not tell</source>
+        <translation>est d’une {0}, dont la télémétrie ne dit pas les axes</translation>
+    </message>
+    <message>
+        <source>is of another version of the program</source>
+        <translation>est d’une autre version du programme</translation>
+    </message>
+    <message>
+        <source>is open in another window</source>
+        <translation>est ouverte dans une autre fenêtre</translation>
+    </message>
+    <message>
+        <source>is text in UTF-16</source>
+        <translation>est du texte en UTF-16</translation>
+    </message>
+    <message>
+        <source>is too large</source>
+        <translation>est trop grand</translation>
+    </message>
+    <message>
+        <source>is {0}</source>
+        <translation>est {0}</translation>
+    </message>
+    <message>
+        <source>is {0} instead of a list</source>
+        <translation>est {0} au lieu d’une liste</translation>
+    </message>
+    <message>
+        <source>is {0} instead of a number</source>
+        <translation>est {0} au lieu d’un nombre</translation>
+    </message>
+    <message>
+        <source>is {0} instead of a text</source>
+        <translation>est {0} au lieu d’un texte</translation>
+    </message>
+    <message>
+        <source>is {0} instead of an object</source>
+        <translation>est {0} au lieu d’un objet</translation>
+    </message>
+    <message>
+        <source>is {0} instead of true or false</source>
+        <translation>est {0} au lieu de true ou false</translation>
+    </message>
+    <message>
+        <source>it cannot be decoded any further</source>
+        <translation>la suite ne peut pas être décodée</translation>
+    </message>
+    <message>
+        <source>it cannot be probed</source>
+        <translation>il ne peut pas être examiné</translation>
+    </message>
+    <message>
+        <source>it cannot be read any further</source>
+        <translation>la suite ne peut pas être lue</translation>
+    </message>
+    <message>
+        <source>it died, status {0}</source>
+        <translation>il s’est arrêté, état {0}</translation>
+    </message>
+    <message>
+        <source>it does not begin with the boot loader&apos;s key 08AA</source>
+        <translation>il ne commence pas par la clé 08AA du chargeur</translation>
+    </message>
+    <message>
+        <source>it ends in its header</source>
+        <translation>il finit dans son en-tête</translation>
+    </message>
+    <message>
+        <source>it gives {0} s as its duration</source>
+        <translation>il indique {0} s comme durée</translation>
+    </message>
+    <message>
+        <source>it has {0}</source>
+        <translation>elle a {0}</translation>
+    </message>
+    <message>
+        <source>it holds no accelerations</source>
+        <translation>il ne contient pas d’accélérations</translation>
+    </message>
+    <message>
+        <source>it holds no sound</source>
+        <translation>il ne contient pas de son</translation>
+    </message>
+    <message>
+        <source>it holds no sound, in which pats could be heard</source>
+        <translation>elle ne contient pas de son où des tapes pourraient s’entendre</translation>
+    </message>
+    <message>
+        <source>it holds no video that can be shown</source>
+        <translation>il ne contient pas de vidéo qui puisse être montrée</translation>
+    </message>
+    <message>
+        <source>it holds {0} motion samples in {1} payloads, as time-lapse recordings do</source>
+        <translation>il contient {0} mesures de mouvement en {1} blocs, comme un enregistrement en accéléré</translation>
+    </message>
+    <message>
+        <source>it holds {0} streams, expected 1 to {1}</source>
+        <translation>il contient {0} flux, attendu&#xa0;: 1 à {1}</translation>
+    </message>
+    <message>
+        <source>it is cut off</source>
+        <translation>il est tronqué</translation>
+    </message>
+    <message>
+        <source>it is no video or sound that can be read</source>
+        <translation>ce n’est ni une vidéo ni un son qui puisse être lu</translation>
+    </message>
+    <message>
+        <source>it is too large</source>
+        <translation>il est trop grand</translation>
+    </message>
+    <message>
+        <source>it looks like deg/s: multiply gx, gy, gz by 0.0174532925</source>
+        <translation>cela ressemble à des °/s&#xa0;: multipliez gx, gy, gz par 0.0174532925</translation>
+    </message>
+    <message>
+        <source>it looks like g: multiply ax, ay, az by 9.80665</source>
+        <translation>cela ressemble à des g&#xa0;: multipliez ax, ay, az par 9.80665</translation>
+    </message>
+    <message>
+        <source>it looks like milli-g: multiply ax, ay, az by 0.00980665</source>
+        <translation>cela ressemble à des milli-g&#xa0;: multipliez ax, ay, az par 0.00980665</translation>
+    </message>
+    <message>
+        <source>it looks like milliseconds: divide time_s by 1000</source>
+        <translation>cela ressemble à des millisecondes&#xa0;: divisez time_s par 1000</translation>
+    </message>
+    <message>
+        <source>it may hold texts for {0}</source>
+        <translation>il peut contenir des textes pour {0}</translation>
+    </message>
+    <message>
+        <source>it seems to be in deg/s: multiply it by 0.0174532925</source>
+        <translation>cela semble être en °/s&#xa0;: multipliez par 0.0174532925</translation>
+    </message>
+    <message>
+        <source>it seems to be in g: multiply it by 9.80665</source>
+        <translation>cela semble être en g&#xa0;: multipliez par 9.80665</translation>
+    </message>
+    <message>
+        <source>it seems to be in milli-g: multiply it by 0.00980665</source>
+        <translation>cela semble être en milli-g&#xa0;: multipliez par 0.00980665</translation>
+    </message>
+    <message>
+        <source>it seems to have been converted twice: multiply it by 57.2957795</source>
+        <translation>cela semble avoir été converti deux fois&#xa0;: multipliez par 57.2957795</translation>
+    </message>
+    <message>
+        <source>it took not all of the data at {0}</source>
+        <translation>il n’a pas pris toutes les données à {0}</translation>
+    </message>
+    <message>
+        <source>its accelerometer and gyro do not overlap in time</source>
+        <translation>son accéléromètre et son gyroscope ne se recouvrent pas dans le temps</translation>
+    </message>
+    <message>
+        <source>its accelerometer and gyroscope do not overlap in time</source>
+        <translation>son accéléromètre et son gyroscope ne se recouvrent pas dans le temps</translation>
+    </message>
+    <message>
+        <source>its arrays do not belong together</source>
+        <translation>ses tableaux ne vont pas ensemble</translation>
+    </message>
+    <message>
+        <source>its axes (MTRX) are no matrix, so it is damaged</source>
+        <translation>ses axes (MTRX) ne sont pas une matrice, elle est donc endommagée</translation>
+    </message>
+    <message>
+        <source>its axes ({0}) mirror the camera, so the telemetry is damaged</source>
+        <translation>ses axes ({0}) inversent la caméra en miroir, la télémétrie est donc endommagée</translation>
+    </message>
+    <message>
+        <source>its axis {0} was up, so the sensor was not mounted with {1} to the right, front and up{2}</source>
+        <translation>son axe {0} était en haut, le capteur n’était donc pas monté avec {1} vers la droite, l’avant et le haut{2}</translation>
+    </message>
+    <message>
+        <source>its boot processor does not answer</source>
+        <translation>son processeur de démarrage ne répond pas</translation>
+    </message>
+    <message>
+        <source>its echo at {0} ended after {1} of {2} bytes</source>
+        <translation>son écho à {0} s’est arrêté après {1} octets sur {2}</translation>
+    </message>
+    <message>
+        <source>its echo at {0} was wrong</source>
+        <translation>son écho à {0} était faux</translation>
+    </message>
+    <message>
+        <source>its entry point {0} lies in none of its blocks</source>
+        <translation>son point d’entrée {0} n’est dans aucun de ses blocs</translation>
+    </message>
+    <message>
+        <source>its gravity cannot be used</source>
+        <translation>sa pesanteur n’est pas utilisable</translation>
+    </message>
+    <message>
+        <source>its gyro file has the norm {0} of gravity, its accel file has not, so the names are exchanged</source>
+        <translation>son fichier gyro a la norme {0} de la pesanteur, son fichier accel ne l’a pas, les noms sont donc échangés</translation>
+    </message>
+    <message>
+        <source>its headers are damaged</source>
+        <translation>ses en-têtes sont endommagés</translation>
+    </message>
+    <message>
+        <source>its index lists more samples than it has bytes</source>
+        <translation>son index annonce plus d’échantillons qu’il n’a d’octets</translation>
+    </message>
+    <message>
+        <source>its pictures have a format that is not known</source>
+        <translation>ses images ont un format inconnu</translation>
+    </message>
+    <message>
+        <source>its pictures of {0} x {1} pixels are too large (up to 8192 x 4320 are shown)</source>
+        <translation>ses images de {0} x {1} pixels sont trop grandes (jusqu’à 8192 x 4320 sont montrées)</translation>
+    </message>
+    <message>
+        <source>its sound cannot be resampled</source>
+        <translation>son son ne peut pas être rééchantillonné</translation>
+    </message>
+    <message>
+        <source>its sound cannot be set up</source>
+        <translation>son son ne peut pas être préparé</translation>
+    </message>
+    <message>
+        <source>its sound has {0} channels at {1} Hz</source>
+        <translation>son son a {0} canaux à {1} Hz</translation>
+    </message>
+    <message>
+        <source>its telemetry ({0}) holds no {1} samples</source>
+        <translation>sa télémétrie ({0}) ne contient pas de mesures de {1}</translation>
+    </message>
+    <message>
+        <source>its telemetry claims {0} {1}, beyond what sensors measure</source>
+        <translation>sa télémétrie prétend {0} {1}, au-delà de ce que mesurent des capteurs</translation>
+    </message>
+    <message>
+        <source>its telemetry holds no accelerometer samples</source>
+        <translation>sa télémétrie ne contient pas de mesures d’accéléromètre</translation>
+    </message>
+    <message>
+        <source>its telemetry is larger than any camera&apos;s (payload {0} has {1} bytes)</source>
+        <translation>sa télémétrie est plus grande que celle de toute caméra (le bloc {0} a {1} octets)</translation>
+    </message>
+    <message>
+        <source>its telemetry track is damaged</source>
+        <translation>sa piste de télémétrie est endommagée</translation>
+    </message>
+    <message>
+        <source>its time stamps run backwards, so it is damaged</source>
+        <translation>ses horodatages reculent, elle est donc endommagée</translation>
+    </message>
+    <message>
+        <source>its units are not known</source>
+        <translation>ses unités ne sont pas connues</translation>
+    </message>
+    <message>
+        <source>its video cannot be set up</source>
+        <translation>sa vidéo ne peut pas être préparée</translation>
+    </message>
+    <message>
+        <source>its {0} is {1}, not a number above zero</source>
+        <translation>son {0} est {1}, pas un nombre supérieur à zéro</translation>
+    </message>
+    <message>
+        <source>known are {0}</source>
+        <translation>sont connus&#xa0;: {0}</translation>
+    </message>
+    <message>
+        <source>lacks the entry {0}</source>
+        <translation>l’entrée {0} manque</translation>
+    </message>
+    <message>
+        <source>lacks the object sound_late_s</source>
+        <translation>l’objet sound_late_s manque</translation>
+    </message>
+    <message>
+        <source>lacks {0}</source>
+        <translation>il manque {0}</translation>
+    </message>
+    <message>
+        <source>leave LSL out</source>
+        <translation>laissez LSL de côté</translation>
+    </message>
+    <message>
+        <source>libusb is missing; install the package libusb-1.0-0 (Windows: put libusb-1.0.dll on the path)</source>
+        <translation>libusb manque&#xa0;; installez le paquet libusb-1.0-0 (Windows&#xa0;: mettez libusb-1.0.dll dans le chemin de recherche)</translation>
+    </message>
+    <message>
+        <source>line {0} was left out, as its time is more than an hour apart</source>
+        <translation>la ligne {0} a été omise, car son temps est à plus d’une heure des autres</translation>
+    </message>
+    <message>
+        <source>look at `hapticplayer sync` with --plot FILE, then give --offset S</source>
+        <translation>regardez `hapticplayer sync` avec --plot FILE, puis donnez --offset S</translation>
+    </message>
+    <message>
+        <source>look for values far beyond what a sensor can measure</source>
+        <translation>cherchez des valeurs bien au-delà de ce qu’un capteur peut mesurer</translation>
+    </message>
+    <message>
+        <source>looked for</source>
+        <translation>cherché</translation>
+    </message>
+    <message>
+        <source>made telemetry-parser answer nonsense ({0})</source>
+        <translation>a fait répondre n’importe quoi à telemetry-parser ({0})</translation>
+    </message>
+    <message>
+        <source>magnetic field in {0}</source>
+        <translation>champ magnétique en {0}</translation>
+    </message>
+    <message>
+        <source>makes {0} conditions; 2 to {1} go</source>
+        <translation>donne {0} conditions&#xa0;; de 2 à {1} sont possibles</translation>
+    </message>
+    <message>
+        <source>mapping axes</source>
+        <translation>axes de la correspondance</translation>
+    </message>
+    <message>
+        <source>mapping axes must be a signed permutation with determinant +1</source>
+        <translation>les axes de la correspondance doivent être une permutation signée de déterminant +1</translation>
+    </message>
+    <message>
+        <source>may not be read</source>
+        <translation>ne peut pas être lu, faute de droits</translation>
+    </message>
+    <message>
+        <source>motion low-passed at {0} Hz, zero phase</source>
+        <translation>mouvement filtré par un passe-bas à {0} Hz, sans déphasage</translation>
+    </message>
+    <message>
+        <source>motion track</source>
+        <translation>piste de mouvement</translation>
+    </message>
+    <message>
+        <source>name</source>
+        <translation>nom</translation>
+    </message>
+    <message>
+        <source>names a column twice</source>
+        <translation>nomme une colonne deux fois</translation>
+    </message>
+    <message>
+        <source>names a part of mx, my, mz</source>
+        <translation>ne nomme qu’une partie de mx, my, mz</translation>
+    </message>
+    <message>
+        <source>names {0} columns, the table has {1} ({2})</source>
+        <translation>nomme {0} colonnes, le tableau en a {1} ({2})</translation>
+    </message>
+    <message>
+        <source>needs 1 to {0} characters</source>
+        <translation>demande de 1 à {0} caractères</translation>
+    </message>
+    <message>
+        <source>needs a number from {0} to {1}</source>
+        <translation>demande un nombre de {0} à {1}</translation>
+    </message>
+    <message>
+        <source>needs {0} MB and only {1} MB are free</source>
+        <translation>demande {0} Mo, et seulement {1} Mo sont libres</translation>
+    </message>
+    <message>
+        <source>no --offset was given: the log&apos;s clock is taken as media time</source>
+        <translation>aucun --offset n’a été donné&#xa0;: l’horloge du journal vaut comme temps du média</translation>
+    </message>
+    <message>
+        <source>no Falcon is plugged in</source>
+        <translation>aucun Falcon n’est branché</translation>
+    </message>
+    <message>
+        <source>no Falcon is plugged in; connect its USB cable and its power supply</source>
+        <translation>aucun Falcon n’est branché&#xa0;; branchez son câble USB et son alimentation</translation>
+    </message>
+    <message>
+        <source>no Falcon {0} is plugged in; there is: {1}</source>
+        <translation>aucun Falcon {0} n’est branché&#xa0;; il y a&#xa0;: {1}</translation>
+    </message>
+    <message>
+        <source>no factor may be called {0}, the name of their sum</source>
+        <translation>aucun facteur ne peut s’appeler {0}, le nom de leur somme</translation>
+    </message>
+    <message>
+        <source>no game pad is plugged in; connect a DualSense or DualShock 4 by USB cable</source>
+        <translation>aucune manette n’est branchée&#xa0;; branchez une DualSense ou une DualShock 4 par câble USB</translation>
+    </message>
+    <message>
+        <source>no leg reaches ({0}, {1}, {2}) mm</source>
+        <translation>aucune jambe n’atteint ({0}, {1}, {2}) mm</translation>
+    </message>
+    <message>
+        <source>no order was found in which no sequence is played twice in a row</source>
+        <translation>aucun ordre n’a été trouvé où aucune séquence ne passe deux fois de suite</translation>
+    </message>
+    <message>
+        <source>no summary</source>
+        <translation>pas de résumé</translation>
+    </message>
+    <message>
+        <source>nobody&apos;s home folder is known; set {0} to the firmware&apos;s path</source>
+        <translation>le dossier personnel n’est pas connu&#xa0;; donnez à {0} le chemin du micrologiciel</translation>
+    </message>
+    <message>
+        <source>none of its pictures can be decoded</source>
+        <translation>aucune de ses images ne peut être décodée</translation>
+    </message>
+    <message>
+        <source>none of its streams can be decoded, because its headers are damaged</source>
+        <translation>aucun de ses flux ne peut être décodé, car ses en-têtes sont endommagés</translation>
+    </message>
+    <message>
+        <source>normal</source>
+        <translation>normale</translation>
+    </message>
+    <message>
+        <source>nothing was recorded for {0} s after line {1}</source>
+        <translation>rien n’a été enregistré pendant {0} s après la ligne {1}</translation>
+    </message>
+    <message>
+        <source>nothing was recorded for {0} s after row {1}</source>
+        <translation>rien n’a été enregistré pendant {0} s après la ligne {1}</translation>
+    </message>
+    <message>
+        <source>nothing, but give the file or folder of one of them</source>
+        <translation>rien, mais donnez le fichier ou le dossier de l’un d’eux</translation>
+    </message>
+    <message>
+        <source>nothing, but give the folder of one of them</source>
+        <translation>rien, mais donnez le dossier de l’un d’eux</translation>
+    </message>
+    <message>
+        <source>number</source>
+        <translation>nombre</translation>
+    </message>
+    <message>
+        <source>of another result</source>
+        <translation>est d’un autre résultat</translation>
+    </message>
+    <message>
+        <source>offset {0} s with rate {1} is no clock map; give finite numbers and a positive rate</source>
+        <translation>le décalage {0} s avec la cadence {1} ne met pas les horloges en correspondance&#xa0;; donnez des nombres finis et une cadence positive</translation>
+    </message>
+    <message>
+        <source>one feedback alone cannot be compared with anything</source>
+        <translation>un seul retour ne peut être comparé à rien</translation>
+    </message>
+    <message>
+        <source>one gap</source>
+        <translation>une lacune</translation>
+    </message>
+    <message>
+        <source>one sequence cannot but follow itself</source>
+        <translation>une seule séquence ne peut que se suivre elle-même</translation>
+    </message>
+    <message>
+        <source>only {0} of its samples are whole</source>
+        <translation>seulement {0} de ses mesures sont entières</translation>
+    </message>
+    <message>
+        <source>only {0} of {1} rows hold both specific force and angular rate</source>
+        <translation>seulement {0} lignes sur {1} contiennent à la fois la force spécifique et la vitesse angulaire</translation>
+    </message>
+    <message>
+        <source>only {0} of {1} times can be used</source>
+        <translation>seulement {0} temps sur {1} sont utilisables</translation>
+    </message>
+    <message>
+        <source>open its sequence first, then the log</source>
+        <translation>ouvrez d’abord sa séquence, puis le journal</translation>
+    </message>
+    <message>
+        <source>opened</source>
+        <translation>ouvert</translation>
+    </message>
+    <message>
+        <source>order {0} has a condition twice</source>
+        <translation>l’ordre {0} a une condition deux fois</translation>
+    </message>
+    <message>
+        <source>order {0} has two trials at position {1}</source>
+        <translation>l’ordre {0} a deux essais à la position {1}</translation>
+    </message>
+    <message>
+        <source>order {0} lacks {1}</source>
+        <translation>dans l’ordre {0}, il manque {1}</translation>
+    </message>
+    <message>
+        <source>order {0} plays {1} twice in a row</source>
+        <translation>l’ordre {0} joue {1} deux fois de suite</translation>
+    </message>
+    <message>
+        <source>participant</source>
+        <translation>participant</translation>
+    </message>
+    <message>
+        <source>participant {0}, {1}, {2}, {3}</source>
+        <translation>participant {0}, {1}, {2}, {3}</translation>
+    </message>
+    <message>
+        <source>rate-hz={0} is no rate; give 100, for example</source>
+        <translation>rate-hz={0} n’est pas une cadence&#xa0;; donnez 100, par exemple</translation>
+    </message>
+    <message>
+        <source>rate-unit={0} to take it as it is</source>
+        <translation>rate-unit={0} pour la prendre telle quelle</translation>
+    </message>
+    <message>
+        <source>read as telemetry of the camera: specific force in m/s2, angular rate in rad/s, x to its right, y to where it looks, z to its top{0}, turning at {1} rad/s at most</source>
+        <translation>lu comme télémétrie de la caméra&#xa0;: force spécifique en m/s2, vitesse angulaire en rad/s, x vers sa droite, y dans la direction du regard, z vers le haut{0}, vitesse angulaire d’au plus {1} rad/s</translation>
+    </message>
+    <message>
+        <source>read as {0}: specific force in {1}</source>
+        <translation>lu comme {0}&#xa0;: force spécifique en {1}</translation>
+    </message>
+    <message>
+        <source>read by telemetry-parser; its times are those of an average rate</source>
+        <translation>lu par telemetry-parser&#xa0;; ses temps sont ceux d’une cadence moyenne</translation>
+    </message>
+    <message>
+        <source>read from</source>
+        <translation>lu</translation>
+    </message>
+    <message>
+        <source>ready</source>
+        <translation>prêt</translation>
+    </message>
+    <message>
+        <source>record again with the gravity sensor</source>
+        <translation>enregistrez encore une fois avec le capteur de pesanteur</translation>
+    </message>
+    <message>
+        <source>record at 100 Hz or more, or give --offset S</source>
+        <translation>enregistrez à 100 Hz ou plus, ou donnez --offset S</translation>
+    </message>
+    <message>
+        <source>record both at once</source>
+        <translation>enregistrez les deux à la fois</translation>
+    </message>
+    <message>
+        <source>record damaged</source>
+        <translation>enregistrement endommagé</translation>
+    </message>
+    <message>
+        <source>record normal video</source>
+        <translation>filmez en vidéo normale</translation>
+    </message>
+    <message>
+        <source>record the accelerometer too</source>
+        <translation>enregistrez aussi l’accéléromètre</translation>
+    </message>
+    <message>
+        <source>record the gravity sensor (iOS) or total acceleration (Android)</source>
+        <translation>enregistrez le capteur de pesanteur (iOS) ou l’accélération totale (Android)</translation>
+    </message>
+    <message>
+        <source>record the gyroscope too</source>
+        <translation>enregistrez aussi le gyroscope</translation>
+    </message>
+    <message>
+        <source>record with a camera that stores its motion, or give an IMU log</source>
+        <translation>filmez avec une caméra qui enregistre son mouvement, ou donnez un journal d’IMU</translation>
+    </message>
+    <message>
+        <source>record with sound, or give --offset S</source>
+        <translation>enregistrez avec du son, ou donnez --offset S</translation>
+    </message>
+    <message>
+        <source>relaxed</source>
+        <translation>détendue</translation>
+    </message>
+    <message>
+        <source>remove or complete the line</source>
+        <translation>enlevez ou complétez la ligne</translation>
+    </message>
+    <message>
+        <source>remove the line or correct the number</source>
+        <translation>enlevez la ligne ou corrigez le nombre</translation>
+    </message>
+    <message>
+        <source>remux it to MP4 so that its duration is written</source>
+        <translation>remettez-la en MP4 pour que sa durée soit inscrite</translation>
+    </message>
+    <message>
+        <source>rename one</source>
+        <translation>renommez l’une d’elles</translation>
+    </message>
+    <message>
+        <source>repeat the one before and were left out</source>
+        <translation>répètent la précédente et ont été omises</translation>
+    </message>
+    <message>
+        <source>repeats</source>
+        <translation>se répète</translation>
+    </message>
+    <message>
+        <source>row {0} was left out, as its time is more than an hour apart</source>
+        <translation>la ligne {0} a été omise, car son temps est à plus d’une heure des autres</translation>
+    </message>
+    <message>
+        <source>run a participant first</source>
+        <translation>faites d’abord passer un participant</translation>
+    </message>
+    <message>
+        <source>runs backwards</source>
+        <translation>recule</translation>
+    </message>
+    <message>
+        <source>sampling is averaged or instant</source>
+        <translation>sampling est averaged ou instant</translation>
+    </message>
+    <message>
+        <source>save it as text in UTF-8</source>
+        <translation>enregistrez-le comme texte en UTF-8</translation>
+    </message>
+    <message>
+        <source>semicolons</source>
+        <translation>points-virgules</translation>
+    </message>
+    <message>
+        <source>sequence</source>
+        <translation>séquence</translation>
+    </message>
+    <message>
+        <source>session {0} cannot be used: {1}</source>
+        <translation>la séance {0} n’est pas utilisable&#xa0;: {1}</translation>
+    </message>
+    <message>
+        <source>session {0} is {1}</source>
+        <translation>la séance {0} est {1}</translation>
+    </message>
+    <message>
+        <source>session {0}: {1} was left out, the definition no longer has it</source>
+        <translation>séance {0}&#xa0;: {1} a été omis, la définition ne l’a plus</translation>
+    </message>
+    <message>
+        <source>set up</source>
+        <translation>préparé</translation>
+    </message>
+    <message>
+        <source>share the time of another and were averaged with it</source>
+        <translation>partagent le temps d’une autre et ont été moyennées avec elle</translation>
+    </message>
+    <message>
+        <source>simulated camera</source>
+        <translation>caméra simulée</translation>
+    </message>
+    <message>
+        <source>sort the log by time and remove duplicates</source>
+        <translation>triez le journal par temps et enlevez les doublons</translation>
+    </message>
+    <message>
+        <source>sort the rows by time or cut the recording there</source>
+        <translation>triez les lignes par temps ou coupez l’enregistrement à cet endroit</translation>
+    </message>
+    <message>
+        <source>span from {0} s to {1} s</source>
+        <translation>plage de {0} s à {1} s</translation>
+    </message>
+    <message>
+        <source>specific force is acceleration plus the phone&apos;s own gravity</source>
+        <translation>la force spécifique est l’accélération plus la pesanteur que donne le téléphone</translation>
+    </message>
+    <message>
+        <source>starts at {0} s, but the clip ends at {1} s</source>
+        <translation>commence à {0} s, mais la vidéo finit à {1} s</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>arrêtée</translation>
+    </message>
+    <message>
+        <source>switch the Euler output of the board off and record again</source>
+        <translation>désactivez la sortie d’Euler de la carte et enregistrez encore une fois</translation>
+    </message>
+    <message>
+        <source>switch the board to its sensor output (#osct with Razor-AHRS)</source>
+        <translation>mettez la carte en sortie de capteurs (#osct avec Razor-AHRS)</translation>
+    </message>
+    <message>
+        <source>tabs</source>
+        <translation>tabulations</translation>
+    </message>
+    <message>
+        <source>telemetry is nested deeper than {0} levels, so it is damaged</source>
+        <translation>la télémétrie est imbriquée sur plus de {0} niveaux, elle est donc endommagée</translation>
+    </message>
+    <message>
+        <source>the Falcon could not be {0} ({1}); unplug it and plug it in again</source>
+        <translation>le Falcon n’a pas pu être {0} ({1})&#xa0;; débranchez-le et rebranchez-le</translation>
+    </message>
+    <message>
+        <source>the Falcon did not start in {0} attempts (the last: {1}); unplug its power and USB, plug both in, if you can without a hub, and try again</source>
+        <translation>le Falcon n’a pas démarré en {0} tentatives (la dernière&#xa0;: {1})&#xa0;; débranchez son alimentation et son USB, rebranchez les deux, si possible sans concentrateur, et réessayez</translation>
+    </message>
+    <message>
+        <source>the Falcon does not answer any more; unplug its power and USB, and plug both in</source>
+        <translation>le Falcon ne répond plus&#xa0;; débranchez son alimentation et son USB, puis rebranchez les deux</translation>
+    </message>
+    <message>
+        <source>the Falcon does not answer; unplug its power and USB, and plug both in</source>
+        <translation>le Falcon ne répond pas&#xa0;; débranchez son alimentation et son USB, puis rebranchez les deux</translation>
+    </message>
+    <message>
+        <source>the Falcon has a driver that keeps libusb out; give it the driver WinUSB (with the program Zadig) in place of FTDI&apos;s or Force Dimension&apos;s</source>
+        <translation>le Falcon a un pilote qui écarte libusb&#xa0;; donnez-lui le pilote WinUSB (avec le programme Zadig) à la place de celui de FTDI ou de Force Dimension</translation>
+    </message>
+    <message>
+        <source>the Falcon is in use by another program; close that one and try again</source>
+        <translation>le Falcon est utilisé par un autre programme&#xa0;; fermez-le et réessayez</translation>
+    </message>
+    <message>
+        <source>the Falcon is not open; choose the device again</source>
+        <translation>le Falcon n’est pas ouvert&#xa0;; choisissez de nouveau l’appareil</translation>
+    </message>
+    <message>
+        <source>the Falcon may not be used by you; copy the udev rule {0} to /etc/udev/rules.d, then unplug the Falcon and plug it in</source>
+        <translation>vous n’avez pas le droit d’utiliser le Falcon&#xa0;; copiez la règle udev {0} dans /etc/udev/rules.d, puis débranchez et rebranchez le Falcon</translation>
+    </message>
+    <message>
+        <source>the Falcon was not homed within {0} s; pull the grip all the way out, push it all the way in until it locks, and try again</source>
+        <translation>le Falcon n’a pas trouvé son zéro en {0} s&#xa0;; tirez la poignée à fond, poussez-la à fond jusqu’à ce qu’elle se bloque, et réessayez</translation>
+    </message>
+    <message>
+        <source>the Falcon was unplugged, or its cable is loose; plug it in and choose the device again</source>
+        <translation>le Falcon a été débranché, ou son câble est desserré&#xa0;; rebranchez-le et choisissez de nouveau l’appareil</translation>
+    </message>
+    <message>
+        <source>the Falcon&apos;s firmware is missing ({0}); it may not be passed on with this program: take nvent_firmware.bin from a libnifalcon source archive and install it with `hapticplayer device upload-firmware FILE`, or in the window with Playback &gt; Set up the device</source>
+        <translation>le micrologiciel du Falcon manque ({0})&#xa0;; il ne peut pas être transmis avec ce programme&#xa0;: prenez nvent_firmware.bin dans une archive des sources de libnifalcon et installez-le avec `hapticplayer device upload-firmware FILE`, ou dans la fenêtre avec Lecture &gt; Préparer l’appareil</translation>
+    </message>
+    <message>
+        <source>the Falcon&apos;s position has jumped and stayed away; home it again, then choose the device again</source>
+        <translation>la position du Falcon a sauté et n’est pas revenue&#xa0;; faites-lui retrouver son zéro, puis choisissez de nouveau l’appareil</translation>
+    </message>
+    <message>
+        <source>the IMU&apos;s axes</source>
+        <translation>axes de l’IMU</translation>
+    </message>
+    <message>
+        <source>the Python package hidapi is missing; ./run sets it up in .venv</source>
+        <translation>le paquet Python hidapi manque&#xa0;; ./run l’installe dans .venv</translation>
+    </message>
+    <message>
+        <source>the angular rate is zero throughout, so no rotation is assumed</source>
+        <translation>la vitesse angulaire est partout nulle, aucune rotation n’est donc supposée</translation>
+    </message>
+    <message>
+        <source>the angular rate reaches {0} rad/s when it is read in {1}, which no sensor shows</source>
+        <translation>la vitesse angulaire atteint {0} rad/s quand elle est lue en {1}, ce qu’aucun capteur ne montre</translation>
+    </message>
+    <message>
+        <source>the angular rate turns gravity about 57 times too fast</source>
+        <translation>la vitesse angulaire fait tourner la pesanteur environ 57 fois trop vite</translation>
+    </message>
+    <message>
+        <source>the angular rate turns gravity about 57 times too slowly</source>
+        <translation>la vitesse angulaire fait tourner la pesanteur environ 57 fois trop lentement</translation>
+    </message>
+    <message>
+        <source>the answer could not be saved ({0})</source>
+        <translation>la réponse n’a pas pu être enregistrée ({0})</translation>
+    </message>
+    <message>
+        <source>the board&apos;s axes</source>
+        <translation>axes de la carte</translation>
+    </message>
+    <message>
+        <source>the chip&apos;s axes</source>
+        <translation>axes de la puce</translation>
+    </message>
+    <message>
+        <source>the clip is damaged: some of its pictures are missing or broken</source>
+        <translation>la vidéo est endommagée&#xa0;: certaines de ses images manquent ou sont défectueuses</translation>
+    </message>
+    <message>
+        <source>the columns are in another order</source>
+        <translation>les colonnes sont dans un autre ordre</translation>
+    </message>
+    <message>
+        <source>the columns are separated by {0} instead of commas</source>
+        <translation>les colonnes sont séparées par des {0} au lieu de virgules</translation>
+    </message>
+    <message>
+        <source>the columns have to be {0}</source>
+        <translation>les colonnes doivent être {0}</translation>
+    </message>
+    <message>
+        <source>the cutoff</source>
+        <translation>la fréquence de coupure</translation>
+    </message>
+    <message>
+        <source>the entry {0} stands twice in one object</source>
+        <translation>l’entrée {0} figure deux fois dans un objet</translation>
+    </message>
+    <message>
+        <source>the experiment was paused; its clock ran on without the pause</source>
+        <translation>l’expérience a été mise en pause&#xa0;; son horloge a continué sans la pause</translation>
+    </message>
+    <message>
+        <source>the fades take {0} s</source>
+        <translation>les fondus prennent {0} s</translation>
+    </message>
+    <message>
+        <source>the file ends at byte {0} but its {1} {2}</source>
+        <translation>le fichier finit à l’octet {0}, mais son {1} {2}</translation>
+    </message>
+    <message>
+        <source>the file was removed</source>
+        <translation>le fichier a été supprimé</translation>
+    </message>
+    <message>
+        <source>the firmware was loaded and does not answer</source>
+        <translation>le micrologiciel a été chargé et ne répond pas</translation>
+    </message>
+    <message>
+        <source>the firmware&apos;s axes: x forward, y right, z down</source>
+        <translation>axes du micrologiciel&#xa0;: x devant, y à droite, z en bas</translation>
+    </message>
+    <message>
+        <source>the folder was replaced</source>
+        <translation>le dossier a été remplacé</translation>
+    </message>
+    <message>
+        <source>the gain {0} would reverse the motion</source>
+        <translation>le gain {0} inverserait le mouvement</translation>
+    </message>
+    <message>
+        <source>the game pad is not open; choose the device again</source>
+        <translation>la manette n’est pas ouverte&#xa0;; choisissez de nouveau l’appareil</translation>
+    </message>
+    <message>
+        <source>the guard of the haptics process has ended, so there is no force; choose the device again</source>
+        <translation>le gardien du processus haptique s’est terminé, il n’y a donc pas de force&#xa0;; choisissez de nouveau l’appareil</translation>
+    </message>
+    <message>
+        <source>the haptics process could not be started: {0}</source>
+        <translation>le processus haptique n’a pas pu être lancé&#xa0;: {0}</translation>
+    </message>
+    <message>
+        <source>the haptics process did not become ready; try again, and run &apos;hapticplayer doctor&apos; if it stays so</source>
+        <translation>le processus haptique n’est pas devenu prêt&#xa0;; réessayez, et lancez «&#xa0;hapticplayer doctor&#xa0;» si cela persiste</translation>
+    </message>
+    <message>
+        <source>the haptics process has ended, so there is no force any more</source>
+        <translation>le processus haptique s’est terminé, il n’y a donc plus de force</translation>
+    </message>
+    <message>
+        <source>the header is {0}</source>
+        <translation>l’en-tête est {0}</translation>
+    </message>
+    <message>
+        <source>the key {0} stands twice</source>
+        <translation>la clé {0} figure deux fois</translation>
+    </message>
+    <message>
+        <source>the largest angular rate is {0} rad/s</source>
+        <translation>la plus grande vitesse angulaire est de {0} rad/s</translation>
+    </message>
+    <message>
+        <source>the legs cannot be assembled at these joint angles</source>
+        <translation>les jambes ne peuvent pas être assemblées à ces angles d’articulation</translation>
+    </message>
+    <message>
+        <source>the letter A</source>
+        <translation>la lettre A</translation>
+    </message>
+    <message>
+        <source>the list of orders is empty</source>
+        <translation>la liste des ordres est vide</translation>
+    </message>
+    <message>
+        <source>the log cannot be written ({0})</source>
+        <translation>le journal ne peut pas être écrit ({0})</translation>
+    </message>
+    <message>
+        <source>the log has no times: 50 frames a second are assumed</source>
+        <translation>le journal n’a pas de temps&#xa0;: 50 mesures par seconde sont supposées</translation>
+    </message>
+    <message>
+        <source>the log is not complete ({0})</source>
+        <translation>le journal n’est pas complet ({0})</translation>
+    </message>
+    <message>
+        <source>the magnetometer was left out: {0} of {1} samples are empty</source>
+        <translation>le magnétomètre a été omis&#xa0;: {0} mesures sur {1} sont vides</translation>
+    </message>
+    <message>
+        <source>the median of |(ax, ay, az)| is {0} m/s2</source>
+        <translation>la médiane de |(ax, ay, az)| est de {0} m/s2</translation>
+    </message>
+    <message>
+        <source>the method offset needs one; give --offset S</source>
+        <translation>la méthode offset demande un décalage&#xa0;; donnez --offset S</translation>
+    </message>
+    <message>
+        <source>the motion cannot be separated from gravity</source>
+        <translation>le mouvement ne peut pas être séparé de la pesanteur</translation>
+    </message>
+    <message>
+        <source>the motion covers {0} to {1} s of media time, but the clip lasts from 0 to {2} s</source>
+        <translation>le mouvement couvre {0} à {1} s de temps du média, mais la vidéo dure de 0 à {2} s</translation>
+    </message>
+    <message>
+        <source>the motion covers {0} to {1} s of the clip&apos;s {2} s; there is no force outside</source>
+        <translation>le mouvement couvre {0} à {1} s des {2} s de la vidéo&#xa0;; il n’y a pas de force en dehors</translation>
+    </message>
+    <message>
+        <source>the motion track is empty, so there is no force to render</source>
+        <translation>la piste de mouvement est vide, il n’y a donc pas de force à calculer</translation>
+    </message>
+    <message>
+        <source>the norm of the specific force is {0} where it is calmest, but gravity is {1} m/s^2</source>
+        <translation>la norme de la force spécifique est de {0} là où elle est la plus calme, mais la pesanteur est de {1} m/s^2</translation>
+    </message>
+    <message>
+        <source>the number of samples is {0}; {1} to {2} can be used</source>
+        <translation>le nombre de mesures est de {0}&#xa0;; de {1} à {2} sont utilisables</translation>
+    </message>
+    <message>
+        <source>the phone&apos;s axes: x right, y top, z out of the screen</source>
+        <translation>axes du téléphone&#xa0;: x à droite, y en haut, z hors de l’écran</translation>
+    </message>
+    <message>
+        <source>the position {0} is no whole number</source>
+        <translation>la position {0} n’est pas un nombre entier</translation>
+    </message>
+    <message>
+        <source>the rate</source>
+        <translation>la cadence</translation>
+    </message>
+    <message>
+        <source>the record cannot be written ({0})</source>
+        <translation>l’enregistrement ne peut pas être écrit ({0})</translation>
+    </message>
+    <message>
+        <source>the sampling rate changes over the recording, {0}</source>
+        <translation>la cadence des mesures change au cours de l’enregistrement, {0}</translation>
+    </message>
+    <message>
+        <source>the scale of {0} is damaged ({1})</source>
+        <translation>l’échelle de {0} est endommagée ({1})</translation>
+    </message>
+    <message>
+        <source>the second half could not be drawn ({0})</source>
+        <translation>la seconde moitié n’a pas pu être dessinée ({0})</translation>
+    </message>
+    <message>
+        <source>the sensor turned so much that gravity does not show its axes</source>
+        <translation>le capteur a tant tourné que la pesanteur ne montre pas ses axes</translation>
+    </message>
+    <message>
+        <source>the sequence {0} has changed since this session began</source>
+        <translation>la séquence {0} a changé depuis le début de cette séance</translation>
+    </message>
+    <message>
+        <source>the sequence {0} has no feedback {1}</source>
+        <translation>la séquence {0} n’a pas de retour {1}</translation>
+    </message>
+    <message>
+        <source>the sequence {0} has no folder with a sequence</source>
+        <translation>la séquence {0} n’a pas de dossier qui contienne une séquence</translation>
+    </message>
+    <message>
+        <source>the simulated Falcon did not answer within {0} s; try again, and run &apos;hapticplayer doctor&apos; if it stays so</source>
+        <translation>le Falcon simulé n’a pas répondu en {0} s&#xa0;; réessayez, et lancez «&#xa0;hapticplayer doctor&#xa0;» si cela persiste</translation>
+    </message>
+    <message>
+        <source>the simulated Falcon was unplugged: its process has ended; choose the device again to start a new one</source>
+        <translation>le Falcon simulé a été débranché&#xa0;: son processus s’est terminé&#xa0;; choisissez de nouveau l’appareil pour en lancer un autre</translation>
+    </message>
+    <message>
+        <source>the simulated Falcon was unplugged; choose the device again</source>
+        <translation>le Falcon simulé a été débranché&#xa0;; choisissez de nouveau l’appareil</translation>
+    </message>
+    <message>
+        <source>the sound has the shape {0}, expected (n, 1) or (n, 2)</source>
+        <translation>le son a la forme {0}, attendu&#xa0;: (n, 1) ou (n, 2)</translation>
+    </message>
+    <message>
+        <source>the sound holds values that are not finite</source>
+        <translation>le son contient des valeurs qui ne sont pas finies</translation>
+    </message>
+    <message>
+        <source>the sound is silent</source>
+        <translation>le son est muet</translation>
+    </message>
+    <message>
+        <source>the sound was lost; picture and force go on</source>
+        <translation>le son a été perdu&#xa0;; l’image et la force continuent</translation>
+    </message>
+    <message>
+        <source>the specific force is {0} m/s2 at rest when it is read in {1}, but gravity is 9.81</source>
+        <translation>la force spécifique est de {0} m/s2 au repos quand elle est lue en {1}, mais la pesanteur est de 9.81</translation>
+    </message>
+    <message>
+        <source>the study has no condition {0}</source>
+        <translation>l’étude n’a pas de condition {0}</translation>
+    </message>
+    <message>
+        <source>the time {0} ({1} s after {2} s)</source>
+        <translation>le temps {0} ({1} s après {2} s)</translation>
+    </message>
+    <message>
+        <source>the work was ended from outside (exit status {0}), perhaps for want of memory; nothing was written</source>
+        <translation>le travail a été arrêté de l’extérieur (état {0}), peut-être faute de mémoire&#xa0;; rien n’a été écrit</translation>
+    </message>
+    <message>
+        <source>the {0} may not be used by you, or is gone; copy the udev rule {1} to /etc/udev/rules.d, then unplug it and plug it in</source>
+        <translation>vous n’avez pas le droit d’utiliser l’appareil ({0}), ou il n’est plus là&#xa0;; copiez la règle udev {1} dans /etc/udev/rules.d, puis débranchez-le et rebranchez-le</translation>
+    </message>
+    <message>
+        <source>the {0} was unplugged; plug it in and choose the device again</source>
+        <translation>l’appareil ({0}) a été débranché&#xa0;; rebranchez-le et choisissez-le de nouveau</translation>
+    </message>
+    <message>
+        <source>there are no pictures to write</source>
+        <translation>il n’y a pas d’images à écrire</translation>
+    </message>
+    <message>
+        <source>there is a track {0} already; choose another name</source>
+        <translation>il y a déjà une piste {0}&#xa0;; choisissez un autre nom</translation>
+    </message>
+    <message>
+        <source>there is no device that could have a fault</source>
+        <translation>il n’y a pas d’appareil qui puisse avoir une panne</translation>
+    </message>
+    <message>
+        <source>there is no format {0}; choose one of {1}</source>
+        <translation>il n’y a pas de format {0}&#xa0;; choisissez parmi {1}</translation>
+    </message>
+    <message>
+        <source>there is no header, the file begins with numbers</source>
+        <translation>il n’y a pas d’en-tête, le fichier commence par des nombres</translation>
+    </message>
+    <message>
+        <source>there is no judgement that could be analysed</source>
+        <translation>il n’y a pas de jugement à analyser</translation>
+    </message>
+    <message>
+        <source>there is no method {0}; choose one of {1}</source>
+        <translation>il n’y a pas de méthode {0}&#xa0;; choisissez parmi {1}</translation>
+    </message>
+    <message>
+        <source>there is no mounting {0}; choose one of {1}, or give right, front and up of the actor in the recorder&apos;s axes, such as --mounting=-x,y,-z</source>
+        <translation>il n’y a pas de fixation {0}&#xa0;; choisissez parmi {1}, ou donnez la droite, l’avant et le haut de la personne dans les axes de l’enregistreur, par exemple --mounting=-x,y,-z</translation>
+    </message>
+    <message>
+        <source>there is no participant {0}</source>
+        <translation>il n’y a pas de participant {0}</translation>
+    </message>
+    <message>
+        <source>there is no sequence {0}; {1} are</source>
+        <translation>il n’y a pas de séquence {0}&#xa0;; il y a {1}</translation>
+    </message>
+    <message>
+        <source>there is no sound in which pats could be heard</source>
+        <translation>il n’y a pas de son où des tapes pourraient s’entendre</translation>
+    </message>
+    <message>
+        <source>there is no sound output, so the clip plays silently</source>
+        <translation>il n’y a pas de sortie de son, la vidéo est donc muette</translation>
+    </message>
+    <message>
+        <source>there is no sound output: {0}</source>
+        <translation>il n’y a pas de sortie de son&#xa0;: {0}</translation>
+    </message>
+    <message>
+        <source>there is no such file</source>
+        <translation>ce fichier n’existe pas</translation>
+    </message>
+    <message>
+        <source>there is no template {0}; there is {1}</source>
+        <translation>il n’y a pas de modèle {0}&#xa0;; il y a {1}</translation>
+    </message>
+    <message>
+        <source>there is no track {0}</source>
+        <translation>il n’y a pas de piste {0}</translation>
+    </message>
+    <message>
+        <source>there is no {0}</source>
+        <translation>il manque&#xa0;: {0}</translation>
+    </message>
+    <message>
+        <source>there is nothing in it</source>
+        <translation>il n’y a rien dedans</translation>
+    </message>
+    <message>
+        <source>these are two of a kind: {0}</source>
+        <translation>ce sont deux fichiers du même genre&#xa0;: {0}</translation>
+    </message>
+    <message>
+        <source>this is no firmware for the Falcon: {0}; choose the file nvent_firmware.bin of a libnifalcon source archive</source>
+        <translation>ce n’est pas un micrologiciel pour le Falcon&#xa0;: {0}&#xa0;; choisissez le fichier nvent_firmware.bin d’une archive des sources de libnifalcon</translation>
+    </message>
+    <message>
+        <source>this is the page {0}, not {1}</source>
+        <translation>c’est la page {0}, pas {1}</translation>
+    </message>
+    <message>
+        <source>this track heats the motors to {0} % of what they bear for ever; they may weaken it</source>
+        <translation>cette piste chauffe les moteurs à {0}&#xa0;% de ce qu’ils supportent sans fin&#xa0;; ils peuvent l’affaiblir</translation>
+    </message>
+    <message>
+        <source>this track would move a {0} hand so that the force stops ({1}) at {2} s</source>
+        <translation>cette piste déplacerait une main {0} au point que la force s’arrête ({1}) à {2} s</translation>
+    </message>
+    <message>
+        <source>this track would reach {0} % of the workspace with a relaxed hand, at {1} s; beyond {2} % the force outward is weakened</source>
+        <translation>cette piste atteindrait {0}&#xa0;% de l’espace de travail avec une main détendue, à {1} s&#xa0;; au-delà de {2}&#xa0;%, la force vers l’extérieur est affaiblie</translation>
+    </message>
+    <message>
+        <source>time_s has {0} axes, expected one</source>
+        <translation>time_s a {0} axes, attendu&#xa0;: un</translation>
+    </message>
+    <message>
+        <source>time_s jumps back by {0} s at line {1}</source>
+        <translation>time_s recule de {0} s à la ligne {1}</translation>
+    </message>
+    <message>
+        <source>time_s jumps back by {0} s at row {1}</source>
+        <translation>time_s recule de {0} s à la ligne {1}</translation>
+    </message>
+    <message>
+        <source>time_s runs at {0} samples a second</source>
+        <translation>time_s avance de {0} mesures par seconde</translation>
+    </message>
+    <message>
+        <source>time_s runs backwards at line {0}, and no order can be found</source>
+        <translation>time_s recule à la ligne {0}, et aucun ordre ne peut être trouvé</translation>
+    </message>
+    <message>
+        <source>time_s runs backwards at row {0}, and no order can be found</source>
+        <translation>time_s recule à la ligne {0}, et aucun ordre ne peut être trouvé</translation>
+    </message>
+    <message>
+        <source>took telemetry-parser {0} s</source>
+        <translation>a occupé telemetry-parser {0} s</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true ou false</translation>
+    </message>
+    <message>
+        <source>turning at {0} rad/s at most</source>
+        <translation>vitesse angulaire d’au plus {0} rad/s</translation>
+    </message>
+    <message>
+        <source>update hapticplayer</source>
+        <translation>mettez hapticplayer à jour</translation>
+    </message>
+    <message>
+        <source>update the program, or export again with this version</source>
+        <translation>mettez le programme à jour, ou exportez encore une fois avec cette version</translation>
+    </message>
+    <message>
+        <source>use at most {0} of a-z, 0-9, _ and -</source>
+        <translation>prenez au plus {0} caractères parmi a-z, 0-9, _ et -</translation>
+    </message>
+    <message>
+        <source>without a readable number</source>
+        <translation>sans numéro lisible</translation>
+    </message>
+    <message>
+        <source>without names</source>
+        <translation>sans noms</translation>
+    </message>
+    <message>
+        <source>write one with --save-template</source>
+        <translation>écrivez-en un avec --save-template</translation>
+    </message>
+    <message>
+        <source>writes its times as dates ({0})</source>
+        <translation>écrit ses temps sous forme de dates ({0})</translation>
+    </message>
+    <message>
+        <source>writing failed ({0})</source>
+        <translation>l’écriture a échoué ({0})</translation>
+    </message>
+    <message>
+        <source>written to</source>
+        <translation>écrit</translation>
+    </message>
+    <message>
+        <source>{0} (first in line {1})</source>
+        <translation>{0} (d’abord à la ligne {1})</translation>
+    </message>
+    <message>
+        <source>{0} (or rate-hz=100)</source>
+        <translation>{0} (ou rate-hz=100)</translation>
+    </message>
+    <message>
+        <source>{0} Falcons are plugged in: {1}; choose one, such as falcon:{2}</source>
+        <translation>{0} Falcon sont branchés&#xa0;: {1}&#xa0;; choisissez-en un, par exemple falcon:{2}</translation>
+    </message>
+    <message>
+        <source>{0} Hz is above the rate of the samples, {1} Hz</source>
+        <translation>{0} Hz dépasse la cadence des mesures, {1} Hz</translation>
+    </message>
+    <message>
+        <source>{0} and are marked as not valid</source>
+        <translation>{0} et sont marquées comme non valables</translation>
+    </message>
+    <message>
+        <source>{0} and no {1}</source>
+        <translation>{0} et pas de {1}</translation>
+    </message>
+    <message>
+        <source>{0} and {1}</source>
+        <translation>{0} et {1}</translation>
+    </message>
+    <message>
+        <source>{0} and {1} damaged lines</source>
+        <translation>{0} et {1} lignes endommagées</translation>
+    </message>
+    <message>
+        <source>{0} and {1} for {2}</source>
+        <translation>{0} et {1} pour {2}</translation>
+    </message>
+    <message>
+        <source>{0} are no axes, so the telemetry is damaged</source>
+        <translation>{0} ne sont pas des axes, la télémétrie est donc endommagée</translation>
+    </message>
+    <message>
+        <source>{0} bytes are no whole number of words, or too many</source>
+        <translation>{0} octets ne font pas un nombre entier de mots, ou sont trop nombreux</translation>
+    </message>
+    <message>
+        <source>{0} bytes follow its end</source>
+        <translation>{0} octets suivent sa fin</translation>
+    </message>
+    <message>
+        <source>{0} cannot be the name of a track; use up to 40 letters, digits, blanks, dots and hyphens</source>
+        <translation>{0} ne peut pas être le nom d’une piste&#xa0;; prenez jusqu’à 40 lettres, chiffres, espaces, points et traits d’union</translation>
+    </message>
+    <message>
+        <source>{0} does not hold numbers only ({1})</source>
+        <translation>{0} ne contient pas que des nombres ({1})</translation>
+    </message>
+    <message>
+        <source>{0} does not know the clip&apos;s clock; use --method pats or give --offset S</source>
+        <translation>{0} ne connaît pas l’horloge de la vidéo&#xa0;; prenez --method pats ou donnez --offset S</translation>
+    </message>
+    <message>
+        <source>{0} gaps</source>
+        <translation>{0} lacunes</translation>
+    </message>
+    <message>
+        <source>{0} gyroscope values were scaled twice and are left out</source>
+        <translation>{0} valeurs du gyroscope étaient mises à l’échelle deux fois et ont été omises</translation>
+    </message>
+    <message>
+        <source>{0} has no feedback {1}; choose one of {2}</source>
+        <translation>{0} n’a pas de retour {1}&#xa0;; choisissez parmi {2}</translation>
+    </message>
+    <message>
+        <source>{0} has the shape {1}, expected {2}</source>
+        <translation>{0} a la forme {1}, attendu&#xa0;: {2}</translation>
+    </message>
+    <message>
+        <source>{0} has the shape {1}, expected {2} x 3</source>
+        <translation>{0} a la forme {1}, attendu&#xa0;: {2} x 3</translation>
+    </message>
+    <message>
+        <source>{0} has {1} rows, but there are {2} times</source>
+        <translation>{0} a {1} lignes, mais il y a {2} temps</translation>
+    </message>
+    <message>
+        <source>{0} has {1} samples, more than is read</source>
+        <translation>{0} a {1} mesures, plus qu’on n’en lit</translation>
+    </message>
+    <message>
+        <source>{0} holds a value that is not finite in line {1}</source>
+        <translation>{0} contient à la ligne {1} une valeur qui n’est pas finie</translation>
+    </message>
+    <message>
+        <source>{0} holds a value that is not finite in row {1}</source>
+        <translation>{0} contient à la ligne {1} une valeur qui n’est pas finie</translation>
+    </message>
+    <message>
+        <source>{0} is a real device and takes no faults</source>
+        <translation>{0} est un vrai appareil et n’accepte pas de pannes</translation>
+    </message>
+    <message>
+        <source>{0} is missing</source>
+        <translation>{0} manque</translation>
+    </message>
+    <message>
+        <source>{0} is no Falcon; use falcon, or falcon:SERIAL</source>
+        <translation>{0} n’est pas un Falcon&#xa0;; prenez falcon, ou falcon:SERIAL</translation>
+    </message>
+    <message>
+        <source>{0} is no key</source>
+        <translation>{0} n’est pas une clé</translation>
+    </message>
+    <message>
+        <source>{0} is no number</source>
+        <translation>{0} n’est pas un nombre</translation>
+    </message>
+    <message>
+        <source>{0} is no participant&apos;s code</source>
+        <translation>{0} n’est pas le code d’un participant</translation>
+    </message>
+    <message>
+        <source>{0} is no plain file name</source>
+        <translation>{0} n’est pas un simple nom de fichier</translation>
+    </message>
+    <message>
+        <source>{0} is no skew of sound and picture; give seconds between -{1} and {2}</source>
+        <translation>{0} n’est pas un écart entre le son et l’image&#xa0;; donnez des secondes entre -{1} et {2}</translation>
+    </message>
+    <message>
+        <source>{0} is no whole number</source>
+        <translation>{0} n’est pas un nombre entier</translation>
+    </message>
+    <message>
+        <source>{0} is not a number</source>
+        <translation>{0} n’est pas un nombre</translation>
+    </message>
+    <message>
+        <source>{0} is not a {1}</source>
+        <translation>{0} n’est pas ce qu’il faut&#xa0;: {1}</translation>
+    </message>
+    <message>
+        <source>{0} is out of range</source>
+        <translation>{0} est hors des limites</translation>
+    </message>
+    <message>
+        <source>{0} is zero, not finite or beyond any sensor in {1} of {2} rows, first in line {3}</source>
+        <translation>{0} est nul, non fini ou au-delà de tout capteur dans {1} lignes sur {2}, d’abord à la ligne {3}</translation>
+    </message>
+    <message>
+        <source>{0} is zero, not finite or beyond any sensor in {1} of {2} rows, first in row {3}</source>
+        <translation>{0} est nul, non fini ou au-delà de tout capteur dans {1} lignes sur {2}, d’abord à la ligne {3}</translation>
+    </message>
+    <message>
+        <source>{0} lies outside {1} to {2}</source>
+        <translation>{0} est en dehors de {1} à {2}</translation>
+    </message>
+    <message>
+        <source>{0} lines are damaged and left out (first: line {1})</source>
+        <translation>{0} lignes sont endommagées et ont été omises (la première&#xa0;: ligne {1})</translation>
+    </message>
+    <message>
+        <source>{0} m/s2 at rest</source>
+        <translation>{0} m/s2 au repos</translation>
+    </message>
+    <message>
+        <source>{0} m/s2 of gravity are left where the recording stands still</source>
+        <translation>{0} m/s2 de pesanteur restent là où l’enregistrement est immobile</translation>
+    </message>
+    <message>
+        <source>{0} missing or wild times were interpolated</source>
+        <translation>{0} temps manquants ou aberrants ont été interpolés</translation>
+    </message>
+    <message>
+        <source>{0} motion samples are too few; at least {1} are needed</source>
+        <translation>{0} mesures de mouvement sont trop peu&#xa0;; il en faut au moins {1}</translation>
+    </message>
+    <message>
+        <source>{0} motion samples within {1} ms are no motion</source>
+        <translation>{0} mesures de mouvement en {1} ms ne sont pas un mouvement</translation>
+    </message>
+    <message>
+        <source>{0} must be a positive number, got {1}</source>
+        <translation>{0} doit être un nombre positif, reçu&#xa0;: {1}</translation>
+    </message>
+    <message>
+        <source>{0} must increase strictly, but line {1} has {2} s after {3} s</source>
+        <translation>{0} doit croître strictement, mais la ligne {1} a {2} s après {3} s</translation>
+    </message>
+    <message>
+        <source>{0} must increase strictly, but row {1} has {2} s after {3} s</source>
+        <translation>{0} doit croître strictement, mais la ligne {1} a {2} s après {3} s</translation>
+    </message>
+    <message>
+        <source>{0} of the force samples reach the force limit</source>
+        <translation>{0} des mesures de force atteignent la limite de force</translation>
+    </message>
+    <message>
+        <source>{0} of the motion is not to be trusted (gaps, missing or clipped samples); there is no force there</source>
+        <translation>{0} du mouvement n’est pas fiable (lacunes, mesures manquantes ou écrêtées)&#xa0;; il n’y a pas de force à cet endroit</translation>
+    </message>
+    <message>
+        <source>{0} of the samples are at the sensor&apos;s limit</source>
+        <translation>{0} des mesures sont à la limite du capteur</translation>
+    </message>
+    <message>
+        <source>{0} of {1} rows {2}</source>
+        <translation>{0} lignes sur {1} {2}</translation>
+    </message>
+    <message>
+        <source>{0} of {1} samples of {2} were missing, the first in line {3}; they were filled in</source>
+        <translation>{0} mesures sur {1} de {2} manquaient, la première à la ligne {3}&#xa0;; elles ont été complétées</translation>
+    </message>
+    <message>
+        <source>{0} of {1} samples of {2} were missing, the first in row {3}; they were filled in</source>
+        <translation>{0} mesures sur {1} de {2} manquaient, la première à la ligne {3}&#xa0;; elles ont été complétées</translation>
+    </message>
+    <message>
+        <source>{0} of {1} sessions are simulated: nobody sat there</source>
+        <translation>{0} séances sur {1} sont simulées&#xa0;: personne n’y était</translation>
+    </message>
+    <message>
+        <source>{0} of {1} sessions have answers and no end</source>
+        <translation>{0} séances sur {1} ont des réponses et pas de fin</translation>
+    </message>
+    <message>
+        <source>{0} of {1} sessions hold no answer to a trial</source>
+        <translation>{0} séances sur {1} ne contiennent aucune réponse à un essai</translation>
+    </message>
+    <message>
+        <source>{0} or {1}</source>
+        <translation>{0} ou {1}</translation>
+    </message>
+    <message>
+        <source>{0} packets in a row are damaged</source>
+        <translation>{0} paquets de suite sont endommagés</translation>
+    </message>
+    <message>
+        <source>{0} pairs of rows were swapped in time and put in order</source>
+        <translation>{0} paires de lignes étaient inversées dans le temps et ont été remises en ordre</translation>
+    </message>
+    <message>
+        <source>{0} rows without a time were left out, as they stand in a gap</source>
+        <translation>{0} lignes sans temps ont été omises, car elles sont dans une lacune</translation>
+    </message>
+    <message>
+        <source>{0} s of samples are less than one window of {1} s</source>
+        <translation>{0} s de mesures font moins qu’une fenêtre de {1} s</translation>
+    </message>
+    <message>
+        <source>{0} samples have no rate</source>
+        <translation>{0} mesures n’ont pas de cadence</translation>
+    </message>
+    <message>
+        <source>{0} telemetry payloads are damaged; the rest was read.</source>
+        <translation>{0} blocs de télémétrie sont endommagés&#xa0;; le reste a été lu.</translation>
+    </message>
+    <message>
+        <source>{0} x {1} pixels are too large for a picture</source>
+        <translation>{0} x {1} pixels sont trop pour une image</translation>
+    </message>
+    <message>
+        <source>{0} {1} is not understood; give KEY=VALUE with one of {2}</source>
+        <translation>{0} {1} n’est pas compris&#xa0;; donnez KEY=VALUE avec l’un de {2}</translation>
+    </message>
+    <message>
+        <source>{0}, but the numbers would fit another unit</source>
+        <translation>{0}, mais les nombres iraient avec une autre unité</translation>
+    </message>
+    <message>
+        <source>{0}, column {1}</source>
+        <translation>{0}, colonne {1}</translation>
+    </message>
+    <message>
+        <source>{0}, line 1</source>
+        <translation>{0}, ligne 1</translation>
+    </message>
+    <message>
+        <source>{0}, line {1}</source>
+        <translation>{0}, ligne {1}</translation>
+    </message>
+    <message>
+        <source>{0}, or {1}</source>
+        <translation>{0}, ou {1}</translation>
+    </message>
+    <message>
+        <source>{0}, others {1} s</source>
+        <translation>{0}, d’autres {1} s</translation>
+    </message>
+    <message>
+        <source>{0}, {1} m/s2 at rest</source>
+        <translation>{0}, {1} m/s2 au repos</translation>
+    </message>
+    <message>
+        <source>{0}: cannot be read ({1}); choose another file</source>
+        <translation>{0}&#xa0;: ne peut pas être lu ({1})&#xa0;; choisissez un autre fichier</translation>
+    </message>
+    <message>
+        <source>{0}: columns={1} {2}</source>
+        <translation>{0}&#xa0;: columns={1} {2}</translation>
+    </message>
+    <message>
+        <source>{0}: is damaged; the study&apos;s own definition was used</source>
+        <translation>{0}&#xa0;: est endommagé&#xa0;; la définition de l’étude a été utilisée</translation>
+    </message>
+    <message>
+        <source>{0}: is no log of {1}</source>
+        <translation>{0}&#xa0;: n’est pas un journal de {1}</translation>
+    </message>
+    <message>
+        <source>{0}: is no table of numbers; choose another log</source>
+        <translation>{0}&#xa0;: n’est pas un tableau de nombres&#xa0;; choisissez un autre journal</translation>
+    </message>
+    <message>
+        <source>{0}: no three pats are both heard and felt; {1}</source>
+        <translation>{0}&#xa0;: aucune série de trois tapes n’est à la fois entendue et sentie&#xa0;; {1}</translation>
+    </message>
+    <message>
+        <source>{0}: sound, but none of the known images ({1}; SHA-256 {2}...); it would run the motors: say that you want it (--accept-unknown)</source>
+        <translation>{0}&#xa0;: en bon état, mais aucun des micrologiciels connus ({1}&#xa0;; SHA-256 {2}...)&#xa0;; il ferait tourner les moteurs&#xa0;: dites que vous le voulez (--accept-unknown)</translation>
+    </message>
+    <message>
+        <source>{0}: the firmware cannot be kept there ({1}); set {2} to another path</source>
+        <translation>{0}&#xa0;: le micrologiciel ne peut pas être gardé là ({1})&#xa0;; donnez à {2} un autre chemin</translation>
+    </message>
+    <message>
+        <source>{0}: the pats are not certain (confidence {1}): the best offset is {2} s{3}; {4}</source>
+        <translation>{0}&#xa0;: les tapes ne sont pas sûres (confiance {1})&#xa0;: le meilleur décalage est de {2} s{3}&#xa0;; {4}</translation>
+    </message>
+    <message>
+        <source>{0}: {1}</source>
+        <translation>{0}&#xa0;: {1}</translation>
+    </message>
+    <message>
+        <source>{0}: {1}; decide with {2}</source>
+        <translation>{0}&#xa0;: {1}&#xa0;; décidez avec {2}</translation>
+    </message>
+    <message>
+        <source>{0}: {1}; give --mounting {2}, or another of {3}, or --mounting forward to take it as it is</source>
+        <translation>{0}&#xa0;: {1}&#xa0;; donnez --mounting {2}, ou une autre de {3}, ou --mounting forward pour la prendre telle quelle</translation>
+    </message>
+    <message>
+        <source>{0}; see --mounting</source>
+        <translation>{0}&#xa0;; voir --mounting</translation>
+    </message>
+    <message>
+        <source>{0}; the copy among the answers was used</source>
+        <translation>{0}&#xa0;; la copie parmi les réponses a été utilisée</translation>
+    </message>
+    <message>
+        <source>{0}; {1}</source>
+        <translation>{0}&#xa0;; {1}</translation>
+    </message>
+    <message>
+        <source>{0}={1} is no unit; choose {2}, or give the factor to SI as a number above zero</source>
+        <translation>{0}={1} n’est pas une unité&#xa0;; choisissez {2}, ou donnez le facteur vers le SI, un nombre supérieur à zéro</translation>
+    </message>
+    <message>
+        <source>{0}{1} are right, front, up</source>
+        <translation>{0}{1} sont droite, avant, haut</translation>
     </message>
 </context>
 </TS>

@@ -14,11 +14,14 @@ from PySide6.QtWidgets import (
     QAbstractSpinBox,
     QApplication,
     QComboBox,
+    QHeaderView,
     QLabel,
     QLineEdit,
     QPlainTextEdit,
     QScrollArea,
     QScrollBar,
+    QStyle,
+    QStyleOptionComboBox,
     QTabBar,
     QTextEdit,
     QWidget,
@@ -222,22 +225,53 @@ def cut_off(face: QWidget) -> Iterator[str]:
     for widget in face.findChildren(QWidget):
         if not widget.isVisibleTo(face) or not widget.width():
             continue
-        if isinstance(widget, QLabel) and widget.text():
-            yield from _cut_label(widget)
-        elif isinstance(widget, QAbstractButton) and widget.text():
-            needed = widget.sizeHint()
-            if widget.width() < needed.width() or widget.height() < needed.height():
-                yield f"button {widget.text()!r}: {widget.size()} of {needed}"
-        elif isinstance(widget, QTabBar):
-            for k in range(widget.count()):
-                needed_px = _wide(widget, widget.tabText(k))
-                if widget.tabRect(k).width() < needed_px:
-                    yield f"tab {widget.tabText(k)!r}"
+        for kind, look in _LOOKS.items():
+            if isinstance(widget, kind):
+                yield from look(widget)
+                break
         if not isinstance(widget.parent(), QAbstractScrollArea | QAbstractItemView):
             yield from _outside(widget)
 
 
+def _cut_button(button: QAbstractButton) -> Iterator[str]:
+    needed, has = button.sizeHint(), button.size()
+    is_whole = has.width() >= needed.width() and has.height() >= needed.height()
+    if button.text() and not is_whole:
+        yield f"button {button.text()!r}: {has} of {needed}"
+
+
+def _cut_tabs(tabs: QTabBar) -> Iterator[str]:
+    for k in range(tabs.count()):
+        if tabs.tabRect(k).width() < _wide(tabs, tabs.tabText(k)):
+            yield f"tab {tabs.tabText(k)!r}"
+
+
+def _cut_items(combo: QComboBox) -> Iterator[str]:
+    """Yield the choices that would be cut off once they are chosen."""
+    option = QStyleOptionComboBox()
+    combo.initStyleOption(option)
+    part = QStyle.SubControl.SC_ComboBoxEditField
+    kind = QStyle.ComplexControl.CC_ComboBox
+    room_px = combo.style().subControlRect(kind, option, part, combo).width()
+    for k in range(combo.count()):
+        needed_px = combo.fontMetrics().horizontalAdvance(combo.itemText(k))
+        if needed_px > room_px:
+            yield f"choice {combo.itemText(k)!r}: {room_px} of {needed_px}"
+
+
+def _cut_sections(header: QHeaderView) -> Iterator[str]:
+    for k in range(header.count()):
+        along = header.orientation() == Qt.Orientation.Horizontal
+        size = header.sectionSizeFromContents(k)
+        needed_px = size.width() if along else size.height()
+        if not header.isSectionHidden(k) and header.sectionSize(k) < needed_px:
+            text = header.model().headerData(k, header.orientation())
+            yield f"header {text!r}: {header.sectionSize(k)} of {needed_px}"
+
+
 def _cut_label(label: QLabel) -> Iterator[str]:
+    if not label.text():
+        return
     room = label.contentsRect()
     if label.wordWrap():
         wide, high = 0.0, float(label.heightForWidth(label.width()))
@@ -254,6 +288,15 @@ def _cut_label(label: QLabel) -> Iterator[str]:
     if high > room.height() + 2 or wide > room.width() + 2:
         needed = f"{wide:.0f} x {high:.0f}"
         yield f"label {label.text()!r}: {room.width()} x {room.height()} of {needed}"
+
+
+_LOOKS: dict[type[QWidget], Callable[..., Iterator[str]]] = {
+    QLabel: _cut_label,
+    QAbstractButton: _cut_button,
+    QComboBox: _cut_items,
+    QHeaderView: _cut_sections,
+    QTabBar: _cut_tabs,
+}
 
 
 def _wide(widget: QWidget, text: str) -> int:

@@ -9,7 +9,13 @@ from pathlib import Path
 import faces
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QPushButton
+from PySide6.QtWidgets import (
+    QComboBox,
+    QPushButton,
+    QTableWidget,
+    QVBoxLayout,
+    QWidget,
+)
 from sitting import Person
 
 from app.bridge import languages
@@ -84,7 +90,7 @@ def test_the_window_and_every_dialog_can_be_used_by_keyboard_alone(
         face = make()
         face.show()
         check_keyboard(face, qtbot)
-        face.close()
+        close(face)
 
 
 def test_the_participants_pages_can_be_used_by_keyboard_and_by_finger(
@@ -189,10 +195,39 @@ def whole_texts(window, source, folder, qtbot) -> list[str]:
         face.show()
         qtbot.wait(1)
         found += [f"{name}: {text}" for text in faces.cut_off(face)]
-        face.close()
-        if isinstance(face, ImportWizard | LibraryPage):
-            face.close_jobs()  # the window does so for those that it has opened
+        close(face)
     return found
+
+
+def close(face) -> None:
+    """Close a page; the window ends the work of those that it has opened."""
+    face.close()
+    if isinstance(face, ImportWizard | LibraryPage):
+        face.close_jobs()
+
+
+def test_what_is_cut_off_in_a_choice_or_a_header_is_found(dressed, qtbot):
+    dressed(language="de")
+    face = QWidget()
+    qtbot.addWidget(face)
+    column = QVBoxLayout(face)
+    combo, table = QComboBox(), QTableWidget(1, 2)
+    combo.addItems(["kurz", "viel zu lang f\u00fcr so wenig Raum"])
+    table.setHorizontalHeaderLabels(["Spur", "Auch dieser Titel ist zu lang"])
+    for widget in (combo, table):
+        column.addWidget(widget)
+    face.resize(700, 300)
+    combo.setFixedWidth(90)
+    table.setColumnWidth(1, 60)
+    face.show()
+    found = list(faces.cut_off(face))
+    assert [text.partition(":")[0] for text in found] == [
+        "choice 'viel zu lang f\u00fcr so wenig Raum'",
+        "header 'Auch dieser Titel ist zu lang'",
+    ]
+    combo.setFixedWidth(400)
+    table.setColumnWidth(1, 400)
+    assert list(faces.cut_off(face)) == []
 
 
 @pytest.mark.parametrize("language", list(languages.NAMES))

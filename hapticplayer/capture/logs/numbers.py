@@ -69,9 +69,10 @@ class Numbers:
         """What was left out, in words."""
         if not self.damaged:
             return ()
-        lines = "line is" if self.damaged == 1 else "lines are"
-        first = f"first: line {self.first_damaged}"
-        return (f"{self.damaged} {lines} damaged and left out ({first})",)
+        first = self.first_damaged
+        if self.damaged == 1:
+            return (f"1 line is damaged and left out (first: line {first})",)
+        return (f"{self.damaged} lines are damaged and left out (first: line {first})",)
 
 
 @dataclass(slots=True)

@@ -118,12 +118,17 @@ def check_rate_unit(
     factor = np.pi / 180.0 if is_degrees else 180.0 / np.pi
     if not _explains_better(time_s, force, rate, factor, rms):
         return
-    what = "the angular rate turns gravity about 57 times too"
     if is_degrees:
-        remedy = "it seems to be in deg/s: multiply it by 0.0174532925"
-        raise InputError(f"{what} fast", where=source, remedy=remedy)
-    remedy = "it seems to have been converted twice: multiply it by 57.2957795"
-    raise InputError(f"{what} slowly", where=source, remedy=remedy)
+        raise InputError(
+            "the angular rate turns gravity about 57 times too fast",
+            where=source,
+            remedy="it seems to be in deg/s: multiply it by 0.0174532925",
+        )
+    raise InputError(
+        "the angular rate turns gravity about 57 times too slowly",
+        where=source,
+        remedy="it seems to have been converted twice: multiply it by 57.2957795",
+    )
 
 
 def _explains_better(
