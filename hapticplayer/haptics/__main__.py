@@ -10,6 +10,7 @@ from hapticplayer.devices import find_device
 from hapticplayer.errors import DeviceError
 from hapticplayer.haptics.block import LoopBlock
 from hapticplayer.haptics.centring import centring_of
+from hapticplayer.haptics.lifeline import Lifeline
 from hapticplayer.haptics.limiter import limits_of
 from hapticplayer.haptics.loop import Loop
 from hapticplayer.haptics.messages import Line, Word
@@ -22,6 +23,7 @@ def main(argv: list[str] | None = None) -> int:
     parser = argparse.ArgumentParser(prog="hapticplayer.haptics")
     parser.add_argument("--block", type=int, required=True, help="descriptor")
     parser.add_argument("--line", type=int, required=True, help="descriptor")
+    parser.add_argument("--lifeline", type=int, required=True, help="descriptor")
     parser.add_argument("--device", required=True)
     parser.add_argument("--handle", type=int, required=True, help="descriptor")
     parser.add_argument("--guarded", action="store_true")
@@ -54,6 +56,7 @@ def main(argv: list[str] | None = None) -> int:
             centring_of(limits),
             is_guarded=options.guarded,
             wakefulness=Wakefulness(),
+            lifeline=Lifeline(options.lifeline),
         )
         line.send(Word.READY, acquire(wanted).value)
         loop.run()

@@ -90,7 +90,7 @@ class Supervision(NamedTuple):
 
     Attributes:
         heartbeat_s: monotonic time of the player's last beat.
-        is_player_alive: whether its line is open.
+        is_player_alive: whether its line is open and its main thread lives.
         request: of a person.
         reading: answer to the last exchange, None when there was none.
         is_device_gone: whether the device refused the last exchange for good.
@@ -256,7 +256,7 @@ RULES: tuple[Rule, ...] = (
         Cause.PLAYER_GONE,
         Reaction.TRIP,
         lambda s: not s.told.is_player_alive,
-        "the player has died: its line is closed",
+        "the player has died: its main thread has ended, or its line is closed",
     ),
     Rule(
         Cause.HEARTBEAT_LOST,

@@ -13,6 +13,7 @@ import sys
 from collections.abc import Sequence
 
 from hapticplayer.devices import DeviceEntry
+from hapticplayer.haptics.lifeline import hold_lifeline
 from hapticplayer.haptics.scheduling import DEVICE_PRIORITY, Scheduling, grant
 
 QUIT_TIMEOUT_S = 2.0
@@ -56,13 +57,16 @@ class Crew:
         with contextlib.ExitStack() as stack:
             loops, guards = self._start_device(stack)
             shared = ["--block", str(block), "--device", self._entry.name]
+            life = hold_lifeline()
             options = [*shared, "--handle", str(loops), "--line", str(line)]
+            options += ["--lifeline", str(life)]
             if self._takes_faults:
                 options += ["--faults"]
             if self._scheduling is not None:
                 options += ["--scheduling", self._scheduling.value]
+            passed = [block, loops, line, life]
             self.loop = self._run(
-                "hapticplayer.haptics", [*options, "--guarded"], [block, loops, line]
+                "hapticplayer.haptics", [*options, "--guarded"], passed
             )
             self._start_guard(self.loop.pid, block, guards)
 

@@ -10,6 +10,7 @@ from hapticplayer.errors import DeviceError
 from hapticplayer.haptics.block import LoopBlock
 from hapticplayer.haptics.centring import Centring
 from hapticplayer.haptics.contract import Cause, Mode, Request, State, Supervision
+from hapticplayer.haptics.lifeline import Lifeline
 from hapticplayer.haptics.limiter import PERIOD_S, ZERO, Limits
 from hapticplayer.haptics.messages import Line, Word, close_descriptor
 from hapticplayer.haptics.step import step
@@ -55,6 +56,7 @@ class Loop:
     centring: Centring = field(default_factory=Centring)
     is_guarded: bool = False
     wakefulness: Wakefulness | None = None
+    lifeline: Lifeline | None = None
 
     def __post_init__(self) -> None:
         self.state = State()
@@ -73,7 +75,11 @@ class Loop:
     @property
     def is_over(self) -> bool:
         """Whether nobody is left who could want a force."""
-        return self._is_asked_to_quit or not self.line.is_open
+        return self._is_asked_to_quit or not self._is_player_alive()
+
+    def _is_player_alive(self) -> bool:
+        is_cut = self.lifeline is not None and self.lifeline.is_cut()
+        return self.line.is_open and not is_cut
 
     def run(self) -> None:
         """Tick until the player quits or is gone, then leave zero on the wire."""
@@ -116,7 +122,7 @@ class Loop:
         self._request = Request.NONE
         return Supervision(
             self.block.heartbeat_s(),
-            self.line.is_open,
+            self._is_player_alive(),
             request,
             self._reading,
             self._is_device_gone,
