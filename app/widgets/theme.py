@@ -169,6 +169,25 @@ QProgressBar {{ background: {RAISED}; border: 1px solid {BORDER}; border-radius:
 QProgressBar::chunk {{ background: {CHOSEN}; border-radius: 3px; }}
 QSplitter::handle {{ background: {BORDER}; }}
 QSplitter::handle:hover {{ background: {ACCENT}; }}
+""" + (_edges() if name == CONTRAST else "")
+
+
+def _edges() -> str:
+    """Return what Fusion and the colours leave without an edge on black ground."""
+    return f"""
+QPushButton[role="primary"]:enabled, QPushButton[role="stop"]:enabled {{
+  border-color: {BORDER}; }}
+QPushButton[role="primary"]:focus, QPushButton[role="stop"]:focus,
+QPushButton[role="rearm"]:focus {{ border-color: {FOCUS}; }}
+QScrollBar {{ background: {BACKGROUND}; border: 0; }}
+QScrollBar:vertical {{ width: 14px; }}
+QScrollBar:horizontal {{ height: 14px; }}
+QScrollBar::handle {{ background: {BORDER}; border-radius: 5px; margin: 2px; }}
+QScrollBar::handle:vertical {{ min-height: 24px; }}
+QScrollBar::handle:horizontal {{ min-width: 24px; }}
+QScrollBar::handle:hover {{ background: {ACCENT}; }}
+QScrollBar::add-line, QScrollBar::sub-line {{ width: 0; height: 0; }}
+QScrollBar::add-page, QScrollBar::sub-page {{ background: none; }}
 """
 
 
