@@ -226,7 +226,7 @@
     </message>
     <message>
         <source>None</source>
-        <translation>Keine</translation>
+        <translation>Keins</translation>
     </message>
     <message>
         <source>Random</source>
@@ -864,7 +864,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     </message>
     <message>
         <source>None</source>
-        <translation>Keine</translation>
+        <translation>Keins</translation>
     </message>
     <message>
         <source>at rest</source>
@@ -1926,7 +1926,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     </message>
     <message>
         <source>Gravity left at rest</source>
-        <translation>Schwerkraft, die in Ruhe bleibt</translation>
+        <translation>Restschwerkraft in Ruhe</translation>
     </message>
     <message>
         <source>Sensor at its limit</source>

@@ -571,11 +571,11 @@
     </message>
     <message>
         <source>Stall, 60 ms</source>
-        <translation>Bloque 60 ms</translation>
+        <translation>Blocage, 60&#xa0;ms</translation>
     </message>
     <message>
         <source>Stall, 300 ms</source>
-        <translation>Bloque 300 ms</translation>
+        <translation>Blocage, 300&#xa0;ms</translation>
     </message>
     <message>
         <source>Nonsense answers</source>
