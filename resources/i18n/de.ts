@@ -1958,15 +1958,15 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     </message>
     <message>
         <source>residual {ms} ms, confidence {confidence} ({how})</source>
-        <translation>Rest {ms} ms, Sicherheit {confidence} ({how})</translation>
+        <translation>Rest {ms}&#xa0;ms, Sicherheit {confidence} ({how})</translation>
     </message>
     <message>
         <source>{share} of the motion; {count}, the longest {s} s</source>
-        <translation>{share} der Bewegung; {count}, die längste {s} s</translation>
+        <translation>{share} der Bewegung; {count}, die längste {s}&#xa0;s</translation>
     </message>
     <message>
         <source>{share} of the samples; the peak is {n} N</source>
-        <translation>{share} der Werte; die Spitze ist {n} N</translation>
+        <translation>{share} der Werte; die Spitze ist {n}&#xa0;N</translation>
     </message>
     <message>
         <source>three pats</source>
