@@ -6,6 +6,7 @@ from pathlib import Path
 from app.experimenter.analysis_page import AnalysisPage
 from app.experimenter.import_wizard import FILES, MOUNTING, SYNC, ImportWizard
 from app.experimenter.library_page import LibraryPage
+from app.widgets.room import resize_within_screen
 from benchmarks.page_stage import Pictures, Stage
 from hapticplayer.clock import SystemClock
 from hapticplayer.errors import InputError
@@ -94,7 +95,7 @@ def _library(stage: Stage) -> Pictures:
 def _analysis(stage: Stage) -> Pictures:
     answers = simulated_answers(PARTICIPANTS, seed=1)
     page = AnalysisPage("Rides", lambda: answers, print, SystemClock())
-    page.resize(1040, 860)
+    resize_within_screen(page, 1040, 860)
     with stage.shown(page):
         page.analyse()
         yield "analysis-busy", stage.picture(page, 600)

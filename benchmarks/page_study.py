@@ -72,6 +72,8 @@ def _session(stage: Stage, study: Study) -> Iterator[StudySession]:
         yield session
     finally:
         session.close()
+        for window in (session.control, session.participant):
+            window.deleteLater()  # before Python does so, item by item of its plots
         stage.wait()
 
 

@@ -10,6 +10,7 @@ and questions that are too long. The screen has 1920 x 1080 pixels at 100 and at
 """
 
 import argparse
+import gc
 import itertools
 import json
 import os
@@ -74,6 +75,7 @@ def _make(options: argparse.Namespace, folder: Path) -> None:
     scale = options.scales[0]
     _use_screen(folder, scale)
     # only now: these begin Qt's platform
+    from app.bridge.collector import Collector
     from app.bridge.settings import Settings
     from app.player.application import make_application
     from app.player.look_menus import LANGUAGE, LOOK
@@ -90,6 +92,8 @@ def _make(options: argparse.Namespace, folder: Path) -> None:
         "study": page_study.pictures,
     }
     application = make_application()
+    collector = Collector()  # else windows that are gone are freed in any thread
+    collector.begin()
     (folder / "material").mkdir()
     material = make_material(folder / "material")
     source = open_source(material.demo)
@@ -114,6 +118,8 @@ def _make(options: argparse.Namespace, folder: Path) -> None:
                 if options.sheets:
                     end = f"{language}-{look}-{100 * scale:.0f}"
                     _put_on_sheets(made, options.output / "sheets", f"{group}-{end}")
+    gc.collect()
+    collector.end()
 
 
 def _use_screen(folder: Path, scale: float) -> None:

@@ -220,7 +220,7 @@ class FilesPage(QWidget):
             sound=sound,
         )
         motion = self.tr(
-            "Motion: {recorder}, {rate} samples a second, {duration}, {gaps} gaps"
+            "Motion: {recorder}, {rate} samples a second, {duration}, gaps: {gaps}"
         ).format(
             recorder=found.recorder,
             rate=local(f"{found.rate_hz:.4g}"),

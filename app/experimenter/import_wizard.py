@@ -23,7 +23,7 @@ from app.experimenter.quality_view import QualityView
 from app.widgets import theme
 from app.widgets.buttons import text_button
 from app.widgets.labels import ElidedLabel
-from app.widgets.texts import job_text
+from app.widgets.texts import PERCENT, job_text
 from hapticplayer.capture import LogQuestion
 from hapticplayer.errors import HapticPlayerError
 from hapticplayer.sequence import build_sequence, files
@@ -100,6 +100,7 @@ class ImportWizard(QDialog):
     def _progress_row(self) -> QHBoxLayout:
         self.step, self.bar = ElidedLabel(colour=theme.DIM), QProgressBar()
         self.bar.setRange(0, _PARTS)
+        self.bar.setFormat(PERCENT)
         self.bar.setFixedWidth(240)
         self.bar.setAccessibleName(self.tr("Progress"))
         self.stop = text_button(

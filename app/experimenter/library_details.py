@@ -147,6 +147,8 @@ class LibraryDetails(QWidget):
         column.addLayout(last)
         column.addWidget(self.preview)
         column.addWidget(self.problem)
+        self._show_gain()
+        self._show_buttons()
 
     # --- what is shown -------------------------------------------------------
 

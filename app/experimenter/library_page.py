@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from PySide6.QtCore import QFile, QLocale, QSize, Qt, QTimer, Signal
+from PySide6.QtCore import QFile, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QColor, QIcon, QImage, QPixmap
 from PySide6.QtWidgets import (
     QDialog,
@@ -28,7 +28,7 @@ from app.widgets.buttons import text_button
 from app.widgets.labels import ElidedLabel
 from app.widgets.numbers import date_text
 from app.widgets.room import ask_text
-from app.widgets.texts import titled
+from app.widgets.texts import quoted, titled
 from hapticplayer.errors import HapticPlayerError
 from hapticplayer.media import Thumbnail, cover_pictures
 from hapticplayer.sequence import verify_sequence
@@ -303,7 +303,7 @@ class LibraryPage(QDialog):
         box = QMessageBox(
             QMessageBox.Icon.Question,
             self.tr("Delete"),
-            text.format(title=QLocale().quoteString(_shortened(entry.title))),
+            text.format(title=quoted(_shortened(entry.title))),
             buttons.Yes | buttons.Cancel,
             self,
         )

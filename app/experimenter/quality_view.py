@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from html import escape
 
-from PySide6.QtCore import QCoreApplication
+from PySide6.QtCore import QCoreApplication, Qt
 from PySide6.QtGui import QTextOption
 from PySide6.QtWidgets import QTextBrowser
 
@@ -23,6 +23,7 @@ class QualityView(QTextBrowser):
         self.setOpenLinks(False)
         self.setWordWrapMode(QTextOption.WrapMode.WordWrap)  # never within a word
         self.setAccessibleName(self.tr("Quality report"))
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
 
     def show_findings(
         self, findings: Sequence[Finding], notes: Sequence[str] = ()
@@ -36,8 +37,9 @@ class QualityView(QTextBrowser):
         if said:
             title = escape(self.tr("Notes"))
             more = (
-                f"<p style='color:{theme.DIM}; margin-top:12px'>{title}</p>"
-                f"<ul>{said}</ul>"
+                "<p style='font-size:4pt; margin:0'>&nbsp;</p>"
+                f"<p style='color:{theme.DIM}; margin:0'>{title}</p>"
+                f"<ul style='margin-top:0'>{said}</ul>"
             )
         self.setHtml(
             f"{head}<table cellspacing='0' cellpadding='4'>{rows}</table>{more}"
@@ -78,11 +80,13 @@ def _sign(mark: Mark) -> str:
 
 def _row(one: Finding) -> str:
     advice = "" if one.mark is Mark.GOOD else _advice(one)
+    told = escape(local(value_of(one)))
+    if advice:  # under the figure: a column of its own is too much in a narrow window
+        told += f"<br><span style='color:{theme.DIM}'>{escape(advice)}</span>"
     cells = (
         f"{_sign(one.mark)} {escape(mark_name(one.mark))}",
         f"<b>{escape(name_of(one))}</b>",
-        escape(local(value_of(one))),
-        f"<span style='color:{theme.DIM}'>{escape(advice)}</span>",
+        told,
     )
     return "<tr>" + "".join(f"<td>{cell}</td>" for cell in cells) + "</tr>"
 

@@ -24,7 +24,7 @@ from app.player.plots_place import PlotsPlace
 from app.widgets import theme
 from app.widgets.buttons import Button, text_button
 from app.widgets.message_bar import MessageBar
-from app.widgets.room import ask_text, resize_within_screen
+from app.widgets.room import ask_text, framed, resize_within_screen
 from hapticplayer.study.pages import PageKind
 from hapticplayer.study.runner import SessionRunner
 
@@ -109,7 +109,7 @@ class SessionControl(QMainWindow):
             texts.addWidget(label)
         texts.addStretch(1)
         above.addLayout(texts, 1)
-        above.addWidget(self.mirror)
+        above.addWidget(framed(self.mirror))
         for button in self.buttons.values():
             row.addWidget(button)
         column = QVBoxLayout(panel)

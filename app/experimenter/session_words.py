@@ -12,6 +12,11 @@ from hapticplayer.study.preflight import DEVICE, DISK, SCHEDULING, SCREEN, Check
 
 translate = QCoreApplication.translate
 
+_SAME = {  # for a moment or for good: in the same words
+    "heartbeat_late": "heartbeat_lost",
+    "reply_late": "reply_lost",
+    "tick_late": "tick_lost",
+}
 _FREE, _SCREENS = " MB free", ", screens: "
 
 
@@ -21,7 +26,7 @@ def reason_text(reason: str) -> str:
     if kind == "fault":
         known = {cause.name.lower(): cause_text(cause) for cause in Cause}
         text = translate("SessionWords", "the contract stopped it ({0})")
-        return text.format(known.get(more) or more)
+        return text.format(known.get(_SAME.get(more, more)) or more)
     if kind == "sync":
         return {
             "picture": translate("SessionWords", "force and picture were apart"),

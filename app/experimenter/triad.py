@@ -1,5 +1,7 @@
 """Three arrows that show how a recorder sat on the actor."""
 
+import math
+
 import numpy as np
 from PySide6.QtCore import QPointF, QSize, Qt
 from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen, QPolygonF
@@ -70,7 +72,11 @@ class Triad(QWidget):
         painter.setPen(QColor(theme.DIM))
         names = (self.tr("right"), self.tr("front"), self.tr("up"))
         for way, name in zip(np.eye(3), names, strict=True):
-            self._paint_text(painter, self._at(1.8 * way), name)
+            at, wide = self._at(1.8 * way), self.fontMetrics().horizontalAdvance(name)
+            beside = at.x() - 0.5 * self.width()
+            if abs(beside) > 1.0:  # away from the letter at the arrow
+                at += QPointF(math.copysign(0.5 * wide, beside), 0.0)
+            self._paint_text(painter, at, name)
 
     def _paint_text(self, painter: QPainter, at: QPointF, text: str) -> None:
         metrics = self.fontMetrics()

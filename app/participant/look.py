@@ -5,7 +5,7 @@ A letter 1/22 of the picture's height is 14 mm on a 24-inch screen: capitals of 
 smallest have capitals of 6 mm.
 """
 
-from PySide6.QtCore import QSize, Qt, QTimer
+from PySide6.QtCore import QCoreApplication, QEvent, QSize, Qt, QTimer
 from PySide6.QtGui import QFont, QFontMetrics, QResizeEvent
 from PySide6.QtWidgets import (
     QAbstractButton,
@@ -110,6 +110,8 @@ class FittedPage(QScrollArea):
         self._shrink()
         wanted, self._in_sight = self._in_sight, ()
         self.column.activate()
+        # now, not after the next painting, which would show it cut off
+        QCoreApplication.sendEvent(self, QEvent(QEvent.Type.LayoutRequest))
         for widget in wanted:
             self.ensureWidgetVisible(widget)
 

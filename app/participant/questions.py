@@ -124,9 +124,10 @@ class ButtonsRow(QuestionRow):
 
     def _add_end(self, row: QHBoxLayout, text: str) -> None:
         if text:
-            label = QLabel(text)
-            label.setMargin(_BESIDE_PX)
-            row.addWidget(label)
+            is_first = row.count() == 0
+            row.addSpacing(0 if is_first else _BESIDE_PX)
+            row.addWidget(QLabel(text))
+            row.addSpacing(_BESIDE_PX if is_first else 0)
 
     def _on_clicked(self) -> None:
         self.show_missing("")

@@ -76,11 +76,12 @@ class RecentMenu(QObject):
 
 def screen_names() -> list[tuple[str, str]]:
     """Return the screens as (name, text)."""
-    screens = QGuiApplication.screens()
-    return [
-        (s.name(), f"{s.name()}  {s.size().width()} x {s.size().height()}")
-        for s in screens
-    ]
+    found = []
+    for screen in QGuiApplication.screens():
+        size = screen.size() * screen.devicePixelRatio()  # of the screen's own pixels
+        text = f"{screen.name()}  {size.width()} \u00d7 {size.height()}"
+        found.append((screen.name(), text))
+    return found
 
 
 def shortened(text: str) -> str:

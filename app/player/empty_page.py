@@ -1,11 +1,20 @@
 """What the window shows while nothing is open."""
 
 from PySide6.QtCore import QSize, Qt, Signal
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QVBoxLayout, QWidget
+from PySide6.QtGui import QPainter, QPaintEvent
+from PySide6.QtWidgets import (
+    QHBoxLayout,
+    QLabel,
+    QSizePolicy,
+    QVBoxLayout,
+    QWidget,
+)
 
 from app.widgets import theme
 from app.widgets.buttons import text_button
 from app.widgets.icons import icon
+
+_PICTURE_PX, _LEAST_PICTURE_PX = 72, 32
 
 
 class EmptyPage(QWidget):
@@ -28,7 +37,7 @@ class EmptyPage(QWidget):
         column.setContentsMargins(16, 8, 16, 8)
         column.setSpacing(12)
         column.addStretch(1)
-        column.addWidget(_picture())
+        column.addWidget(_Picture())
         title = QLabel(self.tr("Feel the motion of what you watch"))
         title.setFont(theme.scaled(self.font(), 1.6, bold=True))
         text = QLabel(
@@ -82,14 +91,33 @@ class EmptyPage(QWidget):
         row.addStretch(1)
         return row
 
+    def give_way(self) -> None:
+        """Ask for no room any more: the clip is in its place."""
+        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Ignored)
+
     def set_busy(self, *, is_busy: bool) -> None:
         """Offer nothing while a piece of work runs."""
         for button in (self.demo, self.open, self.library, self.import_recording):
             button.setEnabled(not is_busy)
 
 
-def _picture() -> QLabel:
-    label = QLabel()
-    label.setPixmap(icon("hapticplayer").pixmap(QSize(72, 72)))
-    label.setAlignment(Qt.AlignmentFlag.AlignCenter)
-    return label
+class _Picture(QWidget):
+    """The program's picture; smaller where the window is low."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Maximum)
+        self._icon = icon("hapticplayer")
+
+    def sizeHint(self) -> QSize:
+        """Return what it likes to be."""
+        return QSize(_PICTURE_PX, _PICTURE_PX)
+
+    def minimumSizeHint(self) -> QSize:
+        """Return what it can be."""
+        return QSize(_LEAST_PICTURE_PX, _LEAST_PICTURE_PX)
+
+    def paintEvent(self, _event: QPaintEvent) -> None:
+        """Draw it in the middle."""
+        with QPainter(self) as painter:
+            self._icon.paint(painter, self.rect())

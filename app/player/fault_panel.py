@@ -20,6 +20,7 @@ from app.player.session import Session
 from app.widgets import theme
 from app.widgets.buttons import set_role, text_button
 from app.widgets.labels import BESIDE
+from app.widgets.room import resize_within_screen
 from hapticplayer.clock import Clock
 from hapticplayer.devices import find_device
 from hapticplayer.errors import HapticPlayerError
@@ -104,7 +105,7 @@ class FaultPanel(QDialog):
     def _lay_out(self) -> None:
         self.setWindowTitle(self.tr("Faults of the simulated device"))
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        self.resize(_WIDTH_PX, _HEIGHT_PX)
+        resize_within_screen(self, _WIDTH_PX, _HEIGHT_PX)
         self.state.setFont(theme.scaled(self.font(), 1.2, bold=True))
         self.hint.setWordWrap(True)
         self.hint.setStyleSheet(f"color: {theme.DIM};")

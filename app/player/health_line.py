@@ -14,6 +14,7 @@ from hapticplayer.playback.snapshot import Snapshot
 _SIGN_ROOM_PX = 20
 _APART_PX = 4
 _BETWEEN_PX = 14
+_LETTERS = (1.0, 0.92, 0.84)  # smaller ones where what is said needs it
 
 
 class _Column(NamedTuple):
@@ -42,6 +43,12 @@ class HealthEntry(QWidget):
         both.setSpacing(1)
         both.addWidget(title)
         both.addLayout(row)
+
+    def set_letters(self, factor: float) -> None:
+        """Take letters of this share of the usual size."""
+        self._name.setFont(theme.scaled(self.font(), 0.85 * factor))
+        for label in (self._sign, self._value):
+            label.setFont(theme.scaled(self.font(), factor))
 
     def needed_px(self) -> int:
         """Return the width with which nothing is shortened now."""
@@ -90,6 +97,7 @@ class HealthLine(QFrame):
             self.entries.append(entry)
             self._rooms_px.append(room_px)
         self._needed_px = [0] * len(self.entries)
+        self._letters = 0
 
     def show_snapshot(self, snapshot: Snapshot) -> None:
         """Show what the player reports."""
@@ -102,8 +110,15 @@ class HealthLine(QFrame):
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Share the room anew."""
         super().resizeEvent(event)
-        self._needed_px = [0] * len(self.entries)
+        self._take_letters(0)
         self._share_room()
+
+    def _take_letters(self, size: int) -> None:
+        self._needed_px = [0] * len(self.entries)
+        if size != self._letters:
+            self._letters = size
+            for entry in self.entries:
+                entry.set_letters(_LETTERS[size])
 
     def _share_room(self) -> None:
         """Entries only grow until the window has another size: nothing jitters."""
@@ -114,6 +129,10 @@ class HealthLine(QFrame):
         self._needed_px = [
             max(*both) for both in zip(now, self._needed_px, strict=True)
         ]
+        if sum(self._needed_px) > room_px and self._letters < len(_LETTERS) - 1:
+            self._take_letters(self._letters + 1)
+            self._share_room()
+            return
         is_wide = sum(self._rooms_px) <= room_px
         for place, px in enumerate(self._rooms_px if is_wide else self._needed_px):
             self._row.setStretch(place, px)

@@ -20,6 +20,7 @@ from app.bridge.settings import Settings
 from app.player.keymap import BY_NAME, COMMANDS, KEYS, Command, keys_of, owner_of, texts
 from app.widgets.buttons import text_button
 from app.widgets.labels import BESIDE
+from app.widgets.room import resize_within_screen
 
 _WIDTH_PX, _HEIGHT_PX = 520, 560
 _FIELD_MARGIN_PX = 36
@@ -70,7 +71,7 @@ class KeysDialog(QDialog):
         self.table.itemSelectionChanged.connect(self._on_chosen)
         self.refresh()
         self.table.selectRow(0)
-        self.resize(_WIDTH_PX, _HEIGHT_PX)
+        resize_within_screen(self, _WIDTH_PX, _HEIGHT_PX)
 
     def _make_table(self) -> QTableWidget:
         table = QTableWidget(len(COMMANDS), 2)

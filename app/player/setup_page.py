@@ -24,6 +24,7 @@ from app.player.plugged import Plugged
 from app.player.setup_texts import Trouble, trouble
 from app.widgets import theme
 from app.widgets.buttons import text_button
+from app.widgets.texts import PERCENT
 from hapticplayer.clock import Clock
 from hapticplayer.devices.falcon.reach import Reach, reach_of
 from hapticplayer.devices.falcon.setting_up import Progress, Step, set_up
@@ -165,6 +166,7 @@ class SetupPage(QDialog):
         self.device.setAccessibleName(self.tr("Device"))
         self.title.setFont(theme.scaled(self.font(), 1.4, bold=True))
         self.bar.setRange(0, 100)
+        self.bar.setFormat(PERCENT)
         self.bar.setAccessibleName(self.tr("Progress"))
         for label in (self.title, self.text):
             label.setAlignment(Qt.AlignmentFlag.AlignCenter)

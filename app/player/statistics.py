@@ -7,7 +7,8 @@ from PySide6.QtCore import QCoreApplication
 from PySide6.QtGui import QFont, QFontDatabase, QFontInfo, QFontMetrics
 from PySide6.QtWidgets import QWidget
 
-from app.player.health import device
+from app.player.choices import feedbacks
+from app.player.health import clock, device, scheduling
 from app.player.times import position_text
 from app.widgets.numbers import local
 from app.widgets.toast import OnPicture
@@ -19,7 +20,7 @@ translate = QCoreApplication.translate
 REFRESH_HZ = 4.0
 _DASH = "\u2013"
 _AROUND_PX = 28  # of the text, above and below
-_SMALLEST_PX = 7
+_SMALLEST_PX = 6
 
 
 class Statistics(OnPicture):
@@ -73,10 +74,10 @@ def figures(player: Player) -> list[tuple[str, str]]:
                 shown=snapshot.frames_shown, dropped=snapshot.frames_dropped
             ),
         ),
-        (translate("Statistics", "Clock"), f"{snapshot.clock}  {snapshot.audio}"),
+        (translate("Statistics", "Clock"), f"{clock(snapshot).text}  {snapshot.audio}"),
         (translate("Statistics", "Device"), device(snapshot).text),
-        (translate("Statistics", "Feedback"), snapshot.feedback or _DASH),
-        (translate("Statistics", "Scheduling"), snapshot.scheduling or _DASH),
+        (translate("Statistics", "Feedback"), _feedback(snapshot.feedback)),
+        (translate("Statistics", "Scheduling"), scheduling(snapshot).text),
         (
             translate("Statistics", "Late, \u00b5s"),
             local(
@@ -134,6 +135,10 @@ def _latency(player: Player) -> str:
         "Statistics", "picture {0:.0f}  sound {1:.0f}  force {2:.0f}  output {3:.0f}"
     )
     return text.format(*(1e3 * value for value in values))
+
+
+def _feedback(name: str) -> str:
+    return feedbacks([name])[0].text if name else _DASH
 
 
 def _sync(stats: SyncStats | None) -> str:

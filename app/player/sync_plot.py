@@ -12,6 +12,7 @@ from app.bridge.cadence import Cadence
 from app.widgets import theme
 from app.widgets.numbers import local
 from app.widgets.room import is_seen
+from app.widgets.texts import titled
 from hapticplayer.playback.haptic_link import HapticLink
 from hapticplayer.playback.sync_alarm import EARLY_MS, LATE_MS
 
@@ -20,6 +21,7 @@ LOWEST_MS, HIGHEST_MS = -25.0, 60.0
 """What lies beyond is drawn on the edge."""
 REFRESH_HZ = 4.0
 
+_LEAST_HEIGHT_PX = 72  # where the screen is low
 _HEIGHT_PX, _EDGE_PX, _DOT_PX, _GAP_PX = 104, 6, 2.5, 14
 _MARKS_MS = (EARLY_MS, 0.0, LATE_MS)
 _BAND_ALPHA = 45
@@ -59,7 +61,7 @@ class SyncPlot(QWidget):
                 "last 30 s. Nobody feels what lies between 15 ms early and 50 ms late"
             )
         )
-        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Maximum)
         self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
         self.setFont(theme.scaled(self.font(), 0.85))
         self.picture = self.sound = Trace(np.empty(0), np.empty(0))
@@ -69,6 +71,10 @@ class SyncPlot(QWidget):
     def sizeHint(self) -> QSize:
         """Return how high it wants to be."""
         return QSize(320, _HEIGHT_PX)
+
+    def minimumSizeHint(self) -> QSize:
+        """Return how low it can be."""
+        return QSize(160, _LEAST_HEIGHT_PX)
 
     def follow(self, now_s: float, link: HapticLink) -> None:
         """Show what the meters know, a few times a second and only where it is seen."""
@@ -143,7 +149,7 @@ class SyncPlot(QWidget):
             painter.setPen(Qt.PenStyle.NoPen)
             painter.setBrush(QColor(colour))
             painter.drawEllipse(middle, 4, 4)
-            text = f"{name}: {_figures(trace)}"
+            text = titled(name, _figures(trace))
             painter.setPen(QColor(theme.TEXT))
             painter.drawText(QPointF(x + _GAP_PX, line_px), text)
             x += 2 * _GAP_PX + metrics.horizontalAdvance(text)

@@ -39,6 +39,7 @@ from hapticplayer.playback.source import Source
 
 WIDTH_PX, HEIGHT_PX = 1280, 800
 LEAST_SCREEN_PX = 520  # on a lower screen the plots would push STOP out of it
+LEAST_PICTURE_PX = 150  # high, also on a screen of 540 with all that can be shown
 SETTLED_MS = 150  # after the last step of a resize
 WATCH_HZ = 30.0  # what is shown beside the picture needs no more
 LONGEST_TITLE_PX = 600
@@ -134,6 +135,7 @@ class PlayerWindow(QMainWindow):
             self.settings,
         )
         self.stage = QStackedWidget()
+        self.stage.setMinimumHeight(LEAST_PICTURE_PX)
         self.stage.addWidget(self.empty_page)
         self.stage.addWidget(self.surface)
         above: list[QWidget] = [self.messages, self.job_bar]
@@ -223,6 +225,7 @@ class PlayerWindow(QMainWindow):
 
     def enter_fullscreen(self) -> None:
         """Show the clip and nothing else."""
+        self.empty_page.give_way()
         self.stage.setCurrentWidget(self.surface)
         self.messages.hide()
         self.job_bar.hide()
@@ -291,6 +294,7 @@ class PlayerWindow(QMainWindow):
 
     def _on_opening(self, source: Source) -> None:
         self.messages.hide()
+        self.empty_page.give_way()
         self.stage.setCurrentWidget(self.surface)
         self.surface.set_clip_size(source.clip.width, source.clip.height)
 

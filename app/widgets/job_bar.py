@@ -7,7 +7,7 @@ from app.bridge.jobs import JobState
 from app.widgets import theme
 from app.widgets.buttons import text_button
 from app.widgets.labels import ElidedLabel
-from app.widgets.texts import job_text
+from app.widgets.texts import PERCENT, job_text
 
 _PARTS = 1000
 _AT_ONCE_S = 0.3
@@ -28,6 +28,7 @@ class JobBar(QFrame):
         self._label = ElidedLabel()
         self._bar = QProgressBar()
         self._bar.setRange(0, _PARTS)
+        self._bar.setFormat(PERCENT)
         self._bar.setFixedWidth(240)
         self._cancel = text_button(
             self.tr("Cancel"), self.tr("Stop this work; nothing is left behind")

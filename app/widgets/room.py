@@ -59,7 +59,7 @@ def framed(widget: QWidget) -> QWidget:
     frame.setObjectName("framed")
     frame.setStyleSheet(f"QFrame#framed {{ border: 1px solid {theme.BORDER}; }}")
     column = QVBoxLayout(frame)
-    column.setContentsMargins(1, 1, 1, 1)
+    column.setContentsMargins(0, 0, 0, 0)
     column.addWidget(widget)
     return frame
 

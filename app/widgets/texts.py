@@ -3,16 +3,28 @@
 The engine names the steps of its work in English; the window says them in its language.
 """
 
-from PySide6.QtCore import QCoreApplication
+from PySide6.QtCore import QCoreApplication, QLocale
 
 from app.bridge.jobs import JobState
 
 translate = QCoreApplication.translate
 
+PERCENT = "%p\u00a0%"
+"""Of progress bars, with the space that all other figures have."""
+
+_FRENCH = QLocale.Language.French
+
 
 def titled(title: str, text: str) -> str:
     """Return both, with the colon as the language sets it."""
     return translate("Texts", "{title}: {text}").format(title=title, text=text)
+
+
+def quoted(text: str) -> str:
+    """Return a text in the language's marks; the French ones stand off."""
+    marked = QLocale().quoteString(text)
+    is_french = marked.startswith("\u00ab") and QLocale().language() == _FRENCH
+    return f"\u00ab\u00a0{text}\u00a0\u00bb" if is_french else marked
 
 
 def job_text(state: JobState) -> str:

@@ -71,7 +71,10 @@ _ICONS = FOLDER.as_posix()
 def style_sheet() -> str:
     """Return the look of Qt's own widgets."""
     arrow = "down-dark" if name == LIGHT else "down"
+    check = "check-dark" if name == LIGHT else "check"
     dot = CHOSEN if name == LIGHT else ACCENT
+    filled = "#9cc4ee" if name == LIGHT else CHOSEN  # the figure stands on it
+    more = _edges() if name == CONTRAST else ""
     return f"""
 QMainWindow, QDialog {{ background: {BACKGROUND}; }}
 QDialog {{ border: 1px solid {BORDER}; }}
@@ -84,6 +87,8 @@ QMenu {{ background: {PANEL}; border: 1px solid {BORDER}; padding: 4px; }}
 QMenu::item {{ padding: 5px 24px 5px 12px; border-radius: 4px; }}
 QMenu::item:selected {{ background: {HOVER}; }}
 QMenu::item:disabled {{ color: {DISABLED}; }}
+QMenu::indicator {{ width: 14px; height: 14px; margin-left: 6px; }}
+QMenu::indicator:checked {{ image: url({_ICONS}/{check}.svg); }}
 QMenu::separator {{ height: 1px; background: {BORDER}; margin: 4px 6px; }}
 QPushButton, QComboBox, QLineEdit {{
   background: {RAISED}; border: 1px solid {BORDER}; border-radius: 5px;
@@ -166,10 +171,10 @@ QCheckBox:focus, QRadioButton:focus {{ color: {FOCUS}; }}
 QCheckBox::indicator:focus, QRadioButton::indicator:focus {{ border: 2px solid {FOCUS}; }}
 QProgressBar {{ background: {RAISED}; border: 1px solid {BORDER}; border-radius: 4px;
   text-align: center; min-height: 18px; }}
-QProgressBar::chunk {{ background: {CHOSEN}; border-radius: 3px; }}
+QProgressBar::chunk {{ background: {filled}; border-radius: 3px; }}
 QSplitter::handle {{ background: {BORDER}; }}
 QSplitter::handle:hover {{ background: {ACCENT}; }}
-""" + (_edges() if name == CONTRAST else "")
+{more}"""
 
 
 def _edges() -> str:

@@ -688,8 +688,8 @@
         <translation>Video: {camera}{width} × {height}, {rate} Bilder je Sekunde, {duration}, {sound}</translation>
     </message>
     <message>
-        <source>Motion: {recorder}, {rate} samples a second, {duration}, {gaps} gaps</source>
-        <translation>Bewegung: {recorder}, {rate} Werte je Sekunde, {duration}, {gaps} Lücken</translation>
+        <source>Motion: {recorder}, {rate} samples a second, {duration}, gaps: {gaps}</source>
+        <translation>Bewegung: {recorder}, {rate} Werte je Sekunde, {duration}, Lücken: {gaps}</translation>
     </message>
     <message>
         <source>It turned so much that gravity does not show its axes.</source>

@@ -688,8 +688,8 @@
         <translation>Vidéo&#xa0;: {camera}{width} × {height}, {rate} images par seconde, {duration}, {sound}</translation>
     </message>
     <message>
-        <source>Motion: {recorder}, {rate} samples a second, {duration}, {gaps} gaps</source>
-        <translation>Mouvement&#xa0;: {recorder}, {rate} mesures par seconde, {duration}, {gaps} lacunes</translation>
+        <source>Motion: {recorder}, {rate} samples a second, {duration}, gaps: {gaps}</source>
+        <translation>Mouvement&#xa0;: {recorder}, {rate} mesures par seconde, {duration}, lacunes&#xa0;: {gaps}</translation>
     </message>
     <message>
         <source>It turned so much that gravity does not show its axes.</source>
@@ -876,7 +876,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>active</source>
-        <translation>active</translation>
+        <translation>en marche</translation>
     </message>
     <message>
         <source>fading out</source>
@@ -884,7 +884,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>STOPPED</source>
-        <translation>ARRÊTÉE</translation>
+        <translation>ARRÊT</translation>
     </message>
     <message>
         <source>the window hung</source>
@@ -940,11 +940,11 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>no, {us:.0f} µs, {missed} missed</source>
-        <translation>non, {us:.0f} µs, {missed} manqués</translation>
+        <translation>non, {us:.0f} µs, manqués&#xa0;: {missed}</translation>
     </message>
     <message>
         <source>yes, {us:.0f} µs, {missed} missed</source>
-        <translation>oui, {us:.0f} µs, {missed} manqués</translation>
+        <translation>oui, {us:.0f} µs, manqués&#xa0;: {missed}</translation>
     </message>
     <message>
         <source>OFF {p50:+.1f}, {p95:+.1f} ms</source>
@@ -956,11 +956,11 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>{shown} shown, {dropped} dropped</source>
-        <translation>{shown} vues, {dropped} sautées</translation>
+        <translation>vues&#xa0;: {shown}, sautées&#xa0;: {dropped}</translation>
     </message>
     <message>
         <source>damaged: {damaged} broken, {dropped} dropped</source>
-        <translation>endommagé&#xa0;: {damaged} illisibles, {dropped} perdues</translation>
+        <translation>clip endommagé, illisibles&#xa0;: {damaged}, perdues&#xa0;: {dropped}</translation>
     </message>
     <message>
         <source>audio</source>
@@ -1694,23 +1694,23 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>Looks forward, upright</source>
-        <translation>Regarde devant, droite</translation>
+        <translation>Regarde devant, à l’endroit</translation>
     </message>
     <message>
         <source>Looks forward, upside down</source>
-        <translation>Regarde devant, renversée</translation>
+        <translation>Regarde devant, à l’envers</translation>
     </message>
     <message>
         <source>Looks backward, upright</source>
-        <translation>Regarde derrière, droite</translation>
+        <translation>Regarde derrière, à l’endroit</translation>
     </message>
     <message>
         <source>Looks to the right, upright</source>
-        <translation>Regarde à droite, droite</translation>
+        <translation>Regarde à droite, à l’endroit</translation>
     </message>
     <message>
         <source>Looks to the left, upright</source>
-        <translation>Regarde à gauche, droite</translation>
+        <translation>Regarde à gauche, à l’endroit</translation>
     </message>
     <message>
         <source>Looks forward, left side up</source>
@@ -2633,7 +2633,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>{shown} shown, {dropped} dropped</source>
-        <translation>{shown} vues, {dropped} sautées</translation>
+        <translation>vues&#xa0;: {shown}, sautées&#xa0;: {dropped}</translation>
     </message>
     <message>
         <source>Clock</source>
@@ -2661,7 +2661,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>{n} in 10 s, {missed} missed</source>
-        <translation>{n} en 10 s, {missed} manqués</translation>
+        <translation>{n} en 10 s, manqués&#xa0;: {missed}</translation>
     </message>
     <message>
         <source>Force − picture, ms</source>

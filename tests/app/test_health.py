@@ -144,3 +144,25 @@ def test_why_the_force_has_stopped_is_not_cut_off(qtbot):
     line.layout().activate()
     assert "answers nonsense" in line.entries[0].text()
     assert [e.text() for e in line.entries if e.width() < e.needed_px()] == []
+
+
+def test_letters_are_smaller_where_what_is_said_needs_it(qtbot):
+    line = HealthLine()
+    qtbot.addWidget(line)
+    line.show()
+    qtbot.waitExposed(line)
+    stopped = dataclasses.replace(
+        GOOD, mode=Mode.TRIPPED, cause=Cause.HEARTBEAT_LOST, frames_shown=12345
+    )
+    line.resize(2000, 44)
+    line.show_snapshot(stopped)
+    usual_px = [entry.needed_px() for entry in line.entries]
+    margins = line.layout().contentsMargins()
+    around_px = margins.left() + margins.right()
+    around_px += (len(line.entries) - 1) * line.layout().spacing()
+    line.resize(round(0.93 * sum(usual_px)) + around_px, 44)
+    line.layout().activate()
+    assert [e.text() for e in line.entries if e.width() < e.needed_px()] == []
+    assert sum(entry.needed_px() for entry in line.entries) < sum(usual_px)
+    line.resize(2000, 44)
+    assert [entry.needed_px() for entry in line.entries] == usual_px

@@ -7,6 +7,7 @@ from app.experimenter.library_page import LibraryPage
 from app.player.health import sync
 from app.plots.playhead_plot import PlayheadPlot
 from app.widgets.numbers import date_text, local
+from app.widgets.texts import quoted
 from hapticplayer.model import SyncStats
 
 DAYS = {"en": "2026-07-09", "de": "09.07.2026", "fr": "09/07/2026"}
@@ -35,6 +36,13 @@ def test_a_day_is_written_as_the_language_does_it(spoken, code):
     assert date_text("long ago, in a camera") == "long ago, "
 
 
+def test_french_marks_stand_off_from_what_they_quote(spoken):
+    spoken("fr")
+    assert quoted("Le parc") == "\u00ab\u00a0Le parc\u00a0\u00bb"
+    spoken("de")
+    assert quoted("Der Park") == "\u201eDer Park\u201c"
+
+
 def test_two_numbers_with_commas_are_not_run_together(spoken):
     spoken("de")
     text = sync(SyncStats(10, -20.8, -5.4, 0.5)).text
@@ -52,4 +60,9 @@ def test_the_axis_and_the_library_speak_it_too(spoken, qtbot, sequence):
     qtbot.addWidget(page)
     assert page.details.tracks.item(0, 1).text().replace(",", "").endswith(" N")
     assert "," in page.details.tracks.item(0, 1).text()
+    page.resize(960, 540)  # a usual screen at 200 %
+    page.show()
+    qtbot.wait(20)
+    report = page.details.report
+    assert report.document().size().width() <= report.viewport().width()
     page.close_jobs()

@@ -280,6 +280,18 @@ def test_nothing_is_cut_off_in_any_language(make_study, sit, wait_for, qapp, siz
         assert letters_px >= size[1] / 36 - 1
 
 
+def test_a_page_has_its_height_before_it_is_painted_again(make_study, sit):
+    session = sit(make_study(), size=(1280, 720))
+    window, maker = session.participant, session.runner.maker
+    window._show_page(maker.page(PageKind.QUESTIONS, "post-test", 99))
+    page = window.content
+    page._on_settled()
+    assert page.needed_px(page.viewport().width()) > page.viewport().height()
+    assert page.body.height() >= page.body.heightForWidth(page.body.width())
+    for row in page.rows:
+        assert row.height() >= row.heightForWidth(row.width())
+
+
 def test_a_very_long_question_can_be_scrolled_to(make_study, sit, wait_for):
     study = make_study()
     content = json.loads(study.content)

@@ -11,6 +11,7 @@ from PySide6.QtGui import QDropEvent
 from PySide6.QtTest import QTest
 
 from app.experimenter.import_wizard import ImportWizard
+from app.player.window import LEAST_PICTURE_PX
 from hapticplayer.haptics.contract import Mode
 from hapticplayer.playback.haptic_link import HapticLink
 from hapticplayer.playback.snapshot import Phase
@@ -31,6 +32,21 @@ def test_work_that_fails_at_once_leaves_nothing_switched_off(
     assert not window.commands.open_sequence.isEnabled()
     wait_for(lambda: "no such ride" in window.messages.text())
     wait_for(window.commands.open_sequence.isEnabled)
+
+
+def test_all_that_can_be_shown_fits_a_screen_of_960_by_540(window, source, qtbot):
+    """A usual screen at 200 %: the line at the bottom stays on it."""
+    window.commands.plots.setChecked(True)
+    window.messages.show_text("The device is gone")
+    qtbot.wait(20)
+    assert window.minimumSizeHint().height() <= 540
+    window.session.show_source(source)
+    window.commands.sync_plot.setChecked(True)
+    qtbot.wait(20)
+    window.resize(960, 540)
+    qtbot.wait(20)
+    assert window.height() <= 540
+    assert window.stage.height() >= LEAST_PICTURE_PX
 
 
 def test_help_is_the_last_menu(window):
