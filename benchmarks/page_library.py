@@ -13,6 +13,7 @@ from hapticplayer.errors import InputError
 from hapticplayer.study.analysis.simulation import simulated_answers
 
 PARTICIPANTS = 12
+SHOWN = "Videos/hapticplayer"  # in place of a folder that is gone afterwards
 
 
 def pictures(stage: Stage) -> Pictures:
@@ -67,9 +68,12 @@ def _go_on(progress: Callable[[float, str], None], is_over: list[bool]) -> None:
 def _library(stage: Stage) -> Pictures:
     empty = stage.folder / "empty"
     empty.mkdir(exist_ok=True)
-    with stage.shown(LibraryPage(empty)) as page:
+    page = LibraryPage(empty)
+    page.place.set_text(SHOWN)
+    with stage.shown(page):
         yield "library-empty", page.grab()
     page = LibraryPage(stage.material.library)
+    page.place.set_text(SHOWN)
     with stage.shown(page):
         stage.wait_until(lambda: len(page._pictures) >= 3)  # noqa: SLF001
         for row in range(page.list.count()):

@@ -16,11 +16,14 @@ from app.plots.playhead_plot import PlayheadPlot
 from app.widgets.room import resize_within_screen
 from benchmarks.page_stage import Pictures, Stage
 from hapticplayer.clock import SystemClock
+from hapticplayer.haptics.contract import Mode
 from hapticplayer.haptics.injection import Fault
 from hapticplayer.playback.player import Player
 
 WIDTH_PX, HEIGHT_PX = 1280, 800
 AT_S, PLAYED_MS = 4.0, 2500  # of the demo: the plots have something to show
+LATEST_S = 9.0  # then it goes on from there again
+STEADY, PATIENCE = 10, 200  # looks: the whole window knows; a machine is too slow
 
 
 def pictures(stage: Stage) -> Pictures:
@@ -58,7 +61,7 @@ def _empty(stage: Stage, window: PlayerWindow) -> Pictures:
     stage.wait_until(lambda: not window.session.jobs.is_busy)
     window.session.open_path(stage.folder / "no such ride.mp4")
     stage.wait_until(lambda: bool(window.messages.text()))
-    yield "player-empty-error", stage.picture(window)
+    yield "player-empty-error", stage.picture(window, 400)
     window.session.open_path(stage.material.damaged)
     stage.wait_until(lambda: "damaged" in window.messages.text())
     yield "player-damaged", stage.picture(window)
@@ -74,11 +77,12 @@ def _with_clip(stage: Stage, window: PlayerWindow) -> Pictures:
     stage.wait(PLAYED_MS)
     commands.sync_plot.setChecked(True)
     commands.statistics.setChecked(True)
-    yield "player-inside", stage.picture(window, 500)
+    stage.wait(500)
+    yield "player-inside", _with_force(stage, window)
     commands.statistics.setChecked(False)
     commands.sync_plot.setChecked(False)
-    stage.wait()
-    yield "player-playing", window.grab()
+    stage.wait(300)
+    yield "player-playing", _with_force(stage, window)
     window.player.pause()
     yield from _pointed_at(stage, window)
     window.stop()
@@ -94,6 +98,21 @@ def _with_clip(stage: Stage, window: PlayerWindow) -> Pictures:
     yield "player-fullscreen", stage.picture(window, 300)
     window.fullscreen.leave()
     stage.wait()
+
+
+def _with_force(stage: Stage, window: PlayerWindow) -> QPixmap:
+    """Return the window while a force is felt; a busy machine takes it away at times."""
+    player, felt = window.player, [False]
+
+    def is_steady() -> bool:
+        if player.media_s() > LATEST_S:
+            player.seek(AT_S)
+        latest = player.link.history.latest()
+        felt.append(latest is not None and int(latest["mode"]) == Mode.FOLLOWING)
+        return all(felt[-STEADY:]) or len(felt) > PATIENCE
+
+    stage.wait_until(is_steady)
+    return window.grab()
 
 
 def _pointed_at(stage: Stage, window: PlayerWindow) -> Pictures:

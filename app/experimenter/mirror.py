@@ -58,3 +58,5 @@ class Mirror(QWidget):
                 painter.setPen(QColor(theme.LOOKS[theme.DARK]["DIM"]))
                 text = QCoreApplication.translate("Mirror", "A page is shown")
                 painter.drawText(self.rect(), Qt.AlignmentFlag.AlignCenter, text)
+            painter.setPen(QColor(theme.BORDER))  # black has no edge on black
+            painter.drawRect(self.rect().adjusted(0, 0, -1, -1))

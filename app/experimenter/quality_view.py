@@ -116,7 +116,7 @@ def value_of(one: Finding) -> str:
     if one.value is None:
         return translate("Quality", "not measured")
     value, more = one.value, one.more
-    percent = f"{100.0 * value:.3g} %"
+    percent = f"{100.0 * value:.3g}\u00a0%"
     if one.name == "sync":
         text = translate("Quality", "residual {ms} ms, confidence {confidence} ({how})")
         return text.format(
@@ -136,7 +136,7 @@ def value_of(one: Finding) -> str:
         "rate": f"{value:.1f} Hz",
         "leak": f"{value:.3f} m/s\u00b2",
         "workspace": ", ".join(
-            f"{_hand(name)} {100.0 * reach:.0f} %"
+            f"{_hand(name)} {100.0 * reach:.0f}\u00a0%"
             for name, reach in more.get("reaches", {}).items()
         ),
     }

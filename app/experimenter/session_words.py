@@ -64,7 +64,7 @@ def found_text(check: Check) -> str:
     if check.name == SCREEN and _SCREENS in found:
         size, _, count = found.partition(_SCREENS)
         text = translate("SessionWords", "{size}; screens in all: {n}")
-        return text.format(size=size, n=count)
+        return text.format(size=size.replace(" x ", " \u00d7 "), n=count)
     if check.name == DISK and found.endswith(_FREE):
         text = translate("SessionWords", "{n} GB free")
         return text.format(n=local(f"{float(found.removesuffix(_FREE)) / 1e3:.1f}"))

@@ -20,7 +20,7 @@ from app.widgets.numbers import local
 STEP_S = 0.001
 PICTURE_S = 1.0 / 30.0
 _PEAK_SHARE, _MOST_PEAKS = 0.2, 12
-_SOUND, _MOTION, _PAT = (QColor(colour) for colour in ("#009e73", "#56b4e9", "#e69f00"))
+_PAT, _MOTION, _SOUND = range(3)  # places in the colours of the look
 _SHORTEST_S = 0.05
 _ZOOM = 1.25
 _MARGIN_PX, _LABELS_PX = 6, 20
@@ -191,7 +191,7 @@ class SyncStrip(QWidget):
         painter.end()
 
     def _paint_lane(
-        self, painter: QPainter, lane: QRectF, curve: Curve, colour: QColor, name: str
+        self, painter: QPainter, lane: QRectF, curve: Curve, place: int, name: str
     ) -> None:
         painter.setPen(QColor(theme.BORDER))
         painter.drawLine(lane.bottomLeft(), lane.bottomRight())
@@ -203,8 +203,8 @@ class SyncStrip(QWidget):
             points += [
                 QPointF(a, floor - space * b / top) for a, b in zip(x, y, strict=True)
             ]
-            painter.setPen(colour)
-            fill = QColor(colour)
+            fill = QColor(theme.AXIS_COLOURS[place])
+            painter.setPen(fill)
             fill.setAlpha(90)
             painter.setBrush(fill)
             painter.drawPolygon(QPolygonF([*points, QPointF(x[-1], floor)]))
@@ -214,7 +214,7 @@ class SyncStrip(QWidget):
         painter.drawText(inner, Qt.AlignmentFlag.AlignTop, name)
 
     def _paint_pats(self, painter: QPainter, height: float) -> None:
-        painter.setPen(_PAT)
+        painter.setPen(QColor(theme.AXIS_COLOURS[_PAT]))
         for at_s in self._pats_s:
             x = (at_s - self.view_s[0]) / self._s_per_px()
             painter.drawLine(QPointF(x, 0), QPointF(x, height))

@@ -31,18 +31,21 @@ _BAR_PX = 20
 
 def style() -> str:
     """Return the look of the participant's pages, in the colours that are in use."""
+    is_strong = theme.name == theme.CONTRAST  # its blue has no edge on black
+    edge = theme.BORDER if is_strong else theme.CHOSEN
+    focus = theme.FOCUS if is_strong else theme.TEXT
     return f"""
 QWidget {{ background: {theme.BACKGROUND}; color: {theme.TEXT}; }}
 QPushButton {{ background: {theme.RAISED}; border: 2px solid {theme.BORDER};
   border-radius: 10px; padding: 0.35em 1.0em; }}
 QPushButton:hover {{ background: {theme.HOVER}; }}
 QPushButton:focus {{ border: 3px solid {theme.FOCUS}; }}
-QPushButton:checked {{ background: {theme.PRIMARY}; border-color: {theme.CHOSEN};
+QPushButton:checked {{ background: {theme.PRIMARY}; border-color: {edge};
   color: {theme.PRIMARY_TEXT}; font-weight: bold; }}
 QPushButton[role="primary"] {{ background: {theme.PRIMARY};
-  border-color: {theme.CHOSEN}; color: {theme.PRIMARY_TEXT}; }}
+  border-color: {edge}; color: {theme.PRIMARY_TEXT}; }}
 QPushButton:checked:focus, QPushButton[role="primary"]:focus {{
-  border: 3px solid {theme.TEXT}; }}
+  border: 3px solid {focus}; }}
 QSpinBox, QPlainTextEdit {{ background: {theme.PANEL}; border: 2px solid {theme.BORDER};
   border-radius: 8px; padding: 4px; }}
 QSpinBox:focus, QPlainTextEdit:focus {{ border: 3px solid {theme.FOCUS}; }}

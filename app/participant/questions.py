@@ -25,7 +25,7 @@ from hapticplayer.study.pages import Asked
 
 Word = Callable[[str], str]
 TEXT_LINES = 2
-_BESIDE_PX = 8  # between a scale and what stands at its ends
+_BESIDE_PX = 14  # between a scale and what stands at its ends
 
 
 class QuestionRow(QFrame):

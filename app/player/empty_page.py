@@ -1,7 +1,7 @@
 """What the window shows while nothing is open."""
 
 from PySide6.QtCore import QSize, Qt, Signal
-from PySide6.QtGui import QPainter, QPaintEvent
+from PySide6.QtGui import QPainter, QPaintEvent, QResizeEvent
 from PySide6.QtWidgets import (
     QHBoxLayout,
     QLabel,
@@ -90,6 +90,18 @@ class EmptyPage(QWidget):
             row.addWidget(button)
         row.addStretch(1)
         return row
+
+    def minimumSizeHint(self) -> QSize:
+        """Return the room for all lines at this width, with the smallest picture."""
+        least, layout = super().minimumSizeHint(), self.layout()
+        high_px = layout.totalHeightForWidth(max(least.width(), self.width()))
+        spared_px = _PICTURE_PX - _LEAST_PICTURE_PX
+        return QSize(least.width(), max(least.height(), high_px - spared_px))
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Another width may need another line."""
+        super().resizeEvent(event)
+        self.updateGeometry()
 
     def give_way(self) -> None:
         """Ask for no room any more: the clip is in its place."""

@@ -6,6 +6,7 @@ from typing import NamedTuple
 from PySide6.QtCore import QCoreApplication
 
 from app.widgets.numbers import local
+from app.widgets.texts import titled
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.process import Health
 from hapticplayer.haptics.scheduling import Scheduling
@@ -70,7 +71,7 @@ def device(snapshot: Snapshot) -> Reading:
         return Reading(Level.BAD, f"{name}, {stop_reason(snapshot.cause)}")
     if snapshot.cause is Cause.NOT_HOMED:
         text = translate("Health", "pull the grip out, then push it in")
-        return Reading(Level.WATCH, f"{name}: {text}")
+        return Reading(Level.WATCH, titled(name, text))
     return Reading(Level.GOOD, f"{name}, {mode_text(snapshot.mode)}")
 
 
@@ -105,7 +106,7 @@ def mode_text(mode: Mode) -> str:
 def stop_reason(cause: Cause) -> str:
     """Return why the force was stopped."""
     stopped, reason = translate("Health", "STOPPED"), cause_text(cause)
-    return f"{stopped}: {reason}" if reason else stopped
+    return titled(stopped, reason) if reason else stopped
 
 
 def cause_text(cause: Cause) -> str:

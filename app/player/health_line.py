@@ -103,6 +103,8 @@ class HealthLine(QFrame):
         """Show what the player reports."""
         for entry, reading in zip(self.entries, readings(snapshot), strict=True):
             entry.show_reading(reading)
+        # why the force has stopped is not cut off while there is room
+        self._rooms_px[0] = max(self._rooms_px[0], self.entries[0].needed_px())
         self._share_room()
 
     def resizeEvent(self, event: QResizeEvent) -> None:

@@ -15,7 +15,7 @@ from hapticplayer.playback.source import Source
 if TYPE_CHECKING:
     from app.plots.panel import PlotPanel
 
-LEAST_HEIGHT_PX = 110
+LEAST_HEIGHT_PX = 124  # a title of two lines, a plot, and its times
 
 
 class PlotsPlace(QFrame):

@@ -74,7 +74,7 @@ def style_sheet() -> str:
     check = "check-dark" if name == LIGHT else "check"
     dot = CHOSEN if name == LIGHT else ACCENT
     filled = "#9cc4ee" if name == LIGHT else CHOSEN  # the figure stands on it
-    more = _seen_scroll_bars() if name == CONTRAST else ""
+    more = _edges() if name == CONTRAST else ""
     return f"""
 QMainWindow, QDialog {{ background: {BACKGROUND}; }}
 QDialog {{ border: 1px solid {BORDER}; }}
@@ -177,15 +177,20 @@ QSplitter::handle:hover {{ background: {ACCENT}; }}
 {more}"""
 
 
-def _seen_scroll_bars() -> str:
-    """Return scroll bars that stand out; the style's own are black on black."""
+def _edges() -> str:
+    """Return what Fusion and the colours leave without an edge on black ground."""
     return f"""
+QPushButton[role="primary"]:enabled, QPushButton[role="stop"]:enabled {{
+  border-color: {BORDER}; }}
+QPushButton[role="primary"]:focus, QPushButton[role="stop"]:focus,
+QPushButton[role="rearm"]:focus {{ border-color: {FOCUS}; }}
 QScrollBar {{ background: {BACKGROUND}; border: 0; }}
 QScrollBar:vertical {{ width: 14px; }}
 QScrollBar:horizontal {{ height: 14px; }}
-QScrollBar::handle {{ background: {BORDER}; border-radius: 4px; margin: 3px; }}
-QScrollBar::handle:vertical {{ min-height: 28px; }}
-QScrollBar::handle:horizontal {{ min-width: 28px; }}
+QScrollBar::handle {{ background: {BORDER}; border-radius: 5px; margin: 2px; }}
+QScrollBar::handle:vertical {{ min-height: 24px; }}
+QScrollBar::handle:horizontal {{ min-width: 24px; }}
+QScrollBar::handle:hover {{ background: {ACCENT}; }}
 QScrollBar::add-line, QScrollBar::sub-line {{ width: 0; height: 0; }}
 QScrollBar::add-page, QScrollBar::sub-page {{ background: none; }}
 """

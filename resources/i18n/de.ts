@@ -230,7 +230,7 @@
     </message>
     <message>
         <source>None</source>
-        <translation>Keine</translation>
+        <translation>Keins</translation>
     </message>
     <message>
         <source>Random</source>
@@ -868,7 +868,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     </message>
     <message>
         <source>None</source>
-        <translation>Keine</translation>
+        <translation>Keins</translation>
     </message>
     <message>
         <source>at rest</source>
@@ -1938,7 +1938,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     </message>
     <message>
         <source>Gravity left at rest</source>
-        <translation>Schwerkraft, die in Ruhe bleibt</translation>
+        <translation>Restschwerkraft in Ruhe</translation>
     </message>
     <message>
         <source>Sensor at its limit</source>
@@ -1970,15 +1970,15 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     </message>
     <message>
         <source>residual {ms} ms, confidence {confidence} ({how})</source>
-        <translation>Rest {ms} ms, Sicherheit {confidence} ({how})</translation>
+        <translation>Rest {ms}&#xa0;ms, Sicherheit {confidence} ({how})</translation>
     </message>
     <message>
         <source>{share} of the motion; {count}, the longest {s} s</source>
-        <translation>{share} der Bewegung; {count}, die längste {s} s</translation>
+        <translation>{share} der Bewegung; {count}, die längste {s}&#xa0;s</translation>
     </message>
     <message>
         <source>{share} of the samples; the peak is {n} N</source>
-        <translation>{share} der Werte; die Spitze ist {n} N</translation>
+        <translation>{share} der Werte; die Spitze ist {n}&#xa0;N</translation>
     </message>
     <message>
         <source>three pats</source>

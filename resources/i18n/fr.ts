@@ -575,11 +575,11 @@
     </message>
     <message>
         <source>Stall, 60 ms</source>
-        <translation>Bloque 60 ms</translation>
+        <translation>Blocage, 60&#xa0;ms</translation>
     </message>
     <message>
         <source>Stall, 300 ms</source>
-        <translation>Bloque 300 ms</translation>
+        <translation>Blocage, 300&#xa0;ms</translation>
     </message>
     <message>
         <source>Nonsense answers</source>
@@ -1970,15 +1970,15 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>residual {ms} ms, confidence {confidence} ({how})</source>
-        <translation>reste {ms} ms, confiance {confidence} ({how})</translation>
+        <translation>reste {ms}&#xa0;ms, confiance {confidence} ({how})</translation>
     </message>
     <message>
         <source>{share} of the motion; {count}, the longest {s} s</source>
-        <translation>{share} du mouvement&#xa0;; {count}, la plus longue {s} s</translation>
+        <translation>{share} du mouvement&#xa0;; {count}, la plus longue {s}&#xa0;s</translation>
     </message>
     <message>
         <source>{share} of the samples; the peak is {n} N</source>
-        <translation>{share} des valeurs&#xa0;; la crête est de {n} N</translation>
+        <translation>{share} des valeurs&#xa0;; la crête est de {n}&#xa0;N</translation>
     </message>
     <message>
         <source>three pats</source>

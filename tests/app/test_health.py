@@ -132,6 +132,20 @@ def test_what_is_long_takes_its_room_from_what_says_little(qtbot, more_px):
     assert short == []
 
 
+def test_why_the_force_has_stopped_is_not_cut_off(qtbot):
+    line = HealthLine()
+    qtbot.addWidget(line)
+    line.resize(1280, 44)
+    line.show()
+    qtbot.waitExposed(line)
+    line.show_snapshot(GOOD)
+    stopped = {"mode": Mode.TRIPPED, "cause": Cause.MALFORMED}
+    line.show_snapshot(dataclasses.replace(GOOD, **stopped))
+    line.layout().activate()
+    assert "answers nonsense" in line.entries[0].text()
+    assert [e.text() for e in line.entries if e.width() < e.needed_px()] == []
+
+
 def test_letters_are_smaller_where_what_is_said_needs_it(qtbot):
     line = HealthLine()
     qtbot.addWidget(line)

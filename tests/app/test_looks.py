@@ -1,5 +1,6 @@
 """Looks and languages: the window is made anew around the same player."""
 
+import itertools
 import os
 import subprocess
 import sys
@@ -8,6 +9,7 @@ from xml.etree import ElementTree as ET
 
 import pytest
 from PySide6.QtCore import Qt, QTimer
+from PySide6.QtGui import QColor
 from PySide6.QtWidgets import (
     QAbstractButton,
     QAbstractSlider,
@@ -15,6 +17,7 @@ from PySide6.QtWidgets import (
     QComboBox,
     QLineEdit,
     QScrollBar,
+    QVBoxLayout,
     QWidget,
 )
 from shiboken6 import isValid
@@ -25,6 +28,7 @@ from app.experimenter.library_page import LibraryPage
 from app.player.keys_dialog import KeysDialog
 from app.player.remake import OpenWindow, dress
 from app.widgets import theme
+from app.widgets.buttons import text_button
 from hapticplayer.playback.snapshot import Phase
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -221,6 +225,31 @@ def test_every_control_has_a_name_in_every_language(
         qtbot.addWidget(dialog)
         assert controls_without_a_name(dialog) == []
     assert all(action.text() for action in window.commands.by_name.values())
+
+
+def lightness(colour: QColor) -> float:
+    """Return the relative luminance of WCAG 2.2."""
+    parts = (value / 255 for value in colour.getRgb()[:3])
+    linear = [
+        p / 12.92 if p <= 0.04045 else ((p + 0.055) / 1.055) ** 2.4 for p in parts
+    ]
+    return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
+
+
+@pytest.mark.parametrize("role", ["primary", "stop"])
+def test_high_contrast_gives_buttons_an_edge(dressed, qtbot, role):
+    dressed(look=theme.CONTRAST)
+    holder = QWidget()
+    qtbot.addWidget(holder)
+    QVBoxLayout(holder).addWidget(text_button("Text", "", role))
+    holder.resize(200, 300)
+    holder.show()
+    image = holder.grab().toImage()
+    ground = lightness(QColor(theme.BACKGROUND))
+    spots = itertools.product(range(image.width()), range(image.height()))
+    lit = [lightness(image.pixelColor(x, y)) for x, y in spots]
+    strong = sum((light + 0.05) / (ground + 0.05) >= 7.0 for light in lit)
+    assert strong >= 300  # what is round a button of 170 pixels
 
 
 @pytest.mark.parametrize("language", list(languages.NAMES))

@@ -62,7 +62,7 @@ def test_checks_are_told_in_german(spoken):
     }
     told = {name: found_text(Check(name, False, what)) for name, what in found.items()}
     assert told["disk"] == "72,1 GB frei"
-    assert told["screen"] == "1920 x 1080, 60 Hz; Bildschirme insgesamt: 1"
+    assert told["screen"] == "1920 \u00d7 1080, 60 Hz; Bildschirme insgesamt: 1"
     assert not {"starting", "not yet"} & {
         w for t in told.values() for w in t.split(", ")
     }

@@ -9,8 +9,10 @@ import pytest
 from PySide6.QtCore import QMimeData, QPointF, Qt, QTimer, QUrl
 from PySide6.QtGui import QDropEvent
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QLabel
 
 from app.experimenter.import_wizard import ImportWizard
+from app.player.empty_page import EmptyPage
 from app.player.window import LEAST_PICTURE_PX
 from hapticplayer.haptics.contract import Mode
 from hapticplayer.playback.haptic_link import HapticLink
@@ -47,6 +49,20 @@ def test_all_that_can_be_shown_fits_a_screen_of_960_by_540(window, source, qtbot
     qtbot.wait(20)
     assert window.height() <= 540
     assert window.stage.height() >= LEAST_PICTURE_PX
+
+
+@pytest.mark.parametrize("width_px", [620, 900, 1500])
+def test_no_line_of_the_first_page_is_cut_off(application, qtbot, width_px):
+    page = EmptyPage()
+    qtbot.addWidget(page)
+    page.resize(width_px, 400)
+    page.show()
+    page.resize(width_px, page.minimumSizeHint().height())
+    qtbot.wait(20)
+    lines = [label for label in page.findChildren(QLabel) if label.wordWrap()]
+    assert len(lines) == 2
+    for label in lines:
+        assert label.height() >= label.heightForWidth(label.width())
 
 
 def test_help_is_the_last_menu(window):
