@@ -136,7 +136,7 @@ class PlayerWindow(QMainWindow):
             self.settings,
         )
         self.stage = QStackedWidget()
-        self.stage.setMinimumHeight(LEAST_PICTURE_PX)
+        self.surface.setMinimumHeight(LEAST_PICTURE_PX)
         self.stage.addWidget(self.empty_page)
         self.stage.addWidget(self.surface)
         above: list[QWidget] = [self.messages, self.job_bar]

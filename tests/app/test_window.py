@@ -42,6 +42,10 @@ def test_all_that_can_be_shown_fits_a_screen_of_960_by_540(window, source, qtbot
     window.messages.show_text("The device is gone")
     qtbot.wait(20)
     assert window.minimumSizeHint().height() <= 540
+    window.resize(960, 540)
+    qtbot.wait(20)
+    page = window.empty_page
+    assert page.height() >= page.minimumSizeHint().height()
     window.session.show_source(source)
     window.commands.sync_plot.setChecked(True)
     qtbot.wait(20)
