@@ -94,6 +94,8 @@ class EmptyPage(QWidget):
     def minimumSizeHint(self) -> QSize:
         """Return the room for all lines at this width, with the smallest picture."""
         least, layout = super().minimumSizeHint(), self.layout()
+        if layout is None:
+            return least
         high_px = layout.totalHeightForWidth(max(least.width(), self.width()))
         spared_px = _PICTURE_PX - _LEAST_PICTURE_PX
         return QSize(least.width(), max(least.height(), high_px - spared_px))
