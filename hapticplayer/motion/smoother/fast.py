@@ -1,18 +1,19 @@
 """The stages of the smoother by compiled loops: what `stages` calls where they exist.
 
-Each takes and returns what its counterpart in numpy does; tables that the loops share
+Each takes and returns what its counterpart in numpy does; records that the loops share
 come along in PackedWindows and PackedNodes.
 """
 
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from hapticplayer.model import STANDARD_GRAVITY_MPS2
 from hapticplayer.model.arrays import Floats
-from hapticplayer.motion.rotations import Complexes, Pair
-from hapticplayer.motion.smoother import kernels, means_kernel, solver_kernel
+from hapticplayer.motion.rotations import Pair
+from hapticplayer.motion.smoother import jit, kernels, means_kernel, solver_kernel
 from hapticplayer.motion.smoother.calibrated import (
     Problem,
     Solution,
@@ -38,25 +39,30 @@ from hapticplayer.motion.smoother.travel import TRAVEL, travel_prior
 
 @dataclass(frozen=True, slots=True, eq=False)
 class PackedWindows(Windows):
-    """Windows with the tables that they are views of; see `kernels.integrate`."""
+    """Windows with the records that they are views of; see `kernels.integrate`."""
 
-    orientations: Complexes
-    rotations: Complexes
-    table: Floats
+    orientations: NDArray[Any]
+    rotations: NDArray[Any]
+    rows: NDArray[Any]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class PackedNodes(Nodes):
-    """Nodes with the tables that they are views of; see `kernels.gather`."""
+    """Nodes with the records that they are views of; see `kernels.gather`."""
 
-    starts: Complexes
-    ends: Complexes
-    table: Floats
+    starts: NDArray[Any]
+    ends: NDArray[Any]
+    rows: NDArray[Any]
     levers: Floats
 
 
 def _ready(values: Floats) -> Floats:
     return np.ascontiguousarray(values, dtype=np.float64)
+
+
+def _records(table: NDArray[Any], row: np.dtype[Any]) -> NDArray[Any]:
+    """Return the rows (last axis) of a table as records, which share its memory."""
+    return np.asarray(table.view(row)[..., 0])
 
 
 def integrate(
@@ -79,35 +85,36 @@ def integrate(
     calibration[3] = bias_radps
     inside = np.empty((total, per_window, 2), complex)
     rotation = np.empty((total, 2), complex)
-    table = np.empty((total, kernels.WINDOW_COLUMNS))
+    rows = np.empty(total, jit.WINDOW)
+    orientations, rotations = _records(inside, jit.PAIR), _records(rotation, jit.PAIR)
     kernels.integrate(
         _ready(samples.step_s),
-        _ready(samples.specific_force_mps2),
-        _ready(samples.angular_rate_radps),
+        _records(_ready(samples.specific_force_mps2), jit.XYZ),
+        _records(_ready(samples.angular_rate_radps), jit.XYZ),
         _ready(samples.lost_s),
         _ready(samples.doubt_s),
-        calibration,
+        _records(calibration, jit.XYZ),
         samples.gain,
         samples.averaged,
         calm,
         chunk,
-        inside,
-        rotation,
-        table,
+        orientations,
+        rotations,
+        rows,
     )
-    columns = table.T
+    columns = rows.view(np.float64).reshape(total, -1).T
     return PackedWindows(
-        duration_s=columns[kernels.DURATION],
+        duration_s=rows["duration"],
         rotation=(rotation[:, 0], rotation[:, 1]),
-        impulse_mps=columns[: kernels.TURN],
-        turn_rad=columns[kernels.TURN : kernels.DURATION],
-        power_m2ps3=columns[kernels.POWER],
-        lost_s=columns[kernels.LOST],
-        doubt_s=columns[kernels.DOUBT],
+        impulse_mps=columns[:3],
+        turn_rad=columns[3:6],
+        power_m2ps3=rows["power"],
+        lost_s=rows["lost"],
+        doubt_s=rows["doubt"],
         inside=(inside[..., 0].T, inside[..., 1].T),
-        orientations=inside,
-        rotations=rotation,
-        table=table,
+        orientations=orientations,
+        rotations=rotations,
+        rows=rows,
     )
 
 
@@ -116,21 +123,18 @@ def coarse(samples: Samples, per_window: int) -> Samples:
     if per_window == 1:
         return samples
     total = -(-len(samples) // per_window)
-    spent, force, rate = (
-        np.empty((3, total)),
-        np.empty((total, 3)),
-        np.empty((total, 3)),
-    )
+    spent = np.empty((3, total))
+    force, rate = np.empty((total, 3)), np.empty((total, 3))
     means_kernel.coarse(
         _ready(samples.step_s),
-        _ready(samples.specific_force_mps2),
-        _ready(samples.angular_rate_radps),
+        _records(_ready(samples.specific_force_mps2), jit.XYZ),
+        _records(_ready(samples.angular_rate_radps), jit.XYZ),
         _ready(samples.lost_s),
         _ready(samples.doubt_s),
         per_window,
         spent,
-        force,
-        rate,
+        _records(force, jit.XYZ),
+        _records(rate, jit.XYZ),
     )
     return replace(
         samples,
@@ -148,31 +152,30 @@ def gather(
     windows: PackedWindows, per_node: int, *, with_scale: bool = True
 ) -> PackedNodes:
     """Return the nodes of some windows; see `nodes.gather`."""
-    total = len(windows.table)
+    total = len(windows.rows)
     count = -(-total // per_node)
-    starts, at = np.empty((total, 2), complex), np.empty((count + 1, 2), complex)
-    table = np.zeros((count, kernels.NODE_COLUMNS))
+    starts, ends = np.empty(total, jit.PAIR), np.empty(count + 1, jit.PAIR)
+    rows = np.zeros(count, jit.NODE)
     levers = np.zeros((count, 3, 3, 4 if with_scale else 1))
     kernels.gather(
-        *(windows.rotations, windows.table, per_node),
-        *(starts, at, table, levers, np.eye(3)),
+        *(windows.rotations, windows.rows, per_node),
+        *(starts, ends, rows, levers, np.eye(3)),
     )
-    columns = table.T
     return PackedNodes(
         per_node=per_node,
-        start=(starts[:, 0], starts[:, 1]),
-        at=(at[:, 0], at[:, 1]),
-        duration_s=columns[kernels.AT_DURATION].copy(),
-        impulse_mps=columns[: kernels.AT_DURATION],
+        start=(starts["first"], starts["second"]),
+        at=(ends["first"], ends["second"]),
+        duration_s=rows["duration"].copy(),
+        impulse_mps=rows.view(np.float64).reshape(count, -1).T[:3],
         bias_turn_s=levers[..., 0].transpose(1, 2, 0),
         scale_turn_rad=levers[..., 1:].reshape(count, 3, -1).transpose(1, 2, 0),
-        power_m2ps3=columns[kernels.AT_POWER],
-        turned_rad=columns[kernels.AT_TURNED],
-        lost_s=columns[kernels.AT_LOST],
-        doubt_s=columns[kernels.AT_DOUBT],
+        power_m2ps3=rows["power"],
+        turned_rad=rows["turned"],
+        lost_s=rows["lost"],
+        doubt_s=rows["doubt"],
         starts=starts,
-        ends=at,
-        table=table,
+        ends=ends,
+        rows=rows,
         levers=levers,
     )
 
@@ -181,28 +184,26 @@ def linearised(
     nodes: PackedNodes, vertical: Floats, known: Knowledge, p: SmootherParameters
 ) -> tuple[Pair, Problem]:
     """Return level frames and the problem in them; see `linearise.linearised`."""
-    count, columns = len(nodes.table), 1 + len(known.applied)
+    count, columns = len(nodes.rows), 1 + len(known.applied)
     columns += TRAVEL if known.travel_sigma_mps else 0
-    frames, rows = np.empty((count + 1, 2), complex), np.zeros((count, 5, columns))
+    frames, rows = np.empty(count + 1, jit.PAIR), np.zeros((count, 5, columns))
     weights, bound_weight = np.empty((2, count)), np.zeros(count + 1)
-    noises = np.array(
-        [
-            STANDARD_GRAVITY_MPS2,
-            p.rate_noise_rad_per_sqrt_s**2,
-            p.rotation_error**2,
-            LOST_RADPS**2,
-            p.force_noise_mps_per_sqrt_s**2,
-            p.force_error**2,
-            DOUBTFUL_MPS2**2,
-        ]
+    noises = (
+        STANDARD_GRAVITY_MPS2,
+        p.rate_noise_rad_per_sqrt_s**2,
+        p.rotation_error**2,
+        LOST_RADPS**2,
+        p.force_noise_mps_per_sqrt_s**2,
+        p.force_error**2,
+        DOUBTFUL_MPS2**2,
     )
     kernels.linearise(
-        _ready(vertical),
-        nodes.table,
+        _records(_ready(vertical.T), jit.XYZ),
+        nodes.rows,
         nodes.levers,
         nodes.ends,
         _ready(known.bound_mps),
-        noises,
+        np.array([noises], jit.NOISE),
         1 + len(known.applied),
         frames,
         rows,
@@ -222,7 +223,7 @@ def linearised(
         prior=prior,
         prior_weight=prior_weight,
     )
-    return (frames[:, 0], frames[:, 1]), problem
+    return (frames["first"], frames["second"]), problem
 
 
 def minimise(problem: Problem) -> Solution:
@@ -249,7 +250,7 @@ def _solved(problem: Problem) -> tuple[Floats, Floats]:
     left = np.empty(problem.rows.shape)
     nodes = np.empty((2 * count + 5, 2 * columns))
     flat = problem.rows.reshape(count, -1), left.reshape(count, -1)
-    band = np.empty((2 * count + 2, 4))
+    band = np.empty(2 * count + 5, jit.BAND)
     if not solver_kernel.solve(*flat, columns, *_weights(problem), band, nodes):
         raise inseparable()
     return nodes[:-3], left
@@ -268,11 +269,9 @@ def _weights(problem: Problem) -> tuple[Floats, Floats, Floats, Floats, Floats]:
 
 def tilt_variances(problem: Problem, chosen: NDArray[np.intp]) -> Floats:
     """Return the variance of one tilt at some nodes; see `uncertainty`."""
-    size = 2 * len(problem.bound_weight)
+    band = np.empty(2 * len(problem.bound_weight) + 3, jit.BAND)
     variances = np.empty(len(chosen))
-    if not solver_kernel.tilt_variances(
-        *_weights(problem), chosen, np.empty((size, 4)), np.empty(size), variances
-    ):
+    if not solver_kernel.tilt_variances(*_weights(problem), chosen, band, variances):
         raise inseparable()
     return variances
 
@@ -287,7 +286,7 @@ def rotate(rotation: Pair, vector: Floats, *, inverse: bool = False) -> Floats:
 def local_mean(values: Floats, duration_s: Floats, half_width_s: float) -> Floats:
     """Return the mean over the nodes within some time; see `linearise.local_mean`."""
     out = np.empty(len(values))
-    scratch = np.zeros((3, len(values) + 1))
+    scratch = np.zeros(len(values) + 1, jit.SUMS)
     means_kernel.local_mean(
         _ready(values), _ready(duration_s), half_width_s, scratch, out
     )
@@ -306,21 +305,23 @@ def spread(
     windows, nodes = strapped
     count = len(samples)
     orientation, vertical = np.empty((count, 4)), np.empty((count, 3))
+    level = np.empty(len(frames[0]), jit.PAIR)
+    level["first"], level["second"] = frames
     kernels.spread(
         _ready(tilt),
-        np.stack(frames, axis=1),
+        level,
         share,
         nodes.starts,
         windows.orientations,
         windows.rotations,
         _ready(samples.lost_s),
         _ready(samples.step_s),
-        _ready(samples.angular_rate_radps),
-        _ready(bias_radps),
+        _records(_ready(samples.angular_rate_radps), jit.XYZ),
+        _ready(bias_radps).view(jit.XYZ),
         samples.averaged,
-        np.empty((len(nodes.starts) + len(nodes.table) + 1, 2), complex),
-        orientation,
-        vertical,
+        np.empty(len(nodes.starts) + len(level), jit.PAIR),
+        _records(orientation, jit.PAIR),
+        _records(vertical, jit.XYZ),
     )
     orientation.setflags(write=False)
     return orientation, vertical

@@ -8,6 +8,7 @@ from typing import Any
 
 from hapticplayer.model import STANDARD_GRAVITY_MPS2
 from hapticplayer.motion.smoother.jit import (
+    BANDS,
     BOOL,
     IN1,
     IN2,
@@ -34,41 +35,48 @@ def _factorise(
 ) -> bool:
     """Write the matrix as L D L': D first in each row of the band, then L.
 
-    `free` is 1, or 0 where the tilt is held at zero.
+    `free` is 1, or 0 where the tilt is held at zero. Rows beyond the matrix are
+    written to, and mean nothing.
     """
-    count, size = len(duration), len(band)
-    band[:] = 0.0
-    for k in range(count):
-        s, v = 2 * k, 2 * k + 1
-        h, wt = free * HALF_GRAVITY * duration[k], free * tilt_weight[k]
-        wv = velocity_weight[k]
-        side, slope = wv + rest_weight[k], wv * h
-        square = slope * h
-        band[s, 0] += wt + square + (1.0 - free)
-        band[s, 1] -= slope  # (v[k], s[k])
-        band[s, 2] = square - wt  # (s[k+1], s[k])
-        band[s, 3] = slope  # (v[k+1], s[k])
-        band[v, 0] += side + bound_weight[k]
-        band[v, 1] = -slope  # (s[k+1], v[k])
-        band[v, 2] = -side  # (v[k+1], v[k])
-        band[s + 2, 0] += wt + square
-        band[s + 2, 1] += slope  # (v[k+1], s[k+1])
-        band[v + 2, 0] += side
-    band[size - 1, 0] += bound_weight[count]
-    band[size - 2, 0] += 1.0 - free
+    count, size = len(duration), 2 * len(duration) + 2
+    # what the interval before adds to a node
+    tilt, slope, speed = 1.0 - free, 0.0, 0.0
+    for k in range(count + 1):
+        s, v = band[2 * k], band[2 * k + 1]
+        s.main, s.first = tilt, slope
+        v.main = speed + bound_weight[k]
+        s.second = s.third = v.first = v.second = v.third = 0.0
+        if k < count:
+            h, wt = free * HALF_GRAVITY * duration[k], free * tilt_weight[k]
+            wv = velocity_weight[k]
+            speed, slope = wv + rest_weight[k], wv * h
+            square = slope * h
+            tilt = wt + square
+            s.main += tilt
+            s.first -= slope  # (v[k], s[k])
+            s.second = square - wt  # (s[k+1], s[k])
+            s.third = slope  # (v[k+1], s[k])
+            v.main += speed
+            v.first = -slope  # (s[k+1], v[k])
+            v.second = -speed  # (v[k+1], v[k])
+            tilt += 1.0 - free
     for j in range(size):
-        if not band[j, 0] > 0.0:
+        row, one, two, three = band[j], band[j + 1], band[j + 2], band[j + 3]
+        if not row.main > 0.0:
             return False
-        width = min(4, size - j)
-        for i in range(1, width):
-            factor = band[j, i] / band[j, 0]
-            for m in range(i, width):
-                band[j + i, m - i] -= factor * band[j, m]
-            band[j, i] = factor
+        first, second, third = row.first, row.second, row.third
+        part = 1.0 / row.main
+        row.first, row.second, row.third = part * first, part * second, part * third
+        one.main -= row.first * first
+        one.first -= row.first * second
+        one.second -= row.first * third
+        two.main -= row.second * second
+        two.first -= row.second * third
+        three.main -= row.third * third
     return True
 
 
-@compiled(BOOL, IN2, OUT2, INT, IN1, IN1, IN1, IN1, IN1, OUT2, OUT2)
+@compiled(BOOL, IN2, OUT2, INT, IN1, IN1, IN1, IN1, IN1, BANDS, OUT2)
 def solve(
     rows: Any,
     left: Any,
@@ -94,14 +102,14 @@ def solve(
         duration: (K,).
         tilt_weight, velocity_weight, rest_weight: (K,).
         bound_weight: (K + 1,) of the velocity.
-        band: (2 (K + 1), 4) scratch.
+        band: (2 (K + 1) + 3,) scratch.
         nodes: (2 (K + 1) + 3, 2 columns) tilt and velocity of each node; nothing is
             beyond the last.
 
     Returns:
         Whether there is a solution.
     """
-    count, size = len(rows), len(band)
+    count, size = len(rows), 2 * len(rows) + 2
     for axes in range(1, 3):
         free, width, speed = axes - 1.0, axes * columns, (6 - 2 * axes) * columns
         if not _factorise(
@@ -123,14 +131,16 @@ def solve(
                 nodes[s + 2, c] = h * pushed + moved
                 nodes[v + 2, c] = pushed
         for j in range(size):
-            f1, f2, f3 = band[j, 1], band[j, 2], band[j, 3]
+            row = band[j]
+            f1, f2, f3 = row.first, row.second, row.third
             for c in range(width):
                 x = nodes[j, c]
                 nodes[j + 1, c] -= f1 * x
                 nodes[j + 2, c] -= f2 * x
                 nodes[j + 3, c] -= f3 * x
         for j in range(size - 1, -1, -1):
-            f0, f1, f2, f3 = 1.0 / band[j, 0], band[j, 1], band[j, 2], band[j, 3]
+            row = band[j]
+            f0, f1, f2, f3 = 1.0 / row.main, row.first, row.second, row.third
             for c in range(width):
                 x, y, z = nodes[j + 1, c], nodes[j + 2, c], nodes[j + 3, c]
                 nodes[j, c] = f0 * nodes[j, c] - f1 * x - f2 * y - f3 * z
@@ -146,7 +156,7 @@ def solve(
     return True
 
 
-@compiled(BOOL, IN1, IN1, IN1, IN1, IN1, INDICES, OUT2, OUT1, OUT1)
+@compiled(BOOL, IN1, IN1, IN1, IN1, IN1, INDICES, BANDS, OUT1)
 def tilt_variances(
     duration: Any,
     tilt_weight: Any,
@@ -155,7 +165,6 @@ def tilt_variances(
     bound_weight: Any,
     chosen: Any,
     band: Any,
-    column: Any,
     variances: Any,
 ) -> bool:
     """Find the variance of one tilt at some nodes, for a known calibration.
@@ -166,8 +175,7 @@ def tilt_variances(
         duration, tilt_weight, velocity_weight, rest_weight: (K,) as in `solve`.
         bound_weight: (K + 1,).
         chosen: (n,) nodes.
-        band: (2 (K + 1), 4) scratch.
-        column: (2 (K + 1),) scratch.
+        band: (2 (K + 1) + 3,) scratch.
         variances: (n,).
 
     Returns:
@@ -177,14 +185,15 @@ def tilt_variances(
         duration, tilt_weight, velocity_weight, rest_weight, bound_weight, 1.0, band
     ):
         return False
-    size = len(band)
     for n in range(len(chosen)):
-        first = 2 * chosen[n]
-        column[first:] = 0.0
-        column[first] = 1.0
-        variances[n] = 0.0
-        for j in range(first, size):
-            variances[n] += column[j] * column[j] / band[j, 0]
-            for i in range(1, min(4, size - j)):
-                column[j + i] -= band[j, i] * column[j]
+        now, one, two, found = 1.0, 0.0, 0.0, 0.0
+        for j in range(2 * chosen[n], 2 * len(bound_weight)):
+            row = band[j]
+            found += now * now / row.main
+            one, two, now = (
+                two - row.second * now,
+                -row.third * now,
+                one - row.first * now,
+            )
+        variances[n] = found
     return True
