@@ -42,6 +42,7 @@ READY_TIMEOUT_S = 60.0
 # 4 N for longer is more than the motors may bear: the limiter comes down to 3 N
 TURNS_A_PLAYER = 4
 BACK_IN_SYNC_S = 0.002
+BACK_WITHIN_S, CLEAR_N = 5.0, 1.0
 
 
 @dataclass(frozen=True)
@@ -204,17 +205,24 @@ def out_of_sync_s(player: Player) -> float:
     """Re-arm, and return by how much force and clip differ once it is back, s.
 
     The direction of the force tells which moment of the clip it belongs to; the
-    published clock tells which it is.
+    published clock tells which it is. A force that went away once more, because the
+    decoder did not keep up on a busy machine, has no direction.
     """
     player.tell("rearm")
     player.hear("ready")
-    time.sleep(0.4)
-    ticks, _, _ = player.block.read_ticks(0)
-    sample = player.block.read_clock()
-    if sample is None:
-        return float("inf")
+    deadline_s = time.monotonic() + BACK_WITHIN_S
+    while True:
+        time.sleep(0.4)
+        ticks = player.block.read_ticks(0)[0][-100:]
+        sample = player.block.read_clock()
+        pushed_n = np.linalg.norm(
+            (ticks["force_n"] - ticks["centring_n"])[:, :2], axis=1
+        )
+        if sample is not None and pushed_n.min() > CLEAR_N:
+            break
+        if time.monotonic() > deadline_s:
+            return float("inf")
     clock, _ = sample
-    ticks = ticks[-100:]
     media_s = clock.media0_s + clock.rate * (ticks["monotonic_s"] - clock.monotonic0_s)
     expected = TURN_RADPS * ROW_S * np.floor(media_s / ROW_S)  # rows are held
     x, y = (ticks["force_n"] - ticks["centring_n"])[:, :2].T
