@@ -124,9 +124,9 @@ class StudyEditor(QDialog):
             )
             browse.clicked.connect(lambda _on, line=line: self._browse(line))
             row = QHBoxLayout()
+            form.addRow(entry["key"], row)  # first, else Python frees what is in it
             row.addWidget(line, 1)
             row.addWidget(browse)
-            form.addRow(entry["key"], row)
         return page
 
     def _browse(self, line: QLineEdit) -> None:

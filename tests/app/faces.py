@@ -104,6 +104,13 @@ def dialogs(window: PlayerWindow, folder) -> dict[str, Callable[[], QWidget]]:
     }
 
 
+def close(face: QWidget) -> None:
+    """Close a page; the window ends the work of those that it has opened."""
+    face.close()
+    if isinstance(face, ImportWizard | LibraryPage):
+        face.close_jobs()
+
+
 def _import_at(step: int, window: PlayerWindow, folder) -> ImportWizard:
     """Return the wizard at a step that a person has come to."""
     wizard = ImportWizard("", folder, window)

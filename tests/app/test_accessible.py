@@ -19,8 +19,6 @@ from PySide6.QtWidgets import (
 from sitting import Person
 
 from app.bridge import languages
-from app.experimenter.import_wizard import ImportWizard
-from app.experimenter.library_page import LibraryPage
 from app.player.remake import dress
 from app.widgets import theme
 from hapticplayer.study.pages import PageKind
@@ -90,7 +88,7 @@ def test_the_window_and_every_dialog_can_be_used_by_keyboard_alone(
         face = make()
         face.show()
         check_keyboard(face, qtbot)
-        close(face)
+        faces.close(face)
 
 
 def test_the_participants_pages_can_be_used_by_keyboard_and_by_finger(
@@ -195,15 +193,8 @@ def whole_texts(window, source, folder, qtbot) -> list[str]:
         face.show()
         qtbot.wait(1)
         found += [f"{name}: {text}" for text in faces.cut_off(face)]
-        close(face)
+        faces.close(face)
     return found
-
-
-def close(face) -> None:
-    """Close a page; the window ends the work of those that it has opened."""
-    face.close()
-    if isinstance(face, ImportWizard | LibraryPage):
-        face.close_jobs()
 
 
 def test_what_is_cut_off_in_a_choice_or_a_header_is_found(dressed, qtbot):
