@@ -128,7 +128,8 @@ def test_without_leave_the_player_and_the_loop_refuse():
 def test_a_real_device_takes_none_at_any_level():
     with pytest.raises(UsageError, match="real device"):
         HapticsProcess(SystemClock(), "falcon", takes_faults=True)
-    options = ["--block", "0", "--line", "0", "--handle", "0", "--faults"]
+    options = ["--block", "0", "--line", "0", "--lifeline", "0", "--handle", "0"]
+    options += ["--faults"]
     done = subprocess.run(
         [sys.executable, "-m", "hapticplayer.haptics", "--device", "falcon", *options],
         capture_output=True,
