@@ -1051,7 +1051,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>no, 888 µs, 888 missed</source>
-        <translation>non, 888 µs, 888 manqués</translation>
+        <translation>non, 888 µs, manqués&#xa0;: 888</translation>
     </message>
     <message>
         <source>Pictures</source>
