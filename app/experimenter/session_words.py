@@ -17,8 +17,20 @@ _SAME = {  # for a moment or for good: in the same words
     "heartbeat_late": "heartbeat_lost",
     "reply_late": "reply_lost",
     "tick_late": "tick_lost",
+    "clock_stale": "heartbeat_lost",
+    "command_stale": "tick_lost",
 }
 _FREE, _SCREENS = " MB free", ", screens: "
+
+
+def _only_in_trials() -> dict[str, str]:
+    """Return what takes the force away for a moment, which the window need not say."""
+    return {
+        "no_track": translate("SessionWords", "there was no force track"),
+        "guard_lost": translate("SessionWords", "the guard was silent"),
+        "stopped": translate("SessionWords", "someone stopped it"),
+        "not_homed": translate("SessionWords", "the grip had lost its zero"),
+    }
 
 
 def reason_text(reason: str) -> str:
@@ -26,6 +38,7 @@ def reason_text(reason: str) -> str:
     kind, _, more = reason.partition(":")
     if kind == "fault":
         known = {cause.name.lower(): cause_text(cause) for cause in Cause}
+        known |= _only_in_trials()
         text = translate("SessionWords", "the contract stopped it ({0})")
         return text.format(known.get(_SAME.get(more, more)) or more)
     if kind == "sync":

@@ -14,7 +14,7 @@ from app.widgets import theme
 from app.widgets.buttons import text_button
 from app.widgets.icons import icon
 
-_PICTURE_PX, _LEAST_PICTURE_PX = 72, 32
+_PICTURE_PX, _LEAST_PICTURE_PX = 72, 32  # a smaller one is left out
 
 
 class EmptyPage(QWidget):
@@ -92,13 +92,12 @@ class EmptyPage(QWidget):
         return row
 
     def minimumSizeHint(self) -> QSize:
-        """Return the room for all lines at this width, with the smallest picture."""
+        """Return the room for all lines at this width, without the picture."""
         least, layout = super().minimumSizeHint(), self.layout()
         if layout is None:
             return least
         high_px = layout.totalHeightForWidth(max(least.width(), self.width()))
-        spared_px = _PICTURE_PX - _LEAST_PICTURE_PX
-        return QSize(least.width(), max(least.height(), high_px - spared_px))
+        return QSize(least.width(), max(least.height(), high_px - _PICTURE_PX))
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Another width may need another line."""
@@ -116,7 +115,7 @@ class EmptyPage(QWidget):
 
 
 class _Picture(QWidget):
-    """The program's picture; smaller where the window is low."""
+    """The program's picture; smaller where the window is low, or none at all."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -129,9 +128,11 @@ class _Picture(QWidget):
 
     def minimumSizeHint(self) -> QSize:
         """Return what it can be."""
-        return QSize(_LEAST_PICTURE_PX, _LEAST_PICTURE_PX)
+        return QSize(_LEAST_PICTURE_PX, 0)
 
     def paintEvent(self, _event: QPaintEvent) -> None:
         """Draw it in the middle."""
+        if self.height() < _LEAST_PICTURE_PX:
+            return
         with QPainter(self) as painter:
             self._icon.paint(painter, self.rect())

@@ -164,7 +164,8 @@ def sync(stats: SyncStats | None) -> Reading:
     else:
         level = Level.GOOD if abs(stats.p50_ms) <= SYNC_GOOD_MS else Level.WATCH
         text = translate("Health", "{p50:+.1f}, {p95:+.1f} ms")
-    text = local(text.format(p50=stats.p50_ms, p95=stats.p95_ms))
+    p50_ms, p95_ms = (round(ms, 1) + 0.0 for ms in (stats.p50_ms, stats.p95_ms))
+    text = local(text.format(p50=p50_ms, p95=p95_ms))  # there is no -0.0
     return Reading(level, text.replace("-", "\u2212"))
 
 

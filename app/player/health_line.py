@@ -106,6 +106,7 @@ class HealthLine(QFrame):
         # why the force has stopped is not cut off while there is room
         self._rooms_px[0] = max(self._rooms_px[0], self.entries[0].needed_px())
         self._share_room()
+        self._row.activate()  # now: else new values are drawn once in the old room
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Share the room anew."""
@@ -159,7 +160,7 @@ class HealthLine(QFrame):
                     "than this; missed are periods that were skipped. When more "
                     "than 1 % are, the force is held to 3 N"
                 ),
-                self.tr("yes, 888 \u00b5s, 88 missed"),
+                self.tr("no, 888 \u00b5s, 888 missed"),
             ),
             _Column(
                 self.tr("Force \u2212 picture"),

@@ -1,7 +1,12 @@
 """The place where the window says what went wrong."""
 
-from PySide6.QtCore import Qt
-from PySide6.QtGui import QAccessible, QAccessibleEvent, QGuiApplication
+from PySide6.QtCore import QSize, Qt
+from PySide6.QtGui import (
+    QAccessible,
+    QAccessibleEvent,
+    QGuiApplication,
+    QResizeEvent,
+)
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QSizePolicy
 
 from app.bridge.engine_words import in_english
@@ -41,6 +46,20 @@ class MessageBar(QFrame):
         row.addWidget(self.copy, 0)
         row.addWidget(self._close, 0)
         self.hide()
+
+    def minimumSizeHint(self) -> QSize:
+        """Return the room for all lines at this width; a label guesses too many."""
+        least, row = super().minimumSizeHint(), self.layout()
+        if row is None or not row.hasHeightForWidth():
+            return least
+        return QSize(
+            least.width(), row.totalHeightForWidth(max(least.width(), self.width()))
+        )
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Another width may need another line."""
+        super().resizeEvent(event)
+        self.updateGeometry()
 
     def text(self) -> str:
         """Return what it says, "" while hidden."""

@@ -552,11 +552,11 @@
     </message>
     <message>
         <source>Only a simulated device takes faults, and only while this panel is open: choose it in the window, then press Device anew.</source>
-        <translation>Nur ein simuliertes Gerät nimmt Fehler an, und nur, solange dieses Feld offen ist: wählen Sie es im Fenster, dann drücken Sie Gerät neu.</translation>
+        <translation>Nur ein simuliertes Gerät nimmt Fehler an, und nur, solange dieses Feld offen ist: wählen Sie es im Fenster, dann drücken Sie „Gerät neu“.</translation>
     </message>
     <message>
         <source>The device has failed: press Device anew.</source>
-        <translation>Das Gerät ist ausgefallen: Gerät neu drücken.</translation>
+        <translation>Das Gerät ist ausgefallen: drücken Sie „Gerät neu“.</translation>
     </message>
     <message>
         <source>Play a clip with force, so that there is one to take away.</source>
@@ -1030,10 +1030,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>99 % der Takte der letzten 10 s kamen nicht später als so; verpasste wurden übersprungen. Sind es mehr als 1 %, bleibt die Kraft unter 3 N</translation>
     </message>
     <message>
-        <source>yes, 888 µs, 88 missed</source>
-        <translation>ja, 888 µs, 88 verpasst</translation>
-    </message>
-    <message>
         <source>Force − picture</source>
         <translation>Kraft − Bild</translation>
     </message>
@@ -1052,6 +1048,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     <message>
         <source>Force − sound</source>
         <translation>Kraft − Ton</translation>
+    </message>
+    <message>
+        <source>no, 888 µs, 888 missed</source>
+        <translation>nein, 888 µs, 888 verpasst</translation>
     </message>
     <message>
         <source>Pictures</source>
@@ -2251,6 +2251,22 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
 </context>
 <context>
     <name>SessionWords</name>
+    <message>
+        <source>there was no force track</source>
+        <translation>es gab keine Kraftspur</translation>
+    </message>
+    <message>
+        <source>the guard was silent</source>
+        <translation>der Wächter meldete sich nicht</translation>
+    </message>
+    <message>
+        <source>someone stopped it</source>
+        <translation>jemand hat gestoppt</translation>
+    </message>
+    <message>
+        <source>the grip had lost its zero</source>
+        <translation>der Griff hatte seine Nullstellung verloren</translation>
+    </message>
     <message>
         <source>the contract stopped it ({0})</source>
         <translation>der Sicherheitsvertrag hat angehalten ({0})</translation>

@@ -1030,10 +1030,6 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>99 % des réveils des 10 dernières s n’étaient pas plus en retard&#xa0;; les manqués sont des périodes sautées. Au-delà de 1 %, la force est limitée à 3 N</translation>
     </message>
     <message>
-        <source>yes, 888 µs, 88 missed</source>
-        <translation>oui, 888 µs, 88 manqués</translation>
-    </message>
-    <message>
         <source>Force − picture</source>
         <translation>Force − image</translation>
     </message>
@@ -1052,6 +1048,10 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     <message>
         <source>Force − sound</source>
         <translation>Force − son</translation>
+    </message>
+    <message>
+        <source>no, 888 µs, 888 missed</source>
+        <translation>non, 888 µs, manqués&#xa0;: 888</translation>
     </message>
     <message>
         <source>Pictures</source>
@@ -2251,6 +2251,22 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
 </context>
 <context>
     <name>SessionWords</name>
+    <message>
+        <source>there was no force track</source>
+        <translation>il n’y avait pas de piste de force</translation>
+    </message>
+    <message>
+        <source>the guard was silent</source>
+        <translation>le gardien ne répondait pas</translation>
+    </message>
+    <message>
+        <source>someone stopped it</source>
+        <translation>quelqu’un l’a arrêté</translation>
+    </message>
+    <message>
+        <source>the grip had lost its zero</source>
+        <translation>la poignée avait perdu son zéro</translation>
+    </message>
     <message>
         <source>the contract stopped it ({0})</source>
         <translation>le contrat de sécurité l’a arrêté ({0})</translation>

@@ -2,6 +2,7 @@ import dataclasses
 
 import pytest
 
+from app.bridge import languages
 from app.player.health import Level, readings
 from app.player.health_line import HealthLine
 from hapticplayer.haptics.contract import Cause, Mode
@@ -71,6 +72,7 @@ def test_all_is_well():
         ({"loop": LoopStats(10_000, 0, 20, 900, 2e3, 5e3)}, 2, Level.WATCH, "900"),
         ({"loop": LoopStats(10_000, 500, 20, 90, 2e3, 5e3)}, 2, Level.BAD, "500 miss"),
         ({"force_minus_video": None}, 3, Level.NEUTRAL, "\u2013"),
+        ({"force_minus_video": SyncStats(9, -1, -0.04, 1)}, 3, Level.GOOD, "+0.0, +1"),
         ({"force_minus_video": SyncStats(9, 20, 25, 30)}, 3, Level.WATCH, "+25.0, +30"),
         ({"force_minus_video": SyncStats(9, 40, 51, 60)}, 3, Level.BAD, "OFF +51.0"),
         (
@@ -143,6 +145,34 @@ def test_why_the_force_has_stopped_is_not_cut_off(qtbot):
     line.show_snapshot(dataclasses.replace(GOOD, **stopped))
     line.layout().activate()
     assert "answers nonsense" in line.entries[0].text()
+    assert [e.text() for e in line.entries if e.width() < e.needed_px()] == []
+
+
+@pytest.mark.parametrize("code", languages.NAMES)
+def test_hundreds_of_missed_periods_are_not_shortened(application, qtbot, code):
+    languages.install(application, code)
+    try:
+        line = HealthLine()
+        qtbot.addWidget(line)
+        line.resize(1280, 44)
+        line.show()
+        qtbot.waitExposed(line)
+        loop = LoopStats(7476, 186, 9.0, 346.0, 6446.0, 34826.0)
+        line.show_snapshot(dataclasses.replace(GOOD, loop=loop))
+        assert "186" in line.entries[2].text()
+        assert [e.text() for e in line.entries if e.width() < e.needed_px()] == []
+    finally:
+        languages.install(application, languages.ENGLISH)
+
+
+def test_new_values_are_not_drawn_in_the_old_room(qtbot):
+    line = HealthLine()
+    qtbot.addWidget(line)
+    line.resize(936, 44)
+    line.show_snapshot(dataclasses.replace(GOOD, device="none", loop=None))
+    line.show()
+    qtbot.waitExposed(line)
+    line.show_snapshot(dataclasses.replace(GOOD, force_minus_audio=None))
     assert [e.text() for e in line.entries if e.width() < e.needed_px()] == []
 
 

@@ -5,6 +5,7 @@ import pytest
 from app.bridge import languages
 from app.experimenter.session_words import found_text, reason_text
 from app.player.remake import dress
+from hapticplayer.haptics.contract import Cause
 from hapticplayer.study.preflight import Check
 
 REASONS = [
@@ -49,6 +50,17 @@ def test_every_reason_is_told_in_words(spoken, language):
     assert not [text for text in told if "_" in text or "sync:" in text]
     assert len(set(told)) == len(REASONS)
     assert reason_text("new_reason") == "new_reason"
+
+
+@pytest.mark.parametrize("language", list(languages.NAMES))
+def test_every_fault_is_told_in_words(spoken, language):
+    spoken(language)
+    harmless = {Cause.NONE, Cause.PAUSED, Cause.SEEK, Cause.TRACK_ENDED, Cause.CLOSING}
+    codes = [cause.name.lower() for cause in set(Cause) - harmless]
+    told = {code: reason_text(f"fault:{code}") for code in codes}
+    assert [code for code, text in told.items() if f"({code})" in text] == (
+        ["unplugged"] if language == "en" else []
+    )
 
 
 def test_checks_are_told_in_german(spoken):

@@ -11,8 +11,10 @@ from PySide6.QtGui import QDropEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel
 
+from app.bridge import languages
 from app.experimenter.import_wizard import ImportWizard
 from app.player.empty_page import EmptyPage
+from app.player.remake import dress
 from app.player.window import LEAST_PICTURE_PX
 from hapticplayer.haptics.contract import Mode
 from hapticplayer.playback.haptic_link import HapticLink
@@ -53,6 +55,26 @@ def test_all_that_can_be_shown_fits_a_screen_of_960_by_540(window, source, qtbot
     qtbot.wait(20)
     assert window.height() <= 540
     assert window.stage.height() >= LEAST_PICTURE_PX
+
+
+@pytest.mark.parametrize("code", languages.NAMES)
+def test_the_first_page_with_a_long_message_fits_it_too(
+    make_window, settings, application, qtbot, code
+):
+    """Neither may the window grow beyond the screen, nor stay large afterwards."""
+    settings.keep("language", code)
+    dress(application, settings)
+    try:
+        window = make_window()
+        window.resize(960, 540)
+        window.messages.show_text("/material/ride.mp4: " + 12 * "damaged, " + "copy it")
+        qtbot.wait(20)
+        assert window.messages.height() > 1.3 * window.messages.copy.height()
+        assert window.minimumSizeHint().height() <= 540
+        assert window.height() == 540
+    finally:
+        settings.keep("language", languages.ENGLISH)
+        dress(application, settings)
 
 
 @pytest.mark.parametrize("width_px", [620, 900, 1500])
