@@ -145,16 +145,20 @@ def _check_length(container: InputContainer, file: Path) -> None:
         ),
         default=0,
     )
-    for what, need_bytes in (
-        ("index needs", indexed_bytes),
-        ("header promises", declared_bytes(file)),
-    ):
-        if need_bytes > size_bytes:
-            raise MediaError(
-                f"the file ends at byte {size_bytes} but its {what} {need_bytes}",
-                where=str(file),
-                remedy="copy it again",
-            )
+    if indexed_bytes > size_bytes:
+        raise MediaError(
+            f"the file ends at byte {size_bytes} but its index needs {indexed_bytes}",
+            where=str(file),
+            remedy="copy it again",
+        )
+    promised_bytes = declared_bytes(file)
+    if promised_bytes > size_bytes:
+        raise MediaError(
+            f"the file ends at byte {size_bytes} but its header promises "
+            f"{promised_bytes}",
+            where=str(file),
+            remedy="copy it again",
+        )
 
 
 def context_of(stream: Stream) -> object | None:

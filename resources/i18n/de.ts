@@ -4220,8 +4220,12 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>hat {0} Telemetrieblöcke, zu viele</translation>
     </message>
     <message>
-        <source>header promises</source>
-        <translation>Kopf verspricht</translation>
+        <source>the file ends at byte {0} but its header promises {1}</source>
+        <translation>die Datei endet bei Byte {0}, ihr Kopf verspricht aber {1}</translation>
+    </message>
+    <message>
+        <source>the file ends at byte {0} but its index needs {1}</source>
+        <translation>die Datei endet bei Byte {0}, ihr Index braucht aber {1}</translation>
     </message>
     <message>
         <source>holds Euler angles and no acceleration</source>
@@ -4322,10 +4326,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     <message>
         <source>import it again</source>
         <translation>importieren Sie es noch einmal</translation>
-    </message>
-    <message>
-        <source>index needs</source>
-        <translation>Index braucht</translation>
     </message>
     <message>
         <source>install hapticplayer[lsl], or {0}</source>
@@ -5282,10 +5282,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     <message>
         <source>the fades take {0} s</source>
         <translation>die Überblendungen dauern {0} s</translation>
-    </message>
-    <message>
-        <source>the file ends at byte {0} but its {1} {2}</source>
-        <translation>die Datei endet bei Byte {0}, aber ihr {1} {2}</translation>
     </message>
     <message>
         <source>the file was removed</source>

@@ -4220,8 +4220,12 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>a {0} blocs de télémétrie, c’est trop</translation>
     </message>
     <message>
-        <source>header promises</source>
-        <translation>en-tête en annonce</translation>
+        <source>the file ends at byte {0} but its header promises {1}</source>
+        <translation>le fichier finit à l’octet {0}, mais son en-tête en promet {1}</translation>
+    </message>
+    <message>
+        <source>the file ends at byte {0} but its index needs {1}</source>
+        <translation>le fichier finit à l’octet {0}, mais son index en demande {1}</translation>
     </message>
     <message>
         <source>holds Euler angles and no acceleration</source>
@@ -4322,10 +4326,6 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     <message>
         <source>import it again</source>
         <translation>importez de nouveau</translation>
-    </message>
-    <message>
-        <source>index needs</source>
-        <translation>index en demande</translation>
     </message>
     <message>
         <source>install hapticplayer[lsl], or {0}</source>
@@ -5282,10 +5282,6 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     <message>
         <source>the fades take {0} s</source>
         <translation>les fondus prennent {0} s</translation>
-    </message>
-    <message>
-        <source>the file ends at byte {0} but its {1} {2}</source>
-        <translation>le fichier finit à l’octet {0}, mais son {1} {2}</translation>
     </message>
     <message>
         <source>the file was removed</source>
