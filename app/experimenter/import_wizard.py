@@ -208,7 +208,9 @@ class ImportWizard(QDialog):
     # --- work ----------------------------------------------------------------
 
     def _look(self) -> None:
-        """Read the files that are chosen now."""
+        """Read the files that are chosen now; what was typed last may come too late."""
+        if self._is_leaving:
+            return
         self.recognised = None
         self.files.forget()
         self._show_buttons()
@@ -313,17 +315,17 @@ class ImportWizard(QDialog):
     def reject(self) -> None:
         """Close; work that runs is stopped first, without holding the window up."""
         self.sync.close_jobs()
+        self._is_leaving = True
         if self.jobs.is_busy:
-            self._is_leaving = True
             self.jobs.cancel()
             self.hide()
         else:
             super().reject()
 
     def done(self, result: int) -> None:
-        """Let nothing run on."""
-        self._timer.stop()
-        self.sync.close_jobs()
+        """Let nothing run on, nor begin."""
+        self._is_leaving = True
+        self.close_jobs()
         super().done(result)
 
     def close_jobs(self) -> None:

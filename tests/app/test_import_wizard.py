@@ -221,6 +221,14 @@ def test_closing_while_it_looks_does_not_hold_the_window_up(wizard, ride, wait_f
     assert wizard.recognised is None or not wizard.isVisible()
 
 
+def test_what_was_typed_last_begins_nothing_in_a_wizard_that_is_closed(wizard, ride):
+    folder, _ = ride
+    wizard.reject()
+    wizard.files.video.setText(str(folder / "gopro.mp4"))
+    wizard.files.changed.emit()
+    assert not wizard.jobs.is_busy
+
+
 def test_a_doubtful_log_asks_and_takes_the_answer(wizard, ride, wait_for, tmp_path):
     folder, made = ride
     imu = made.imu
