@@ -19,7 +19,8 @@ import numpy as np
 
 LOADS = ("playback", "stress")
 HOLD_S, EVERY_S = 2.0, 7.0
-# What a window costs while it opens is not looked at, of no loop.
+# What a window costs while it opens is not looked at, of no loop; held up meanwhile, it
+# would be closed before it plays.
 STARTING_S = 2.0
 _TRIAL = 200_000
 _REARM_S = 0.5
@@ -32,6 +33,7 @@ def loaded_player(load: str, seen: Path, seconds: float, *arguments: str) -> lis
 
 def hold_interpreter() -> None:
     """Sort long lists for ever: one call of C that lets no other thread run."""
+    time.sleep(STARTING_S)
     dice = random.Random(1)  # noqa: S311 - chance, not secrecy
     values = [dice.random() for _ in range(_TRIAL)]
     begun_s = time.monotonic()
@@ -47,6 +49,7 @@ def hold_interpreter() -> None:
 
 def churn() -> None:
     """Make dicts and cycles for ever, for the collector of garbage to find."""
+    time.sleep(STARTING_S)
     kept: dict[int, Any] = {}
     for number in range(sys.maxsize):
         entry: dict[str, Any] = {"number": number, "text": str(number)}
