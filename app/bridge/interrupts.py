@@ -2,12 +2,13 @@
 
 import contextlib
 import signal
-import socket
 import threading
 from collections.abc import Callable, Iterator
 from types import FrameType
 
-from PySide6.QtCore import QSocketNotifier
+from PySide6.QtCore import QSocketNotifier, QTimer
+
+from hapticplayer.haptics.alarm import HEARD_S, alarm
 
 NUMBERS = (signal.SIGINT, signal.SIGTERM)
 
@@ -50,16 +51,26 @@ def closing_on_signals(close: Callable[[], None]) -> Iterator[None]:
 
 @contextlib.contextmanager
 def _awake() -> Iterator[None]:
-    """Let every signal wake Qt's event loop."""
-    ours, theirs = socket.socketpair()
-    with ours, theirs:
-        ours.setblocking(False)
-        theirs.setblocking(False)
-        notifier = QSocketNotifier(ours.fileno(), QSocketNotifier.Type.Read)
-        notifier.activated.connect(lambda: ours.recv(4096))
-        before = signal.set_wakeup_fd(theirs.fileno(), warn_on_full_buffer=False)
-        try:
-            yield
-        finally:
-            signal.set_wakeup_fd(before)
-            notifier.setEnabled(False)
+    """Let every signal wake Qt's event loop, and the haptic loops stop by themselves."""
+    ring = alarm()
+    notifier = QSocketNotifier(ring.ear.fileno(), QSocketNotifier.Type.Read)
+    later = QTimer(singleShot=True, interval=round(1000 * HEARD_S))
+
+    def silence() -> None:
+        ring.silence()
+        notifier.setEnabled(True)
+
+    def wait() -> None:
+        notifier.setEnabled(False)
+        later.start()
+
+    later.timeout.connect(silence)
+    notifier.activated.connect(wait)
+    before = signal.set_wakeup_fd(ring.bell.fileno(), warn_on_full_buffer=False)
+    try:
+        yield
+    finally:
+        signal.set_wakeup_fd(before)
+        notifier.setEnabled(False)
+        later.stop()
+        ring.silence()

@@ -24,6 +24,7 @@ def main(argv: list[str] | None = None) -> int:
     parser.add_argument("--block", type=int, required=True, help="descriptor")
     parser.add_argument("--line", type=int, required=True, help="descriptor")
     parser.add_argument("--lifeline", type=int, required=True, help="descriptor")
+    parser.add_argument("--alarm", type=int, required=True, help="descriptor")
     parser.add_argument("--device", required=True)
     parser.add_argument("--handle", type=int, required=True, help="descriptor")
     parser.add_argument("--guarded", action="store_true")
@@ -33,11 +34,11 @@ def main(argv: list[str] | None = None) -> int:
     if options.faults and not find_device(options.device).server:
         parser.error("a real device takes no faults")
 
-    # Ctrl-C and a hang-up reach the whole group: the player decides, and if it
-    # dies of them, the closed line tells.
+    # Ctrl-C and a hang-up reach the whole group: the player decides, its alarm tells
+    # of them at once, and if it dies of them, the closed line does.
     for number in (signal.SIGINT, signal.SIGHUP, signal.SIGTERM):
         signal.signal(number, signal.SIG_IGN)
-    line = Line(socket.socket(fileno=options.line))
+    line = Line(socket.socket(fileno=options.line), options.alarm)
     try:
         device = find_device(options.device).make(options.handle)
         device.open()

@@ -13,6 +13,7 @@ import sys
 from collections.abc import Sequence
 
 from hapticplayer.devices import DeviceEntry
+from hapticplayer.haptics.alarm import alarm
 from hapticplayer.haptics.lifeline import hold_lifeline
 from hapticplayer.haptics.scheduling import DEVICE_PRIORITY, Scheduling, grant
 
@@ -59,12 +60,13 @@ class Crew:
             shared = ["--block", str(block), "--device", self._entry.name]
             life = hold_lifeline()
             options = [*shared, "--handle", str(loops), "--line", str(line)]
-            options += ["--lifeline", str(life)]
+            ear = alarm().ear.fileno()
+            options += ["--lifeline", str(life), "--alarm", str(ear)]
             if self._takes_faults:
                 options += ["--faults"]
             if self._scheduling is not None:
                 options += ["--scheduling", self._scheduling.value]
-            passed = [block, loops, line, life]
+            passed = [block, loops, line, life, ear]
             self.loop = self._run(
                 "hapticplayer.haptics", [*options, "--guarded"], passed
             )

@@ -24,6 +24,7 @@ LOOK_PERIOD_S = 0.004
 SUSPECT_AGE_S = 0.0015
 """A loop whose last tick is older than this may be dying: ask the kernel."""
 LAST_ZEROS = 5
+_JUST_AFTER_S = 0.0001
 
 
 class LoopProcess:
@@ -104,10 +105,13 @@ class Guard:
     def _pause_s(self) -> float:
         """Return the time to the next look, in the middle between two ticks.
 
-        So that guard and loop do not ask for the same core at the same moment.
+        So that guard and loop do not ask for the same core at the same moment. A loop
+        that stands still is looked at as soon as it has done so for too long.
         """
-        middle_s = self._block.last_tick_s() + PERIOD_S / 2
-        return LOOK_PERIOD_S - PERIOD_S + (middle_s - self._clock.now_s()) % PERIOD_S
+        last_s, now_s = self._block.last_tick_s(), self._clock.now_s()
+        pause_s = LOOK_PERIOD_S - PERIOD_S + (last_s + PERIOD_S / 2 - now_s) % PERIOD_S
+        overdue_s = last_s + GAP_RAMP_S + _JUST_AFTER_S - now_s
+        return min(pause_s, overdue_s) if overdue_s > 0.0 else pause_s
 
     def run(self, loop: LoopProcess) -> None:
         """Look until the loop's process has gone, or is going."""

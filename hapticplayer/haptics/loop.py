@@ -12,7 +12,7 @@ from hapticplayer.haptics.centring import Centring
 from hapticplayer.haptics.contract import Cause, Mode, Request, State, Supervision
 from hapticplayer.haptics.lifeline import Lifeline
 from hapticplayer.haptics.limiter import PERIOD_S, ZERO, Limits
-from hapticplayer.haptics.messages import Line, Word, close_descriptor
+from hapticplayer.haptics.messages import Line, Message, Word, close_descriptor
 from hapticplayer.haptics.step import step
 from hapticplayer.haptics.track import LoadedTrack, map_track
 from hapticplayer.haptics.wakefulness import Wakefulness
@@ -184,8 +184,12 @@ class Loop:
 
     def _listen(self) -> None:
         message = self.line.receive()
-        if message is None:
-            return
+        if message is not None:
+            self._obey(message)
+        if self.line.is_alarmed:
+            self._request = Request.STOP
+
+    def _obey(self, message: Message) -> None:
         if message.word is Word.TRACK:
             self._load(int(message.text), message.descriptor)
         elif message.word is Word.FORGET:

@@ -35,14 +35,26 @@ class Message(NamedTuple):
 
 
 class Line:
-    """One end of the socket pair; never blocks."""
+    """One end of the socket pair; never blocks.
 
-    def __init__(self, end: socket.socket) -> None:
+    Args:
+        end: it is the line's from now on.
+        alarm: descriptor of an alarm to listen for too, see hapticplayer.haptics.alarm.
+
+    Attributes:
+        is_open: whether the other end has not hung up, as far as is known.
+        is_alarmed: whether the alarm sounded when `receive` was called last.
+    """
+
+    def __init__(self, end: socket.socket, alarm: int = -1) -> None:
         end.setblocking(False)
-        self._end = end
+        self._end, self._alarm = end, alarm
         self._poll = select.poll()
         self._poll.register(end, select.POLLIN)
+        if alarm >= 0:
+            self._poll.register(alarm, select.POLLIN)
         self.is_open = True
+        self.is_alarmed = False
 
     def send(self, word: Word, text: str = "", descriptor: int = -1) -> bool:
         """Send one message; False when the other end is gone."""
@@ -55,7 +67,11 @@ class Line:
 
     def receive(self, timeout_ms: int = 0) -> Message | None:
         """Return the next message, or None; clears `is_open` at the end."""
-        if not self.is_open or not self._poll.poll(timeout_ms):
+        if not self.is_open:
+            return None
+        ready = self._poll.poll(timeout_ms)
+        self.is_alarmed = bool(ready) and self._sounds(ready)
+        if not ready:
             return None
         try:
             data, descriptors, _, _ = socket.recv_fds(self._end, _MAX_BYTES, 1)
@@ -68,6 +84,14 @@ class Line:
             return None
         received = descriptors[0] if descriptors else -1
         return Message(Word(data[:1]), data[1:].decode(errors="replace"), received)
+
+    def _sounds(self, ready: list[tuple[int, int]]) -> bool:
+        """Return whether it is the alarm; a hung-up one is none, and not looked at again."""
+        events = dict(ready).get(self._alarm, 0)
+        if events & (select.POLLHUP | select.POLLERR | select.POLLNVAL):
+            self._poll.unregister(self._alarm)
+            return False
+        return bool(events)
 
     def close(self) -> None:
         """Hang up; the other side reads it as the end."""

@@ -4,6 +4,7 @@ import os
 import signal
 import subprocess
 import sys
+from itertools import pairwise
 
 import pytest
 
@@ -144,3 +145,23 @@ def test_the_kernel_tells_of_a_living_a_dead_and_a_reaped_process():
     assert loop.is_dying()
     assert LoopProcess(descriptor).is_dying()
     os.close(descriptor)
+
+
+@pytest.mark.parametrize("phase", range(20))
+def test_a_loop_that_stands_still_is_silenced_as_soon_as_it_did_for_20_ms(bench, phase):
+    stands_s = bench.clock.now_s() + 0.1 + phase * LOOK_PERIOD_S / 20
+    loop = Dying(bench, stands_s, stands_s + 0.1)
+    loop.is_dying = lambda: False
+    ticks = bench.loop_ticks
+
+    def tick():
+        if bench.clock.now_s() < stands_s:
+            ticks()
+
+    bench.loop_ticks = tick
+    bench.guard.run(loop)
+    last_s = bench.block.last_tick_s()
+    assert 0.020 < bench.zeros[0] - last_s <= 0.0202
+    waits_s = [b - a for a, b in pairwise(bench.zeros[:-LAST_ZEROS])]
+    assert waits_s
+    assert max(waits_s) <= LOOK_PERIOD_S + 1e-9

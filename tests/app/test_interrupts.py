@@ -1,0 +1,50 @@
+"""Ctrl-C reaches the haptic loops at once, and the window in good order."""
+
+import os
+import signal
+import socket
+import threading
+
+import pytest
+from PySide6.QtCore import QEventLoop, QTimer
+
+from app.bridge.interrupts import closing_on_signals
+from hapticplayer.haptics.alarm import alarm
+
+
+def heard():
+    """Return the signals that a loop would hear now."""
+    try:
+        return alarm().ear.recv(100, socket.MSG_PEEK)
+    except BlockingIOError:
+        return b""
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_loops_hear_of_a_signal_before_the_window_closes(qapp, number):
+    loop, seen = QEventLoop(), []
+
+    def close():
+        seen.append(heard())
+        QTimer.singleShot(0, loop.quit)
+
+    with closing_on_signals(close):
+        threading.Timer(0.05, os.kill, (os.getpid(), number)).start()
+        loop.exec()
+        assert seen == [bytes([number])]
+        assert heard() == bytes([number])
+    assert heard() == b""
+
+
+def test_the_alarm_ends_and_sounds_again(qapp):
+    loop, closed = QEventLoop(), []
+    watch = QTimer(interval=5)
+    watch.timeout.connect(lambda: heard() or loop.quit())
+    with closing_on_signals(lambda: closed.append(heard())):
+        for turn in (1, 2):
+            os.kill(os.getpid(), signal.SIGINT)
+            assert closed == [b"\x02"] * turn
+            watch.start()
+            loop.exec()
+            watch.stop()
+            assert heard() == b""

@@ -1,0 +1,99 @@
+"""A signal stops the loop in the next period, whatever the player's thread does."""
+
+import signal
+import socket
+
+import pytest
+
+from hapticplayer.clock import SystemClock
+from hapticplayer.haptics.alarm import Alarm, alarm
+from hapticplayer.haptics.contract import Cause, Mode
+from hapticplayer.haptics.limiter import ZERO
+from hapticplayer.haptics.messages import Line, Word
+from hapticplayer.haptics.process import HapticsProcess
+from hapticplayer.model import ForceTrack
+from tests.unit.haptics.test_loop import CONSTANT, Rig
+from tests.unit.haptics.test_process import follow
+
+
+@pytest.fixture
+def bell():
+    """The alarm of one test."""
+    bell, ear = socket.socketpair()
+    bell.setblocking(False)
+    ear.setblocking(False)
+    with bell, ear:
+        yield Alarm(bell, ear)
+
+
+@pytest.fixture
+def rig(bell):
+    """A loop that listens for it, and has a force on the hand."""
+    rig = Rig()
+    rig.loop.line = Line(rig.line._end, bell.ear.fileno())
+    rig.give_track(CONSTANT)
+    rig.play()
+    assert rig.tick(300).force_n == pytest.approx((0.0, 2.0, 0.0))
+    yield rig
+    rig.close()
+
+
+def test_the_next_tick_trips_and_stays_so_while_it_sounds(bell, rig):
+    bell.bell.send(b"\x02")
+    state = rig.tick()
+    assert (state.force_n, state.mode) == (ZERO, Mode.TRIPPED)
+    assert state.cause is Cause.STOPPED
+    rig.player.send(Word.REARM)
+    assert rig.tick(5).mode is Mode.TRIPPED
+
+
+def test_once_silenced_a_person_may_re_arm(bell, rig):
+    bell.bell.send(b"\x02\x0f")
+    rig.tick()
+    bell.silence()
+    bell.silence()  # there may be nothing to be taken
+    rig.player.send(Word.REARM)
+    assert rig.tick(400).force_n == pytest.approx((0.0, 2.0, 0.0))
+
+
+def test_messages_are_obeyed_while_it_sounds(bell, rig):
+    bell.bell.send(b"\x02")
+    rig.tick()
+    rig.player.send(Word.QUIT)
+    rig.tick(2)
+    assert rig.loop.is_over
+
+
+def test_an_alarm_that_hangs_up_is_no_alarm(bell, rig):
+    bell.bell.close()
+    assert rig.tick(10).force_n == pytest.approx((0.0, 2.0, 0.0))
+    assert not rig.loop.is_over
+
+
+def _has_stopped(ticks):
+    return (ticks["cause"] == Cause.STOPPED).any()
+
+
+def test_the_real_loop_stops_though_the_player_has_not_come_to_its_handler():
+    clock, handled_s = SystemClock(), []
+    process = HapticsProcess(clock)
+    ring = alarm()
+    before = signal.signal(signal.SIGALRM, lambda *_: handled_s.append(clock.now_s()))
+    wakeup = signal.set_wakeup_fd(ring.bell.fileno(), warn_on_full_buffer=False)
+    try:
+        process.wait_ready()
+        track = ForceTrack([0.0, 1e4], [[0, 0, 2.0], [0, 0, 2.0]])
+        track_id = process.load_track(track)
+        follow(process, clock, track_id, lambda r: r["force_n"][-1:, 2].sum() > 1.99)
+        values = [*range(1000, 0, -1)] * 2000
+        signal.setitimer(signal.ITIMER_REAL, 0.02)
+        sorted(values)  # holds the interpreter for much longer: the handler comes after
+        ticks = follow(process, clock, track_id, _has_stopped)
+    finally:
+        signal.set_wakeup_fd(wakeup)
+        signal.signal(signal.SIGALRM, before)
+        ring.silence()
+        process.close()
+    stopped = ticks[ticks["cause"] == Cause.STOPPED]
+    assert stopped["monotonic_s"][0] < handled_s[0]
+    assert not stopped["force_n"].any()
