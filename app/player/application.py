@@ -28,6 +28,7 @@ from hapticplayer.console import (
 from hapticplayer.devices import DEVICES
 from hapticplayer.haptics.process import Health
 from hapticplayer.haptics.scheduling import hasten_window
+from hapticplayer.media.memory import keep_freed_memory
 from hapticplayer.playback.farewell import is_hardware
 from hapticplayer.playback.haptic_link import NO_DEVICE
 from hapticplayer.playback.player import Player
@@ -93,6 +94,7 @@ def run(options: argparse.Namespace) -> int:
 def make_application(settings: Settings | None = None) -> QApplication:
     """Return the one application of this process, with its look and language."""
     sys.setswitchinterval(SWITCH_S)
+    keep_freed_memory()
     hasten_window()
     application = QApplication.instance() or QApplication(sys.argv[:1])
     assert isinstance(application, QApplication)
