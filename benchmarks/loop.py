@@ -5,7 +5,8 @@
 
 Each round plays the same 720p30 clip with sound in a window with its live plots:
 once with our loop (FIFO), once without a device while `cyclictest -m -p80 -i1000`
-runs beside it, once with our loop (slice). Under the load `stress` the window's
+runs beside it, once with our loop (slice). Their order changes from round to round, and
+so does that of the loads: a machine that was worked hard may be slower for a while. Under the load `stress` the window's
 interpreter is held for 2 s every 7 s and makes garbage all the time (loop_load).
 Reported are the medians over the rounds of the ratios to cyclictest, and how many
 commands were older than 20 ms: withheld by the loop, or refused by the device; and
@@ -22,6 +23,7 @@ import subprocess
 import sys
 import tempfile
 import time
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -69,9 +71,9 @@ def our_loop(
 def cyclictest(
     clip: Path,
     load: str,
+    arguments: list[str],
     seconds: float,
     environment: dict[str, str],
-    arguments: list[str],
 ) -> dict[str, float]:
     """Play without a device beside cyclictest and return its lateness, us."""
     with tempfile.TemporaryDirectory() as folder:
@@ -126,9 +128,12 @@ def main() -> int:
         clip = moving_clip(Path(folder), options.seconds + 6)
         environment = {**x, **s, "XDG_CONFIG_HOME": folder}
         for number in range(options.rounds):
-            for load in options.loads:
+            for load in options.loads[:: -1 if number % 2 else 1]:
                 rounds[load].append(
-                    one_round(clip, load, options.device, options.seconds, environment)
+                    one_round(
+                        *(number, clip, load),
+                        *(options.device, options.seconds, environment),
+                    )
                 )
             print(f"round {number + 1} of {options.rounds} done", file=sys.stderr)
     figures = {load: compared(rounds[load]) for load in options.loads}
@@ -145,15 +150,23 @@ def main() -> int:
 
 
 def one_round(
-    clip: Path, load: str, device: str, seconds: float, environment: dict[str, str]
+    number: int,
+    clip: Path,
+    load: str,
+    device: str,
+    seconds: float,
+    environment: dict[str, str],
 ) -> dict[str, dict[str, float]]:
-    """Measure all three, one after the other."""
-    fifo, slices = f"{device} fifo", f"{device} slice"
-    return {
-        "loop fifo": our_loop(clip, load, fifo, seconds, environment),
-        REFERENCE: cyclictest(clip, load, seconds, environment, ["-m", "-p80"]),
-        "loop slice": our_loop(clip, load, slices, seconds, environment),
+    """Measure all three, one after the other; each comes first in every third round."""
+    given = seconds, environment
+    calls: dict[str, Callable[[], dict[str, float]]] = {
+        "loop fifo": lambda: our_loop(clip, load, f"{device} fifo", *given),
+        REFERENCE: lambda: cyclictest(clip, load, ["-m", "-p80"], *given),
+        "loop slice": lambda: our_loop(clip, load, f"{device} slice", *given),
     }
+    first = number % len(calls)
+    found = {name: calls[name]() for name in [*calls][first:] + [*calls][:first]}
+    return {name: found[name] for name in calls}
 
 
 def compared(rounds: Rounds) -> dict[str, Any]:
