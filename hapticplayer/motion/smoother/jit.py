@@ -6,7 +6,6 @@ go into a sum unrounded), or the results would not be those of numpy.
 """
 
 from collections.abc import Callable
-from pathlib import Path
 from typing import Any, TypeVar
 
 import numba
@@ -90,15 +89,3 @@ def inner(function: F) -> F:
     """
     found: F = numba.njit(no_cpython_wrapper=True, **_OPTIONS)(function)
     return found
-
-
-def is_kept(module: str) -> bool:
-    """Return whether kernels of a module of this folder are kept, of the text it has now.
-
-    Raises:
-        RuntimeError: where nothing can be kept.
-    """
-    folder = Path(numba.njit(cache=True)(is_kept).stats.cache_path)
-    kept_s = [path.stat().st_mtime for path in folder.glob(f"{module}.*.nbi")]
-    source = Path(__file__).with_name(f"{module}.py")
-    return bool(kept_s) and min(kept_s) >= source.stat().st_mtime

@@ -157,27 +157,21 @@ track = motion.remove_gravity(log, sys.argv[1])
 assert np.isfinite(track.acceleration_mps2).all()
 from hapticplayer.motion.smoother import compiled
 fast = compiled.fast() if "numba" in sys.modules else None
-rooms = ("kernels", "means_kernel", "solver_kernel") if fast else ()
-stats = {
-    name: [
-        sum(one.stats.cache_misses.values())
-        for one in vars(getattr(fast, name)).values()
-        if hasattr(one, "stats") and one.signatures
-    ]
-    for name in rooms
-}
+stats = [] if fast is None else [
+    one.stats.cache_misses
+    for module in (fast.kernels, fast.solver_kernel)
+    for one in vars(module).values()
+    if hasattr(one, "stats")
+]
 print(json.dumps({
     "with_the_room": with_the_room,
     "numba": sys.modules.get("numba") is not None,
     "compiled": fast is not None,
-    "misses": {name: sum(found) for name, found in stats.items()},
-    "kernels": {name: len(found) for name, found in stats.items()},
+    "kernels": len(stats),
+    "misses": sum(map(len, stats)),
     "sum": float(track.acceleration_mps2.sum()),
 }))
 """
-
-
-NONE = {"kernels": 0, "means_kernel": 0, "solver_kernel": 0}
 
 
 def started(before: str = "", method: str = "smoother", **environment: str) -> dict:
@@ -222,32 +216,11 @@ def test_without_it_numpy_does_the_same(missing):
     assert found["sum"] == pytest.approx(started()["sum"], abs=1e-6)
 
 
-def test_the_first_start_compiles_on_two_cores(tmp_path):
-    first = started(
-        "import os; os.cpu_count = lambda: 2", NUMBA_CACHE_DIR=str(tmp_path)
-    )
-    assert first["compiled"]
-    assert first["misses"] == {**NONE, "kernels": first["kernels"]["kernels"]}
-    assert sum(first["kernels"].values()) > 7
-
-
-@pytest.mark.parametrize(
-    "before",
-    [
-        "import os; os.cpu_count = lambda: 1",
-        "import sys; sys.executable = '/bin/false'",
-    ],
-    ids=["one core", "the other process fails"],
-)
-def test_one_core_does_all_where_there_is_no_other(tmp_path, before):
-    first = started(before, NUMBA_CACHE_DIR=str(tmp_path))
-    assert first["compiled"]
-    assert first["misses"] == first["kernels"]
-
-
 def test_the_second_start_compiles_nothing_and_survives_a_broken_cache(tmp_path):
     first = started(NUMBA_CACHE_DIR=str(tmp_path))
-    assert started(NUMBA_CACHE_DIR=str(tmp_path))["misses"] == NONE
+    assert first["compiled"]
+    assert first["misses"] == first["kernels"] > 5
+    assert started(NUMBA_CACHE_DIR=str(tmp_path))["misses"] == 0
     for path in tmp_path.rglob("*.nbi"):
         path.write_bytes(b"broken")
     broken = started(NUMBA_CACHE_DIR=str(tmp_path))
