@@ -238,7 +238,8 @@ def test_every_text_is_whole_where_everything_is_larger(tmp_path):
     command = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider"]
     running = [
         subprocess.Popen(
-            [*command, f"{here}[{language}]"],
+            # each tidies its own folder only, not what the others are tidying
+            [*command, f"--basetemp={tmp_path / language}", f"{here}[{language}]"],
             env={**os.environ, **platform, SCALE: scale},
             cwd=ROOT,
             stdout=subprocess.PIPE,

@@ -37,8 +37,9 @@ def test_everything_that_needs_two_screens(tmp_path, cache):
         pytest.skip("this is that process")
     config = tmp_path / "screens.json"
     config.write_text(json.dumps({"screens": [{**s, **_MORE} for s in SCREENS]}))
+    command = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider"]
     done = subprocess.run(
-        [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", __file__],
+        [*command, f"--basetemp={tmp_path / 'beside'}", __file__],
         env={
             **os.environ,
             HERE: f"offscreen:configfile={config}",
