@@ -1,7 +1,8 @@
 """Keeps the memory of pictures in the process, for the pictures that follow.
 
 The C library gives large blocks back to the kernel when they are freed, and gets them
-anew, cleared and page by page, for the next picture: 0.3 to 0.9 s of CPU in 30 s of video.
+anew, cleared and page by page, for the next picture: some 200 page faults for 1080p, where
+large pages are to be had, else 2000.
 """
 
 import ctypes
