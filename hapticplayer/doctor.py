@@ -26,6 +26,7 @@ APT_LIST = ROOT / "packaging" / "apt-packages.txt"
 APT_INSTALL = "apt-get install --no-install-recommends"
 OLDEST_PYTHON = (3, 11)
 RUN_GROUPS = ("base", "qt", "window", "wayland", "sound", "device")
+CHECKS_GROUP = "checks"
 
 # What is imported, and the Python package that brings it.
 PYTHON_PACKAGES = {
@@ -406,6 +407,8 @@ def _print_table(checks: list[Check]) -> None:
 
 
 def _missing_of_need(need: str) -> list[str]:
+    if need == CHECKS_GROUP:
+        return missing_apt([CHECKS_GROUP])
     return [
         package.name
         for package in missing_packages()
@@ -435,8 +438,9 @@ def main(argv: list[str]) -> int:
         "--missing-apt",
         nargs="?",
         const="all",
-        choices=("all", "required", "optional"),
-        help="only print the names of the missing system packages, in one line",
+        choices=("all", "required", "optional", CHECKS_GROUP),
+        help="only print the names of the missing system packages, in one line; "
+        "checks: of those that tests compare with",
     )
     arguments = parser.parse_args(argv)
     if arguments.missing_apt:

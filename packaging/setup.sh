@@ -49,7 +49,18 @@ find_python() {
   return 1
 }
 
+# The names of the system packages that are missing: required, or optional.
 missing() { "$python" -I "$doctor" --missing-apt "$1"; }
+
+# What the program can do without, and ./test, too.
+missing_optional() {
+  local names
+  names=$(missing optional)
+  if [[ $kind == dev ]]; then
+    names="${names:+$names }$(missing checks)"
+  fi
+  printf '%s' "$names"
+}
 
 # The words before apt-get that give it the right to install, or failure.
 find_right() {
@@ -96,7 +107,7 @@ system_packages() {
       "apt-get install --no-install-recommends ${base% }"
   fi
   required=$(missing required)
-  optional=$(missing optional)
+  optional=$(missing_optional)
   [[ -n $required$optional ]] || return 0
 
   # One package that cannot be had must not keep the others away.
@@ -105,7 +116,7 @@ system_packages() {
     apt_install $required || true
   fi
   required=$(missing required)
-  optional=$(missing optional)
+  optional=$(missing_optional)
   if [[ -n $required ]]; then
     die "required system packages are missing; as root:" \
       "apt-get install --no-install-recommends $required${optional:+ $optional}"

@@ -59,7 +59,7 @@ def test_the_list_of_system_packages_is_well_formed() -> None:
         assert re.fullmatch(r"[a-z0-9][a-z0-9.+-]+", name)
         assert proof.partition(":")[0] in doctor._PROOFS
         assert proof.partition(":")[2]
-        assert group in (*doctor.RUN_GROUPS, "benchmarks")
+        assert group in (*doctor.RUN_GROUPS, doctor.CHECKS_GROUP, "benchmarks")
         assert need in ("required", "optional")
 
 
@@ -116,7 +116,7 @@ FAKE_APT = """#!/bin/bash
 echo "apt-get $*" >>"$FAKE/calls"
 [ "${*: -1}" = update ] && exit 0
 [ ! -e "$FAKE/refuse" ] || exit 100
-for need in required optional; do : >"$FAKE/missing-$need"; done
+for need in required optional checks; do : >"$FAKE/missing-$need"; done
 """
 FAKE_SUDO = """#!/bin/bash
 while [[ $1 == -* ]]; do shift; done
@@ -143,9 +143,12 @@ class Machine:
             check=False,
         )
 
-    def lacks(self, *, required: str = "", optional: str = "") -> None:
+    def lacks(
+        self, *, required: str = "", optional: str = "", checks: str = ""
+    ) -> None:
         (self.fake / "missing-required").write_text(required)
         (self.fake / "missing-optional").write_text(optional)
+        (self.fake / "missing-checks").write_text(checks)
 
     def calls(self, word: str) -> list[str]:
         calls = self.fake / "calls"
@@ -202,6 +205,26 @@ def test_missing_system_packages_are_installed(machine) -> None:
     assert install.endswith(
         "install --no-install-recommends libgl1 libegl1 libportaudio2"
     )
+
+
+def test_what_only_tests_need_is_installed_for_them_alone(machine) -> None:
+    machine.lacks(checks="ffmpeg umockdev")
+
+    machine.start("run")
+    assert machine.calls("apt-get") == []
+
+    machine.start("packaging/setup.sh", "dev")
+    assert machine.calls("apt-get")[-1].endswith("ffmpeg umockdev")
+
+
+def test_what_tests_need_and_cannot_be_had_is_a_warning(machine) -> None:
+    machine.lacks(checks="ffmpeg")
+    (machine.fake / "refuse").touch()
+
+    result = machine.start("packaging/setup.sh", "dev")
+
+    assert result.returncode == 0
+    assert f"{doctor.APT_INSTALL} ffmpeg\n" in result.stderr
 
 
 def test_a_required_package_that_cannot_be_had_is_named(machine) -> None:
