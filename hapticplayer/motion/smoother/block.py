@@ -196,7 +196,10 @@ class _Block:
         again = self._solutions < limit and (first or moved or faster or unrest)
         if not again and not self._expect_more():
             return False
-        self._bound = bound
+        # a solution for the gyro's sake shall not move the bound: whether there is one
+        # may hang by a hair, and the bound that is there was good enough
+        if first or faster or unrest:
+            self._bound = bound
         vertical = self._vertical()
         if moved or not self._fine:
             vertical = self._integrate(vertical)

@@ -12,6 +12,7 @@ from hapticplayer.model import STANDARD_GRAVITY_MPS2 as G
 from hapticplayer.model import ImuLog
 from hapticplayer.motion import SmootherParameters, analyse, remove_gravity
 from hapticplayer.motion.lowpass import lowpass_vertical
+from hapticplayer.motion.smoother import block, stages
 from tests.unit.motion.smoother.conftest import (
     TIME_S,
     UP_1_G,
@@ -247,6 +248,31 @@ def test_ten_quiet_minutes_do_not_drift():
     ride = simulate_motion("handheld-quiet", 4, duration_s=900.0)
     error = np.linalg.norm(miss(ride.imu, ride.vertical), axis=1)
     assert error.max() < 0.15
+
+
+@pytest.mark.parametrize(("factor", "moves"), [(1.5, False), (2.5, True)])
+def test_only_a_bound_that_is_far_off_is_corrected_twice(monkeypatch, factor, moves):
+    """Another solution for the gyro's sake leaves it: a hair decides about that."""
+    used_mps, told_mps = [], [0.5]
+
+    def told(_solution, duration_s, _p):
+        told_mps.append(told_mps[-1] * factor)
+        return np.full(len(duration_s) + 1, told_mps[-1])
+
+    def noted(nodes, vertical, known, p):
+        used_mps.append(float(known.bound_mps.mean()))
+        return linearised(nodes, vertical, known, p)
+
+    linearised = stages.linearised
+    monkeypatch.setattr(stages, "linearised", noted)
+    monkeypatch.setattr(block, "velocity_bound", told)
+    # every change of the bias calls for another solution
+    eager = SmootherParameters(rebias_radps=1e-12, solutions=4)
+    analyse(usual(), parameters=eager)
+    second, third, fourth = used_mps[-3:]
+    assert second == pytest.approx(told_mps[1])
+    assert third == pytest.approx(told_mps[2] if moves else second)
+    assert fourth == pytest.approx(told_mps[3])  # far off by then
 
 
 def upright(t):
