@@ -39,6 +39,11 @@ BEFORE = defaultdict(
 )
 SOUND = (3.0, 0.05)
 MOST_GAPS = 40
+# A moment is undisturbed while no core has stood still for so long, in all, within so
+# long before it: twice as long as the slowest rule waits.
+STOOD_STILL_S, BEFORE_S = 0.01, 0.2
+BIN_S = 0.01
+STALE_S = 0.02
 
 
 def use(options: argparse.Namespace) -> int:
@@ -94,6 +99,7 @@ def use(options: argparse.Namespace) -> int:
     snapshot = player.snapshot()
     seen = {
         "minutes": options.minutes,
+        "end_s": clock.now_s(),
         "scheduling": snapshot.scheduling,
         "platform": application.platformName(),
         "sound": snapshot.audio,
@@ -130,6 +136,8 @@ def judge(
     """Return the figures; what the machine explains is told apart."""
     gaps_s = np.array(seen.pop("gaps_s"))
     resyncs_s = seen.pop("resyncs_s")
+    end_s = seen.pop("end_s")
+    begin_s = end_s - 60.0 * seen["minutes"]
 
     def lost_s(begin_s: float, end_s: float) -> float:
         """Return what stalls of the machine and other programs took."""
@@ -143,12 +151,16 @@ def judge(
     nuisances = [r for r in seen.pop("reactions") if not r["by"]]
     for nuisance in nuisances:
         at_s = nuisance["monotonic_s"]
+        if nuisance["cause"] == "COMMAND_STALE":
+            at_s += STALE_S  # the tick has begun in time, and then stood still
         before_s, least_s = BEFORE[nuisance["cause"].partition("_")[0]]
         if any(0.0 <= at_s - resync_s < GRACE_S for resync_s in resyncs_s):
             nuisance["cause"] += " after a leap of the sound"
             before_s, least_s = SOUND
         nuisance["machine_s"] = lost_s(at_s - before_s, at_s)
         nuisance["is_of_the_machine"] = nuisance["machine_s"] > least_s
+        stalled_s = witness.stalled_s(at_s - BEFORE_S, at_s)
+        nuisance["is_undisturbed"] = stalled_s < STOOD_STILL_S
     stalls_s = [late_s for _, late_s in witness.stalls()]
     return {
         **seen,
@@ -157,6 +169,8 @@ def judge(
         "nuisances": nuisances,
         "ramps": sum(r["had_force"] or r["is_trip"] for r in nuisances),
         "not_of_the_machine": sum(not r["is_of_the_machine"] for r in nuisances),
+        "undisturbed_minutes": undisturbed_s(witness, begin_s, end_s) / 60.0,
+        "nuisances_undisturbed": sum(r["is_undisturbed"] for r in nuisances),
         "gap_ms": {
             name: 1e3 * float(np.quantile(gaps_s, q))
             for name, q in (("p50", 0.5), ("p99", 0.99), ("p999", 0.999), ("max", 1.0))
@@ -168,6 +182,27 @@ def judge(
         },
         "load_average": os.getloadavg(),
     }
+
+
+def undisturbed_s(witness: Sentinel, begin_s: float, end_s: float) -> float:
+    """Return for how long nothing could be put down to the machine.
+
+    In bins of 10 ms; the worst core counts.
+    """
+    count = int((end_s - begin_s) / BIN_S)
+    longest = np.zeros(count)
+    for stalls in witness.of_cores():
+        still_s = np.zeros(count)
+        for due_s, late_s in stalls:
+            first = int((due_s - begin_s) / BIN_S)
+            last = int((due_s + late_s - begin_s) / BIN_S)
+            for at in range(max(first, 0), min(last + 1, count)):
+                from_s = max(due_s, begin_s + at * BIN_S)
+                until_s = min(due_s + late_s, begin_s + (at + 1) * BIN_S)
+                still_s[at] += max(0.0, until_s - from_s)
+        total = np.concatenate([np.zeros(round(BEFORE_S / BIN_S)), np.cumsum(still_s)])
+        longest = np.maximum(longest, total[-count:] - total[:count])
+    return BIN_S * float(np.count_nonzero(longest < STOOD_STILL_S))
 
 
 def _share_with_force(ticks: dict[str, int]) -> float:
@@ -217,6 +252,10 @@ def report(figures: dict[str, Any]) -> None:
         f"nuisances: {len(figures['nuisances'])}, of these with force on the hand "
         f"{figures['ramps']}; not explained by the machine: "
         f"{figures['not_of_the_machine']}"
+    )
+    print(
+        f"undisturbed by the machine: {figures['undisturbed_minutes']:.1f} minutes, "
+        f"nuisances in these: {figures['nuisances_undisturbed']}"
     )
 
 
