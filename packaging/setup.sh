@@ -49,18 +49,7 @@ find_python() {
   return 1
 }
 
-# The names of the system packages that are missing: required, or optional.
 missing() { "$python" -I "$doctor" --missing-apt "$1"; }
-
-# What the program can do without, and ./test, too.
-missing_optional() {
-  local names
-  names=$(missing optional)
-  if [[ $kind == dev ]]; then
-    names="${names:+$names }$(missing checks)"
-  fi
-  printf '%s' "$names"
-}
 
 # The words before apt-get that give it the right to install, or failure.
 find_right() {
@@ -107,7 +96,7 @@ system_packages() {
       "apt-get install --no-install-recommends ${base% }"
   fi
   required=$(missing required)
-  optional=$(missing_optional)
+  optional=$(missing optional)
   [[ -n $required$optional ]] || return 0
 
   # One package that cannot be had must not keep the others away.
@@ -116,13 +105,27 @@ system_packages() {
     apt_install $required || true
   fi
   required=$(missing required)
-  optional=$(missing_optional)
+  optional=$(missing optional)
   if [[ -n $required ]]; then
     die "required system packages are missing; as root:" \
       "apt-get install --no-install-recommends $required${optional:+ $optional}"
   elif [[ -n $optional ]]; then
     say "going on without what these system packages bring (see ./run doctor):" \
       "apt-get install --no-install-recommends $optional"
+  fi
+}
+
+# What only tests compare with; those are skipped without it.
+packages_for_checks() {
+  local names
+  names=$(missing checks)
+  [[ -n $names ]] || return 0
+  # shellcheck disable=SC2086 # a list of names
+  if find_right; then apt_install $names || true; fi
+  names=$(missing checks)
+  if [[ -n $names ]]; then
+    say "tests will be skipped for want of these system packages:" \
+      "apt-get install --no-install-recommends $names"
   fi
 }
 
@@ -187,5 +190,8 @@ if is_current "$kind"; then
   exit 0
 fi
 system_packages
+if [[ $kind == dev ]]; then
+  packages_for_checks
+fi
 environment
 stamp
