@@ -29,6 +29,8 @@ from nuisance_beats import Beats
 from sentinel import Sentinel, sentinel
 from starved import PERIOD_S, Starved
 
+from hapticplayer.haptics.residence import Residence
+
 GRACE_S = 0.3
 MACHINE_SHARE = 0.5  # of a gap that the machine and other programs explain
 # By the first word of a cause: how long before a reaction the machine must have taken
@@ -245,7 +247,8 @@ def report(figures: dict[str, Any]) -> None:
             f"  {1e3 * gap['gap_s']:.0f} ms in {gap['script'] or 'between things'}: "
             f"computed {1e3 * gap['computed_s']:.0f}, waited for a core "
             f"{1e3 * gap['waited_for_a_core_s']:.0f}, by the machine "
-            f"{1e3 * gap['machine_s']:.0f}"
+            f"{1e3 * gap['machine_s']:.0f}, pages from the disk "
+            f"{gap['waits_for_the_disk']}"
         )
     print(f"machine: {figures['machine_stalls']}, load {figures['load_average']}")
     print(
@@ -259,6 +262,22 @@ def report(figures: dict[str, Any]) -> None:
     )
 
 
+def stage(
+    stack: contextlib.ExitStack, folder: str, *, offscreen: bool, with_sound: bool
+) -> dict[str, str]:
+    """Start a screen and a sound server, and return the environment of the window."""
+    environment = {**os.environ, "XDG_CONFIG_HOME": folder}
+    if offscreen:
+        environment["QT_QPA_PLATFORM"] = "offscreen"
+    else:
+        need("Xvfb")
+        environment.update(stack.enter_context(screen()))
+    if with_sound:
+        need("pulseaudio", "pactl")
+        environment.update(stack.enter_context(sound_server()))
+    return environment
+
+
 def main() -> int:
     """Start screen and sound, run the window in a process of its own, and judge."""
     parser = argparse.ArgumentParser(description=__doc__)
@@ -268,22 +287,21 @@ def main() -> int:
     parser.add_argument("--no-sound", action="store_true")
     parser.add_argument("--only", default="", help="one thing of the script")
     parser.add_argument("--nice", type=int, default=0, help="where others compute, too")
+    parser.add_argument(
+        "--unlocked", action="store_true", help="leave code to the kernel"
+    )
     parser.add_argument("--folder", help=argparse.SUPPRESS)
     options = parser.parse_args()
     if options.folder:
         faulthandler.enable()
+        if options.unlocked:
+            Residence.lock = lambda _self: 0  # type: ignore[method-assign]
         return use(options)
     with contextlib.ExitStack() as stack:
         folder = stack.enter_context(tempfile.TemporaryDirectory())
-        environment = {**os.environ, "XDG_CONFIG_HOME": folder}
-        if options.offscreen:
-            environment["QT_QPA_PLATFORM"] = "offscreen"
-        else:
-            need("Xvfb")
-            environment.update(stack.enter_context(screen()))
-        if not options.no_sound:
-            need("pulseaudio", "pactl")
-            environment.update(stack.enter_context(sound_server()))
+        environment = stage(
+            stack, folder, offscreen=options.offscreen, with_sound=not options.no_sound
+        )
         witness = stack.enter_context(sentinel())
         command = [sys.executable, *sys.argv, "--folder", folder]
         window = subprocess.Popen(command, env=environment, start_new_session=True)

@@ -1,5 +1,6 @@
 """What the window's thread did between two heartbeats, without disturbing it."""
 
+import resource
 import sys
 import threading
 import time
@@ -30,7 +31,7 @@ class Beats:
         self.resyncs_s: list[float] = []
         self.doing = ""
         self._last_s = 0.0
-        self._before = (0.0, 0.0)
+        self._before, self._faults_before = (0.0, 0.0), 0
         task = f"/proc/self/task/{threading.get_native_id()}/schedstat"
         self._schedstat = Path(task).open()  # noqa: SIM115 - open as long as we run
         self._watched = threading.get_ident()
@@ -42,6 +43,7 @@ class Beats:
     def beat(self) -> None:
         """Call at each heartbeat; the next may be `long_s` away."""
         now_s, used = time.monotonic(), self._used()
+        faults = resource.getrusage(resource.RUSAGE_SELF).ru_majflt
         gap_s = now_s - self._last_s if self._last_s else 0.0
         self.gaps_s.append(gap_s)
         if gap_s > self._long_s:
@@ -52,11 +54,13 @@ class Beats:
                     "gap_s": gap_s,
                     "computed_s": float(computed_s),
                     "waited_for_a_core_s": float(waited_s),
+                    "waits_for_the_disk": faults - self._faults_before,
                     "script": self.doing,
                     "stacks": self._stacks,
                 }
             )
         self._last_s, self._before, self._stacks = now_s, used, []
+        self._faults_before = faults
 
     def end(self) -> None:
         """Look no more."""

@@ -13,6 +13,7 @@ from hapticplayer.errors import UsageError
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.injection import Fault
 from hapticplayer.haptics.process import HapticsProcess, Health
+from hapticplayer.haptics.residence import Residence
 from hapticplayer.haptics.scheduling import Scheduling
 from hapticplayer.model import ForceTrack, PlaybackClock, SyncStats
 from hapticplayer.playback.log import PlaybackLog
@@ -64,6 +65,7 @@ class HapticLink:
         self._is_closed = False
         self._mode = Mode.IDLE
         self._track_ids: dict[str, int] = {}
+        self._residence = Residence()
         self._process: HapticsProcess | None = None
         if device != NO_DEVICE:
             self._capabilities = find_device(device).capabilities
@@ -156,6 +158,7 @@ class HapticLink:
         now_s = self._clock.now_s()
         if now_s >= self._next_read_s or is_dead:
             self._next_read_s = now_s + READ_PERIOD_S
+            self._residence.look()  # a heartbeat must not wait for the disk
             self._read(self._process, log)
         return not is_dead or before is health
 

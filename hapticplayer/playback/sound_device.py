@@ -20,6 +20,7 @@ from typing import Any
 
 from hapticplayer.clock import Clock, SystemClock
 from hapticplayer.haptics.messages import Line, Word
+from hapticplayer.haptics.residence import Residence
 from hapticplayer.haptics.scheduling import Scheduling, grant
 from hapticplayer.playback.sound_block import CHANNELS, SoundBlock
 from hapticplayer.playback.sound_reader import SoundReader
@@ -125,6 +126,7 @@ def main(argv: list[str] | None = None) -> int:
     player = threading.Thread(target=_end_with_the_player, args=[line], daemon=True)
     player.start()
     stream = _open(SoundBlock(options.block), SystemClock(), options.device, line)
+    Residence().lock()
     line.send(Word.READY, stream.name)
     player.join()
     return 0
