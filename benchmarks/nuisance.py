@@ -147,8 +147,7 @@ def judge(
         return max(witness.stalled_s(begin_s, end_s), waited_s)
 
     for gap in seen["long_gaps"]:
-        end_s = gap["begin_s"] + gap["gap_s"]
-        gap["machine_s"] = lost_s(gap["begin_s"], end_s)
+        gap["machine_s"] = lost_s(gap["begin_s"], gap["begin_s"] + gap["gap_s"])
         gap["is_of_the_machine"] = gap["machine_s"] > MACHINE_SHARE * gap["gap_s"]
     nuisances = [r for r in seen.pop("reactions") if not r["by"]]
     for nuisance in nuisances:

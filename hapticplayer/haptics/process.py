@@ -184,8 +184,13 @@ class HapticsProcess:
         self._line.send(Word.FORGET, str(track_id))
 
     def publish(self, clock: PlaybackClock, track_id: int) -> None:
-        """Say where the media is and which track belongs to it."""
-        self._block.write_clock(clock, track_id)
+        """Say where the media is and which track belongs to it.
+
+        Nothing is said before the process is ready: until it is known to be, a
+        simulated device has no priority, and would be late under the first force.
+        """
+        if self.health is Health.READY:
+            self._block.write_clock(clock, track_id)
 
     def stop_force(self) -> None:
         """TRIP: zero at the next tick, until `rearm`."""

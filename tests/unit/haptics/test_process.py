@@ -63,6 +63,22 @@ def test_the_process_follows_a_track_exactly():
     assert process.health is Health.GONE
 
 
+def test_no_force_is_asked_for_before_the_device_has_its_priority():
+    """Until then it may wait for a core, and be late under the first force."""
+    clock = SystemClock()
+    process = HapticsProcess(clock)
+    try:
+        track_id = process.load_track(ForceTrack(np.arange(9.0), np.ones((9, 3))))
+        playing = PlaybackClock(1, clock.now_s(), 0.0, 1.0, clock.now_s() + 60.0)
+        process.publish(playing, track_id)
+        assert process._block.read_clock() is None
+        process.wait_ready()
+        process.publish(playing, track_id)
+        assert process._block.read_clock() == (playing, track_id)
+    finally:
+        process.close()
+
+
 def test_an_unknown_device_is_refused_in_one_sentence():
     with pytest.raises(DeviceError, match="no driver"):
         HapticsProcess(SystemClock(), device="falcon of wood")
