@@ -56,7 +56,7 @@ def run(
         )
         time.sleep(STARTING_S)
         for _ in range(options.evictions):
-            with contextlib.suppress(OSError):  # reclaim could not find that many
+            with contextlib.suppress(BlockingIOError):  # there were not that many
                 taker.write_text(word)
             time.sleep(BETWEEN_S)
         if window.wait():
