@@ -1,6 +1,6 @@
-"""The picture on a plain widget: one copy from the decoder's memory, no GPU needed.
+"""The picture on a plain widget, converted into the window's own memory; no GPU needed.
 
-On a machine without a GPU this costs 0.6 to 0.8 of mpv's x11 output and a fourth
+What has another size than its place is converted ahead of time and copied. On a machine without a GPU this costs 0.6 to 0.8 of mpv's x11 output and a fourth
 of every OpenGL way (reference/playback.md, part B).
 """
 
@@ -19,7 +19,11 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from app.player.letterbox import Box, letterbox
 from app.widgets.room import is_seen
-from hapticplayer.media import Picture
+from hapticplayer.media import DirectPainter, Picture
+
+_FORMATS = (QImage.Format.Format_RGB32, QImage.Format.Format_ARGB32_Premultiplied)
+_MISSES = 10
+"""So often in a row a picture had to be copied all the same: they come converted then."""
 
 
 class VideoSurface(QWidget):
@@ -27,13 +31,13 @@ class VideoSurface(QWidget):
 
     Signals:
         target_changed: width and height in device pixels that the next pictures
-            should have.
+            should have, and whether they may come as they were decoded.
         double_clicked: a person wants fullscreen, or to leave it.
         pointer_moved: the pointer moved over the picture.
         seen_changed: whether anybody can see the pictures is another; see `look`.
     """
 
-    target_changed = Signal(int, int)
+    target_changed = Signal(int, int, bool)
     double_clicked = Signal()
     pointer_moved = Signal()
     seen_changed = Signal(bool)
@@ -49,7 +53,10 @@ class VideoSurface(QWidget):
         self._clip_size = (16, 9)
         self._target = Box(0, 0, 2, 2)
         self._picture: Picture | None = None
-        self._image: QImage | None = None
+        self._whole: Picture | None = None  # the same with pixels, once they are needed
+        self._image: QImage | None = None  # of its memory
+        self._painter = DirectPainter()
+        self._misses = 0
         self._was_seen, self._was_painted = True, False
 
     @property
@@ -60,6 +67,11 @@ class VideoSurface(QWidget):
     @property
     def image(self) -> QImage | None:
         """What is shown now; its memory is the decoder's, so paint it at once."""
+        if self._image is None and self._picture is not None:
+            self._whole = whole = self._painter.whole(self._picture)
+            rgb32 = QImage.Format.Format_RGB32
+            size_px = (whole.width, whole.height)
+            self._image = QImage(whole.pixels, *size_px, whole.stride_bytes, rgb32)
         return self._image
 
     @property
@@ -81,7 +93,7 @@ class VideoSurface(QWidget):
 
     def clear(self) -> None:
         """Show black."""
-        self._image = self._picture = None
+        self._image = self._whole = self._picture = None
         self.update()
 
     def present(self, picture: Picture) -> None:
@@ -95,14 +107,8 @@ class VideoSurface(QWidget):
         if shown is not None and picture.owner is shown.owner:
             self._picture = picture
             return
-        self._image = QImage(
-            picture.pixels,
-            picture.width,
-            picture.height,
-            picture.stride_bytes,
-            QImage.Format.Format_RGB32,
-        )
-        self._picture = picture  # owns the memory of the image
+        self._image = self._whole = None
+        self._picture = picture
         if is_seen(self):
             self.repaint(self._logical(self._target).toAlignedRect())
 
@@ -128,7 +134,12 @@ class VideoSurface(QWidget):
             self._target = target
             self.update()
             if is_new_size:
-                self.target_changed.emit(target.width, target.height)
+                self._misses = 0
+                self._tell_target()
+
+    def _tell_target(self) -> None:
+        is_direct = self._painter.is_possible and self._misses < _MISSES
+        self.target_changed.emit(*self._target[2:], is_direct)
 
     def _logical(self, box: Box) -> QRectF:
         ratio = self.devicePixelRatioF()
@@ -138,20 +149,50 @@ class VideoSurface(QWidget):
         """Copy the picture to the window; black where there is none."""
         # `with`: a traceback keeps this frame, and Qt dies of a painter that lives on
         with QPainter(self) as painter:
-            self._paint(painter, event.rect())
+            self._paint(painter, event.region())
         self._was_painted = True
         self.look()
 
-    def _paint(self, painter: QPainter, exposed: QRect) -> None:
+    def _paint(self, painter: QPainter, exposed: QRegion) -> None:
         painter.setCompositionMode(QPainter.CompositionMode.CompositionMode_Source)
         where = self._logical(self._target)
-        covered = _inside(where) if self._image is not None else QRect()
-        if not covered.contains(exposed):
-            painter.setClipRegion(QRegion(exposed) - QRegion(covered))
-            painter.fillRect(exposed, Qt.GlobalColor.black)
+        covered = _inside(where) if self._picture is not None else QRect()
+        if not covered.contains(exposed.boundingRect()):
+            painter.setClipRegion(exposed - QRegion(covered))
+            painter.fillRect(exposed.boundingRect(), Qt.GlobalColor.black)
             painter.setClipping(False)
-        if self._image is not None:
-            self._draw(painter, where, self._image)
+        picture = self._picture
+        if picture is None or self._convert_there(painter, exposed, where, picture):
+            return
+        image = self.image
+        if image is not None:
+            self._draw(painter, where, image)
+
+    def _convert_there(
+        self, painter: QPainter, exposed: QRegion, where: QRectF, picture: Picture
+    ) -> bool:
+        """Convert what comes as it was decoded; False where it has to be copied."""
+        if picture.decoded is None:
+            return False
+        is_done = (
+            _size(picture) == self._target[2:]
+            and exposed.rectCount() == 1  # else something lies upon it
+            and exposed.boundingRect().contains(where.toAlignedRect())
+            and self._convert_into(painter, where, picture)
+        )
+        self._misses = 0 if is_done else self._misses + 1
+        if self._misses == _MISSES:
+            self._tell_target()
+        return is_done
+
+    def _convert_into(self, painter: QPainter, where: QRectF, picture: Picture) -> bool:
+        window = painter.paintEngine().paintDevice()
+        if not isinstance(window, QImage) or window.format() not in _FORMATS:
+            return False
+        corner = painter.deviceTransform().map(where.topLeft())
+        x, y = round(corner.x()), round(corner.y())
+        stride_bytes = window.bytesPerLine()
+        return self._painter.paint(picture, window.bits(), stride_bytes, x, y)
 
     def _draw(self, painter: QPainter, where: QRectF, image: QImage) -> None:
         if (image.width(), image.height()) == self._target[2:]:

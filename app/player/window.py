@@ -340,8 +340,10 @@ class PlayerWindow(QMainWindow):
         self.transport.set_devices(choices.devices(name, falcons))
         self.transport.select_device(name)
 
-    def _on_target_changed(self, width_px: int, height_px: int) -> None:
-        self.player.set_size(width_px, height_px)
+    def _on_target_changed(
+        self, width_px: int, height_px: int, is_direct: bool
+    ) -> None:
+        self.player.set_size(width_px, height_px, is_direct)
         self._settled.start()
 
     # --- beginning and end ---------------------------------------------------

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from hapticplayer.media.audio import AudioBlock, AudioDecoder
     from hapticplayer.media.clip_info import ClipInfo, camera_of, probe
+    from hapticplayer.media.direct import DirectPainter
     from hapticplayer.media.encode import write_clip
     from hapticplayer.media.opening import open_media
     from hapticplayer.media.pictures import Picture
@@ -29,6 +30,7 @@ _HOMES = {
     "AudioStretcher": "stretch",
     "ClipInfo": "clip_info",
     "DecodedFrame": "video",
+    "DirectPainter": "direct",
     "Picture": "pictures",
     "TelemetryPacket": "telemetry",
     "Thumbnail": "small_pictures",
@@ -50,6 +52,7 @@ __all__ = [
     "AudioStretcher",
     "ClipInfo",
     "DecodedFrame",
+    "DirectPainter",
     "Picture",
     "TelemetryPacket",
     "Thumbnail",

@@ -12,6 +12,7 @@ from hapticplayer.media.clip_info import rotation_of
 from hapticplayer.media.colours import untagged_matrix
 from hapticplayer.media.limits import MAX_PIXELS
 from hapticplayer.media.sameness import shows_the_same
+from hapticplayer.media.swscale import kind_of
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -26,6 +27,7 @@ class Picture:
         pixels: B, G, R, 255 for each pixel (QImage.Format_RGB32).
         owner: keeps the memory of `pixels` alive; hold the Picture as long as
             anything points into it. Pictures of one owner are the same.
+        decoded: what is yet to be converted, see `DirectPainter`; `pixels` is empty then.
     """
 
     pts_s: float
@@ -34,11 +36,18 @@ class Picture:
     stride_bytes: int
     pixels: memoryview
     owner: Any
+    decoded: VideoFrame | None = None
 
     @classmethod
     def without_pixels(cls, pts_s: float, owner: Any) -> Self:
         """Return what stands for a picture that nobody sees."""
         return cls(pts_s, 0, 0, 0, memoryview(b""), owner)
+
+    @classmethod
+    def as_decoded(cls, pts_s: float, frame: VideoFrame) -> Self:
+        """Return what is converted when it is shown."""
+        size_px = (frame.width, frame.height)
+        return cls(pts_s, *size_px, 0, memoryview(b""), frame, frame)
 
     @property
     def has_pixels(self) -> bool:
@@ -71,7 +80,7 @@ class _Done(NamedTuple):
     """What was converted last, from what, to the size that was asked for."""
 
     frame: VideoFrame
-    size_px: tuple[int, int]
+    wanted: tuple[int, int, bool]
     picture: Picture
 
 
@@ -88,18 +97,34 @@ class PictureConverter:
         self._moved = 0  # pictures since two were the same
 
     def convert(
-        self, frame: VideoFrame, pts_s: float, width_px: int, height_px: int
+        self,
+        frame: VideoFrame,
+        pts_s: float,
+        width_px: int,
+        height_px: int,
+        is_direct: bool = False,
     ) -> Picture:
         """Return a picture of the size as shown, its width rounded down to even.
+
+        Args:
+            frame: decoded.
+            pts_s: media time at which it appears.
+            width_px: as shown, after rotation.
+            height_px: as shown.
+            is_direct: a `DirectPainter` takes it as it is, if it has this size.
 
         Raises:
             MediaError: when the size is absurd; PyAV's errors pass through.
         """
-        last, size_px = self._last, (width_px, height_px)
-        if last and last.size_px == size_px and self._stands(frame, last.frame):
+        last, wanted = self._last, (width_px, height_px, is_direct)
+        if last and last.wanted == wanted and self._stands(frame, last.frame):
             return replace(last.picture, pts_s=pts_s)
-        picture = self._converted(frame, pts_s, *size_px)
-        self._last = _Done(frame, size_px, picture)
+        is_taken = is_direct and (frame.width, frame.height) == (width_px, height_px)
+        if is_taken and kind_of(frame) is not None:
+            picture = Picture.as_decoded(pts_s, frame)
+        else:
+            picture = self._converted(frame, pts_s, width_px, height_px)
+        self._last = _Done(frame, wanted, picture)
         return picture
 
     def _stands(self, frame: VideoFrame, before: VideoFrame) -> bool:

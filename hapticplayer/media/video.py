@@ -204,18 +204,25 @@ class VideoDecoder(ClipDecoder[VideoFrame]):
         is_sane = 0.0 < duration_s < _LONGEST_FRAME_S
         return duration_s if is_sane else 1.0 / self.frame_rate_hz
 
-    def convert(self, frame: DecodedFrame, width_px: int, height_px: int) -> Picture:
+    def convert(
+        self,
+        frame: DecodedFrame,
+        width_px: int,
+        height_px: int,
+        is_direct: bool = False,
+    ) -> Picture:
         """Scale and convert a decoded frame for painting.
 
         Args:
             frame: from this decoder.
             width_px: as shown, after rotation; rounded down to an even number.
             height_px: as shown.
+            is_direct: a `DirectPainter` takes it as it is where nothing is to be scaled.
 
         Raises:
             MediaError: when the picture's format cannot be converted.
         """
         with media_errors(self._path, "its pictures have a format that is not known"):
             return self._converter.convert(
-                frame.native, frame.pts_s, width_px, height_px
+                frame.native, frame.pts_s, width_px, height_px, is_direct
             )

@@ -130,7 +130,7 @@ class VideoFeeder(Feeder):
     def __init__(self, path: Path) -> None:
         super().__init__("video-decoder", path)
         self._queue: deque[Picture] = deque()
-        self._size_px = (0, 0)
+        self._wanted = (0, 0, False)
         self._position_s = float("-inf")
         self._starved = 0
         self._taken: Picture | None = None
@@ -166,10 +166,11 @@ class VideoFeeder(Feeder):
             self._is_seen = is_seen
             self._wake.notify_all()
 
-    def set_size(self, width_px: int, height_px: int) -> None:
-        """Convert to this size from now on."""
-        self._has_other_sizes |= self._size_px != (width_px, height_px)
-        self._size_px = (width_px, height_px)
+    def set_size(self, width_px: int, height_px: int, is_direct: bool = False) -> None:
+        """Convert to this size from now on, or leave it to a `DirectPainter`."""
+        wanted = (width_px, height_px, is_direct)
+        self._has_other_sizes |= self._wanted != wanted
+        self._wanted = wanted
 
     def set_position(self, media_s: float) -> None:
         """Say where the clock is; pictures before it need no conversion."""
@@ -236,7 +237,7 @@ class VideoFeeder(Feeder):
 
     def _converted(self, frame: DecodedFrame) -> Picture:
         if self._is_seen:
-            return self._decoder.convert(frame, *self._wanted_size())
+            return self._decoder.convert(frame, *self._wanted_now())
         return Picture.without_pixels(frame.pts_s, frame)
 
     def _fill_in(self, outline: Picture) -> None:
@@ -253,11 +254,10 @@ class VideoFeeder(Feeder):
         self._starved = self._starved + 1 if is_late else 0
         return is_late and self._starved % MAX_STARVED_DROPS != 0
 
-    def _wanted_size(self) -> tuple[int, int]:
-        width_px, height_px = self._size_px
-        if width_px and height_px:
-            return width_px, height_px
-        return self._decoder.width, self._decoder.height
+    def _wanted_now(self) -> tuple[int, int, bool]:
+        if all(self._wanted[:2]):
+            return self._wanted
+        return self._decoder.width, self._decoder.height, False
 
 
 class AudioFeeder(Feeder):

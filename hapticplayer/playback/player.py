@@ -72,7 +72,7 @@ class Player:
         self._link = HapticLink(clock, device, scheduling)
         self._latencies, self.latency = Latencies(), Latency()
         self._farewells = Farewells()
-        self._size_px, self._is_seen = (0, 0), sink is not None
+        self._size, self._is_seen = (0, 0, False), sink is not None
         self._first_sound_by_s = self._pictured_s = 0.0
         self._logged_audio_s = float("-inf")
         self._led_by = ClockSource.MONOTONIC
@@ -114,7 +114,7 @@ class Player:
         self.end_s = source.clip.duration_s
         self._link.load(source.tracks)
         self._video_feeder = VideoFeeder(source.clip.path)
-        self._video_feeder.set_size(*self._size_px)
+        self._video_feeder.set_size(*self._size)
         self._video_feeder.set_seen(is_seen=self._is_seen)
         self._sound.open(source.clip.path, has_sound=source.clip.has_audio)
         self.phase = Phase.PAUSED
@@ -243,11 +243,11 @@ class Player:
         """Wait until other programs can have the hardware that was let go of."""
         self._farewells.wait(hardware_only=True)
 
-    def set_size(self, width_px: int, height_px: int) -> None:
-        """Say how large the pictures shall be; 0 x 0 keeps the clip's size."""
-        self._size_px = (width_px, height_px)
+    def set_size(self, width_px: int, height_px: int, is_direct: bool = False) -> None:
+        """Say how large pictures shall be, 0 x 0: as they are; see `VideoFeeder`."""
+        self._size = (width_px, height_px, is_direct)
         if self._video_feeder is not None:
-            self._video_feeder.set_size(width_px, height_px)
+            self._video_feeder.set_size(*self._size)
 
     def set_seen(self, *, is_seen: bool) -> None:
         """Say whether anybody can see the pictures; decoding goes on in any case."""

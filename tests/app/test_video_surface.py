@@ -1,12 +1,17 @@
+from collections.abc import Iterator
+
 import numpy as np
 import pytest
+from av.video.frame import VideoFrame
 from hypothesis import given
 from hypothesis import strategies as st
-from PySide6.QtGui import QImage
+from PySide6.QtGui import QImage, QPaintEvent
+from PySide6.QtWidgets import QLabel, QWidget
 
 from app.player.letterbox import letterbox
 from app.player.video_surface import VideoSurface
 from hapticplayer.media import Picture
+from hapticplayer.media.pictures import PictureConverter
 
 SIDES = st.integers(2, 8000)
 
@@ -108,7 +113,7 @@ def test_the_target_follows_the_size(surface, qtbot):
     with qtbot.waitSignal(surface.target_changed) as told:
         surface.resize(320, 180)
     ratio = surface.devicePixelRatioF()
-    assert told.args == [320 * ratio, 180 * ratio]
+    assert told.args == [320 * ratio, 180 * ratio, True]
     assert surface.target == (0, 0, 320 * ratio, 180 * ratio)
 
 
@@ -127,3 +132,122 @@ def test_a_hidden_surface_keeps_the_picture_and_paints_nothing(surface, monkeypa
     surface.present(picture)
     assert not painted
     assert surface.has_picture_of_target_size
+
+
+# --- pictures that come as they were decoded --------------------------------
+
+
+def decoded(width: int, height: int, seed: int = 2) -> tuple[Picture, np.ndarray]:
+    """A picture that is yet to be converted, and its RGB."""
+    rng = np.random.default_rng(seed)
+    rows = rng.integers(0, 256, (height * 3 // 2, width), np.uint8)
+    frame = VideoFrame.from_ndarray(rows, "yuv420p")
+    rgb = PictureConverter().convert(frame, 0.0, width, height).as_rgb()
+    return PictureConverter().convert(frame, 0.0, width, height, is_direct=True), rgb
+
+
+class Copied(VideoSurface):
+    """Counts what had to be copied."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.copies = self.paints = 0
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        self.paints += 1
+        super().paintEvent(event)
+
+    def _draw(self, *arguments) -> None:
+        self.copies += 1
+        super()._draw(*arguments)
+
+
+@pytest.fixture
+def inner(qtbot) -> Iterator[Copied]:
+    """A surface of 160 x 90 somewhere in a window."""
+    window = QWidget()
+    window.resize(300, 200)
+    made = Copied(window)
+    made.setGeometry(37, 21, 160, 90)
+    made.set_clip_size(160, 90)
+    window.show()
+    qtbot.waitExposed(window)
+    qtbot.waitUntil(lambda: made.paints > 0)
+    made.copies = made.paints = 0
+    yield made
+    window.close()
+
+
+def in_window(surface: VideoSurface) -> np.ndarray:
+    """What the window's own memory holds where the surface is."""
+    shown = surface.window().backingStore().paintDevice()
+    assert isinstance(shown, QImage)
+    rows = np.frombuffer(shown.constBits(), np.uint8)
+    rows = rows.reshape(shown.height(), shown.bytesPerLine())
+    pixels = rows[:, : 4 * shown.width()].reshape(shown.height(), shown.width(), 4)
+    x, y, width, height = surface.geometry().getRect()
+    return pixels[y : y + height, x : x + width, 2::-1].copy()
+
+
+def test_a_decoded_picture_is_converted_in_its_place(inner):
+    picture, rgb = decoded(160, 90)
+    inner.present(picture)
+    assert (inner.paints, inner.copies) == (1, 0)
+    assert np.array_equal(in_window(inner), rgb)
+
+
+def test_a_decoded_picture_is_there_for_who_looks_at_its_image(inner):
+    picture, rgb = decoded(160, 90)
+    inner.present(picture)
+    image = inner.image.convertToFormat(QImage.Format.Format_RGB888)
+    rows = np.frombuffer(image.constBits(), np.uint8).reshape(90, -1)[:, : 3 * 160]
+    assert np.array_equal(rows.reshape(90, 160, 3), rgb)
+
+
+def test_a_decoded_picture_of_another_size_is_scaled(inner):
+    picture, _ = decoded(80, 46)
+    inner.present(picture)
+    assert inner.copies == 1
+    assert in_window(inner).any()
+
+
+def test_what_lies_upon_the_picture_stays_there(inner, qtbot):
+    note = QLabel(inner)
+    note.setAutoFillBackground(True)
+    note.setStyleSheet("background: rgb(1, 2, 3)")
+    note.setGeometry(10, 10, 30, 20)
+    note.show()
+    qtbot.waitUntil(lambda: in_window(inner)[15, 20].tolist() == [1, 2, 3])
+    picture, rgb = decoded(160, 90)
+    inner.present(picture)
+    inner.repaint(50, 40, 5, 5)  # a part, while the note is not painted anew
+    shown = in_window(inner)
+    assert (shown[10:30, 10:40] == [1, 2, 3]).all()
+    shown[10:30, 10:40] = rgb[10:30, 10:40]
+    assert np.array_equal(shown, rgb)
+
+
+def test_who_always_has_to_copy_asks_for_pixels(inner, qtbot):
+    told = []
+    inner.target_changed.connect(lambda *what: told.append(what))
+    for k in range(12):
+        inner._picture = decoded(160, 90, seed=k)[0]
+        inner.repaint(0, 0, 20, 20)
+    assert told == [(160, 90, False)]
+    inner.setGeometry(0, 0, 240, 135)
+    qtbot.waitUntil(lambda: len(told) == 2)
+    assert told[1] == (240, 134, True) or told[1] == (240, 135, True)
+
+
+def test_a_decoded_picture_sits_right_between_its_bars(inner):
+    inner.setGeometry(31, 19, 200, 90)
+    inner.repaint()
+    inner.copies = 0
+    assert inner.target == (20, 0, 160, 90)
+    picture, rgb = decoded(160, 90)
+    inner.present(picture)
+    assert inner.copies == 0
+    shown = in_window(inner)
+    assert np.array_equal(shown[:, 20:180], rgb)
+    assert not shown[:, :20].any()
+    assert not shown[:, 180:].any()
