@@ -142,6 +142,9 @@ def all_cases(
             Decoded(still_clip(folder, clip)), surface
         ),
         "the same where all moves: conversion": lambda: moving_pictures(moving),
+        "picture of its place's size: copying": lambda: copied_pictures(
+            moving, surface
+        ),
         "streams that nobody shows: reading": lambda: other_streams(
             crowded_clip(folder, clip)
         ),
@@ -224,6 +227,20 @@ def moving_pictures(ready: Decoded) -> Case:
         with off(pictures, "shows_the_same", is_skipping):
             for _ in ready.pictures():
                 pass
+        return PICTURES
+
+    return Case("picture", run)
+
+
+def copied_pictures(ready: Decoded, surface: VideoSurface) -> Case:
+    """What is converted in the window's memory needs no copy; both are painted."""
+
+    def run(is_skipping: bool) -> int:
+        ready.feeder.set_size(WIDTH, HEIGHT, is_skipping)
+        with mock.patch.object(pictures, "shows_the_same", never):
+            for picture in ready.pictures():
+                surface.present(picture)
+        ready.feeder.set_size(WIDTH, HEIGHT)
         return PICTURES
 
     return Case("picture", run)
