@@ -11,14 +11,15 @@ import struct
 import zlib
 from typing import NamedTuple
 
-from hapticplayer.model.device import Vector
+from hapticplayer.model.device import DeviceReading, Vector
 
 _COMMAND = struct.Struct("<4sIdddd")
 _REPLY = struct.Struct("<4sIddddHBx")
 _CONTROL = struct.Struct("<4sIdB7x")
 _CHECKSUM = struct.Struct("<I")
+_SEALED_REPLY = struct.Struct("<4sIddddHBxI")
 _COMMAND_MAGIC, _REPLY_MAGIC, _CONTROL_MAGIC = b"HPf1", b"HPr1", b"HPc1"
-_SERIAL_MASK = 0xFFFFFFFF
+SERIAL_MASK = 0xFFFFFFFF
 MAX_BYTES = 256
 
 
@@ -65,10 +66,14 @@ Packet = Command | Reply | Control
 
 def pack_command(command: Command) -> bytes:
     """Return the bytes of a command."""
-    serial = command.serial & _SERIAL_MASK
-    return _sealed(
-        _COMMAND.pack(_COMMAND_MAGIC, serial, command.stamp_s, *command.force_n)
-    )
+    return command_bytes(*command)
+
+
+def command_bytes(serial: int, stamp_s: float, force_n: Vector) -> bytes:
+    """Return the bytes of a command; without a `Command`, because it is at 1 kHz."""
+    x, y, z = force_n
+    body = _COMMAND.pack(_COMMAND_MAGIC, serial & SERIAL_MASK, stamp_s, x, y, z)
+    return body + zlib.crc32(body).to_bytes(4, "little")
 
 
 def pack_reply(reply: Reply) -> bytes:
@@ -76,7 +81,7 @@ def pack_reply(reply: Reply) -> bytes:
     return _sealed(
         _REPLY.pack(
             _REPLY_MAGIC,
-            reply.serial & _SERIAL_MASK,
+            reply.serial & SERIAL_MASK,
             reply.stamp_s,
             *reply.position_m,
             reply.buttons,
@@ -112,6 +117,19 @@ def unpack(data: bytes) -> Packet | None:
         known = act in Act.__members__.values() and math.isfinite(value)
         return Control(Act(act), value) if known else None
     return None
+
+
+def read_reply(data: bytes) -> tuple[int, DeviceReading] | None:
+    """Return serial number and reading of a reply; None where `unpack` finds none."""
+    if len(data) != _SEALED_REPLY.size:
+        return None
+    kind, serial, stamp_s, x, y, z, buttons, homed, checksum = _SEALED_REPLY.unpack(
+        data
+    )
+    is_sound = kind == _REPLY_MAGIC and zlib.crc32(data[:-4]) == checksum
+    if not (is_sound and math.isfinite(stamp_s + x + y + z)):
+        return None
+    return serial, DeviceReading((x, y, z), buttons, bool(homed), stamp_s)
 
 
 def _sealed(body: bytes) -> bytes:

@@ -1,20 +1,21 @@
 """The simulated Falcon as seen through a socket: device, silencer, test controls."""
 
+import math
 import os
 import select
 import socket
 from collections.abc import Callable
+from functools import partial
 
 from hapticplayer.clock import Clock, SystemClock
 from hapticplayer.devices.simulated.packets import (
     MAX_BYTES,
+    SERIAL_MASK,
     Act,
-    Command,
     Control,
-    Reply,
-    pack_command,
+    command_bytes,
     pack_control,
-    unpack,
+    read_reply,
 )
 from hapticplayer.devices.simulated.parameters import FALCON
 from hapticplayer.errors import DeviceError
@@ -23,6 +24,8 @@ from hapticplayer.model.device import DeviceReading, Vector
 _ZERO: Vector = (0.0, 0.0, 0.0)
 # More than a socket buffer holds; bounds the time of one exchange all the same.
 _MOST_REPLIES = 1024
+# An answer that is older was not the last: the loop, or the device, stood still.
+_FRESH_S = 0.002
 _PATIENCE_S = 10.0  # a cold start of the interpreter on a busy machine
 
 
@@ -42,7 +45,8 @@ class RemoteFalcon:
 
     def __init__(self, descriptor: int) -> None:
         self._end = _end_of(descriptor)
-        self._serial = 0
+        self._send, self._receive = self._end.send, self._end.recv
+        self._serial = 1  # the first command has 2: nobody answers 1, many have 0
         self._newest: DeviceReading | None = None
         self._malformed = 0
 
@@ -53,12 +57,12 @@ class RemoteFalcon:
             DeviceError: when nobody is at the other end, or nobody answers.
         """
         hello = pack_control(Control(Act.HELLO))
-        if not _write(lambda: self._end.send(hello)):
+        if not _write(self._send, hello):
             raise _unplugged()
         waiting = select.poll()
         waiting.register(self._end, select.POLLIN)
         waiting.poll(1e3 * _PATIENCE_S)
-        if not self._collect():
+        if not self._collect(self._serial, math.inf):
             raise _unplugged()
         if self._newest is None:
             raise DeviceError(
@@ -75,44 +79,51 @@ class RemoteFalcon:
         Raises:
             DeviceError: when the other end is gone.
         """
-        self._serial += 1
-        command = pack_command(Command(self._serial, now_s, force_n))
-        is_there = _write(lambda: self._end.send(command))
+        before = self._serial
+        self._serial = serial = before % SERIAL_MASK + 1  # never 0
+        is_there = _write(self._send, command_bytes(serial, now_s, force_n))
+        if not is_there or not self._collect(before, now_s - _FRESH_S):
+            raise _unplugged()
         if self._newest is None:
             self._newest = DeviceReading(_ZERO, 0, is_homed=False, replied_s=now_s)
-        if not self._collect() or not is_there:
-            raise _unplugged()
-        return self._newest._replace(malformed=self._malformed)
+        if self._malformed:
+            return self._newest._replace(malformed=self._malformed)
+        return self._newest
 
     def close(self) -> None:
         """Leave zero and hang up; the device ends when all others have done so too."""
         if self._end.fileno() >= 0:
-            zero = pack_command(Command(0, SystemClock().now_s(), _ZERO))
-            _write(lambda: self._end.send(zero))
+            _write(self._send, command_bytes(0, SystemClock().now_s(), _ZERO))
         self._end.close()
 
-    def _collect(self) -> bool:
+    def _collect(self, awaited: int, fresh_s: float) -> bool:
+        """Take the answers that have come; False when the other end is gone.
+
+        Behind a fresh answer to the command before there is none: to ask once more
+        would cost a call and an exception at every tick.
+
+        Args:
+            awaited: serial number of the command before.
+            fresh_s: time from which on an answer is fresh.
+        """
         for _ in range(_MOST_REPLIES):
             try:
-                data = self._end.recv(MAX_BYTES)
+                data = self._receive(MAX_BYTES)
             except BlockingIOError:
                 return True
             except OSError:
                 return False
             if not data:
                 return False
-            self._take(data)
-        return True
-
-    def _take(self, data: bytes) -> None:
-        packet = unpack(data)
-        if isinstance(packet, Reply):
+            reply = read_reply(data)
+            if reply is None:
+                self._malformed += 1
+                continue
             self._malformed = 0
-            self._newest = DeviceReading(
-                packet.position_m, packet.buttons, packet.is_homed, packet.stamp_s
-            )
-        else:
-            self._malformed += 1
+            serial, self._newest = reply
+            if serial == awaited and self._newest.replied_s >= fresh_s:
+                return True
+        return True
 
 
 def silence(descriptor: int) -> Callable[[], bool]:
@@ -130,8 +141,8 @@ def silence(descriptor: int) -> Callable[[], bool]:
     clock: Clock = SystemClock()
 
     def write_zero() -> bool:
-        data = pack_command(Command(0, clock.now_s(), _ZERO))
-        return _write(lambda: os.write(descriptor, data))
+        data = command_bytes(0, clock.now_s(), _ZERO)
+        return _write(partial(os.write, descriptor), data)
 
     return write_zero
 
@@ -183,8 +194,7 @@ class Controls:
         self._end.close()
 
     def _send(self, act: Act, value: float = 0.0) -> None:
-        data = pack_control(Control(act, value))
-        if not _write(lambda: self._end.send(data)):
+        if not _write(self._end.send, pack_control(Control(act, value))):
             raise _unplugged()
 
 
@@ -194,9 +204,9 @@ def _end_of(descriptor: int) -> socket.socket:
     return end
 
 
-def _write(send: Callable[[], int]) -> bool:
+def _write(send: Callable[[bytes], int], data: bytes) -> bool:
     try:
-        send()
+        send(data)
     except BlockingIOError:
         return True  # the device is there and does not listen
     except OSError:
