@@ -66,9 +66,14 @@ def ahead_of(hand: Hand, centring: Centring) -> Vector:
     return (x + ahead_s * vx, y + ahead_s * vy, z + ahead_s * vz)
 
 
-def centring_force(hand: Hand, centring: Centring) -> Vector:
-    """Return the force towards the middle, N, frame D."""
-    x, y, z = ahead_of(hand, centring)
+def centring_force(ahead_m: Vector, centring: Centring) -> Vector:
+    """Return the force towards the middle, N, frame D.
+
+    Args:
+        ahead_m: from `ahead_of`.
+        centring: the spring.
+    """
+    x, y, z = ahead_m
     radius_m = math.hypot(x, y, z)
     past_m = radius_m - centring.from_m
     if past_m <= 0.0:

@@ -48,43 +48,42 @@ def observe(hand: Hand, reading: DeviceReading | None, limits: Limits) -> Hand:
     if reading is None or reading.replied_s <= hand.replied_s:
         bad = reading.malformed if reading is not None else 0
         return hand._replace(pressed=0, malformed=max(bad, hand.malformed))
-    if math.hypot(*reading.position_m) > NOWHERE * limits.workspace_m:
+    position_m, buttons, is_homed, replied_s, malformed = reading
+    x, y, z = position_m
+    if math.hypot(x, y, z) > NOWHERE * limits.workspace_m:
         return hand._replace(pressed=0, malformed=hand.malformed + 1)
-    velocity, speed_mps = ZERO, 0.0
-    if hand.replied_s > -math.inf:
-        elapsed_s = reading.replied_s - hand.replied_s
-        raw = _velocity(hand.position_m, reading.position_m, elapsed_s)
+    (old_x, old_y, old_z), velocity, last_s, fast_samples, _, _, held, _ = hand
+    speed_mps = 0.0
+    if last_s > -math.inf:
+        elapsed_s = replied_s - last_s
+        raw = (
+            (x - old_x) / elapsed_s,
+            (y - old_y) / elapsed_s,
+            (z - old_z) / elapsed_s,
+        )
         speed_mps = math.hypot(*raw)
         if speed_mps > JUMP_MPS:
             return hand._replace(pressed=0, malformed=hand.malformed + 1)
-        velocity = _smoothed(hand.velocity_mps, raw, elapsed_s)
-    is_fast = speed_mps > limits.speed_mps
+        velocity = _smoothed(velocity, raw, elapsed_s)
+    else:
+        velocity = ZERO
     return Hand(
-        reading.position_m,
+        position_m,
         velocity,
-        reading.replied_s,
-        hand.fast_samples + 1 if is_fast else 0,
-        reading.malformed,
-        reading.is_homed,
-        reading.buttons,
-        reading.buttons & ~hand.buttons,
-    )
-
-
-def _velocity(from_m: Vector, to_m: Vector, elapsed_s: float) -> Vector:
-    return (
-        (to_m[0] - from_m[0]) / elapsed_s,
-        (to_m[1] - from_m[1]) / elapsed_s,
-        (to_m[2] - from_m[2]) / elapsed_s,
+        replied_s,
+        fast_samples + 1 if speed_mps > limits.speed_mps else 0,
+        malformed,
+        is_homed,
+        buttons,
+        buttons & ~held,
     )
 
 
 def _smoothed(old: Vector, new: Vector, elapsed_s: float) -> Vector:
     if not is_finite(new):
         return ZERO  # the position itself is looked at by the contract
-    share = min(1.0, elapsed_s / SMOOTHING_S)
-    return (
-        old[0] + share * (new[0] - old[0]),
-        old[1] + share * (new[1] - old[1]),
-        old[2] + share * (new[2] - old[2]),
-    )
+    share = elapsed_s / SMOOTHING_S
+    if not share < 1.0:
+        share = 1.0
+    (x, y, z), (new_x, new_y, new_z) = old, new
+    return (x + share * (new_x - x), y + share * (new_y - y), z + share * (new_z - z))

@@ -65,9 +65,11 @@ def limits_of(capabilities: DeviceCapabilities) -> Limits:
 
 
 def is_finite(force_n: Vector) -> bool:
-    """Whether all three components are numbers (the sum of squares may overflow)."""
+    """Whether all three components are numbers (their sum may overflow)."""
     x, y, z = force_n
-    return math.isfinite(x) and math.isfinite(y) and math.isfinite(z)
+    return math.isfinite(x + y + z) or (
+        math.isfinite(x) and math.isfinite(y) and math.isfinite(z)
+    )
 
 
 def limit(target_n: Vector, previous_n: Vector, slew_n: float, cap_n: float) -> Vector:
@@ -82,16 +84,10 @@ def limit(target_n: Vector, previous_n: Vector, slew_n: float, cap_n: float) -> 
         slew_n: largest change of the vector, N per tick.
         cap_n: largest magnitude, N.
     """
-    if not is_finite(target_n):
-        target_n = ZERO
     x, y, z = target_n
     magnitude = math.hypot(x, y, z)
-    if magnitude > cap_n:
-        if math.isinf(magnitude):  # components near the largest double
-            x, y, z = x * 1e-300, y * 1e-300, z * 1e-300
-            magnitude = math.hypot(x, y, z)
-        shrink = cap_n / magnitude
-        x, y, z = x * shrink, y * shrink, z * shrink
+    if not magnitude <= cap_n:  # true of what is not finite, too
+        x, y, z = _shortened(target_n, cap_n)
     px, py, pz = previous_n
     dx, dy, dz = x - px, y - py, z - pz
     change = math.hypot(dx, dy, dz)
@@ -99,6 +95,18 @@ def limit(target_n: Vector, previous_n: Vector, slew_n: float, cap_n: float) -> 
         share = slew_n / change
         x, y, z = px + dx * share, py + dy * share, pz + dz * share
     return (x, y, z)
+
+
+def _shortened(force_n: Vector, cap_n: float) -> Vector:
+    if not is_finite(force_n):
+        return ZERO
+    x, y, z = force_n
+    magnitude = math.hypot(x, y, z)
+    if math.isinf(magnitude):  # components near the largest double
+        x, y, z = x * 1e-300, y * 1e-300, z * 1e-300
+        magnitude = math.hypot(x, y, z)
+    shrink = cap_n / magnitude
+    return (x * shrink, y * shrink, z * shrink)
 
 
 def faded(force_n: Vector, position_m: Vector, limits: Limits) -> Vector:
@@ -138,7 +146,9 @@ def pushes_out(force_n: Vector, position_m: Vector) -> float:
 def warmed(heat_n2: float, force_n: Vector, elapsed_s: float, limits: Limits) -> float:
     """Return the mean square force of the last seconds after one more command, N^2."""
     x, y, z = force_n
-    share = min(1.0, elapsed_s / limits.heat_time_s)
+    share = elapsed_s / limits.heat_time_s
+    if not share < 1.0:
+        share = 1.0
     return heat_n2 + share * (x * x + y * y + z * z - heat_n2)
 
 
@@ -150,5 +160,7 @@ def cap_when_warm(heat_n2: float, limits: Limits) -> float:
     """
     full = limits.continuous_n * limits.continuous_n
     left = (full - heat_n2) / (full * (1.0 - _WARM_SHARE * _WARM_SHARE))
+    if left >= 1.0:
+        return limits.force_cap_n
     spare = max(0.0, limits.force_cap_n - limits.continuous_n)
-    return limits.force_cap_n - spare * (1.0 - min(1.0, max(0.0, left)))
+    return limits.force_cap_n - spare * (1.0 - max(0.0, left))

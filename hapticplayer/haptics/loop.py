@@ -22,6 +22,7 @@ from hapticplayer.model.device import DeviceReading, Vector
 ZERO_TICKS_BEFORE_CLOSING = 5
 MISSED_OVER_TICKS = 10_000
 _RESTING = (Mode.IDLE, Mode.TRIPPED)
+_NO_REQUEST = Request.NONE
 
 
 class MissedPeriods:
@@ -34,6 +35,8 @@ class MissedPeriods:
 
     def add(self, missed: int) -> float:
         """Note what was skipped before one tick; return the share of periods."""
+        if not missed and not self._sum:  # the whole ring is zero
+            return 0.0
         kept = min(missed, 255)
         self._sum += kept - self._ring[self._at]
         self._ring[self._at] = kept
@@ -95,47 +98,49 @@ class Loop:
             missed = int(late_s / PERIOD_S)
             self.tick(now_s, late_s, missed)
             deadline_s += (missed + 1) * PERIOD_S
-            if self.is_over and self.state.force_n == ZERO:
+            if self.state.force_n == ZERO and self.is_over:
                 last_ticks -= 1
 
     def tick(self, now_s: float, late_s: float = 0.0, missed: int = 0) -> None:
         """Do one period: listen, decide, exchange, record."""
         self._listen()
         self._look_at_the_clock()
+        before = self.state
         self.state = state = step(
             now_s,
             self._playback,
             self._track,
-            self.state,
+            before,
             self._told(missed),
             self.limits,
             self.centring,
         )
         self._exchange(state.force_n, now_s)
-        if self.wakefulness is not None:
+        if state.mode is not before.mode and self.wakefulness is not None:
             self.wakefulness.keep(awake=state.mode not in _RESTING)
         self._record(late_s, missed)
         self.count += 1
 
     def _told(self, missed: int) -> Supervision:
         request = Request.CLOSE if self._is_asked_to_quit else self._request
-        self._request = Request.NONE
+        self._request = _NO_REQUEST
+        block = self.block
         return Supervision(
-            self.block.heartbeat_s(),
+            block.heartbeat_s(),
             self._is_player_alive(),
             request,
             self._reading,
             self._is_device_gone,
             self._is_stale,
-            self.block.guard_s() if self.is_guarded else math.inf,
+            block.guard_s() if self.is_guarded else math.inf,
             self._missed.add(missed),
         )
 
     def _exchange(self, force_n: Vector, now_s: float) -> None:
         """Send the command, unless it has grown old on the way here."""
         age_s = self.clock.now_s() - now_s
-        self._is_stale = age_s > self.limits.command_age_s
-        if self._is_stale:
+        self._is_stale = is_stale = age_s > self.limits.command_age_s
+        if is_stale:
             # 20 ms have passed: a ramp that began with them would be over
             force_n = ZERO
             is_acting = self.state.mode not in _RESTING

@@ -70,9 +70,10 @@ class Line:
         if not self.is_open:
             return None
         ready = self._poll.poll(timeout_ms)
-        self.is_alarmed = bool(ready) and self._sounds(ready)
         if not ready:
+            self.is_alarmed = False
             return None
+        self.is_alarmed = self._sounds(ready)
         try:
             data, descriptors, _, _ = socket.recv_fds(self._end, _MAX_BYTES, 1)
         except BlockingIOError:

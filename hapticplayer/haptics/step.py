@@ -13,13 +13,13 @@ from hapticplayer.haptics.contract import (
     Mode,
     Reaction,
     Request,
-    Situation,
     State,
     Supervision,
     assess,
+    is_calm,
     survey,
 )
-from hapticplayer.haptics.hand import observe
+from hapticplayer.haptics.hand import Hand, observe
 from hapticplayer.haptics.limiter import (
     PERIOD_S,
     ZERO,
@@ -40,6 +40,10 @@ CONVERGED_N = 0.05
 CATCH_UP_TICKS = 10  # the allowance doubles in the first ten ticks, and so on
 # More skipped periods than this in 10 s: the loop is not real-time.
 MISSED_SHARE = 0.01
+# A member of an enum costs ten times as much as a name of the module.
+_GO, _TRIP, _NO_CAUSE = Reaction.GO, Reaction.TRIP, Cause.NONE
+_IDLE, _TRIPPED, _RAMPING = Mode.IDLE, Mode.TRIPPED, Mode.RAMPING
+_ENTERING, _FOLLOWING = Mode.ENTERING, Mode.FOLLOWING
 
 
 def step(  # noqa: PLR0913 - a pure function has no other way in
@@ -63,60 +67,74 @@ def step(  # noqa: PLR0913 - a pure function has no other way in
         centring: what keeps the grip inside.
     """
     hand = observe(state.hand, told.reading, limits)
-    situation = survey(now_s, clock, track, state, hand, told, limits)
-    reaction, cause = assess(situation)
-    planned, media_s = ZERO, state.media_s
-    if clock is not None:
-        media_s = clock.media_s(now_s)
-        if reaction is Reaction.GO and track is not None:
-            planned = track.force_at(media_s)
-            if not (is_finite(planned) and math.isfinite(media_s)):
-                reaction, cause, planned = Reaction.TRIP, Cause.NOT_FINITE, ZERO
-    pull, wanted = ZERO, ZERO
-    if reaction is Reaction.GO:
-        pull = centring_force(hand, centring)
-        wanted = _sum(faded(planned, ahead_of(hand, centring), limits), pull)
-    mode = _next_mode(situation, reaction, wanted)
-    if mode is Mode.TRIPPED and state.mode is Mode.TRIPPED:
+    media_s = state.media_s if clock is None else clock.media_s(now_s)
+    reaction, cause = _GO, _NO_CAUSE
+    if not is_calm(now_s, media_s, clock, track, state, hand, told, limits):
+        reaction, cause = assess(survey(now_s, clock, track, state, hand, told, limits))
+    planned = pull = wanted = ZERO
+    if reaction is _GO and clock is not None and track is not None:
+        planned = track.force_at(media_s)
+        if not (is_finite(planned) and math.isfinite(media_s)):
+            reaction, cause, planned = _TRIP, Cause.NOT_FINITE, ZERO
+    if reaction is _GO:
+        ahead_m = ahead_of(hand, centring)
+        pull = centring_force(ahead_m, centring)
+        wanted = _sum(faded(planned, ahead_m, limits), pull)
+    mode = _next_mode(state, reaction, wanted, told, hand, limits)
+    if mode is _TRIPPED and state.mode is _TRIPPED:
         cause = state.cause  # the first reason is the one to tell
     ticks = state.ticks_in_mode + 1 if mode is state.mode else 0
-    force = _command(mode, ticks, situation, wanted)
+    last_s = state.now_s
+    gap_s = now_s - last_s if last_s > -math.inf else 0.0
+    force = _command(mode, ticks, state, told, gap_s, wanted, limits)
+    is_following = mode is _FOLLOWING or mode is _ENTERING
     return State(
         mode,
         cause,
         force,
         ticks,
-        clock.epoch if clock is not None and mode is Mode.ENTERING else state.epoch,
+        clock.epoch if clock is not None and mode is _ENTERING else state.epoch,
         planned,
         pull,
         media_s,
         now_s,
         hand,
-        warmed(state.heat_n2, force, situation.gap_s, limits),
-        now_s if mode in (Mode.ENTERING, Mode.FOLLOWING) else state.acted_s,
+        warmed(state.heat_n2, force, gap_s, limits),
+        now_s if is_following else state.acted_s,
     )
 
 
-def _next_mode(s: Situation, reaction: Reaction, wanted_n: Vector) -> Mode:
-    state, limits = s.state, s.limits
-    mode = TRANSITIONS[state.mode][reaction]
-    if mode is Mode.TRIPPED:
-        return Mode.IDLE if _is_rearmed(s, reaction) else mode
-    if mode is Mode.RAMPING and state.force_n == ZERO:
-        return Mode.IDLE
-    is_entering = mode is Mode.ENTERING and state.mode is Mode.ENTERING
+def _next_mode(
+    state: State,
+    reaction: Reaction,
+    wanted_n: Vector,
+    told: Supervision,
+    hand: Hand,
+    limits: Limits,
+) -> Mode:
+    before = state.mode
+    mode = TRANSITIONS[before][reaction]
+    if mode is _FOLLOWING:
+        return mode
+    if mode is _TRIPPED:
+        return _IDLE if _is_rearmed(told, reaction, hand, limits) else mode
+    if mode is _RAMPING and state.force_n == ZERO:
+        return _IDLE
+    is_entering = mode is _ENTERING and before is _ENTERING
     if is_entering and state.ticks_in_mode >= limits.entry_ticks:
         near = math.dist(wanted_n, state.force_n) <= CONVERGED_N
         is_over = _entry_slew(state.ticks_in_mode, limits) >= limits.content_slew_n
-        return Mode.FOLLOWING if near or is_over else mode
+        return _FOLLOWING if near or is_over else mode
     return mode
 
 
-def _is_rearmed(s: Situation, reaction: Reaction) -> bool:
+def _is_rearmed(
+    told: Supervision, reaction: Reaction, hand: Hand, limits: Limits
+) -> bool:
     """Whether a person lets the force come back, with the grip near the middle."""
-    if s.told.request is not Request.REARM or reaction is Reaction.TRIP:
+    if told.request is not Request.REARM or reaction is _TRIP:
         return False
-    return is_near_middle(s.hand.position_m, s.limits)
+    return is_near_middle(hand.position_m, limits)
 
 
 def _entry_slew(ticks: int, limits: Limits) -> float:
@@ -129,16 +147,24 @@ def _entry_slew(ticks: int, limits: Limits) -> float:
     return limits.entry_slew_n * (1.0 + late / CATCH_UP_TICKS)
 
 
-def _command(mode: Mode, ticks: int, s: Situation, wanted_n: Vector) -> Vector:
+def _command(  # noqa: PLR0913 - what `step` knows of the tick
+    mode: Mode,
+    ticks: int,
+    state: State,
+    told: Supervision,
+    gap_s: float,
+    wanted_n: Vector,
+    limits: Limits,
+) -> Vector:
     """Return the force to send in this mode."""
-    if mode is Mode.IDLE or mode is Mode.TRIPPED:
+    if mode is _IDLE or mode is _TRIPPED:
         return ZERO
-    limits, previous_n = s.limits, s.state.force_n
-    if mode is Mode.RAMPING:
+    previous_n = state.force_n
+    if mode is _RAMPING:
         # of time, not of ticks: after a stall the ramp may be over already
-        slew_n = limits.stop_slew_n * max(1.0, s.gap_s / PERIOD_S)
+        slew_n = limits.stop_slew_n * max(1.0, gap_s / PERIOD_S)
         return limit(ZERO, previous_n, slew_n, limits.force_cap_n)
-    if mode is Mode.ENTERING:
+    if mode is _ENTERING:
         share = min(1.0, (ticks + 1) / limits.entry_ticks)
         x, y, z = wanted_n
         wanted_n = (share * x, share * y, share * z)
@@ -147,8 +173,8 @@ def _command(mode: Mode, ticks: int, s: Situation, wanted_n: Vector) -> Vector:
         return ZERO
     else:
         slew_n = limits.content_slew_n
-    cap_n = cap_when_warm(s.state.heat_n2, limits)
-    if s.told.missed_share > MISSED_SHARE:
+    cap_n = cap_when_warm(state.heat_n2, limits)
+    if told.missed_share > MISSED_SHARE:
         cap_n = min(cap_n, limits.late_cap_n)
     return limit(wanted_n, previous_n, slew_n, cap_n)
 

@@ -23,7 +23,7 @@ def radial(radius_m, speed_mps=0.0, centring=SPRING):
     """Return the force along a direction with the grip on it; positive is outward."""
     direction = np.array([0.48, -0.6, 0.64])
     hand = Hand(tuple(radius_m * direction), tuple(speed_mps * direction))
-    force = np.array(centring_force(hand, centring))
+    force = np.array(centring_force(ahead_of(hand, centring), centring))
     along = float(force @ direction)
     np.testing.assert_allclose(force, along * direction, atol=1e-12)
     return along
@@ -67,7 +67,7 @@ def test_no_speed_turns_the_pull_outward():
     rng = np.random.default_rng(1)
     for _ in range(2000):
         hand = Hand(tuple(rng.normal(0, 0.02, 3)), tuple(rng.normal(0, 0.5, 3)))
-        force = centring_force(hand, SPRING)
+        force = centring_force(ahead_of(hand, SPRING), SPRING)
         there = ahead_of(hand, SPRING)
         assert sum(f * p for f, p in zip(force, there, strict=True)) <= 0.0
 
@@ -93,6 +93,6 @@ def test_a_grip_that_swings_through_the_edge_gets_no_energy(delay_ticks, swing_h
         least_j, before_m = min(least_j, taken_j), x
         seen = (count_m * round(x / count_m), 0.0, 0.0)
         hand = observe(hand, DeviceReading(seen, 0, True, now_s), Limits())
-        due.append(centring_force(hand, SPRING)[0])
+        due.append(centring_force(ahead_of(hand, SPRING), SPRING)[0])
     assert least_j > -0.001
     assert taken_j > 0.0

@@ -12,7 +12,6 @@ import pytest
 from hapticplayer.console.quality_text import quality_text
 from hapticplayer.devices.simulated import RELAXED
 from hapticplayer.haptics.centring import Centring, centring_force
-from hapticplayer.haptics.hand import Hand
 from hapticplayer.haptics.limiter import Limits
 from hapticplayer.model import ForceTrack, Reconstruction
 from hapticplayer.sequence import open_sequence
@@ -60,7 +59,7 @@ def test_a_steady_push_goes_where_spring_fade_and_pull_balance(axis):
     balance = [abs(Limits().workspace_m * one["reach"]) for one in found.values()]
     for radius_m, hand in zip(balance, HANDS.values(), strict=True):
         fade = min(1.0, max(0.0, (radius_m - 0.024) / 0.012))
-        pull = -centring_force(Hand((radius_m, 0.0, 0.0)), Centring())[0]
+        pull = -centring_force((radius_m, 0.0, 0.0), Centring())[0]
         held = hand.stiffness_n_per_m * radius_m + pull
         # beyond by a little: it swings past before it rests there
         assert held == pytest.approx(3.0 * (1.0 - fade), rel=0.15)
@@ -68,7 +67,7 @@ def test_a_steady_push_goes_where_spring_fade_and_pull_balance(axis):
 
 def test_the_pull_is_that_of_the_loop():
     radii = np.linspace(0.0, 0.05, 501)
-    expected = [-centring_force(Hand((r, 0.0, 0.0)), Centring())[0] for r in radii]
+    expected = [-centring_force((r, 0.0, 0.0), Centring())[0] for r in radii]
     np.testing.assert_allclose(pull_n(radii, Centring()), expected, atol=1e-12)
 
 
