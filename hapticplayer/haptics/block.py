@@ -31,7 +31,7 @@ class LoopBlock:
         self._map = mmap.mmap(descriptor, BLOCK_BYTES)
         view = memoryview(self._map)
         self._clock = Slots(self._map, _CLOCK, _SLOTS_AT, _NEWEST_AT)
-        self.clock_bytes = self._clock.raw  # for the loop: equal bytes, equal clock
+        self.clock_count = self._clock.count  # for the loop: same count, same clock
         self._heartbeat = view[_HEARTBEAT_AT : _HEARTBEAT_AT + 8].cast("d")
         self._head = view[_HEAD_AT : _HEAD_AT + 8].cast("Q")
         self._last_tick = view[_HEAD_AT + 8 : _HEAD_AT + 16].cast("d")

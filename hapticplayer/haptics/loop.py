@@ -67,7 +67,7 @@ class Loop:
         self._tracks: dict[int, LoadedTrack] = {}
         self._playback: PlaybackClock | None = None
         self._track: LoadedTrack | None = None
-        self._slot = b""
+        self._clock_count = 0
         self._request = Request.NONE
         self._is_asked_to_quit = False
         self._reading: DeviceReading | None = None
@@ -89,11 +89,12 @@ class Loop:
         gc.collect()
         gc.freeze()
         gc.disable()  # the loop makes no cycles; a collection costs milliseconds
-        deadline_s = self.clock.now_s() + PERIOD_S
+        clock = self.clock
+        deadline_s = clock.now_s() + PERIOD_S
         last_ticks = ZERO_TICKS_BEFORE_CLOSING
         while last_ticks:
-            self.clock.sleep_until(deadline_s)
-            now_s = self.clock.now_s()
+            clock.sleep_until(deadline_s)
+            now_s = clock.now_s()
             late_s = now_s - deadline_s
             missed = int(late_s / PERIOD_S)
             self.tick(now_s, late_s, missed)
@@ -178,14 +179,14 @@ class Loop:
         )
 
     def _look_at_the_clock(self) -> None:
-        slot = self.block.clock_bytes()
-        if slot == self._slot and self._track is not None:
+        count = self.block.clock_count()
+        if count == self._clock_count and self._track is not None:
             return
         sample = self.block.read_clock()
         if sample is not None:  # else go on with the last good one until it expires
             self._playback, track_id = sample
             self._track = self._tracks.get(track_id)
-            self._slot = slot
+            self._clock_count = count
 
     def _listen(self) -> None:
         message = self.line.receive()

@@ -21,7 +21,8 @@ class Slots:
         memory: shared by them.
         layout: of the value.
         slots_at: offsets of the two slots, each with room for a checksum of 4 bytes.
-        newest_at: offset of 8 bytes that tell which slot is the newest.
+        newest_at: offset of 8 bytes that count the values; its last bit tells which
+            slot is the newest.
     """
 
     def __init__(
@@ -37,23 +38,23 @@ class Slots:
 
     def write(self, *fields: Any) -> None:
         """Publish a value."""
-        slot = 1 - int(self._newest[0] & 1)
+        count = self._newest[0] + 1
         payload = self._layout.pack(*fields)
-        at = self._slots_at[slot]
+        at = self._slots_at[count & 1]
         checksum = _CHECKSUM.pack(zlib.crc32(payload))
         self._memory[at : at + self._bytes] = payload + checksum
-        self._newest[0] = slot
+        self._newest[0] = count
 
     def read(self) -> tuple[Any, ...] | None:
         """Return the newest value, or None if none could be read."""
         for _ in range(_TRIES):
-            raw = self.raw()
+            at = self._slots_at[self._newest[0] & 1]
+            raw = self._memory[at : at + self._bytes]
             payload = raw[: self._layout.size]
             if _CHECKSUM.unpack_from(raw, self._layout.size)[0] == zlib.crc32(payload):
                 return self._layout.unpack(payload)
         return None
 
-    def raw(self) -> bytes:
-        """Return the newest slot as it is; equal bytes need no second reading."""
-        at = self._slots_at[self._newest[0] & 1]
-        return self._memory[at : at + self._bytes]
+    def count(self) -> int:
+        """Return how many values there were; the same count needs no second reading."""
+        return self._newest[0]

@@ -78,8 +78,10 @@ def step(  # noqa: PLR0913 - a pure function has no other way in
             reaction, cause, planned = _TRIP, Cause.NOT_FINITE, ZERO
     if reaction is _GO:
         ahead_m = ahead_of(hand, centring)
+        wanted = faded(planned, ahead_m, limits)
         pull = centring_force(ahead_m, centring)
-        wanted = _sum(faded(planned, ahead_m, limits), pull)
+        if pull is not ZERO:
+            wanted = _sum(wanted, pull)
     mode = _next_mode(state, reaction, wanted, told, hand, limits)
     if mode is _TRIPPED and state.mode is _TRIPPED:
         cause = state.cause  # the first reason is the one to tell

@@ -100,6 +100,17 @@ def test_a_track_that_comes_after_its_clock_is_still_found(rig):
     assert rig.tick(300).force_n == pytest.approx((0.0, 2.0, 0.0))
 
 
+@pytest.mark.parametrize("clocks", [1, 2, 3, 4])
+def test_of_the_clocks_between_two_ticks_the_last_one_counts(rig, clocks):
+    rig.give_track(CONSTANT)
+    rig.play()
+    rig.tick(300)
+    for number in range(clocks):
+        rig.play(epoch=2 + number)
+    rig.tick(300)
+    assert (rig.loop.state.mode, rig.loop.state.epoch) == (Mode.FOLLOWING, 1 + clocks)
+
+
 def test_stop_is_obeyed_at_the_next_tick(rig):
     rig.give_track(CONSTANT)
     rig.play()

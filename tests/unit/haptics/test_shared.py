@@ -46,16 +46,29 @@ def test_a_write_that_was_cut_short_is_never_taken_for_a_clock(block, cut):
     first = PlaybackClock(1, 100.0, 5.0, 1.0, 100.15)
     second = PlaybackClock(2, 200.0, 7.0, 1.0, 200.15)
     block.write_clock(first, 1)
-    whole = block.clock_bytes()
+    whole = newest_slot(block)
     block.write_clock(second, 2)
     # a writer that died after `cut` bytes of its slot, with the index moved on
-    at = 64 if block._clock._newest[0] == 0 else 128
-    after = block.clock_bytes()
+    at = (64, 128)[block.clock_count() & 1]
+    after = newest_slot(block)
     block._map[at : at + cut] = whole[:cut]
     found = block.read_clock()
     assert found in (None, (second, 2), (first, 1))
     if found is not None:
-        assert block.clock_bytes() in (after, whole)
+        assert newest_slot(block) in (after, whole)
+
+
+def newest_slot(block):
+    at = (64, 128)[block.clock_count() & 1]
+    return block._map[at : at + 52]
+
+
+def test_every_clock_is_counted(block):
+    clock, counts = PlaybackClock(1, 100.0, 5.0, 1.0, 100.15), [block.clock_count()]
+    for _ in range(5):
+        block.write_clock(clock, 1)
+        counts.append(block.clock_count())
+    assert counts == [0, 1, 2, 3, 4, 5]
 
 
 def tick(block, count):
