@@ -32,6 +32,7 @@ class Kinematics:
 
     def __init__(self, geometry: Geometry) -> None:
         self.geometry = geometry
+        self._shin2_m2 = geometry.shin_m**2
         self._directions = [(math.cos(p), math.sin(p)) for p in geometry.azimuths_rad]
 
     def inverse(self, position_m: Vector) -> Pose:
@@ -40,22 +41,24 @@ class Kinematics:
         Raises:
             ValueError: when no leg reaches that far.
         """
-        geometry = self.geometry
-        thigh_m, shin2_m2 = geometry.thigh_m, geometry.shin_m**2
+        geometry, shin2_m2 = self.geometry, self._shin2_m2
+        thigh_m, radial_m = geometry.thigh_m, geometry.radial_m
+        sideways_m, ends_m = geometry.sideways_m, geometry.shin_ends_m
+        cos, sin, sqrt = math.cos, math.sin, math.sqrt
         x, y, z = position_m
         w = z + geometry.centre_z_m
         angles, rows = [], []
         for cos_phi, sin_phi in self._directions:
-            u = x * cos_phi + y * sin_phi - geometry.radial_m
-            v = y * cos_phi - x * sin_phi - geometry.sideways_m
-            h = math.sqrt(shin2_m2 - v * v)
-            reach_m = geometry.shin_ends_m + h
+            u = x * cos_phi + y * sin_phi - radial_m
+            v = y * cos_phi - x * sin_phi - sideways_m
+            h = sqrt(shin2_m2 - v * v)
+            reach_m = ends_m + h
             from_axis2_m2 = u * u + w * w
             theta = math.atan2(w, u) - math.acos(
                 (from_axis2_m2 + thigh_m * thigh_m - reach_m * reach_m)
-                / (2.0 * thigh_m * math.sqrt(from_axis2_m2))
+                / (2.0 * thigh_m * sqrt(from_axis2_m2))
             )
-            cos_t, sin_t = math.cos(theta), math.sin(theta)
+            cos_t, sin_t = cos(theta), sin(theta)
             along_u, along_w = u - thigh_m * cos_t, w - thigh_m * sin_t
             per_rad = 1.0 / (thigh_m * (along_w * cos_t - along_u * sin_t))
             along_u *= per_rad

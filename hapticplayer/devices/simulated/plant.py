@@ -136,10 +136,13 @@ class Plant:
         """Step 2: (M + h C / 2 + h^2 K / 4) v_mid = M v + h F / 2 for the mean v."""
         hand, part = self.hand, self._mechanism
         half_s = 0.5 * step_s
-        friction = [
-            part.viscous_nm_s + part.coulomb_nm / max(abs(rate), part.stick_radps)
-            for rate in self._rates
-        ]
+        viscous, coulomb, stick = part.viscous_nm_s, part.coulomb_nm, part.stick_radps
+        p, q, r = self._rates
+        friction = (
+            viscous + coulomb / max(abs(p), stick),
+            viscous + coulomb / max(abs(q), stick),
+            viscous + coulomb / max(abs(r), stick),
+        )
         stiffness, damping = hand.stiffness_n_per_m, hand.damping_n_s_per_m
         matrix = self._matrix(
             (half_s * friction[0], half_s * friction[1], half_s * friction[2]),
@@ -160,7 +163,6 @@ class Plant:
         self.position_m = (x + step_s * mx, y + step_s * my, z + step_s * mz)
         self.velocity_mps = (2.0 * mx - vx, 2.0 * my - vy, 2.0 * mz - vz)
         a, b, c = _times(self._rows, mean)
-        p, q, r = self._rates
         self._rates = (2.0 * a - p, 2.0 * b - q, 2.0 * c - r)
         self.energy.lost_j += step_s * (
             damping * (mx * mx + my * my + mz * mz)
@@ -193,17 +195,18 @@ class Plant:
         self.energy.hand_j += self.energy_j() - before_j
 
     def _kinetic_j(self, rates: Vector, velocity: Vector) -> float:
-        part = self._mechanism
+        part, (p, q, r), (x, y, z) = self._mechanism, rates, velocity
         return 0.5 * (
-            part.joint_inertia_kg_m2 * _dot(rates, rates)
-            + (part.grip_mass_kg + self.hand.mass_kg) * _dot(velocity, velocity)
+            part.joint_inertia_kg_m2 * (p * p + q * q + r * r)
+            + (part.grip_mass_kg + self.hand.mass_kg) * (x * x + y * y + z * z)
         )
 
     def _momentum(self) -> Vector:
         """Return G' I rates + m velocity: what of the motion fits the geometry."""
         part = self._mechanism
         (a, b, c), (d, e, f), (g, h, i) = self._rows
-        p, q, r = _scaled(self._rates, part.joint_inertia_kg_m2)
+        inertia, (p, q, r) = part.joint_inertia_kg_m2, self._rates
+        p, q, r = inertia * p, inertia * q, inertia * r
         vx, vy, vz = self.velocity_mps
         mass = part.grip_mass_kg + self.hand.mass_kg
         return (
@@ -234,7 +237,8 @@ class Plant:
 
 
 def _dot(left: Vector, right: Vector) -> float:
-    return left[0] * right[0] + left[1] * right[1] + left[2] * right[2]
+    (a, b, c), (x, y, z) = left, right
+    return a * x + b * y + c * z
 
 
 def _less(left: Vector, right: Vector) -> Vector:
@@ -242,11 +246,14 @@ def _less(left: Vector, right: Vector) -> Vector:
 
 
 def _scaled(vector: Vector, factor: float) -> Vector:
-    return (vector[0] * factor, vector[1] * factor, vector[2] * factor)
+    x, y, z = vector
+    return (x * factor, y * factor, z * factor)
 
 
 def _times(rows: Rows, vector: Vector) -> Vector:
-    return (_dot(rows[0], vector), _dot(rows[1], vector), _dot(rows[2], vector))
+    (a, b, c), (d, e, f), (g, h, i) = rows
+    x, y, z = vector
+    return (a * x + b * y + c * z, d * x + e * y + f * z, g * x + h * y + i * z)
 
 
 def _between(start: Vector, end: Vector, share: float) -> Vector:

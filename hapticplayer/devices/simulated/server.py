@@ -42,7 +42,7 @@ class Server:
         recorder: Recorder | None = None,
         control: socket.socket | None = None,
     ) -> None:
-        self.is_over = False
+        self.is_over = self._is_up_to_date = False
         self._clock = clock
         self._simulation = simulation
         self._recorder = recorder
@@ -65,9 +65,12 @@ class Server:
 
     def turn(self) -> None:
         """Take all that has come, let the time pass, and write it down."""
+        self._is_up_to_date = False
         if self._hears(self._clock.now_s()):
             for end in list(self._ends):
                 self._drain(end)
+        if self._is_up_to_date:  # a command was the last to come, and is on record
+            return
         now_s = self._clock.now_s()
         self._simulation.advance(now_s)
         self._write_down(now_s)
@@ -78,9 +81,9 @@ class Server:
         if self._deaf_until_s is not None:
             wake_s = min(wake_s, self._deaf_until_s)
         events = self._poll.poll(max(0.0, 1e3 * (wake_s - now_s)))
-        is_deaf = self._deaf_until_s is not None
-        line_events = dict(events).get(self._line.fileno(), 0)
-        self.is_over = is_deaf and bool(line_events & select.POLLHUP)
+        if self._deaf_until_s is not None:
+            line_events = dict(events).get(self._line.fileno(), 0)
+            self.is_over = bool(line_events & select.POLLHUP)
 
     def _hears(self, now_s: float) -> bool:
         if self._deaf_until_s is not None and now_s >= self._deaf_until_s:
@@ -119,6 +122,7 @@ class Server:
             self._poll = self._watching()
 
     def _take(self, data: bytes) -> None:
+        self._is_up_to_date = False
         packet, now_s = unpack(data), self._clock.now_s()
         if isinstance(packet, Command):
             self._obey(packet, now_s)
@@ -134,6 +138,7 @@ class Server:
             return
         self._simulation.command(command.force_n, now_s)
         self._write_down(now_s)
+        self._is_up_to_date = True
         self._reply(command.serial, now_s)
 
     def _act(self, control: Control, now_s: float) -> None:

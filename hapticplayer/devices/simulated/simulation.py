@@ -115,16 +115,21 @@ class Simulation:
 
     def reading(self, now_s: float) -> DeviceReading:
         """Return what encoders and buttons say; advance to `now_s` before."""
-        theta = self._kinematics.inverse(self.position_m)
-        geometry = self._kinematics.geometry
-        counts = [
-            round((angle - geometry.theta0_rad) / geometry.count_rad)
-            for angle in theta.theta_rad
-        ]
-        if (known := (counts[0], counts[1], counts[2])) != self._counts:
-            self._counts = known
-            a, b, c = (geometry.theta0_rad + n * geometry.count_rad for n in counts)
-            self._seen_m = self._kinematics.forward((a, b, c), self.position_m)
+        kinematics, position_m = self._kinematics, self.position_m
+        zero_rad, count_rad = (
+            kinematics.geometry.theta0_rad,
+            kinematics.geometry.count_rad,
+        )
+        a, b, c = kinematics.inverse(position_m).theta_rad
+        counts = (
+            round((a - zero_rad) / count_rad),
+            round((b - zero_rad) / count_rad),
+            round((c - zero_rad) / count_rad),
+        )
+        if counts != self._counts:
+            self._counts = counts
+            a, b, c = (zero_rad + count * count_rad for count in counts)
+            self._seen_m = kinematics.forward((a, b, c), position_m)
         return DeviceReading(self._seen_m, self.buttons, self.is_homed, now_s)
 
     def act(self, control: Control) -> None:

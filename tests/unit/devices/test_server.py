@@ -210,6 +210,25 @@ def test_the_record_tells_when_the_zero_came(bench):
     assert np.all(np.diff(found["monotonic_s"]) >= 0.0)
 
 
+def test_every_turn_is_written_down_once_with_what_was_refused_in_it(bench):
+    def records():
+        bench.clock.advance(0.001)
+        bench.server.turn()
+        return len(read_record(bench.record))
+
+    before = records()
+    assert records() == before + 1  # nothing came
+    command = pack_command(Command(0, bench.clock.now_s(), PUSH))
+    bench.raw.send(command)
+    assert records() == before + 2
+    for data in (command, b"?"):
+        bench.raw.send(data)
+    assert records() == before + 4
+    last = read_record(bench.record)[-1]
+    assert last["refused"] == bench.simulation.refused == 1
+    assert last["monotonic_s"] == bench.clock.now_s()
+
+
 def test_the_record_is_a_ring_of_the_newest():
     descriptor = os.memfd_create("record")
     recorder = Recorder(descriptor)
