@@ -19,7 +19,7 @@ MAX_ROWS = 50_000_000  # fourteen hours at 1 kHz
 
 
 class LoadedTrack:
-    """An immutable track in shared memory, read without numpy.
+    """A track in shared memory, read without numpy.
 
     Scalars out of a memoryview cost 30 ns, out of an array 100 ns; at 1 kHz in
     plain Python that is the difference.
@@ -37,6 +37,7 @@ class LoadedTrack:
         self._force_n = view[force_at:].cast("f")
         self._is_hold = bool(is_hold)
         self._last = rows - 1
+        self._row = 0  # where the last look ended: the next one is near
         self.end_s = math.inf if is_hold else self._time_s[self._last]
 
     @property
@@ -52,7 +53,7 @@ class LoadedTrack:
         """
         if not bisect_right(self._span_edges_s, media_s) & 1:
             return ZERO
-        row = bisect_right(self._time_s, media_s) - 1
+        row = self._row_at(media_s)
         force, at = self._force_n, 3 * row
         x, y, z = force[at], force[at + 1], force[at + 2]
         if self._is_hold or row >= self._last:
@@ -64,6 +65,16 @@ class LoadedTrack:
             y + u * (force[at + 4] - y),
             z + u * (force[at + 5] - z),
         )
+
+    def _row_at(self, media_s: float) -> int:
+        """Return the last row that is not after `media_s`."""
+        times, row = self._time_s, self._row
+        if row + 2 <= self._last and times[row] <= media_s < times[row + 2]:
+            if times[row + 1] <= media_s:
+                self._row = row = row + 1
+            return row
+        self._row = row = bisect_right(times, media_s) - 1
+        return row
 
 
 def to_shared_memory(track: "ForceTrack") -> int:

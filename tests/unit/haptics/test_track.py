@@ -32,6 +32,27 @@ def test_at_the_entries_themselves_the_value_is_exact(rng):
         assert loaded.force_at(float(time_s)) == tuple(map(float, force))
 
 
+@pytest.mark.parametrize("rows", [1, 2, 3, 4, 200])
+@pytest.mark.parametrize("how", list(Reconstruction))
+def test_what_was_asked_before_changes_nothing(rows, how, rng):
+    times = np.cumsum(rng.random(rows) / 50)
+    descriptor = to_shared_memory(
+        ForceTrack(times, rng.standard_normal((rows, 3)), how)
+    )
+    used, end_s = map_track(descriptor), float(times[-1])
+    forward = np.arange(-0.01, end_s + 0.05, 0.001)
+    leaps = rng.uniform(-0.1, end_s + 0.1, 300)
+    query = [*forward, *leaps, *forward[::-1], *np.repeat(times, 2), *times[::-1]]
+    for media_s in map(float, query):
+        fresh = map_track(descriptor)
+        assert used.force_at(media_s) == fresh.force_at(media_s)
+    for special in (math.nan, math.inf, -math.inf, 0.0, math.nan):
+        assert repr(used.force_at(special)) == repr(
+            map_track(descriptor).force_at(special)
+        )
+    os.close(descriptor)
+
+
 @pytest.mark.parametrize("size", [1, 23, 24, 100])
 def test_a_block_that_is_no_track_is_refused(size):
     descriptor = anonymous_memory("test", size)
