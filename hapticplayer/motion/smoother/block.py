@@ -253,7 +253,7 @@ class _Block:
         return Smoothed(
             quaternion_wxyz=quaternion,
             vertical=vertical,
-            sigma_rad=self._sigma(constant_s, settled, covariance)
+            sigma_rad=self._sigma(total[GYRO_BIAS], settled, covariance)
             if with_sigma
             else np.zeros(count),
             at_rest=np.repeat(self._believed(), per_node)[:count],
@@ -268,12 +268,12 @@ class _Block:
         )
 
     def _sigma(
-        self, time_constant_s: Floats, settled: Floats, covariance: Floats
+        self, gyro_bias_radps: Floats, settled: Floats, covariance: Floats
     ) -> Floats:
         """Return the standard deviation of the tilt at each sample, rad."""
         variance = tilt_variance(
             *(self._problem, self._solution, covariance),
-            *(time_constant_s, self._p.local_s),
+            *(gyro_bias_radps, self._p),
         )
         per_node = self._per_window * self._per_node
         variance += _turning_variance(self._nodes.turned_rad / per_node)

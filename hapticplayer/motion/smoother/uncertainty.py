@@ -1,10 +1,17 @@
 """How far the smoothed vertical may be off.
 
-Three parts, which add up in square: what the model says; how far the vertical moves
-when the velocity is bounded four times less tightly, which is large where accelerations
-last and cannot be told from tilt; and a floor for all that no part of it knows. How much
-of each was found on recordings with optical truth, for the model's noises are those
-that give the least error, not those that describe it best.
+Four parts, which add up in square. What the model says of noise for a known calibration.
+What the accelerometer's bias does where the motion does not show it and it is taken for
+tilt. How far the vertical moves when the velocity is bounded as tightly as it was found,
+where the bound is `velocity_factor` times wider: that is large where the bound, and not
+the sensor, tells tilt from acceleration. And a floor for all that no part of it knows.
+
+The second and the third grow with the gyro's bias, the one error that every motion
+shows: a maker who puts it right does so with the accelerometer's bias and both scales,
+which many a motion hides. Beyond what is assumed of any gyro it says no more: there are
+raw ones beside good accelerometers. How much of each was found on recordings with optical truth
+and on simulated rides, for the model's noises are those that give the least error, not
+those that describe it best.
 """
 
 import numpy as np
@@ -12,11 +19,13 @@ from numpy.typing import NDArray
 
 from hapticplayer.model.arrays import Floats
 from hapticplayer.motion.smoother.calibrated import (
+    FORCE_BIAS,
     Problem,
     Solution,
     tighter,
 )
 from hapticplayer.motion.smoother.linearise import local_mean
+from hapticplayer.motion.smoother.parameters import SmootherParameters
 from hapticplayer.motion.smoother.stages import minimise, tilt_variances
 
 # The model's variance is found exactly at nodes this far apart.
@@ -25,21 +34,23 @@ _AT_LEAST = 5
 # Intervals whose tilt is less certain than the usual one by this factor, and at most
 # how many of them are looked at one by one.
 _HOLE, _HOLES = 0.02, 50
-_FLOOR_RAD = 0.0045
-_MOVED = 1.5
-_LOOSER = 4.0
-# Share of the model's deviation, and by how much it grows where a long time constant
-# says that accelerations last.
-_MODEL = 0.27
-_LONG_S, _LONGER_S, _MOST = 35.0, 25.0, 2.0
+_FLOOR_RAD = 0.004
+# Share of the model's deviation for noise, which the smoother assumes too large, but
+# not that of a hole.
+_NOISE = 0.27
+# Share of the deviation that is assumed of the accelerometer's bias, and from which bias
+# of the gyro on it grows.
+_BIAS, _CALIBRATED_RADPS = 0.1, 0.006
+# Share of the way that the vertical moves, and the same.
+_MOVED, _ROUGH_RADPS = 0.75, 0.03
 
 
 def tilt_variance(
     problem: Problem,
     solution: Solution,
     covariance: Floats,
-    time_constant_s: Floats,
-    local_s: float,
+    gyro_bias_radps: Floats,
+    p: SmootherParameters,
 ) -> Floats:
     """Return the variance of both tilts together at the nodes (K + 1,), rad^2.
 
@@ -47,20 +58,37 @@ def tilt_variance(
         problem: the last one.
         solution: of it.
         covariance: of its calibration.
-        time_constant_s: (K + 1,) of the levelling.
-        local_s: half width of the means.
+        gyro_bias_radps: (3,) that was found, in all.
+        p: of the smoother.
     """
-    rows = solution.tilt_per_calibration
-    spread = (rows * (covariance @ rows)).sum(axis=(0, 1))
-    model = 2.0 * noise_variance(problem) + spread
-    longer = np.clip((time_constant_s - _LONG_S) / _LONGER_S, 0.0, _MOST)
-    other = minimise(tighter(problem, solution, 1.0 / _LOOSER)).tilt
+    noise = _NOISE**2 * np.ones(len(problem.bound_weight))
+    holes = _holes(problem.tilt_weight)
+    noise[holes] = noise[holes + 1] = 1.0
+    squared = min(float(np.square(gyro_bias_radps).sum()), p.gyro_bias_radps**2)
+    doubt = _BIAS**2 * (1.0 + squared / _CALIBRATED_RADPS**2)
+    other = minimise(tighter(problem, solution, p.velocity_factor)).tilt
     moved = np.square(other - solution.tilt).sum(axis=0)
+    share = _MOVED**2 * (1.0 + squared / _ROUGH_RADPS**2)
     return np.asarray(
-        (_MODEL * (1.0 + longer)) ** 2 * model
-        + _MOVED**2 * local_mean(moved, problem.duration_s, local_s)
+        noise * 2.0 * noise_variance(problem)
+        + doubt * force_bias_variance(problem, solution, covariance)
+        + share * local_mean(moved, problem.duration_s, p.local_s)
         + _FLOOR_RAD**2
     )
+
+
+def force_bias_variance(
+    problem: Problem, solution: Solution, covariance: Floats
+) -> Floats:
+    """Return the variance of both tilts by the accelerometer's bias, (K + 1,).
+
+    A bias that is not where it is expected pulls the calibration away by the part that
+    the expectation has in it: for the deviation that is assumed, by `pulled`.
+    """
+    weight = problem.prior_weight[FORCE_BIAS]
+    pulled = covariance[:, FORCE_BIAS] * np.sqrt(weight)
+    rows = solution.tilt_per_calibration
+    return np.asarray(np.square(pulled.T @ rows).sum(axis=(0, 1)))
 
 
 def noise_variance(problem: Problem) -> Floats:

@@ -89,9 +89,7 @@ def test_no_sample_that_counts_is_without_an_answer(scores):
 def test_the_error_lies_within_two_sigma_for_90_to_99_percent(scores, family):
     known = calibration(scores[family][DEFAULT_METHOD])
     assert known is not None
-    # one minute of one road is too little to miss now and then
-    most = 1.0 if family.startswith("car") else 0.99
-    assert 0.90 <= known.within <= most
+    assert 0.90 <= known.within <= 0.99
 
 
 @pytest.mark.parametrize("family", FAMILIES)

@@ -5,9 +5,16 @@ import dataclasses
 import numpy as np
 import pytest
 
+from hapticplayer.capture import MOTION_SCENES, simulate_motion
 from hapticplayer.model import STANDARD_GRAVITY_MPS2 as G
-from hapticplayer.motion.smoother.calibrated import Problem, minimise
-from hapticplayer.motion.smoother.uncertainty import noise_variance, tilt_variance
+from hapticplayer.motion import remove_gravity
+from hapticplayer.motion.smoother.calibrated import FORCE_BIAS, Problem, minimise
+from hapticplayer.motion.smoother.parameters import SmootherParameters
+from hapticplayer.motion.smoother.uncertainty import (
+    force_bias_variance,
+    noise_variance,
+    tilt_variance,
+)
 from tests.unit.motion.smoother.test_calibrated import Dense, packed
 
 STEP_S = 0.5
@@ -117,13 +124,36 @@ def test_the_calibration_makes_both_tilts_as_uncertain_as_it_should(intervals):
     assert (spread / total).max() > {100: 0.01, 30: 0.2}[intervals]
 
 
-def tilt_sigma(problem):
+@pytest.mark.parametrize("intervals", [100, 30])
+def test_the_accelerometers_bias_moves_the_tilt_by_as_much_as_is_said(intervals):
+    """Expected a deviation elsewhere on one axis after the other."""
+    problem = steady_problem(intervals, 1.0)
     solution = minimise(problem)
-    nodes = len(problem.duration_s) + 1
-    constant_s = np.full(nodes, 10.0)
-    return np.sqrt(
-        tilt_variance(problem, solution, solution.covariance, constant_s, 17.0)
-    )
+    squares = np.zeros(intervals + 1)
+    for axis in range(FORCE_BIAS.start, FORCE_BIAS.stop):
+        prior = problem.prior.copy()
+        prior[axis] += problem.prior_weight[axis] ** -0.5
+        other = minimise(dataclasses.replace(problem, prior=prior))
+        squares += np.square(other.tilt - solution.tilt).sum(axis=0)
+    found = force_bias_variance(problem, solution, solution.covariance)
+    assert squares.max() > 1e-6
+    assert found == pytest.approx(squares, rel=1e-6)
+
+
+def tilt_sigma(problem, gyro_bias_radps=0.0):
+    solution = minimise(problem)
+    bias = np.array([gyro_bias_radps, 0.0, 0.0])
+    p = SmootherParameters()
+    return np.sqrt(tilt_variance(problem, solution, solution.covariance, bias, p))
+
+
+def test_a_gyro_that_nobody_calibrated_makes_the_accelerometer_doubtful():
+    problem = steady_problem(30, 1.0)
+    sigma = [tilt_sigma(problem, bias) for bias in (0.0, 0.005, 0.05)]
+    assert (sigma[1] > sigma[0]).all()
+    assert (sigma[2] > sigma[1]).all()
+    assert (sigma[1] < 1.5 * sigma[0]).all()
+    assert sigma[2].mean() > 1.5 * sigma[0].mean()
 
 
 def test_the_deviation_grows_with_what_is_not_known():
@@ -138,3 +168,23 @@ def test_the_deviation_grows_with_what_is_not_known():
     assert np.allclose(holed[:40], steady[:40], rtol=0.05)
     longer = tilt_sigma(steady_problem(240, 3.0))
     assert (longer > steady).all()
+
+
+@pytest.mark.parametrize("sensor", ["camera", "paper-board"])
+@pytest.mark.parametrize("cars", [True, False])
+def test_of_simulated_rides_sigma_tells_the_error(cars, sensor):
+    """The seeds are not those that the shares were looked at with."""
+    errors, sigmas = [], []
+    for scene in MOTION_SCENES:
+        if scene.startswith("car") != cars:
+            continue
+        for seed in (61, 62, 63):
+            ride = simulate_motion(scene, seed, sensor=sensor)
+            track = remove_gravity(ride.imu)
+            errors.append(
+                np.linalg.norm(track.gravity_mps2 - G * ride.vertical, axis=1),
+            )
+            sigmas.append(track.gravity_sigma_mps2)
+    error, sigma = np.concatenate(errors), np.concatenate(sigmas)
+    assert 0.9 < np.mean(error < 2.0 * sigma) < 0.99
+    assert np.median(sigma) < 1.5 * np.sqrt(np.mean(np.square(error)))
