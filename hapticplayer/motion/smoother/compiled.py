@@ -1,7 +1,7 @@
 """Whether the smoother runs compiled: the one place that decides.
 
-numba is imported at the first use. It compiles once on a machine, three to
-four seconds, and keeps what it made, in the package's folder or else in the user's cache
+numba is imported at the first use. It compiles once on a machine, about
+three seconds, and keeps what it made, in the package's folder or else in the user's cache
 folder. Where it is missing, cannot keep anything or fails otherwise, or where the environment
 variable HAPTICPLAYER_COMPILED is `off`, plain numpy does the same work, slower.
 """

@@ -216,6 +216,24 @@ def test_without_it_numpy_does_the_same(missing):
     assert found["sum"] == pytest.approx(started()["sum"], abs=1e-6)
 
 
+def test_the_compiler_spares_what_no_kernel_needs():
+    """That is the first use on a machine; what it spares must be known to numba."""
+    import numba
+
+    from hapticplayer.motion.smoother import jit
+
+    def passes(kernel):
+        kernel.compile((numba.float64,))
+        (done,) = kernel.overloads.values()
+        return done.metadata["pipeline_times"]["nopython"]
+
+    def twice(x):
+        return 2.0 * x
+
+    usual, ours = passes(numba.njit(twice)), passes(jit.inner(twice))
+    assert len(usual) - len(ours) >= len(jit._SPARED)
+
+
 def test_the_second_start_compiles_nothing_and_survives_a_broken_cache(tmp_path):
     first = started(NUMBA_CACHE_DIR=str(tmp_path))
     assert first["compiled"]
