@@ -122,7 +122,10 @@ def library() -> ctypes.CDLL | None:
     found = [*folder.glob("libswscale-*.so*")]
     if len(found) != 1:
         return None
-    loaded = _declared(ctypes.CDLL(str(found[0])))
+    try:
+        loaded = _declared(ctypes.CDLL(str(found[0])))
+    except (OSError, AttributeError):  # cannot be loaded, or has other functions
+        return None
     major, minor, micro = av.library_versions["libswscale"]
     is_the_same = loaded.swscale_version() == major << 16 | minor << 8 | micro
     return loaded if is_the_same and _agrees(loaded) else None

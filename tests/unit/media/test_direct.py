@@ -170,3 +170,18 @@ def test_a_library_that_writes_beside_the_picture_is_not_used():
     found = swscale.library()
     assert swscale._agrees(found)
     assert not swscale._agrees(Wide(found))
+
+
+@pytest.mark.parametrize("content", [None, b"", b"no library at all"])
+def test_what_cannot_be_loaded_is_not_used(monkeypatch, tmp_path, content):
+    if content is not None:
+        (tmp_path / "av.libs").mkdir()
+        (tmp_path / "av.libs" / "libswscale-1.so.9").write_bytes(content)
+    monkeypatch.setattr(swscale.av, "__file__", str(tmp_path / "av" / "__init__.py"))
+    assert swscale.library.__wrapped__() is None
+
+
+def test_a_library_of_another_version_is_not_used(monkeypatch):
+    versions = {"libswscale": (9, 0, 0)}
+    monkeypatch.setattr(swscale.av, "library_versions", versions)
+    assert swscale.library.__wrapped__() is None
