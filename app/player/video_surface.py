@@ -192,7 +192,8 @@ class VideoSurface(QWidget):
         corner = painter.deviceTransform().map(where.topLeft())
         x, y = round(corner.x()), round(corner.y())
         stride_bytes = window.bytesPerLine()
-        return self._painter.paint(picture, window.bits(), stride_bytes, x, y)
+        memory = memoryview(window.bits())
+        return self._painter.paint(picture, memory, stride_bytes, x, y)
 
     def _draw(self, painter: QPainter, where: QRectF, image: QImage) -> None:
         if (image.width(), image.height()) == self._target[2:]:
