@@ -64,13 +64,8 @@ class Control(NamedTuple):
 Packet = Command | Reply | Control
 
 
-def pack_command(command: Command) -> bytes:
-    """Return the bytes of a command."""
-    return command_bytes(*command)
-
-
 def command_bytes(serial: int, stamp_s: float, force_n: Vector) -> bytes:
-    """Return the bytes of a command; without a `Command`, because it is at 1 kHz."""
+    """Return the bytes of a command; its fields, and no `Command`, because it is at 1 kHz."""
     x, y, z = force_n
     body = _COMMAND.pack(_COMMAND_MAGIC, serial & SERIAL_MASK, stamp_s, x, y, z)
     return body + zlib.crc32(body).to_bytes(4, "little")

@@ -11,7 +11,7 @@ from hapticplayer.devices.simulated.packets import (
     Command,
     Control,
     Reply,
-    pack_command,
+    command_bytes,
     pack_control,
     pack_reply,
     read_reply,
@@ -22,7 +22,7 @@ from hapticplayer.model.device import DeviceReading
 COMMAND = Command(7, 1234.5, (1.25, -2.5, 0.125))
 REPLY = Reply(8, 99.0, (0.01, -0.02, 0.03), 0b1010, is_homed=True)
 CONTROL = Control(Act.STALL, 0.25)
-PACKED = [pack_command(COMMAND), pack_reply(REPLY), pack_control(CONTROL)]
+PACKED = [command_bytes(*COMMAND), pack_reply(REPLY), pack_control(CONTROL)]
 
 
 @pytest.mark.parametrize(
@@ -56,17 +56,17 @@ def test_no_other_length_is_taken(data):
 def test_numbers_that_are_none_are_not_taken(bad):
     for place in range(3):
         vector = tuple(bad if place == axis else 0.0 for axis in range(3))
-        assert unpack(pack_command(COMMAND._replace(force_n=vector))) is None
+        assert unpack(command_bytes(*COMMAND._replace(force_n=vector))) is None
         reply = pack_reply(REPLY._replace(position_m=vector))
         assert unpack(reply) is None
         assert read_reply(reply) is None
-    assert unpack(pack_command(COMMAND._replace(stamp_s=bad))) is None
+    assert unpack(command_bytes(*COMMAND._replace(stamp_s=bad))) is None
     assert read_reply(pack_reply(REPLY._replace(stamp_s=bad))) is None
     assert unpack(pack_control(Control(Act.STALL, bad))) is None
 
 
 def test_serial_numbers_wrap_around():
-    found = unpack(pack_command(COMMAND._replace(serial=(1 << 32) + 5)))
+    found = unpack(command_bytes(*COMMAND._replace(serial=(1 << 32) + 5)))
     assert isinstance(found, Command)
     assert found.serial == 5
 

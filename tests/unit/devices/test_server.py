@@ -15,7 +15,7 @@ from hapticplayer.devices.simulated import (
     read_record,
     silence,
 )
-from hapticplayer.devices.simulated.packets import Command, pack_command
+from hapticplayer.devices.simulated.packets import Command, command_bytes
 from hapticplayer.devices.simulated.record import RING_RECORDS, Recorder
 from hapticplayer.devices.simulated.server import COMMAND_AGE_S, Server
 from hapticplayer.errors import DeviceError
@@ -78,7 +78,7 @@ def test_a_player_that_falls_behind_gets_the_newest_of_many_answers(bench):
     bench.tick()
     for _ in range(50):
         bench.clock.advance(0.001)
-        bench.raw.send(pack_command(Command(0, bench.clock.now_s(), PUSH)))
+        bench.raw.send(command_bytes(*Command(0, bench.clock.now_s(), PUSH)))
         bench.server.turn()
     assert bench.tick().replied_s == pytest.approx(bench.clock.now_s() - 0.001)
 
@@ -87,25 +87,25 @@ def test_a_command_of_20_ms_ago_is_refused_and_counted(bench):
     bench.tick(ZERO)
     now_s = bench.clock.now_s()
     for age_s in (COMMAND_AGE_S + 1e-6, 1.0, -1.0):
-        bench.raw.send(pack_command(Command(0, now_s - age_s, PUSH)))
+        bench.raw.send(command_bytes(*Command(0, now_s - age_s, PUSH)))
     bench.server.turn()
     assert bench.simulation.refused == 3
     assert bench.simulation.commanded_n == ZERO
-    bench.raw.send(pack_command(Command(0, now_s - COMMAND_AGE_S + 1e-6, PUSH)))
+    bench.raw.send(command_bytes(*Command(0, now_s - COMMAND_AGE_S + 1e-6, PUSH)))
     bench.server.turn()
     assert bench.simulation.commanded_n == PUSH
 
 
 def test_a_zero_is_never_too_old(bench):
     bench.tick(PUSH, 10)
-    bench.raw.send(pack_command(Command(0, bench.clock.now_s() - 5.0, ZERO)))
+    bench.raw.send(command_bytes(*Command(0, bench.clock.now_s() - 5.0, ZERO)))
     bench.server.turn()
     assert bench.simulation.applied_n == ZERO
     assert bench.simulation.refused == 0
 
 
 def test_what_makes_no_sense_is_refused_and_counted(bench):
-    good = pack_command(Command(0, bench.clock.now_s(), PUSH))
+    good = command_bytes(*Command(0, bench.clock.now_s(), PUSH))
     for data in (b"?", good[:-1], bytes(64), good[:-1] + bytes([good[-1] ^ 1])):
         bench.raw.send(data)
     bench.server.turn()
@@ -175,7 +175,7 @@ def test_it_ends_when_the_last_holder_has_closed_and_not_before(bench):
 
 def test_a_last_zero_is_obeyed_although_its_sender_left_without_reading(bench):
     bench.tick(PUSH, 10)
-    bench.raw.send(pack_command(Command(0, bench.clock.now_s(), ZERO)))
+    bench.raw.send(command_bytes(*Command(0, bench.clock.now_s(), ZERO)))
     bench.hang_up()  # with replies unread: the server's next recv reports a reset
     bench.server.turn()
     assert bench.simulation.applied_n == ZERO
@@ -218,7 +218,7 @@ def test_every_turn_is_written_down_once_with_what_was_refused_in_it(bench):
 
     before = records()
     assert records() == before + 1  # nothing came
-    command = pack_command(Command(0, bench.clock.now_s(), PUSH))
+    command = command_bytes(*Command(0, bench.clock.now_s(), PUSH))
     bench.raw.send(command)
     assert records() == before + 2
     for data in (command, b"?"):
