@@ -42,17 +42,20 @@ class Display:
 
     def refresh(self) -> None:
         """Draw what is due; called when the picture leaves time for it."""
-        if not is_seen(self._window):
+        has_transport, has_plots = self._transport.isVisible(), self._plots.isVisible()
+        has_health = self._health.isVisible()
+        is_any = has_transport or has_plots or has_health
+        if not is_any or not is_seen(self._window):
             return
         now_s = self._clock.now_s()
         player = self._session.player
-        if self._transport.isVisible() and self._transport_turn.is_due(now_s):
+        if has_transport and self._transport_turn.is_due(now_s):
             self._transport.follow(player.media_s())
-        if self._plots.isVisible() and self._is_plots_turn(now_s):
+        if has_plots and self._is_plots_turn(now_s):
             self._plots.follow(player.media_s(), player.feedback, player.link.history)
-        if self._plots.isVisible() and self._grip_turn.is_due(now_s):
+        if has_plots and self._grip_turn.is_due(now_s):
             self._plots.follow_grip(player.link, player.feedback)
-        if self._health.isVisible() and self._health_turn.is_due(now_s):
+        if has_health and self._health_turn.is_due(now_s):
             self._health.show_snapshot(player.snapshot())
 
     def refresh_soon(self) -> None:

@@ -24,6 +24,8 @@ from hapticplayer.media import DirectPainter, Picture
 _FORMATS = (QImage.Format.Format_RGB32, QImage.Format.Format_ARGB32_Premultiplied)
 _MISSES = 10
 """So often in a row a picture had to be copied all the same: they come converted then."""
+_LOOK_EVERY = 4
+"""What is seen is looked at once for so many pictures: to ask Qt takes 70 us."""
 
 
 class VideoSurface(QWidget):
@@ -52,12 +54,16 @@ class VideoSurface(QWidget):
         self.setAccessibleName(self.tr("Picture"))
         self._clip_size = (16, 9)
         self._target = Box(0, 0, 2, 2)
+        self._ratio = self.devicePixelRatioF()
+        # the target in logical pixels: itself, all that it touches, all that it fills
+        self._where, self._aligned, self._covered = QRectF(), QRect(), QRect()
         self._picture: Picture | None = None
         self._whole: Picture | None = None  # the same with pixels, once they are needed
         self._image: QImage | None = None  # of its memory
         self._painter = DirectPainter()
         self._misses = 0
         self._was_seen, self._was_painted = True, False
+        self._looked = 0
 
     @property
     def target(self) -> Box:
@@ -109,8 +115,11 @@ class VideoSurface(QWidget):
             return
         self._image = self._whole = None
         self._picture = picture
-        if is_seen(self):
-            self.repaint(self._logical(self._target).toAlignedRect())
+        self._looked = (self._looked + 1) % _LOOK_EVERY
+        if self._looked == 0 or not self._was_seen:
+            self.look()
+        if self._was_seen and self.isVisible():
+            self.repaint(self._aligned)
 
     def look(self) -> None:
         """Notice that the window has been hidden, or is back.
@@ -126,9 +135,11 @@ class VideoSurface(QWidget):
 
     def _place(self) -> None:
         """Find the target anew and ask for pictures of its size."""
-        ratio = self.devicePixelRatioF()
+        self._ratio = ratio = self.devicePixelRatioF()
         area = (int(self.width() * ratio), int(self.height() * ratio))
         target = letterbox(self._clip_size, area)
+        self._where = where = QRectF(*(value / ratio for value in target))
+        self._aligned, self._covered = where.toAlignedRect(), _inside(where)
         if target != self._target:
             is_new_size = target[2:] != self._target[2:]
             self._target = target
@@ -141,35 +152,31 @@ class VideoSurface(QWidget):
         is_direct = self._painter.is_possible and self._misses < _MISSES
         self.target_changed.emit(*self._target[2:], is_direct)
 
-    def _logical(self, box: Box) -> QRectF:
-        ratio = self.devicePixelRatioF()
-        return QRectF(*(value / ratio for value in box))
-
     def paintEvent(self, event: QPaintEvent) -> None:
         """Copy the picture to the window; black where there is none."""
         # `with`: a traceback keeps this frame, and Qt dies of a painter that lives on
         with QPainter(self) as painter:
             self._paint(painter, event.region())
-        self._was_painted = True
-        self.look()
+        if not (self._was_painted and self._was_seen):
+            self._was_painted = True
+            self.look()
 
     def _paint(self, painter: QPainter, exposed: QRegion) -> None:
-        painter.setCompositionMode(QPainter.CompositionMode.CompositionMode_Source)
-        where = self._logical(self._target)
-        covered = _inside(where) if self._picture is not None else QRect()
-        if not covered.contains(exposed.boundingRect()):
+        picture, bounds = self._picture, exposed.boundingRect()
+        covered = self._covered if picture is not None else QRect()
+        if not covered.contains(bounds):
             painter.setClipRegion(exposed - QRegion(covered))
-            painter.fillRect(exposed.boundingRect(), Qt.GlobalColor.black)
+            painter.fillRect(bounds, Qt.GlobalColor.black)
             painter.setClipping(False)
-        picture = self._picture
-        if picture is None or self._convert_there(painter, exposed, where, picture):
+        if picture is None or self._convert_there(painter, exposed, bounds, picture):
             return
         image = self.image
         if image is not None:
-            self._draw(painter, where, image)
+            painter.setCompositionMode(QPainter.CompositionMode.CompositionMode_Source)
+            self._draw(painter, self._where, image)
 
     def _convert_there(
-        self, painter: QPainter, exposed: QRegion, where: QRectF, picture: Picture
+        self, painter: QPainter, exposed: QRegion, bounds: QRect, picture: Picture
     ) -> bool:
         """Convert what comes as it was decoded; False where it has to be copied."""
         if picture.decoded is None:
@@ -177,19 +184,19 @@ class VideoSurface(QWidget):
         is_done = (
             _size(picture) == self._target[2:]
             and exposed.rectCount() == 1  # else something lies upon it
-            and exposed.boundingRect().contains(where.toAlignedRect())
-            and self._convert_into(painter, where, picture)
+            and bounds.contains(self._aligned)
+            and self._convert_into(painter, picture)
         )
         self._misses = 0 if is_done else self._misses + 1
         if self._misses == _MISSES:
             self._tell_target()
         return is_done
 
-    def _convert_into(self, painter: QPainter, where: QRectF, picture: Picture) -> bool:
+    def _convert_into(self, painter: QPainter, picture: Picture) -> bool:
         window = painter.paintEngine().paintDevice()
         if not isinstance(window, QImage) or window.format() not in _FORMATS:
             return False
-        corner = painter.deviceTransform().map(where.topLeft())
+        corner = painter.deviceTransform().map(self._where.topLeft())
         x, y = round(corner.x()), round(corner.y())
         stride_bytes = window.bytesPerLine()
         memory = memoryview(window.bits())
@@ -197,7 +204,7 @@ class VideoSurface(QWidget):
 
     def _draw(self, painter: QPainter, where: QRectF, image: QImage) -> None:
         if (image.width(), image.height()) == self._target[2:]:
-            image.setDevicePixelRatio(self.devicePixelRatioF())
+            image.setDevicePixelRatio(self._ratio)
             painter.drawImage(QPointF(where.topLeft()), image)
         else:  # decoded for another size: a few pictures after a resize
             painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)

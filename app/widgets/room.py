@@ -71,7 +71,8 @@ def is_seen(widget: QWidget) -> bool:
     to expose). Whether another window covers it is known only where the desktop tells Qt
     (macOS, some of Wayland's); on X11 it counts as seen, and so it does where in doubt.
     """
+    if not widget.isVisible():
+        return False
     window = widget.window()
     handle = window.windowHandle()
-    is_open = widget.isVisible() and not window.isMinimized()
-    return is_open and bool(handle) and handle.isExposed()
+    return bool(handle) and handle.isExposed() and not window.isMinimized()

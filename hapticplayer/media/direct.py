@@ -8,7 +8,7 @@ memory.
 import numpy as np
 
 from hapticplayer.media.pictures import Picture, PictureConverter
-from hapticplayer.media.swscale import Scaler, kind_of, library
+from hapticplayer.media.swscale import Scaler, library
 
 
 class DirectPainter:
@@ -36,10 +36,9 @@ class DirectPainter:
             x: column of the picture's upper left pixel in it.
             y: its row.
         """
-        frame = picture.decoded
-        kind = kind_of(frame) if frame is not None else None
-        if self._scaler is None or frame is None or kind is None or min(x, y) < 0:
+        if self._scaler is None or picture.decoded is None or x < 0 or y < 0:
             return False
+        frame, kind = picture.decoded
         begin = y * stride_bytes + 4 * x
         end = begin + (kind.height - 1) * stride_bytes + 4 * kind.width
         if 4 * (x + kind.width) > stride_bytes or end > memory.nbytes:
@@ -57,4 +56,4 @@ class DirectPainter:
         if picture.decoded is None:
             return picture
         size_px = (picture.width, picture.height)
-        return self._converter.convert(picture.decoded, picture.pts_s, *size_px)
+        return self._converter.convert(picture.decoded[0], picture.pts_s, *size_px)

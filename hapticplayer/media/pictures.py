@@ -12,7 +12,9 @@ from hapticplayer.media.clip_info import rotation_of
 from hapticplayer.media.colours import untagged_matrix
 from hapticplayer.media.limits import MAX_PIXELS
 from hapticplayer.media.sameness import shows_the_same
-from hapticplayer.media.swscale import kind_of
+from hapticplayer.media.swscale import Kind, kind_of
+
+_NO_PIXELS = memoryview(b"")
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -27,7 +29,8 @@ class Picture:
         pixels: B, G, R, 255 for each pixel (QImage.Format_RGB32).
         owner: keeps the memory of `pixels` alive; hold the Picture as long as
             anything points into it. Pictures of one owner are the same.
-        decoded: what is yet to be converted, see `DirectPainter`; `pixels` is empty then.
+        decoded: what is yet to be converted, and of which kind it is, see
+            `DirectPainter`; `pixels` is empty then.
     """
 
     pts_s: float
@@ -36,18 +39,18 @@ class Picture:
     stride_bytes: int
     pixels: memoryview
     owner: Any
-    decoded: VideoFrame | None = None
+    decoded: tuple[VideoFrame, Kind] | None = None
 
     @classmethod
     def without_pixels(cls, pts_s: float, owner: Any) -> Self:
         """Return what stands for a picture that nobody sees."""
-        return cls(pts_s, 0, 0, 0, memoryview(b""), owner)
+        return cls(pts_s, 0, 0, 0, _NO_PIXELS, owner)
 
     @classmethod
-    def as_decoded(cls, pts_s: float, frame: VideoFrame) -> Self:
+    def as_decoded(cls, pts_s: float, frame: VideoFrame, kind: Kind) -> Self:
         """Return what is converted when it is shown."""
-        size_px = (frame.width, frame.height)
-        return cls(pts_s, *size_px, 0, memoryview(b""), frame, frame)
+        size_px = (kind.width, kind.height)
+        return cls(pts_s, *size_px, 0, _NO_PIXELS, frame, (frame, kind))
 
     @property
     def has_pixels(self) -> bool:
@@ -119,9 +122,9 @@ class PictureConverter:
         last, wanted = self._last, (width_px, height_px, is_direct)
         if last and last.wanted == wanted and self._stands(frame, last.frame):
             return replace(last.picture, pts_s=pts_s)
-        is_taken = is_direct and (frame.width, frame.height) == (width_px, height_px)
-        if is_taken and kind_of(frame) is not None:
-            picture = Picture.as_decoded(pts_s, frame)
+        kind = kind_of(frame) if is_direct else None
+        if kind is not None and (kind.width, kind.height) == (width_px, height_px):
+            picture = Picture.as_decoded(pts_s, frame, kind)
         else:
             picture = self._converted(frame, pts_s, width_px, height_px)
         self._last = _Done(frame, wanted, picture)

@@ -2,6 +2,7 @@
 
 import abc
 import logging
+import math
 import threading
 from collections import deque
 from pathlib import Path
@@ -19,6 +20,9 @@ from hapticplayer.playback.audio import AudioRing
 from hapticplayer.playback.sound_block import CHANNELS
 
 QUEUE_PICTURES = 5
+AHEAD_S = 0.06
+"""While the queue reaches so far, the decoder sleeps on: to decode three pictures in a row
+takes less than three times one, whose tables are no longer in the cache."""
 ROOM_S = 0.2  # seconds of sound lie ahead: there is no hurry
 SAME_TIME_S = 1e-6  # far below any time base
 MAX_STARVED_DROPS = 15  # show one picture in half a second whatever happens
@@ -136,7 +140,8 @@ class VideoFeeder(Feeder):
         self._taken: Picture | None = None
         self._hole_s = float("-inf")  # of the last picture that was not kept
         self._has_other_sizes = False
-        self._is_seen = True
+        self._is_seen = self._is_filling = True
+        self._low = QUEUE_PICTURES - 1
         self.dropped = 0
         self.damaged = 0
 
@@ -188,7 +193,8 @@ class VideoFeeder(Feeder):
             if not self._queue or self._is_to_convert(self._queue[0]):
                 return None
             self._taken = self._queue.popleft()
-            self._wake.notify_all()
+            if len(self._queue) <= self._low:
+                self._wake.notify_all()
             return self._taken
 
     def _is_to_convert(self, picture: Picture) -> bool:
@@ -196,8 +202,13 @@ class VideoFeeder(Feeder):
         return self._is_seen and not picture.has_pixels
 
     def _has_work(self) -> bool:
-        has_room = len(self._queue) < QUEUE_PICTURES and not self.is_at_end
-        return has_room or any(map(self._is_to_convert, self._queue))
+        count = len(self._queue)
+        if count <= self._low:
+            self._is_filling = True
+        elif count >= QUEUE_PICTURES:
+            self._is_filling = False
+        is_to_decode = self._is_filling and not self.is_at_end
+        return is_to_decode or any(map(self._is_to_convert, self._queue))
 
     def _forget(self) -> None:
         self._queue.clear()
@@ -206,6 +217,11 @@ class VideoFeeder(Feeder):
 
     def _open(self) -> None:
         self._decoder = VideoDecoder(self._path)
+        self._set_ahead()
+
+    def _set_ahead(self) -> None:
+        ahead = math.ceil(AHEAD_S * self._decoder.frame_rate_hz)
+        self._low = min(ahead, QUEUE_PICTURES - 1)
 
     def _close(self) -> None:
         if hasattr(self, "_decoder"):

@@ -119,6 +119,33 @@ def test_late_pictures_are_decoded_but_not_converted(clip, counts):
     assert feeder.dropped == len(every) - len(kept)
 
 
+@pytest.mark.parametrize(
+    ("rate_hz", "low"), [(25.0, 2), (30.0, 2), (50.0, 3), (60.0, 4)]
+)
+def test_the_decoder_sleeps_until_60_ms_of_pictures_are_left(
+    clip, counts, rate_hz, low
+):
+    feeder = open_feeder(clip.path)
+    feeder._decoder.frame_rate_hz = rate_hz
+    feeder._set_ahead()
+    counts.take()  # one was decoded to open the clip
+
+    def decoded():
+        while feeder._has_work():
+            feeder._decode()
+        return counts.take()["VideoDecoder.next_frame"]
+
+    assert decoded() == QUEUE_PICTURES
+    for _ in range(3):
+        awake = []
+        for _ in range(QUEUE_PICTURES - low):
+            feeder.pop()
+            awake.append(decoded())
+        assert awake == [*[0] * (QUEUE_PICTURES - low - 1), QUEUE_PICTURES - low]
+        assert len(feeder._queue) == QUEUE_PICTURES
+    feeder._close()
+
+
 def test_nobody_sees_the_pictures_none_is_converted_and_all_else_is_the_same(
     clip, counts, stage
 ):
@@ -148,10 +175,13 @@ def test_who_looks_again_sees_the_right_picture_at_once(clip, counts, stage):
     theatre.run(0.3)
     theatre.player.set_seen(is_seen=False)
     theatre.run(0.3)
+    theatre.settle()
+    queued = len(theatre.player._video_feeder._queue)
+    assert 2 < queued <= QUEUE_PICTURES
     counts.take()
     theatre.player.set_seen(is_seen=True)
     theatre.settle()  # the queue is filled in
-    assert counts.take()["PictureConverter._converted"] == QUEUE_PICTURES
+    assert counts.take()["PictureConverter._converted"] == queued
     before = len(theatre.sink.shown)
     theatre.run(0.3)
     theatre.player.pause()
