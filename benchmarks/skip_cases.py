@@ -30,6 +30,7 @@ from hapticplayer.haptics.track import LoadedTrack, map_track, to_shared_memory
 from hapticplayer.media import VideoDecoder, open_media, pictures
 from hapticplayer.media.opening import read_only
 from hapticplayer.model import ForceTrack
+from hapticplayer.playback import feeders
 from hapticplayer.playback.audio import AudioRing
 from hapticplayer.playback.feeders import VideoFeeder
 from hapticplayer.playback.meters import TickHistory
@@ -145,6 +146,7 @@ def all_cases(
         "picture of its place's size: copying": lambda: copied_pictures(
             moving, surface
         ),
+        "decoder woken for several pictures: waking": lambda: woken_decoder(clip),
         "streams that nobody shows: reading": lambda: other_streams(
             crowded_clip(folder, clip)
         ),
@@ -241,6 +243,27 @@ def copied_pictures(ready: Decoded, surface: VideoSurface) -> Case:
             for picture in ready.pictures():
                 surface.present(picture)
         ready.feeder.set_size(WIDTH, HEIGHT)
+        return PICTURES
+
+    return Case("picture", run)
+
+
+def woken_decoder(clip: Path) -> Case:
+    """Pictures that are taken one by one, 30 in a second; `clip` has as many."""
+    clock = SystemClock()
+
+    def run(is_skipping: bool) -> int:
+        with off(feeders, "AHEAD_S", is_skipping, 1.0):
+            feeder = VideoFeeder(clip)
+            feeder.set_size(WIDTH, HEIGHT, True)
+            feeder.start()
+            taken, next_s = 0, clock.now_s()
+            while taken < PICTURES:
+                is_there = feeder.pop() is not None
+                taken += is_there
+                next_s += 1.0 / 30.0 if is_there else 0.005
+                clock.sleep_until(next_s)
+            feeder.stop()
         return PICTURES
 
     return Case("picture", run)
