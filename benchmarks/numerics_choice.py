@@ -62,7 +62,7 @@ def recorded() -> Iterator[Choice]:
 def imposed(choice: Choice, start_s: float) -> Iterator[None]:
     """Take a choice that was made for a recording that started so much earlier."""
 
-    def bound(_solution: Any, duration_s: Floats, _p: Any) -> Floats:
+    def bound(_solution: Any, duration_s: Floats, *_: Any) -> Floats:
         time_s = start_s + np.append(0.0, np.cumsum(duration_s))
         logarithm = np.interp(time_s, choice.time_s, np.log(choice.bound_mps))
         return np.asarray(np.exp(logarithm))

@@ -34,7 +34,7 @@ from hapticplayer.motion.smoother.linearise import Knowledge, velocity_bound
 from hapticplayer.motion.smoother.parameters import SmootherParameters
 from hapticplayer.motion.smoother.rest import Rest
 from hapticplayer.motion.smoother.strapdown import Samples
-from hapticplayer.motion.smoother.uncertainty import tilt_variance
+from hapticplayer.motion.smoother.uncertainty import Wide, tilt_variance
 
 # Weight of a calibration that is not to be changed.
 _CERTAIN = 1e12
@@ -179,15 +179,29 @@ class _Block:
         self._travel_sigma_mps = 0.0
         self._solutions = 0
         self._solve(vertical, BIASES_ONLY)
-        self._travel_sigma_mps = travel.expected_mps(self._solution.velocity_mps)
+        swaying = self._solution.velocity_mps
+        self._vehicle = travel.Vehicle()
+        self._travel_sigma_mps = travel.expected_mps(swaying)
         if self._travel_sigma_mps:
             self._solutions = 0
             self._solve(vertical, BIASES_ONLY)
+            self._drive(swaying)
+
+    def _drive(self, swaying_mps: Floats) -> None:
+        """Find out whether it drives; the velocity is that of a solution without u."""
+        share = travel.driven_share(swaying_mps, self._turn_radps())
+        if not share:
+            return
+        found = self._solution
+        steady_mps = found.calibration[-travel.TRAVEL :]
+        self._vehicle = travel.vehicle(share, found.velocity_mps, steady_mps)
+        self._travel_sigma_mps = travel.expected_mps(swaying_mps, share)
 
     def improve(self) -> bool:
         """Solve once more about what was found; False if that would change little."""
         p, change = self._p, self._solution.calibration
-        bound = velocity_bound(self._solution, self._nodes.duration_s, p)
+        duration_s = self._nodes.duration_s
+        bound = velocity_bound(self._solution, duration_s, self._vehicle, p)
         moved = bool(np.abs(change[GYRO_BIAS]).max() > p.rebias_radps)
         faster = bool(np.abs(np.log(bound / self._bound)).mean() > p.rebound)
         unrest = self._unrest()
@@ -273,7 +287,7 @@ class _Block:
         """Return the standard deviation of the tilt at each sample, rad."""
         variance = tilt_variance(
             *(self._problem, self._solution, covariance),
-            *(gyro_bias_radps, self._p),
+            *(gyro_bias_radps, self._wide(), self._p),
         )
         per_node = self._per_window * self._per_node
         variance += _turning_variance(self._nodes.turned_rad / per_node)
@@ -284,6 +298,15 @@ class _Block:
         share = np.arange(per_node) / per_node
         at_samples = sigma[:-1, None] + np.diff(sigma)[:, None] * share
         return np.asarray(at_samples.reshape(-1)[: len(self._samples)])
+
+    def _wide(self) -> Wide:
+        """Return by how much the bound is wider than one for the velocity found."""
+        driven = self._vehicle.share
+        if not driven:
+            return Wide(np.ones_like(self._bound))
+        duration_s, carried = self._nodes.duration_s, travel.Vehicle()
+        found = velocity_bound(self._solution, duration_s, carried, self._p)
+        return Wide(np.maximum(self._bound / found, 1.0), driven)
 
     def _open(self, samples: Samples, per_window: int) -> None:
         """Integrate with the calibration so far."""
@@ -372,11 +395,14 @@ class _Block:
 
         Where little turns, the gyro's scale and alignment move nothing.
         """
-        nodes = self._nodes
-        rate = float(nodes.turned_rad.sum() / nodes.duration_s.sum())
-        if self._p.shortcuts and rate < _TURNING_RADPS:
+        if self._p.shortcuts and self._turn_radps() < _TURNING_RADPS:
             return BIASES_ONLY
         return CALIBRATION
+
+    def _turn_radps(self) -> float:
+        """Return the mean speed of rotation."""
+        nodes = self._nodes
+        return float(nodes.turned_rad.sum() / nodes.duration_s.sum())
 
     def _resting(self) -> NDArray[np.bool_]:
         """Return which intervals between nodes lie in still spans."""

@@ -126,8 +126,8 @@ def best_calibration(problem: Problem, normal: Floats) -> tuple[Floats, Floats]:
     return np.asarray(calibration), np.asarray(factor)
 
 
-def tighter(problem: Problem, solution: Solution, factor: float) -> Problem:
-    """Return the problem with the velocity bound divided by `factor`.
+def tighter(problem: Problem, solution: Solution, factor: Floats) -> Problem:
+    """Return the problem with the velocity bound divided by `factor` (K + 1,).
 
     The gyro matrix is kept as it was found.
     """

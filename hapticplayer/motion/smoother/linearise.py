@@ -21,7 +21,7 @@ from hapticplayer.motion.smoother.calibrated import (
 )
 from hapticplayer.motion.smoother.nodes import Nodes
 from hapticplayer.motion.smoother.parameters import SmootherParameters
-from hapticplayer.motion.smoother.travel import with_travel
+from hapticplayer.motion.smoother.travel import Vehicle, with_travel
 
 # A sample whose specific force is in doubt may be wrong by as much.
 DOUBTFUL_MPS2 = 5.0
@@ -104,12 +104,18 @@ def expected(known: Knowledge, p: SmootherParameters) -> tuple[Floats, Floats]:
 
 
 def velocity_bound(
-    solution: Solution, duration_s: Floats, p: SmootherParameters
+    solution: Solution, duration_s: Floats, vehicle: Vehicle, p: SmootherParameters
 ) -> Floats:
-    """Return how large the velocity may be at each node, from the one found."""
+    """Return how large the velocity may be at each node, from the one found.
+
+    As far as it drives it is the one for what does.
+    """
     squared = 0.5 * np.square(solution.velocity_mps).sum(axis=0)
     mean = local_mean(squared, duration_s, p.local_s)
-    return np.asarray(np.sqrt(p.velocity_factor**2 * mean + p.velocity_floor_mps**2))
+    found = np.sqrt(p.velocity_factor**2 * mean + p.velocity_floor_mps**2)
+    if not vehicle.share:
+        return np.asarray(found)
+    return np.asarray(found ** (1.0 - vehicle.share) * vehicle.bound_mps**vehicle.share)
 
 
 def local_mean(values: Floats, duration_s: Floats, half_width_s: float) -> Floats:

@@ -10,10 +10,19 @@ which makes u three more columns of the calibration, the last ones. (That wheels
 slide sideways has long been used: Dissanayake et al. 2001, IEEE T-RA 17(5):731; here
 the direction is found, too.) What only sways has none: there u would be another name
 for errors of the sensors.
+
+What drives also has a bound that is not read off the velocity found place by place. A
+recording that starts in the middle of an acceleration shows too small a velocity, and
+with a bound that fits it more of the acceleration would be taken for tilt than in the
+whole recording. What drives is told from what is carried by v / w, how far it is from the
+centre of its turns, which hardly depends on where a recording was cut: 0.1 to 2.5 m for
+hands and bodies, 4 to 6 m for a head on a downhill bike, which is left as it is, 11 m and
+more on roads. All the time it has one wide bound; half of that where u says nearly
+everything, as on a motorway.
 """
 
 import math
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -29,8 +38,30 @@ _ANY_MPS, _NO_MPS = 10.0, 0.01
 # RMS speed from which there may be one: an arm that sways is slower. From the other on
 # nothing is held against it.
 _SWAYING_MPS, _GOING_MPS = 0.5, 0.8
+# Distance from the centre of its turns up to which something is carried, and from which
+# it drives.
+_CARRIED_M, _DRIVEN_M = 6.5, 9.5
+# The same as _ANY_MPS for what drives: beside a wide bound a tighter one makes u too small.
+_DRIVEN_MPS = 40.0
+# Bound on the rest v' for what drives at an even speed, and for what does not; v' as a
+# share of u for the one and for the other.
+_EVEN_MPS, _UNEVEN_MPS = 20.0, 40.0
+_EVEN, _UNEVEN = 0.035, 0.07
 # Columns of u.
 TRAVEL = 3
+
+
+@dataclass(frozen=True, slots=True)
+class Vehicle:
+    """How far a recording is that of something that drives.
+
+    Attributes:
+        share: 0 for what is carried, 1 for what drives.
+        bound_mps: on the rest v' of what drives.
+    """
+
+    share: float = 0.0
+    bound_mps: float = _UNEVEN_MPS
 
 
 def with_travel(
@@ -66,14 +97,64 @@ def travel_prior(
     )
 
 
-def expected_mps(velocity_mps: Floats) -> float:
+def expected_mps(velocity_mps: Floats, driven: float = 0.0) -> float:
     """Return the standard deviation of u, 0 where there is no need for it.
 
     Args:
         velocity_mps: (2, K + 1) horizontal, of a solution without u.
+        driven: share of a vehicle.
     """
-    speed = math.sqrt(float(np.square(velocity_mps).sum(axis=0).mean()))
-    share = (speed - _SWAYING_MPS) / (_GOING_MPS - _SWAYING_MPS)
-    if share <= 0.0:
+    share = _going(velocity_mps)
+    if not share:
         return 0.0
-    return float(_NO_MPS * (_ANY_MPS / _NO_MPS) ** min(share, 1.0))
+    any_mps = _between(_ANY_MPS, _DRIVEN_MPS, driven)
+    return _between(_NO_MPS, any_mps, share)
+
+
+def driven_share(velocity_mps: Floats, turn_radps: float) -> float:
+    """Return how far something drives, from 0 to 1.
+
+    Args:
+        velocity_mps: (2, K + 1) horizontal, of a solution without u.
+        turn_radps: mean speed of rotation.
+    """
+    share = _going(velocity_mps)
+    if not share:
+        return 0.0
+    radius_m = _rms(velocity_mps) / max(turn_radps, 1e-9)
+    return share * _place(radius_m, _CARRIED_M, _DRIVEN_M)
+
+
+def vehicle(share: float, velocity_mps: Floats, travel_mps: Floats) -> Vehicle:
+    """Return what is assumed of something that drives.
+
+    Args:
+        share: of it that does.
+        velocity_mps: (2, K + 1) horizontal, of a solution with u.
+        travel_mps: (3,) that u.
+    """
+    speed_mps = math.sqrt(float(np.square(travel_mps).sum()))
+    uneven = _rms(velocity_mps) / max(speed_mps, 1e-9)
+    place = _place(uneven, _EVEN, _UNEVEN)
+    return Vehicle(share, _between(_EVEN_MPS, _UNEVEN_MPS, place))
+
+
+def _going(velocity_mps: Floats) -> float:
+    """Return how far it goes, and does not only sway, from 0 to 1."""
+    share = (_rms(velocity_mps) - _SWAYING_MPS) / (_GOING_MPS - _SWAYING_MPS)
+    return min(max(share, 0.0), 1.0)
+
+
+def _rms(velocity_mps: Floats) -> float:
+    return math.sqrt(float(np.square(velocity_mps).sum(axis=0).mean()))
+
+
+def _between(first: float, last: float, share: float) -> float:
+    return float(first * (last / first) ** share)
+
+
+def _place(value: float, first: float, last: float) -> float:
+    """Return where a value lies from first to last by its logarithm, 0 to 1."""
+    if value <= first:
+        return 0.0
+    return min(math.log(value / first) / math.log(last / first), 1.0)

@@ -3,8 +3,8 @@
 Four parts, which add up in square. What the model says of noise for a known calibration.
 What the accelerometer's bias does where the motion does not show it and it is taken for
 tilt. How far the vertical moves when the velocity is bounded as tightly as it was found,
-where the bound is `velocity_factor` times wider: that is large where the bound, and not
-the sensor, tells tilt from acceleration. And a floor for all that no part of it knows.
+where the bound is `velocity_factor` times wider, or more for what drives: that is large
+where the bound, and not the sensor, tells tilt from acceleration. And a floor for all that no part of it knows.
 
 The second and the third grow with the gyro's bias, the one error that every motion
 shows: a maker who puts it right does so with the accelerometer's bias and both scales,
@@ -13,6 +13,8 @@ raw ones beside good accelerometers. How much of each was found on recordings wi
 and on simulated rides, for the model's noises are those that give the least error, not
 those that describe it best.
 """
+
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -43,6 +45,22 @@ _NOISE = 0.27
 _BIAS, _CALIBRATED_RADPS = 0.1, 0.006
 # Share of the way that the vertical moves, and the same.
 _MOVED, _ROUGH_RADPS = 0.75, 0.03
+# The bound of what drives is tightened beyond the velocity found by so much. The noise is
+# that of a bound halfway to one that goes with that velocity, by the logarithm.
+_BEYOND = 1.5
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Wide:
+    """How much wider a bound is than one that goes with the velocity found.
+
+    Attributes:
+        excess: (K + 1,) 1 where it is not.
+        driven: share of a vehicle.
+    """
+
+    excess: Floats
+    driven: float = 0.0
 
 
 def tilt_variance(
@@ -50,6 +68,7 @@ def tilt_variance(
     solution: Solution,
     covariance: Floats,
     gyro_bias_radps: Floats,
+    wide: Wide,
     p: SmootherParameters,
 ) -> Floats:
     """Return the variance of both tilts together at the nodes (K + 1,), rad^2.
@@ -59,6 +78,7 @@ def tilt_variance(
         solution: of it.
         covariance: of its calibration.
         gyro_bias_radps: (3,) that was found, in all.
+        wide: how much wider the bound is than the velocity found asks for.
         p: of the smoother.
     """
     noise = _NOISE**2 * np.ones(len(problem.bound_weight))
@@ -66,11 +86,13 @@ def tilt_variance(
     noise[holes] = noise[holes + 1] = 1.0
     squared = min(float(np.square(gyro_bias_radps).sum()), p.gyro_bias_radps**2)
     doubt = _BIAS**2 * (1.0 + squared / _CALIBRATED_RADPS**2)
-    other = minimise(tighter(problem, solution, p.velocity_factor)).tilt
+    factor = p.velocity_factor * wide.excess * _BEYOND**wide.driven
+    other = minimise(tighter(problem, solution, factor)).tilt
     moved = np.square(other - solution.tilt).sum(axis=0)
+    close = replace(problem, bound_weight=problem.bound_weight * wide.excess)
     share = _MOVED**2 * (1.0 + squared / _ROUGH_RADPS**2)
     return np.asarray(
-        noise * 2.0 * noise_variance(problem)
+        noise * 2.0 * noise_variance(close)
         + doubt * force_bias_variance(problem, solution, covariance)
         + share * local_mean(moved, problem.duration_s, p.local_s)
         + _FLOOR_RAD**2

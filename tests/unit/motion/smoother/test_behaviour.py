@@ -255,7 +255,7 @@ def test_only_a_bound_that_is_far_off_is_corrected_twice(monkeypatch, factor, mo
     """Another solution for the gyro's sake leaves it: a hair decides about that."""
     used_mps, told_mps = [], [0.5]
 
-    def told(_solution, duration_s, _p):
+    def told(_solution, duration_s, *_):
         told_mps.append(told_mps[-1] * factor)
         return np.full(len(duration_s) + 1, told_mps[-1])
 
@@ -314,9 +314,10 @@ def test_a_long_push_is_not_put_down_to_the_accelerometer(constant_s, rng):
     found = np.abs(done.summary["accelerometer_bias_mps2"]).max()
     # a bias of 0.14 m/s^2 is expected; the sensor has none
     assert found < 5.0 * p.accelerometer_bias_mps2
-    # half a minute after the push little of it is left in the vertical
+    # half a minute after the push little of it is left in the vertical; a train that
+    # chooses for itself is held to its velocity no tighter before the push than after
     left = done.track.acceleration_mps2[13000:, 0].mean()
-    assert abs(left) < 0.3
+    assert abs(left) < (0.4 if constant_s is None else 0.3)
 
 
 # ---- rest -----------------------------------------------------------------------

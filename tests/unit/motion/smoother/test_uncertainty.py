@@ -11,6 +11,7 @@ from hapticplayer.motion import remove_gravity
 from hapticplayer.motion.smoother.calibrated import FORCE_BIAS, Problem, minimise
 from hapticplayer.motion.smoother.parameters import SmootherParameters
 from hapticplayer.motion.smoother.uncertainty import (
+    Wide,
     force_bias_variance,
     noise_variance,
     tilt_variance,
@@ -144,7 +145,9 @@ def tilt_sigma(problem, gyro_bias_radps=0.0):
     solution = minimise(problem)
     bias = np.array([gyro_bias_radps, 0.0, 0.0])
     p = SmootherParameters()
-    return np.sqrt(tilt_variance(problem, solution, solution.covariance, bias, p))
+    wide = Wide(np.ones(len(problem.bound_weight)))
+    found = tilt_variance(problem, solution, solution.covariance, bias, wide, p)
+    return np.sqrt(found)
 
 
 def test_a_gyro_that_nobody_calibrated_makes_the_accelerometer_doubtful():
