@@ -21,6 +21,9 @@ from motion_accuracy import (
     measure,
 )
 from motion_data import OPTICAL, load_families, missing_data
+from numerics_choice import halved
+from numerics_invariance import gravity
+from recordings import GRAVITY_MPS2
 
 from hapticplayer.motion import DEFAULT_METHOD
 
@@ -105,3 +108,14 @@ def test_hardly_any_gravity_is_left_at_rest(scores):
     }
     assert len(leaks) >= 11  # the hand-held recordings begin and end on a table
     assert {name: leak for name, leak in leaks.items() if leak > 0.05} == {}
+
+
+def test_hands_that_turn_fast_are_followed_at_15_hz(shared_data):
+    """What a slow rate loses of the rotation used to pass for a velocity: 0.80."""
+    if missing_data(["broad"]):
+        pytest.skip("the recordings are not on this machine")
+    (family,) = (one for one in load_families(["broad"], seeds=0) if "30" in one.key)
+    (fast,) = (one for one in family.recordings if one.name.startswith("broad_07"))
+    half = halved(fast.imu)
+    apart = gravity(half.log) - GRAVITY_MPS2 * half.expected(fast.up)
+    assert np.sqrt(np.nanmean(np.square(apart).sum(axis=1))) < 0.4
