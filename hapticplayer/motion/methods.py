@@ -62,6 +62,8 @@ class Task:
 
 Method = Callable[[Task], Estimate]
 
+_CHOSEN = "chosen by a person"
+
 
 def smoother(task: Task) -> Estimate:
     """The non-causal smoother; see `hapticplayer.motion.smoother`."""
@@ -70,10 +72,12 @@ def smoother(task: Task) -> Estimate:
             "the smoother has no heading; choose one of ekf, vqf, offline-vqf for it"
         )
     parameters = _of_type(task.parameters, _SMOOTHER)
+    is_chosen = parameters.time_constant_s is not None
     samples, places = _samples(task)
     done = smooth_recording(
         samples, task.still, parameters, places, with_sigma=task.sigma
     )
+    driven = float(done.mean("driven"))
     return Estimate(
         quaternion_wxyz=done.quaternion_wxyz,
         vertical=done.vertical,
@@ -81,9 +85,8 @@ def smoother(task: Task) -> Estimate:
         at_rest=done.at_rest,
         found={
             "time_constant_s": [round(value, 2) for value in done.time_constant_s],
-            "time_constant_from": "how fast the recording moves"
-            if parameters.time_constant_s is None
-            else "chosen by a person",
+            "time_constant_from": _CHOSEN if is_chosen else _reason(driven),
+            "driven": round(driven, 3),
             "gyro_bias_radps": _rounded(done.mean("gyro_bias_radps")),
             "accelerometer_bias_mps2": _rounded(done.mean("accelerometer_bias_mps2")),
             "accelerometer_scale": round(float(1.0 + done.mean("force_scale")), 5),
@@ -93,6 +96,13 @@ def smoother(task: Task) -> Estimate:
             "blocks": len(done.blocks),
         },
     )
+
+
+def _reason(driven: float) -> str:
+    """Return what the time constant was derived from, for people."""
+    if driven < 0.5:
+        return "how fast the recording moves"
+    return "that it drives: it is far from the centre of its turns"
 
 
 def _samples(task: Task) -> tuple[Samples, NDArray[np.intp] | None]:

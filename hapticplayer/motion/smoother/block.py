@@ -70,6 +70,7 @@ class Calibration:
         force_scale: the accelerometer reads 1 + so much times the specific force.
         force_scale_sigma: standard deviation of that.
         time_constant_s: of the levelling that was used, at the nodes.
+        driven: how far it was taken for something that drives, 0 to 1; see `travel`.
     """
 
     gyro_bias_radps: Floats
@@ -78,6 +79,7 @@ class Calibration:
     force_scale: float
     force_scale_sigma: float
     time_constant_s: Floats
+    driven: float
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -282,6 +284,7 @@ class _Block:
                 force_scale=float(total[FORCE_SCALE]),
                 force_scale_sigma=float(covariance[FORCE_SCALE, FORCE_SCALE]) ** 0.5,
                 time_constant_s=constant_s,
+                driven=self._vehicle.share,
             ),
         )
 

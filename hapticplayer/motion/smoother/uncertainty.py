@@ -4,7 +4,8 @@ Four parts, which add up in square. What the model says of noise for a known cal
 What the accelerometer's bias does where the motion does not show it and it is taken for
 tilt. How far the vertical moves when the velocity is bounded as tightly as it was found,
 where the bound is `velocity_factor` times wider, or more for what drives: that is large
-where the bound, and not the sensor, tells tilt from acceleration. And a floor for all that no part of it knows.
+where the bound, and not the sensor, tells tilt from acceleration. And a floor for all
+that no part of it knows.
 
 The second and the third grow with the gyro's bias, the one error that every motion
 shows: a maker who puts it right does so with the accelerometer's bias and both scales,
@@ -45,8 +46,9 @@ _NOISE = 0.27
 _BIAS, _CALIBRATED_RADPS = 0.1, 0.006
 # Share of the way that the vertical moves, and the same.
 _MOVED, _ROUGH_RADPS = 0.75, 0.03
-# The bound of what drives is tightened beyond the velocity found by so much. The noise is
-# that of a bound halfway to one that goes with that velocity, by the logarithm.
+# The bound of what drives is tightened beyond the velocity found by so much; less tells
+# too little of the few rides that go wrong. The noise is that of a bound halfway to one
+# that goes with that velocity, by the logarithm.
 _BEYOND = 1.5
 
 

@@ -7,7 +7,7 @@ from scipy.spatial.transform import Rotation
 from hapticplayer.capture import simulate_motion
 from hapticplayer.model import STANDARD_GRAVITY_MPS2 as G
 from hapticplayer.model import ImuLog
-from hapticplayer.motion import remove_gravity
+from hapticplayer.motion import analyse, remove_gravity
 from hapticplayer.motion.smoother import stages, travel
 from hapticplayer.motion.smoother.calibrated import minimise
 from hapticplayer.motion.smoother.nodes import gather, level_frames
@@ -238,3 +238,13 @@ def test_only_what_keeps_its_speed_has_half_of_the_bound(speed_mps, bound_mps):
 def test_a_vehicle_may_have_any_velocity_and_other_things_less():
     assert travel.expected_mps(swaying(2.0), 0.0) == pytest.approx(10.0)
     assert travel.expected_mps(swaying(2.0), 1.0) == pytest.approx(40.0)
+
+
+@pytest.mark.parametrize(
+    ("scene", "drives", "words"),
+    [("car-hills", True, "it drives"), ("handheld-brisk", False, "how fast")],
+)
+def test_the_summary_says_whether_it_drives(scene, drives, words):
+    summary = analyse(simulate_motion(scene, 2).imu).summary
+    assert summary["driven"] == float(drives)
+    assert words in summary["time_constant_from"]
