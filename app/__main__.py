@@ -5,11 +5,13 @@ Qt is imported only when a window is needed.
 
 import argparse
 import atexit
+import builtins
 import contextlib
 import gc
 import os
 import sys
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from typing import Any
 
 from hapticplayer import cli
 from hapticplayer.doctor import explain_import_error, x_server_answers
@@ -50,19 +52,34 @@ def has_display() -> bool:
 def _open_window(options: argparse.Namespace) -> int:
     try:
         with _quick_imports():
-            # before Qt, whose import hook reads the source of each module that comes later
-            import hapticplayer.playback.player  # noqa: F401
+            import hapticplayer.playback.player  # noqa: F401 - before Qt, see below
+
+            plain = builtins.__import__
             from app.bridge.interrupts import hold_signals
 
             hold_signals()
-            if getattr(options, "study", None) is not None:
-                from app.participant.application import run
-            else:
-                from app.player.application import run
+            with _imports_by(plain):
+                if getattr(options, "study", None) is not None:
+                    from app.participant.application import run
+                else:
+                    from app.player.application import run
     except ImportError as problem:
         sys.stderr.write(f"hapticplayer: {explain_import_error(problem)}\n")
         return 1
     return run(options)
+
+
+@contextlib.contextmanager
+def _imports_by(function: Callable[..., Any]) -> Iterator[None]:
+    """Import by what was there before Qt, whose own reads the source of each module.
+
+    It looks for its features (`from __feature__ import`), which nothing here uses.
+    """
+    hook, builtins.__import__ = builtins.__import__, function
+    try:
+        yield
+    finally:
+        builtins.__import__ = hook
 
 
 @contextlib.contextmanager
