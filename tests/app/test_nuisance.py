@@ -111,11 +111,11 @@ def test_a_fault_while_painting_leaves_no_painter_behind(qtbot, qtlog, monkeypat
     surface.show()
     qtbot.waitExposed(surface)
 
-    def fail(_self, _box):
+    def fail(_self, _painter, _region):
         raise ValueError("a fault of ours")
 
     with qtbot.captureExceptions() as raised, monkeypatch.context() as patch:
-        patch.setattr(VideoSurface, "_logical", fail)
+        patch.setattr(VideoSurface, "_paint", fail)
         surface.update()
         qtbot.waitUntil(lambda: bool(raised))
     assert "a fault of ours" in str(raised[0][1])

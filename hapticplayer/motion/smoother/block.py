@@ -48,9 +48,10 @@ _LEFT_MPS2 = 0.03
 _TURNING_RADPS = 0.05
 # Share of the turn within a sample by which the vertical may be off.
 _TURN_ERROR = 0.04
-# Mean turn within a sample that doubles the error of the rotation (found on hands at
-# 15 Hz, 0.27 rad, where three times the error is best), and what is as good as none.
-_LOSING_TURN_RAD, _NO_LOSS = 0.227, 1.01
+# Median turn within a sample that doubles the error of the rotation (found on hands at
+# 15 Hz, where three times the error is best), what is as good as none, and the most that
+# is added: what spins evenly loses little.
+_LOSING_TURN_RAD, _NO_LOSS, _MOST_LOSS = 0.18, 1.01, 4.0
 # Even a short log has so many windows.
 _WINDOWS = 8
 # Windows of so few samples are not worth a first look at their means.
@@ -178,7 +179,9 @@ class _Block:
             self._open(samples, self._per_window)
         else:
             self._open(stages.coarse(samples, 2 * self._per_window), 1)
-        self._p = p = _less_certain(p, self._turn_radps() * samples.interval_s)
+        nodes = self._nodes
+        usual_radps = float(np.median(nodes.turned_rad / nodes.duration_s))
+        self._p = p = _less_certain(p, usual_radps * samples.interval_s)
         vertical = nd.rough_vertical(self._nodes, p.rough_s)
         self._bound = np.full(vertical.shape[1], p.velocity_start_mps)
         self._trusted = np.zeros(len(self._nodes.duration_s))
@@ -468,7 +471,7 @@ def _less_certain(p: SmootherParameters, turn_rad: float) -> SmootherParameters:
 
     What is lost of the rotation there would pass for a velocity, and the bound follow.
     """
-    loss = 1.0 + (turn_rad / _LOSING_TURN_RAD) ** 4
+    loss = 1.0 + min((turn_rad / _LOSING_TURN_RAD) ** 4, _MOST_LOSS)
     if loss < _NO_LOSS:
         return p
     return replace(p, rotation_error=p.rotation_error * loss)
