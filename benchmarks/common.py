@@ -99,6 +99,11 @@ class SoundServer:
         )
         _wait_for_sound(self.environment)
 
+    @property
+    def pid(self) -> int:
+        """Process id."""
+        return self._process.pid
+
     def stop(self) -> None:
         """End it."""
         self._process.terminate()

@@ -30,6 +30,7 @@ import sync_clips as clips
 from common import SoundServer, mortal_sound_server, need, save, screen, table
 from numpy.typing import NDArray
 from sentinel import sentinel
+from sync_stalls import LASTS_S, standstills
 from sync_watch import flashes, onsets, watcher
 
 Floats = NDArray[np.float64]
@@ -37,7 +38,7 @@ Floats = NDArray[np.float64]
 SPEEDS = ("speed-0.5", "speed-0.75", "speed-1.25", "speed-1.5", "speed-2")
 CASES = (
     *("plain", "pause", "seek", "server", "no-device", "silent", "vfr", "late"),
-    *("freeze", "hold", *SPEEDS),
+    *("freeze", "hold", *LASTS_S, *SPEEDS),
 )
 LONG, LONG_SECONDS, MOST_DRIFT_MS = "long", 1200.0, 1.0
 READ_S = 20.0  # the device's record keeps a minute
@@ -123,12 +124,14 @@ def watch_us(place: Place, case: str, clip: Path, force: Path, seconds: float) -
         if case == "server":
             time.sleep(0.4 * seconds)
             place.sound.restart(2.0)
-        printed, pushes = _follow(player, record, seconds + 60.0)
+        with standstills(case, player, place.sound.pid) as unheard:
+            printed, pushes = _follow(player, record, seconds + 60.0)
     if player.returncode:
         sys.exit(f"our player ended with {player.returncode}")
     os.close(record)
     shown, unseen = flashes(pixel, MOST_WHITE_S)
     summary = json.loads(printed.splitlines()[-1])
+    summary["hung"] += unheard
     return Seen(shown, onsets(sound) - place.monitor_s, pushes, summary, unseen)
 
 
@@ -245,7 +248,7 @@ def run_case(
         parts["hapticplayer"].append(differences_ms(seen))
         summaries.append(seen.summary)
         unseen += seen.unseen
-        for begin, end in seen.summary["hung"]:
+        for begin, end in seen.summary["hung"] if case in HUNG else ():
             inside = (seen.beeps > begin) & (seen.beeps < end)
             hung_beeps.append(int(inside.sum()))
         if is_comparable:

@@ -3,7 +3,7 @@
 Runs in a process of its own, so that neither a window that holds the interpreter nor
 PortAudio, which hangs where its server does, stops anything else. PortAudio's time of
 the DAC was measured to be exact within 0.1 ms, where counting what was handed to the
-server is 16 ms off. The stream runs all the time and plays silence while paused:
+server is 16 ms off; only after a standstill of the server is it wrong (see `dac_line`). The stream runs all the time and plays silence while paused:
 starting it again costs up to 260 ms and the first sound.
 """
 
@@ -22,6 +22,7 @@ from hapticplayer.clock import Clock, SystemClock
 from hapticplayer.haptics.messages import Line, Word
 from hapticplayer.haptics.residence import Residence
 from hapticplayer.haptics.scheduling import Scheduling, grant
+from hapticplayer.playback.dac_line import DacLine
 from hapticplayer.playback.sound_block import CHANNELS, SoundBlock
 from hapticplayer.playback.sound_reader import SoundReader
 
@@ -50,6 +51,7 @@ class SoundStream:
         import sounddevice
 
         self._reader = SoundReader(block)
+        self._line = DacLine(block.rate_hz)
         self._clock = clock
         try:
             self._stream = sounddevice.RawOutputStream(
@@ -69,13 +71,16 @@ class SoundStream:
         name = str(sounddevice.query_devices(self._stream.device)["name"])
         self.name = f"{name} ({sink})" if (sink := _sink_behind(name)) else name
 
-    def _callback(self, out: Any, _frames: int, time_info: Any, _status: Any) -> None:
+    def _callback(self, out: Any, frames: int, time_info: Any, status: Any) -> None:
         now_s = self._clock.now_s()
         # PortAudio's own clock is CLOCK_REALTIME on Linux, which a time server may
         # move: only the difference within one callback is used
         ahead_s = time_info.outputBufferDacTime - time_info.currentTime
         ahead_s = min(max(ahead_s, 0.0), MAX_AHEAD_S)  # some drivers say nonsense
-        self._reader.render(memoryview(out), now_s + ahead_s)
+        dac_s, silence_s = self._line.place(
+            now_s, now_s + ahead_s, frames, ran_dry=status.output_underflow
+        )
+        self._reader.render(memoryview(out), dac_s, silence_s)
 
 
 def sound_outputs() -> list[str]:

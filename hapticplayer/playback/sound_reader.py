@@ -29,14 +29,19 @@ class SoundReader:
         self._read, self._missing = last.read, last.missing
         self._gain = self._cue.gain
 
-    def render(self, out: memoryview, dac_s: float) -> None:
+    def render(self, out: memoryview, dac_s: float, silence_s: float = 0.0) -> None:
         """Fill a block.
 
         Args:
             out: bytes, writable; float32, interleaved.
             dac_s: monotonic time at which its first sample sounds.
+            silence_s: that the output has put in before it for want of samples: so
+                much sound is left out, and the rest is as late as it was before.
         """
         self._cue = cue = self._block.read_cue() or self._cue
+        left_out = round(silence_s * self._block.rate_hz) if cue.is_playing else 0
+        self._read += left_out
+        self._missing += left_out
         self._place(cue, dac_s)
         if not cue.is_playing:
             out[:] = bytes(len(out))

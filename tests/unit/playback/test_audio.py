@@ -26,9 +26,9 @@ class Played(AudioRing):
         self.reader = SoundReader(SoundBlock(self.descriptor))
 
 
-def render(ring, count, dac_s=0.0):
+def render(ring, count, dac_s=0.0, silence_s=0.0):
     out = np.full((count, CHANNELS), np.nan, dtype=np.float32)
-    ring.reader.render(memoryview(out).cast("B"), dac_s)
+    ring.reader.render(memoryview(out).cast("B"), dac_s, silence_s)
     return out[:, 0]
 
 
@@ -68,6 +68,21 @@ def test_what_is_missing_is_silence_and_the_time_goes_on(ring):
     # 40 more arrive; those for the 20 ms that have passed are late
     assert ring.write(1, 5.01, ramp(5010, 40)) == 40
     assert render(ring, 20).tolist() == list(range(5030, 5050))
+
+
+def test_silence_of_the_output_itself_leaves_as_much_sound_out(ring):
+    """Else the sound would be late from then on, and picture and force with it."""
+    ring.write(1, 5.0, ramp(5000, 200))
+    ring.play()
+    render(ring, 30, dac_s=77.0)
+    assert render(ring, 30, dac_s=77.05, silence_s=0.02)[0] == 5050
+    assert ring.underrun_samples == 20
+    early, late = ring.reports()
+    assert late.media_s - early.media_s == pytest.approx(0.05)
+    ring.hold()
+    render(ring, 30, dac_s=78.0, silence_s=0.02)
+    ring.play()
+    assert render(ring, 30, dac_s=79.0)[0] == 5080
 
 
 def test_a_gap_in_the_sound_is_silence_at_the_right_place(ring):
