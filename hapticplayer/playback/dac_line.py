@@ -22,9 +22,6 @@ class DacLine:
 
     Args:
         rate_hz: of the samples.
-
-    Attributes:
-        is_known: whether the samples have a line; else stated times are passed on.
     """
 
     def __init__(self, rate_hz: int) -> None:
