@@ -156,7 +156,7 @@ def tick_stages(folder: Path) -> list[Stage]:
         Stage("Falcon's kinematics: pose", "tick", pose),
         Stage("Falcon's kinematics: torques", "tick", torques),
         Stage("Falcon's encoding", "tick", encode),
-        Stage("guard, every 4 ms", "look", guard()),
+        Stage("guard, every 19 ms", "look", guard()),
         Stage("recorder", "tick", recorder(folder)),
     ]
 

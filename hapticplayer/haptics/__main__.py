@@ -10,7 +10,7 @@ from hapticplayer.devices import find_device
 from hapticplayer.errors import DeviceError
 from hapticplayer.haptics.block import LoopBlock
 from hapticplayer.haptics.centring import centring_of
-from hapticplayer.haptics.lifeline import Lifeline
+from hapticplayer.haptics.lifeline import hold, map_lifeline
 from hapticplayer.haptics.limiter import limits_of
 from hapticplayer.haptics.loop import Loop
 from hapticplayer.haptics.messages import Line, Word
@@ -48,16 +48,18 @@ def main(argv: list[str] | None = None) -> int:
     try:
         wanted = Scheduling(options.scheduling) if options.scheduling else None
         limits = limits_of(device.capabilities)
+        block = LoopBlock(options.block)
+        hold(block.life)  # until the end, which tells the guard
         loop = _kind(options)(
             SystemClock(),
-            LoopBlock(options.block),
+            block,
             line,
             device,
             limits,
             centring_of(limits),
             is_guarded=options.guarded,
             wakefulness=Wakefulness(),
-            lifeline=Lifeline(options.lifeline),
+            lifeline=map_lifeline(options.lifeline),
         )
         line.send(Word.READY, acquire(wanted).value)
         loop.run()

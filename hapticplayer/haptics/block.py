@@ -9,6 +9,7 @@ import mmap
 import os
 import struct
 
+from hapticplayer.haptics.lifeline import LIFE_BYTES
 from hapticplayer.haptics.slots import Slots
 from hapticplayer.model.timing import PlaybackClock
 
@@ -17,7 +18,7 @@ TICK_FIELDS = struct.Struct("<dd18fIBBH")
 _CLOCK = struct.Struct("<qqdddd")  # track id, epoch, the four numbers of the clock
 _SLOTS_AT = (64, 128)
 # a cache line for each writer
-_NEWEST_AT, _HEARTBEAT_AT, _HEAD_AT, _GUARD_AT = 192, 256, 320, 384
+_NEWEST_AT, _HEARTBEAT_AT, _HEAD_AT, _GUARD_AT, _LIFE_AT = 192, 256, 320, 384, 448
 RING_AT = 4096
 BLOCK_BYTES = RING_AT + RING_TICKS * TICK_FIELDS.size
 
@@ -36,6 +37,7 @@ class LoopBlock:
         self._head = view[_HEAD_AT : _HEAD_AT + 8].cast("Q")
         self._last_tick = view[_HEAD_AT + 8 : _HEAD_AT + 16].cast("d")
         self._guard = view[_GUARD_AT : _GUARD_AT + 8].cast("d")
+        self.life = view[_LIFE_AT : _LIFE_AT + LIFE_BYTES]  # of the loop
 
     def write_clock(self, clock: PlaybackClock, track_id: int) -> None:
         """Publish the clock and the track it belongs to (player)."""

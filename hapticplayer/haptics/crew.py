@@ -83,7 +83,7 @@ class Crew:
         """
         with contextlib.ExitStack() as stack:
             ours, guards = self._start_device(stack)
-            self._start_guard(os.getpid(), block, guards)
+            self._start_guard(os.getpid(), block, guards, hold_lifeline())
             self.hasten_device()
             return os.dup(ours)
 
@@ -105,14 +105,18 @@ class Crew:
                 process.kill()
                 process.wait()
 
-    def _start_guard(self, pid: int, block: int, handle: int) -> None:
+    def _start_guard(
+        self, pid: int, block: int, handle: int, life: int | None = None
+    ) -> None:
         watch = os.pidfd_open(pid)
         try:
             options = ["--block", str(block), "--device", self._entry.name]
             options += ["--handle", str(handle), "--loop-pidfd", str(watch)]
-            self.guard = self._run(
-                "hapticplayer.haptics.guard", options, [block, handle, watch]
-            )
+            passed = [block, handle, watch]
+            if life is not None:  # a loop has it in the block
+                options += ["--lifeline", str(life)]
+                passed += [life]
+            self.guard = self._run("hapticplayer.haptics.guard", options, passed)
         finally:
             os.close(watch)
 

@@ -6,7 +6,6 @@ still. It knows nothing of players, tracks and clips. Run as
 """
 
 import argparse
-import os
 import select
 import signal
 import sys
@@ -17,12 +16,13 @@ from hapticplayer.devices import find_device
 from hapticplayer.errors import DeviceError
 from hapticplayer.haptics.block import LoopBlock
 from hapticplayer.haptics.contract import GAP_RAMP_S
+from hapticplayer.haptics.lifeline import Lifeline, map_lifeline
 from hapticplayer.haptics.limiter import PERIOD_S
 from hapticplayer.haptics.scheduling import GUARD_PRIORITY, acquire
 
-LOOK_PERIOD_S = 0.004
-SUSPECT_AGE_S = 0.0015
-"""A loop whose last tick is older than this may be dying: ask the kernel."""
+LOOK_PERIOD_S = 0.019
+REPEAT_PERIOD_S = 0.004
+"""While the loop stands still, or cannot tell of its end by itself."""
 LAST_ZEROS = 5
 _JUST_AFTER_S = 0.0001
 
@@ -30,38 +30,25 @@ _JUST_AFTER_S = 0.0001
 class LoopProcess:
     """The loop as the kernel sees it.
 
-    A killed process is told of (its descriptor becomes readable) only when its memory
-    has been taken down, up to 10 ms for locked memory; its flags say so from the first
-    microsecond of its exit (PF_EXITING, proc(5) field 9).
+    Its lifeline tells of its end at once, its descriptor when its memory has been taken
+    down, up to 10 ms later for locked memory.
 
     Args:
         pidfd: the descriptor of the process.
+        life: its lifeline.
     """
 
-    _EXITING = 0x4
-    _FLAGS_FIELD = 6  # counted behind the name, which may hold blanks
-
-    def __init__(self, pidfd: int) -> None:
-        with open(f"/proc/self/fdinfo/{pidfd}", encoding="ascii") as lines:  # noqa: PTH123
-            pid = next(int(line[4:]) for line in lines if line.startswith("Pid:"))
-        # None: it is dead already; open before any other process can have its number
-        self._stat = os.open(f"/proc/{pid}/stat", os.O_RDONLY) if pid > 0 else None
-        self._pidfd = pidfd
+    def __init__(self, pidfd: int, life: Lifeline) -> None:
+        self._pidfd, self._life = pidfd, life
 
     def has_ended(self, timeout_s: float) -> bool:
         """Wait for its end."""
-        return bool(select.select([self._pidfd], [], [], timeout_s)[0])
-
-    def is_dying(self) -> bool:
-        """Return whether it runs no instruction of its own any more."""
-        if self._stat is None:
-            return True
-        try:
-            stat = os.pread(self._stat, 1024, 0)
-        except ProcessLookupError:
-            return True
-        fields = stat[stat.rindex(b")") + 2 :].split(maxsplit=self._FLAGS_FIELD + 1)
-        return bool(int(fields[self._FLAGS_FIELD]) & self._EXITING)
+        rest_s = min(timeout_s, REPEAT_PERIOD_S)
+        if self._life.wakes():
+            if self._life.wait(timeout_s):
+                return True
+            rest_s = 0.0
+        return bool(select.select([self._pidfd], [], [], rest_s)[0])
 
 
 class Guard:
@@ -78,22 +65,17 @@ class Guard:
     ) -> None:
         self._clock, self._block, self._silence = clock, block, silence
 
-    def look(self) -> float:
+    def look(self) -> None:
         """Beat, and write zero if the loop holds its last force for too long.
 
         The loop itself goes on from zero after such a gap: see the rules TICK_LATE
         and TICK_LOST of the contract.
-
-        Returns:
-            the age of the loop's last tick in seconds; 0 before the first.
         """
         now_s = self._clock.now_s()
         self._block.beat_guard(now_s)
         last_s = self._block.last_tick_s()
-        age_s = now_s - last_s if last_s else 0.0
-        if age_s > GAP_RAMP_S:
+        if last_s and now_s - last_s > GAP_RAMP_S:
             self._silence()
-        return age_s
 
     def bury(self) -> None:
         """The loop is dead: leave nothing but zero on the wire."""
@@ -109,15 +91,16 @@ class Guard:
         that stands still is looked at as soon as it has done so for too long.
         """
         last_s, now_s = self._block.last_tick_s(), self._clock.now_s()
-        pause_s = LOOK_PERIOD_S - PERIOD_S + (last_s + PERIOD_S / 2 - now_s) % PERIOD_S
         overdue_s = last_s + GAP_RAMP_S + _JUST_AFTER_S - now_s
-        return min(pause_s, overdue_s) if overdue_s > 0.0 else pause_s
+        if overdue_s <= 0.0:
+            return REPEAT_PERIOD_S
+        to_the_middle_s = (last_s + PERIOD_S / 2 - now_s) % PERIOD_S
+        return min(LOOK_PERIOD_S - PERIOD_S + to_the_middle_s, overdue_s)
 
     def run(self, loop: LoopProcess) -> None:
         """Look until the loop's process has gone, or is going."""
         while not loop.has_ended(self._pause_s()):
-            if self.look() > SUSPECT_AGE_S and loop.is_dying():
-                break
+            self.look()
         self.bury()
 
 
@@ -126,6 +109,7 @@ def main(argv: list[str] | None = None) -> int:
     parser = argparse.ArgumentParser(prog="hapticplayer.haptics.guard")
     parser.add_argument("--block", type=int, required=True, help="descriptor")
     parser.add_argument("--loop-pidfd", type=int, required=True, help="descriptor")
+    parser.add_argument("--lifeline", type=int, help="descriptor; else in the block")
     parser.add_argument("--device", required=True)
     parser.add_argument("--handle", type=int, required=True, help="descriptor")
     options = parser.parse_args(argv)
@@ -136,8 +120,11 @@ def main(argv: list[str] | None = None) -> int:
     except DeviceError:
         return 1  # the loop meets the same trouble, and tells
     acquire(priority=GUARD_PRIORITY)
-    loop = LoopProcess(options.loop_pidfd)
-    Guard(SystemClock(), LoopBlock(options.block), silence).run(loop)
+    block = LoopBlock(options.block)
+    own = options.lifeline
+    life = Lifeline(block.life) if own is None else map_lifeline(own)
+    loop = LoopProcess(options.loop_pidfd, life)
+    Guard(SystemClock(), block, silence).run(loop)
     return 0
 
 

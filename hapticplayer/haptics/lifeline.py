@@ -1,41 +1,84 @@
-"""Tells the loop at once that the player has been killed.
+"""Tells at once that a process has been killed: the player its loop, the loop its guard.
 
-Its line closes only after the kernel has taken its memory down: 15 ms for a window, and
-80 ms where other programs compute. A robust mutex is given back before that: the kernel
-marks the word of memory behind it when the thread that holds it begins to end
-(get_robust_list(2), FUTEX_OWNER_DIED). To look at that word costs the loop no call.
-Where there is no such mutex (not glibc), and at a regular end, the line alone tells.
+A player's line closes only after the kernel has taken its memory down: 15 ms for a
+window, and 80 ms where other programs compute; a loop, whose memory is locked, takes up
+to 10 ms. A robust mutex is given back before that: the kernel marks the word of memory
+behind it when the thread that holds it begins to end, and wakes who waits for it
+(get_robust_list(2), FUTEX_OWNER_DIED). To look at that word costs the loop no call, and
+the guard need not look. Where there is no such mutex (not glibc), and at a regular end,
+the line and the process's descriptor tell.
 """
 
+import ctypes
+import errno
 import functools
 import mmap
 import os
 import threading
+from collections.abc import Callable
 
 from hapticplayer.haptics.track import anonymous_memory
 
-_BYTES = mmap.PAGESIZE
+LIFE_BYTES = 64  # more than any platform's pthread_mutex_t has, and the mark behind it
+_MARK_AT = LIFE_BYTES - 4
 _ROBUST, _SHARED = 1, 1  # PTHREAD_MUTEX_ROBUST, PTHREAD_PROCESS_SHARED
 _ATTRIBUTES_BYTES = 64  # more than any platform's pthread_mutexattr_t has
-_OWNER_DIED = 0x4000_0000
+_WAITED_FOR, _OWNER_DIED = 0x8000_0000, 0x4000_0000  # bits of the word, futex(2)
+_FUTEX = {"x86_64": 202, "aarch64": 98, "riscv64": 98}
+_WAIT = 0  # FUTEX_WAIT, between processes
+_NO_END_OF_WAITING = (errno.ETIMEDOUT, errno.EAGAIN, errno.EINTR)
 _held: list[mmap.mmap] = []  # never unmapped: the kernel's list leads through it
 
 
+class _Timespec(ctypes.Structure):
+    _fields_ = (("seconds", ctypes.c_long), ("nanoseconds", ctypes.c_long))
+
+
 class Lifeline:
-    """What the loop has of it.
+    """What those have of it who want to know.
 
     Args:
-        descriptor: from `hold_lifeline`; it is closed here.
+        memory: LIFE_BYTES that they share with who holds it.
     """
 
-    def __init__(self, descriptor: int) -> None:
-        self._map = mmap.mmap(descriptor, _BYTES)
-        os.close(descriptor)
-        self._word = memoryview(self._map)[:4].cast("I")
+    def __init__(self, memory: memoryview) -> None:
+        self._word = memory[:4].cast("I")
+        self._mark = memory[_MARK_AT:LIFE_BYTES].cast("I")
+        self._address = ctypes.addressof(ctypes.c_char.from_buffer(memory))
+        self._futex = _FUTEX.get(os.uname().machine, 0)
+        self._system_call = ctypes.CDLL(None, use_errno=True).syscall
 
     def is_cut(self) -> bool:
-        """Whether the player's main thread has ended."""
+        """Whether the thread that held it has ended."""
         return bool(self._word[0] & _OWNER_DIED)
+
+    def wakes(self) -> bool:
+        """Whether somebody holds it whose end will wake who waits for it."""
+        return self._futex > 0 and self._mark[0] != 0
+
+    def wait(self, timeout_s: float) -> bool:
+        """Wait until it is cut; False when it is not by then.
+
+        Only where it `wakes`; a system that refuses the call is not asked again.
+        """
+        word = self._word[0]
+        if word & _OWNER_DIED:
+            return True
+        number, kind = ctypes.c_long(self._futex), ctypes.c_int(_WAIT)
+        place, seen = ctypes.c_void_p(self._address), ctypes.c_uint(word)
+        whole_s = int(timeout_s)
+        time = _Timespec(whole_s, int((timeout_s - whole_s) * 1e9))
+        refused = self._system_call(number, place, kind, seen, ctypes.byref(time), None)
+        if refused and ctypes.get_errno() not in _NO_END_OF_WAITING:
+            self._futex = 0
+        return self.is_cut()
+
+
+def map_lifeline(descriptor: int) -> Lifeline:
+    """Return the lifeline behind a descriptor from `hold_lifeline`, which is closed."""
+    page = mmap.mmap(descriptor, mmap.PAGESIZE)
+    os.close(descriptor)
+    return Lifeline(memoryview(page))
 
 
 def hold_lifeline() -> int:
@@ -50,22 +93,26 @@ def hold_lifeline() -> int:
 
 @functools.cache
 def _hold() -> int:
-    descriptor = anonymous_memory("hapticplayer-lifeline", _BYTES)
-    page = mmap.mmap(descriptor, _BYTES)
+    descriptor = anonymous_memory("hapticplayer-lifeline", mmap.PAGESIZE)
+    page = mmap.mmap(descriptor, mmap.PAGESIZE)
     _held.append(page)
     if threading.current_thread() is threading.main_thread():
-        _lock(page)
+        hold(memoryview(page))
     return descriptor
 
 
-def _lock(page: mmap.mmap) -> None:
-    """Take a robust mutex at the beginning of a page, where that is what it looks like."""
-    import ctypes  # the loop has no use for it
+def hold(memory: memoryview) -> Callable[[], None]:
+    """Take a robust mutex there for this thread; return what gives it back.
 
+    The memory may not be unmapped before that.
+
+    Args:
+        memory: LIFE_BYTES of zeros that are shared with who watches.
+    """
     library = ctypes.CDLL(None)
     if not hasattr(library, "pthread_mutexattr_setrobust"):
-        return
-    mutex = ctypes.c_char.from_buffer(page)
+        return lambda: None
+    mutex = ctypes.c_char.from_buffer(memory)
     attributes = ctypes.create_string_buffer(_ATTRIBUTES_BYTES)
     library.pthread_mutexattr_init(attributes)
     library.pthread_mutexattr_setrobust(attributes, _ROBUST)
@@ -73,3 +120,14 @@ def _lock(page: mmap.mmap) -> None:
     library.pthread_mutex_init(ctypes.byref(mutex), attributes)
     library.pthread_mutexattr_destroy(attributes)
     library.pthread_mutex_lock(ctypes.byref(mutex))
+    word = memory[:4].cast("I")
+    mark = memory[_MARK_AT:LIFE_BYTES].cast("I")
+    if word[0] == threading.get_native_id():  # else it is where we do not look
+        word[0] |= _WAITED_FOR  # by nobody yet; only now, alive, can we say so safely
+        mark[0] = 1
+
+    def release() -> None:
+        mark[0] = 0
+        library.pthread_mutex_unlock(ctypes.byref(mutex))
+
+    return release

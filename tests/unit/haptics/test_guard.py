@@ -1,15 +1,24 @@
 """The guard on a virtual clock: when it writes zero, and when it leaves the loop alone."""
 
+import mmap
 import os
 import signal
 import subprocess
 import sys
+import threading
 from itertools import pairwise
 
 import pytest
 
-from hapticplayer.clock import ManualClock
-from hapticplayer.haptics.guard import LAST_ZEROS, LOOK_PERIOD_S, Guard, LoopProcess
+from hapticplayer.clock import ManualClock, SystemClock
+from hapticplayer.haptics.guard import (
+    LAST_ZEROS,
+    LOOK_PERIOD_S,
+    REPEAT_PERIOD_S,
+    Guard,
+    LoopProcess,
+)
+from hapticplayer.haptics.lifeline import LIFE_BYTES, Lifeline
 from hapticplayer.haptics.shared import BLOCK_BYTES, TICK, SharedBlock
 from hapticplayer.haptics.track import anonymous_memory
 
@@ -38,8 +47,8 @@ class Bench:
         self.count += 1
 
     def look_for(self, duration_s, *, ticking):
-        for _ in range(round(duration_s / LOOK_PERIOD_S)):
-            self.clock.advance(LOOK_PERIOD_S)
+        for _ in range(round(duration_s / REPEAT_PERIOD_S)):
+            self.clock.advance(REPEAT_PERIOD_S)
             if ticking:
                 self.loop_ticks()
             self.guard.look()
@@ -64,12 +73,12 @@ def test_before_the_first_tick_there_is_nothing_to_silence(bench):
 @pytest.mark.parametrize("phase", range(20))
 def test_a_loop_that_stands_still_is_silenced_within_a_look_after_20_ms(bench, phase):
     bench.look_for(0.1, ticking=True)
-    bench.clock.advance(phase * LOOK_PERIOD_S / 20)
+    bench.clock.advance(phase * REPEAT_PERIOD_S / 20)
     bench.loop_ticks()
     stopped_s = bench.clock.now_s()
     bench.look_for(0.06, ticking=False)
     waited_s = bench.zeros[0] - stopped_s
-    assert 0.020 < waited_s <= 0.020 + LOOK_PERIOD_S + 1e-9
+    assert 0.020 < waited_s <= 0.020 + REPEAT_PERIOD_S + 1e-9
     assert len(bench.zeros) >= 9  # and at each look after that
 
 
@@ -92,76 +101,146 @@ def test_without_a_device_there_is_nothing_to_bury(bench):
     assert len(bench.zeros) == 1
 
 
-class Dying:
-    """A loop's process that dies at a time, and of which the kernel tells late."""
+class Ticking:
+    """A loop's process that ticks until it stands still, and that ends at a time."""
 
-    def __init__(self, bench, dies_s, told_s):
-        self.bench, self.dies_s, self.told_s = bench, dies_s, told_s
+    def __init__(self, bench, stands_s, ends_s):
+        self.bench, self.stands_s, self.ends_s = bench, stands_s, ends_s
         self.next_tick_s = bench.clock.now_s() + 0.0003
-        self.phases_s = []
+        self.looks = []  # when, and how long after a tick
 
     def has_ended(self, timeout_s):
         clock = self.bench.clock
-        until_s = clock.now_s() + timeout_s
+        until_s = min(clock.now_s() + timeout_s, max(self.ends_s, clock.now_s()))
         while self.next_tick_s <= until_s:
             clock.sleep_until(self.next_tick_s)
             self.next_tick_s += 0.001
-            if not self.is_dying():
+            if clock.now_s() < self.stands_s:
                 self.bench.loop_ticks()
         clock.sleep_until(until_s)
-        self.phases_s.append(until_s - self.next_tick_s + 0.001)
-        return clock.now_s() >= self.told_s
-
-    def is_dying(self):
-        return self.bench.clock.now_s() >= self.dies_s
+        self.looks.append((until_s, until_s - self.next_tick_s + 0.001))
+        return until_s >= self.ends_s
 
 
-def test_the_looks_fall_between_the_ticks(bench):
-    now_s = bench.clock.now_s()
-    loop = Dying(bench, now_s + 0.2, now_s + 0.2)
+def test_the_looks_fall_between_the_ticks_and_are_few(bench):
+    end_s = bench.clock.now_s() + 1.0
+    loop = Ticking(bench, end_s, end_s)
     bench.guard.run(loop)
-    assert len(loop.phases_s) >= 50
-    assert loop.phases_s[2:-2] == pytest.approx([0.0005] * (len(loop.phases_s) - 4))
+    phases_s = [phase_s for _, phase_s in loop.looks]
+    assert 50 <= len(phases_s) <= 60
+    assert phases_s[2:-2] == pytest.approx([0.0005] * (len(phases_s) - 4))
+    assert len(bench.zeros) == LAST_ZEROS  # none before its end
 
 
 @pytest.mark.parametrize("phase", range(20))
-def test_a_loop_that_dies_slowly_is_buried_before_the_kernel_tells(bench, phase):
-    dies_s = bench.clock.now_s() + 0.1 + phase * LOOK_PERIOD_S / 20
-    bench.guard.run(Dying(bench, dies_s, dies_s + 0.1))
-    assert 0.0 <= bench.zeros[0] - dies_s <= LOOK_PERIOD_S + 0.002
+def test_a_loop_that_ends_is_buried_as_soon_as_that_is_told(bench, phase):
+    ends_s = bench.clock.now_s() + 0.1 + phase * LOOK_PERIOD_S / 20
+    bench.guard.run(Ticking(bench, ends_s, ends_s))
+    assert bench.zeros[0] == pytest.approx(ends_s)
     assert len(bench.zeros) == LAST_ZEROS
 
 
-def test_the_kernel_tells_of_a_living_a_dead_and_a_reaped_process():
-    child = subprocess.Popen([sys.executable, "-c", "input()"], stdin=subprocess.PIPE)
-    descriptor = os.pidfd_open(child.pid)
-    loop = LoopProcess(descriptor)
-    assert not loop.has_ended(0.0)
-    assert not loop.is_dying()
-    child.send_signal(signal.SIGKILL)
-    assert loop.has_ended(10.0)
-    assert loop.is_dying()  # a zombie
-    child.communicate()
-    assert loop.is_dying()
-    assert LoopProcess(descriptor).is_dying()
-    os.close(descriptor)
+HOLDER = """
+import mmap, sys
+from hapticplayer.haptics.lifeline import hold
+memory = mmap.mmap(int(sys.argv[1]), mmap.PAGESIZE)
+release = hold(memoryview(memory))
+print("held", flush=True)
+if input() == "release":
+    release()
+    print("released", flush=True)
+    input()
+"""
+
+
+class Holder:
+    """A real process with a lifeline, and the guard's view of it."""
+
+    def __init__(self):
+        descriptor = anonymous_memory("test", mmap.PAGESIZE)
+        self.page = mmap.mmap(descriptor, mmap.PAGESIZE)
+        self.life = Lifeline(memoryview(self.page)[:LIFE_BYTES])
+        command = [sys.executable, "-c", HOLDER, str(descriptor)]
+        self.child = subprocess.Popen(
+            command,
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            pass_fds=[descriptor],
+            text=True,
+        )
+        os.close(descriptor)
+        self.pidfd = os.pidfd_open(self.child.pid)
+        self.process = LoopProcess(self.pidfd, self.life)
+
+    def listen(self):
+        return self.child.stdout.readline().strip()
+
+    def say(self, text):
+        self.child.stdin.write(text + "\n")
+        self.child.stdin.flush()
+
+    def end(self):
+        self.child.kill()
+        self.child.wait()
+        for end in (self.child.stdin, self.child.stdout):
+            end.close()
+        os.close(self.pidfd)
+
+
+@pytest.fixture
+def holder():
+    holder = Holder()
+    yield holder
+    holder.end()
+
+
+@pytest.mark.parametrize("number", [signal.SIGKILL, signal.SIGSEGV, signal.SIGTERM])
+def test_the_end_of_a_loop_wakes_the_guard(holder, number):
+    assert holder.listen() == "held"
+    assert holder.life.wakes()
+    assert not holder.process.has_ended(0.001)
+    threading.Timer(0.05, holder.child.send_signal, [number]).start()
+    clock = SystemClock()
+    begin_s = clock.now_s()
+    assert holder.life.wait(60.0)
+    assert clock.now_s() - begin_s < 60.0  # woken: it did not wait in vain
+    assert holder.process.has_ended(60.0)
+
+
+def test_a_lifeline_that_is_let_go_tells_of_nothing_and_the_descriptor_does(holder):
+    assert holder.listen() == "held"
+    holder.say("release")
+    assert holder.listen() == "released"
+    assert not holder.life.wakes()
+    assert not holder.process.has_ended(0.0)
+    holder.child.kill()
+    holder.child.wait()
+    assert not holder.life.is_cut()
+    assert holder.process.has_ended(0.0)
+
+
+def test_a_system_that_refuses_to_wait_is_asked_once(holder, monkeypatch):
+    assert holder.listen() == "held"
+    monkeypatch.setattr(holder.life, "_futex", 1_000_000)  # no such call
+    assert not holder.life.wait(60.0)
+    assert not holder.life.wakes()
+    assert not holder.process.has_ended(0.0)
+
+
+def test_an_end_before_the_wait_is_seen(holder):
+    assert holder.listen() == "held"
+    holder.child.kill()
+    holder.child.wait()
+    assert holder.life.wait(60.0)
+    assert holder.process.has_ended(60.0)
 
 
 @pytest.mark.parametrize("phase", range(20))
 def test_a_loop_that_stands_still_is_silenced_as_soon_as_it_did_for_20_ms(bench, phase):
     stands_s = bench.clock.now_s() + 0.1 + phase * LOOK_PERIOD_S / 20
-    loop = Dying(bench, stands_s, stands_s + 0.1)
-    loop.is_dying = lambda: False
-    ticks = bench.loop_ticks
-
-    def tick():
-        if bench.clock.now_s() < stands_s:
-            ticks()
-
-    bench.loop_ticks = tick
-    bench.guard.run(loop)
+    bench.guard.run(Ticking(bench, stands_s, stands_s + 0.1))
     last_s = bench.block.last_tick_s()
     assert 0.020 < bench.zeros[0] - last_s <= 0.0202
     waits_s = [b - a for a, b in pairwise(bench.zeros[:-LAST_ZEROS])]
     assert waits_s
-    assert max(waits_s) <= LOOK_PERIOD_S + 1e-9
+    assert max(waits_s) <= REPEAT_PERIOD_S + 1e-9

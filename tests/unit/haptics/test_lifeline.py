@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from hapticplayer.haptics.contract import Cause, Mode
-from hapticplayer.haptics.lifeline import Lifeline
+from hapticplayer.haptics.lifeline import map_lifeline
 from hapticplayer.haptics.limiter import ZERO
 from hapticplayer.haptics.track import anonymous_memory
 from tests.unit.haptics.test_loop import CONSTANT, Rig
@@ -41,7 +41,7 @@ def holder(who):
     )
     number = int(process.stdout.readline())
     path = Path(f"/proc/{process.pid}/fd/{number}")
-    return process, Lifeline(os.open(path, os.O_RDWR))
+    return process, map_lifeline(os.open(path, os.O_RDWR))
 
 
 def end(process):
@@ -74,7 +74,7 @@ def test_a_thread_that_comes_and_goes_cuts_nothing():
 def test_a_loop_without_a_player_trips_at_its_next_tick_though_the_line_is_open():
     descriptor = anonymous_memory("test", os.sysconf("SC_PAGESIZE"))
     rig = Rig()
-    rig.loop.lifeline = Lifeline(os.dup(descriptor))
+    rig.loop.lifeline = map_lifeline(os.dup(descriptor))
     try:
         rig.give_track(CONSTANT)
         rig.play()
