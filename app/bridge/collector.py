@@ -8,6 +8,8 @@ import gc
 
 from PySide6.QtCore import QObject, QTimer
 
+from hapticplayer.media.memory import give_back_freed_memory
+
 PERIOD_MS = 500
 FULL_EVERY = 60  # portions
 GROWN, MOST = 10_000, 30_000
@@ -36,12 +38,13 @@ class Collector(QObject):
         self._timer.start()
 
     def collect(self) -> None:
-        """Collect what has died young, and now and then everything."""
+        """Collect what has died young; now and then everything, and give memory back."""
         gc.collect(_YOUNG)
         self._portions += 1
         if self._portions % FULL_EVERY == 0 or _old() > self._outlived + GROWN:
             gc.collect(_OLD)
             self._outlived = _old()
+            give_back_freed_memory()
         if self._outlived > MOST:
             gc.freeze()
             self._outlived = 0

@@ -56,6 +56,15 @@ def test_what_lived_long_is_freed_by_the_full_collection(collector, monkeypatch)
     assert gone() is None
 
 
+def test_a_full_collection_gives_memory_back(collector, monkeypatch):
+    given: list[int] = []
+    monkeypatch.setattr(module, "FULL_EVERY", 4)
+    monkeypatch.setattr(module, "give_back_freed_memory", lambda: given.append(1))
+    for _ in range(8):
+        collector.collect()
+    assert len(given) == 2
+
+
 def test_many_that_live_on_are_not_looked_at_again(collector):
     before = gc.get_freeze_count()
     kept = [[] for _ in range(module.MOST + 1)]

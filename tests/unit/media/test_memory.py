@@ -41,3 +41,33 @@ def test_a_picture_costs_no_fresh_memory():
         [sys.executable, "-c", CONVERT], capture_output=True, text=True, check=True
     )
     assert float(done.stdout) < 0.02 * PAGES
+
+
+GIVE_BACK = """
+from hapticplayer.media.memory import give_back_freed_memory, keep_freed_memory
+
+def held_bytes():
+    with open("/proc/self/smaps_rollup") as lines:
+        return next(int(x.split()[1]) << 10 for x in lines if x.startswith("Anonymous"))
+
+keep_freed_memory()
+blocks, pins = [], []
+for number in range(64):
+    blocks.append(b"x" * (1 << 20))
+    pins.append(b"y" * 1000)  # so that what is free lies about between
+full = held_bytes()
+blocks.clear()
+freed = held_bytes()
+give_back_freed_memory()
+print(full, freed, held_bytes())
+"""
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="of glibc")
+def test_what_is_freed_is_kept_until_it_is_given_back():
+    done = subprocess.run(
+        [sys.executable, "-c", GIVE_BACK], capture_output=True, text=True, check=True
+    )
+    full, freed, given_back = map(int, done.stdout.split())
+    assert full - freed < 8 << 20
+    assert full - given_back > 60 << 20
