@@ -22,6 +22,8 @@ from hapticplayer.haptics.shared import BLOCK_BYTES, SharedBlock
 from hapticplayer.haptics.track import anonymous_memory, to_shared_memory
 from hapticplayer.model import ForceTrack, PlaybackClock
 
+GUARD_LATE_S = 0.1  # it beats every 19 ms; only then the kernel is asked about it
+
 
 class Health(enum.StrEnum):
     """State of the process as the player sees it."""
@@ -158,6 +160,7 @@ class HapticsProcess:
         elif (
             self.health is Health.READY
             and guard is not None
+            and self._clock.now_s() > self._block.guard_s() + GUARD_LATE_S
             and guard.poll() is not None
         ):
             self.problem = (

@@ -47,8 +47,9 @@ class SharedBlock(LoopBlock):
 
     def __init__(self, descriptor: int) -> None:
         super().__init__(descriptor)
+        # as plain bytes: numpy copies records field by field
         self._ticks: NDArray[Any] = np.frombuffer(
-            self._map, dtype=TICK, count=RING_TICKS, offset=RING_AT
+            self._map, dtype=(np.void, TICK.itemsize), count=RING_TICKS, offset=RING_AT
         )
 
     def read_ticks(self, tail: int) -> tuple[NDArray[Any], int, int]:
@@ -62,9 +63,10 @@ class SharedBlock(LoopBlock):
         records = self._ticks[begin : begin + count].copy()
         if len(records) < count:  # around the end of the ring
             rest = self._ticks[: count - len(records)]
-            whole = np.empty(count, dtype=TICK)
+            whole = np.empty(count, dtype=self._ticks.dtype)
             whole[: len(records)], whole[len(records) :] = records, rest
             records = whole
+        records = records.view(TICK)
         # the slot of tick `head` may be half written while we copy
         safe = int(self._head[0]) - RING_TICKS + 1
         if safe > first:

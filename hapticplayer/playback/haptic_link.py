@@ -26,6 +26,7 @@ SYNC_LOG_PERIOD_S = 1.0
 TICKS_BEFORE_S = 0.02  # of an event: the tick that it falls into, even a late one
 COMPARE_PERIOD_S = 0.2  # an alarm looks at half a second
 READ_PERIOD_S = 0.05  # plots draw at 30 Hz; more often costs more than it shows
+UNSEEN_PERIOD_S = 0.2  # while nobody looks and the track is followed
 
 
 class HapticLink:
@@ -157,9 +158,9 @@ class HapticLink:
         is_dead = health in (Health.GONE, Health.FAILED)
         now_s = self._clock.now_s()
         if now_s >= self._next_read_s or is_dead:
-            self._next_read_s = now_s + READ_PERIOD_S
             self._residence.look()  # a heartbeat must not wait for the disk
             self._read(self._process, log)
+            self._next_read_s = now_s + self._pause_s()
         return not is_dead or before is health
 
     def close(self) -> None:
@@ -205,13 +206,19 @@ class HapticLink:
             self._log(log, records, lost)
             self._log_sync(log)
 
+    def _pause_s(self) -> float:
+        """Return how long the ticks may wait to be read."""
+        is_seen, latest = self.history.was_followed(), self.history.latest()
+        is_steady = latest is not None and latest["mode"] == Mode.FOLLOWING
+        return UNSEEN_PERIOD_S if is_steady and not is_seen else READ_PERIOD_S
+
     def _compare(
         self, what: str, meter: SyncMeter, alarm: SyncAlarm, log: PlaybackLog | None
     ) -> None:
         """Measure how much later the force came, and tell when that can be felt."""
         if not meter.is_waiting:
             return
-        ticks = self.history.since(meter.oldest_s - TICKS_BEFORE_S)
+        ticks = self.history.read_since(meter.oldest_s - TICKS_BEFORE_S)
         if not alarm.add(meter.compare(ticks)):
             return
         if alarm.is_on:

@@ -29,6 +29,7 @@ class TickHistory:
         self._lateness_us = Tally(0.0, _LATEST_US, _LATENESS_STEP_US)
         self._uncounted: list[NDArray[Any]] = []
         self._missed = 0
+        self._is_followed = False
         self.lost = 0
 
     def add(self, records: NDArray[Any], lost: int) -> None:
@@ -55,7 +56,17 @@ class TickHistory:
         return _joined(list(self._chunks))
 
     def since(self, monotonic_s: float) -> NDArray[Any]:
-        """Return the reads that hold ticks after a time, oldest first."""
+        """Return the reads that hold ticks after a time, oldest first, for who follows."""
+        self._is_followed = True
+        return self.read_since(monotonic_s)
+
+    def was_followed(self) -> bool:
+        """Whether somebody has asked for ticks since the last call of this."""
+        was, self._is_followed = self._is_followed, False
+        return was
+
+    def read_since(self, monotonic_s: float) -> NDArray[Any]:
+        """Return the same for a look now and then."""
         newer: list[NDArray[Any]] = []
         for chunk in reversed(self._chunks):
             if chunk["monotonic_s"][-1] <= monotonic_s:

@@ -15,7 +15,7 @@ from hapticplayer.clock import SystemClock
 from hapticplayer.devices.simulated import read_record
 from hapticplayer.errors import DeviceError
 from hapticplayer.haptics.contract import Cause, Mode
-from hapticplayer.haptics.process import HapticsProcess, Health
+from hapticplayer.haptics.process import GUARD_LATE_S, HapticsProcess, Health
 from hapticplayer.haptics.scheduling import Scheduling
 from hapticplayer.haptics.shared import SharedBlock
 from hapticplayer.model import ForceTrack, PlaybackClock
@@ -159,12 +159,15 @@ def test_the_guard_writes_zero_when_the_loop_is_killed(tmp_path):
     assert last[2] == pytest.approx(2.8, abs=1e-3)  # from full force to none at once
 
 
-def test_a_dead_guard_is_told(capfd):
-    process = HapticsProcess(SystemClock())
+def test_a_dead_guard_is_told_once_its_beat_is_late(capfd):
+    clock = SystemClock()
+    process = HapticsProcess(clock)
     try:
         process.wait_ready()
         process._crew.guard.kill()
         process._crew.guard.wait()
+        until_s = process._block.guard_s() + GUARD_LATE_S
+        clock.sleep_until(until_s + 0.001)
         assert process.poll() is Health.FAILED
         assert "guard" in process.problem
     finally:
