@@ -5,7 +5,6 @@ one. All times are seconds of CLOCK_MONOTONIC as float64: after a year of
 uptime its resolution is still 4 ns.
 """
 
-import datetime as dt
 import time
 from typing import Protocol
 
@@ -68,4 +67,6 @@ class ManualClock:
 
 def utc_now_iso(timespec: str = "seconds") -> str:
     """Wall-clock time for provenance (ISO 8601, UTC); never for timing."""
+    import datetime as dt  # the loop and its guard need none
+
     return dt.datetime.now(tz=dt.UTC).isoformat(timespec=timespec)

@@ -10,7 +10,7 @@ from typing import Protocol
 
 from hapticplayer.devices.falcon.capabilities import CAPABILITIES as _FALCON
 from hapticplayer.devices.gamepad.capabilities import CAPABILITIES as _GAMEPAD
-from hapticplayer.devices.simulated import FALCON, RemoteFalcon, silence
+from hapticplayer.devices.simulated.capabilities import FALCON
 from hapticplayer.errors import DeviceError
 from hapticplayer.model.device import DeviceCapabilities, DeviceReading, Vector
 
@@ -73,6 +73,18 @@ class DeviceEntry:
     patience_s: float = 10.0
 
 
+def _simulated(descriptor: int) -> HapticDevice:
+    from hapticplayer.devices.simulated.remote import RemoteFalcon
+
+    return RemoteFalcon(descriptor)
+
+
+def _silence_simulated(descriptor: int) -> Callable[[], bool]:
+    from hapticplayer.devices.simulated.remote import silence
+
+    return silence(descriptor)
+
+
 def _falcon(descriptor: int, serial: str = "") -> HapticDevice:
     from hapticplayer.devices.falcon import driver
 
@@ -103,7 +115,7 @@ def _falcon_simulated(descriptor: int) -> HapticDevice:
     return remote.make(descriptor)
 
 
-def _silence_simulated(descriptor: int) -> Callable[[], bool]:
+def _silence_falcon_simulated(descriptor: int) -> Callable[[], bool]:
     from hapticplayer.devices.falcon.simulated_usb import remote
 
     return remote.silence(descriptor)
@@ -114,8 +126,8 @@ _ENTRIES = (
         "simulated",
         "simulated Falcon, held by a relaxed hand",
         FALCON,
-        RemoteFalcon,
-        silence,
+        _simulated,
+        _silence_simulated,
         server="hapticplayer.devices.simulated",
     ),
     DeviceEntry(
@@ -132,7 +144,7 @@ _ENTRIES = (
         "the Falcon's own driver on simulated USB, for developers",
         _FALCON,
         _falcon_simulated,
-        _silence_simulated,
+        _silence_falcon_simulated,
         server="hapticplayer.devices.falcon.simulated_usb",
         is_for_developers=True,
         patience_s=45.0,

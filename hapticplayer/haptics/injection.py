@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from hapticplayer.devices.simulated import Controls
+from hapticplayer.devices.simulated.remote import Controls
 from hapticplayer.haptics.contract import MALFORMED_TRIP, Cause, Mode
 
 SHORT_STALL_S, LONG_STALL_S = 0.06, 0.3

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from hapticplayer.clock import Clock
 from hapticplayer.devices import find_device
-from hapticplayer.devices.simulated import Controls
+from hapticplayer.devices.simulated.remote import Controls
 from hapticplayer.errors import DeviceError, HapticsError, InputError, UsageError
 from hapticplayer.haptics.crew import Crew
 from hapticplayer.haptics.injection import DEVICE_ACTS, Fault

@@ -9,9 +9,8 @@ mlock2(2), stays from its first use on; what is never used is not even loaded.
 
 import ctypes
 import sys
-from pathlib import Path
 
-MAPS = Path("/proc/self/maps")
+MAPS = "/proc/self/maps"
 _ONFAULT = 1
 _PATH_FIELD = 5  # of a line of proc(5) maps, which ends with it
 _NO_FILES = ("/memfd:", "/dev/", "/SYSV")
@@ -57,7 +56,8 @@ class Residence:
 def _files() -> list[tuple[int, int]]:
     """Return address and length of each mapping of a file."""
     try:
-        lines = MAPS.read_text(encoding="utf-8", errors="replace").splitlines()
+        with open(MAPS, encoding="utf-8", errors="replace") as file:  # noqa: PTH123
+            lines = file.readlines()  # without pathlib, which takes 6 ms to load
     except OSError:
         return []
     found = []

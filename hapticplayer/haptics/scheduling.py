@@ -8,7 +8,6 @@ import contextlib
 import ctypes
 import enum
 import os
-import platform
 import struct
 
 FIFO_PRIORITY = 80
@@ -86,8 +85,9 @@ def _give_fifo(pid: int, priority: int) -> bool:
 
 
 def _give_slice(pid: int, slice_ns: int = SLICE_NS, flags: int = 0) -> bool:
-    number = _SCHED_SETATTR.get(platform.machine())
-    release = tuple(int(part) for part in platform.release().split(".")[:2])
+    system = os.uname()
+    number = _SCHED_SETATTR.get(system.machine)
+    release = tuple(int(part) for part in system.release.split(".")[:2])
     if number is None or release < _SLICE_SINCE:
         return False
     attributes = _SCHED_ATTR.pack(

@@ -9,9 +9,8 @@ costs power, so nothing is asked for while nothing plays.
 import contextlib
 import os
 import struct
-from pathlib import Path
 
-CPU_LATENCY = Path("/dev/cpu_dma_latency")
+CPU_LATENCY = "/dev/cpu_dma_latency"
 _AT_ONCE, _NO_MATTER = struct.pack("=i", 0), struct.pack("=i", -1)
 
 
@@ -22,7 +21,7 @@ class Wakefulness:
         path: where the kernel takes it; root's, unless a udev rule gives it away.
     """
 
-    def __init__(self, path: Path = CPU_LATENCY) -> None:
+    def __init__(self, path: str | os.PathLike[str] = CPU_LATENCY) -> None:
         self._is_awake = False
         try:
             self._file: int | None = os.open(path, os.O_WRONLY | os.O_CLOEXEC)

@@ -2,31 +2,44 @@
 
 `Simulation` is the physics in virtual time, `SimulatedFalcon` the device made of it
 in the caller's process, `RemoteFalcon` the same device in a process of its own
-(`python -m hapticplayer.devices.simulated`). Reading its record needs numpy, which
-those that only hold the device do not load.
+(`python -m hapticplayer.devices.simulated`). Each module is loaded when its first name
+is used: who only holds the device has no use for its physics, and reading its record
+needs numpy.
 """
 
+import importlib
 from typing import TYPE_CHECKING
 
-from hapticplayer.devices.simulated.device import SimulatedFalcon
-from hapticplayer.devices.simulated.parameters import (
-    FALCON,
-    FIRM,
-    HANDS,
-    LIGHT,
-    NORMAL,
-    RELAXED,
-    TENSE,
-    Electronics,
-    Geometry,
-    Hand,
-    Mechanism,
-)
-from hapticplayer.devices.simulated.remote import Controls, RemoteFalcon, silence
-from hapticplayer.devices.simulated.simulation import Simulation
-
 if TYPE_CHECKING:
+    from hapticplayer.devices.simulated.capabilities import FALCON
+    from hapticplayer.devices.simulated.device import SimulatedFalcon
+    from hapticplayer.devices.simulated.parameters import (
+        FIRM,
+        HANDS,
+        LIGHT,
+        NORMAL,
+        RELAXED,
+        TENSE,
+        Electronics,
+        Geometry,
+        Hand,
+        Mechanism,
+    )
     from hapticplayer.devices.simulated.record_reader import RECORD, read_record
+    from hapticplayer.devices.simulated.remote import Controls, RemoteFalcon, silence
+    from hapticplayer.devices.simulated.simulation import Simulation
+
+_HOMES = {
+    "FALCON": "capabilities",
+    "SimulatedFalcon": "device",
+    "RECORD": "record_reader",
+    "read_record": "record_reader",
+    "Controls": "remote",
+    "RemoteFalcon": "remote",
+    "silence": "remote",
+    "Simulation": "simulation",
+}
+_PARAMETERS = "parameters"
 
 __all__ = [
     "FALCON",
@@ -51,9 +64,10 @@ __all__ = [
 
 
 def __getattr__(name: str) -> object:
-    """Load the reader of records when one of its names is used."""
-    if name not in {"RECORD", "read_record"}:
+    """Load the module of a public name at its first use."""
+    if name not in __all__:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    from hapticplayer.devices.simulated import record_reader
-
-    return getattr(record_reader, name)
+    home = _HOMES.get(name, _PARAMETERS)
+    found: object = getattr(importlib.import_module(f"{__name__}.{home}"), name)
+    globals()[name] = found
+    return found

@@ -1,8 +1,8 @@
 """The simulated Falcon in the caller's own process and time, for tests."""
 
+from hapticplayer.devices.simulated.capabilities import FALCON
 from hapticplayer.devices.simulated.packets import Act, Control
 from hapticplayer.devices.simulated.parameters import (
-    FALCON,
     RELAXED,
     Electronics,
     Hand,

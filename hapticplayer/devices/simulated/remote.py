@@ -8,6 +8,7 @@ from collections.abc import Callable
 from functools import partial
 
 from hapticplayer.clock import Clock, SystemClock
+from hapticplayer.devices.simulated.capabilities import FALCON
 from hapticplayer.devices.simulated.packets import (
     MAX_BYTES,
     SERIAL_MASK,
@@ -17,7 +18,6 @@ from hapticplayer.devices.simulated.packets import (
     pack_control,
     read_reply,
 )
-from hapticplayer.devices.simulated.parameters import FALCON
 from hapticplayer.errors import DeviceError
 from hapticplayer.model.device import DeviceReading, Vector
 

@@ -3,10 +3,10 @@
 import math
 from collections import deque
 
+from hapticplayer.devices.simulated.capabilities import FALCON
 from hapticplayer.devices.simulated.kinematics import Kinematics
 from hapticplayer.devices.simulated.packets import Act, Control
 from hapticplayer.devices.simulated.parameters import (
-    FALCON,
     RELAXED,
     Electronics,
     Geometry,
