@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from hapticplayer.model import ImuLog
 from hapticplayer.model.arrays import Floats
+from hapticplayer.motion.medians import median
 from hapticplayer.motion.saturation import (
     ACCELEROMETER,
     GYROSCOPE,
@@ -97,7 +98,7 @@ class Flaws:
 def find_flaws(imu: ImuLog) -> Flaws:
     """Return the flaws of a log of at least two samples."""
     steps = np.diff(imu.time_s)
-    interval_s = _median(steps)
+    interval_s = median(steps)
     gap_s = np.zeros(len(imu))
     if steps.max() > GAP_STEPS * interval_s:
         wide = steps > GAP_STEPS * interval_s
@@ -109,15 +110,6 @@ def find_flaws(imu: ImuLog) -> Flaws:
         _clipped(imu.specific_force_mps2, ACCELEROMETER),
         _clipped(imu.angular_rate_radps, GYROSCOPE),
     )
-
-
-def _median(values: Floats) -> float:
-    """Return the median of finite values; numpy's own looks for NaN at great cost."""
-    middle = len(values) // 2
-    parted = np.partition(values, middle)
-    if len(values) % 2:
-        return float(parted[middle])
-    return 0.5 * float(parted[middle] + parted[:middle].max())
 
 
 def _clipped(values: Floats, sensor: SensorRange) -> Flags:

@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from hapticplayer.model import STANDARD_GRAVITY_MPS2
 from hapticplayer.model.arrays import Floats
 from hapticplayer.motion import rotations as rot
+from hapticplayer.motion.medians import median
 from hapticplayer.motion.rotations import Pair
 from hapticplayer.motion.smoother import nodes as nd
 from hapticplayer.motion.smoother import rest as at_rest
@@ -180,7 +181,7 @@ class _Block:
         else:
             self._open(stages.coarse(samples, 2 * self._per_window), 1)
         nodes = self._nodes
-        usual_radps = float(np.median(nodes.turned_rad / nodes.duration_s))
+        usual_radps = median(nodes.turned_rad / nodes.duration_s)
         self._p = p = _less_certain(p, usual_radps * samples.interval_s)
         vertical = nd.rough_vertical(self._nodes, p.rough_s)
         self._bound = np.full(vertical.shape[1], p.velocity_start_mps)
