@@ -65,10 +65,10 @@ def dot(left: Floats, right: Floats) -> Floats:
 
 
 def squared_norm(vector: Floats) -> Floats:
-    """Return the squared norm along the first axis, (3, ...)."""
+    """Return the squared norm along the first axis, (2 or 3, ...)."""
     out = np.square(vector[0])
-    out += np.square(vector[1])
-    out += np.square(vector[2])
+    for axis in vector[1:]:
+        out += np.square(axis)
     return np.asarray(out)
 
 

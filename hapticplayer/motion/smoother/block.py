@@ -212,9 +212,10 @@ class _Block:
         p, change = self._p, self._solution.calibration
         duration_s = self._nodes.duration_s
         bound = velocity_bound(self._solution, duration_s, self._vehicle, p)
-        moved = bool(np.abs(change[GYRO_BIAS]).max() > p.rebias_radps)
-        faster = bool(np.abs(np.log(bound / self._bound)).mean() > p.rebound)
-        unrest = self._unrest()
+        moved = max(map(abs, change[GYRO_BIAS].tolist())) > p.rebias_radps
+        faster = _mean_change(bound, self._bound) > p.rebound
+        weight = self._rest_weight()
+        unrest = self._unrest(weight)
         limit = max(2, p.rest_solutions if unrest else p.solutions)
         first = self._solutions == 1
         again = self._solutions < limit and (first or moved or faster or unrest)
@@ -227,7 +228,8 @@ class _Block:
         vertical = self._vertical()
         if moved or not self._fine:
             vertical = self._integrate(vertical)
-        self._trusted = self._rest_weight()
+            weight = self._rest_weight()
+        self._trusted = weight
         self._solve(vertical, self._columns())
         return True
 
@@ -260,8 +262,8 @@ class _Block:
     def result(self, *, with_sigma: bool) -> Smoothed:
         """Return the orientation at each sample, and how certain it is."""
         solution, count = self._solution, len(self._samples)
-        covariance = solution.covariance
-        settled = self._settled(solution.tilt)
+        covariance, believed = solution.covariance, self._believed()
+        settled = self._settled(solution.tilt, believed)
         total = self._calibration.copy()
         total[: self._solved_columns] += solution.calibration[: self._solved_columns]
         constant_s = self._p.time_constant_of_s(self._bound)
@@ -280,7 +282,7 @@ class _Block:
             sigma_rad=self._sigma(total[GYRO_BIAS], settled, covariance)
             if with_sigma
             else np.zeros(count),
-            at_rest=np.repeat(self._believed(), per_node)[:count],
+            at_rest=np.repeat(believed, per_node)[:count],
             calibration=Calibration(
                 gyro_bias_radps=total[GYRO_BIAS],
                 gyro_matrix=total[GYRO_MATRIX].reshape(3, 3),
@@ -303,11 +305,13 @@ class _Block:
         per_node = self._per_window * self._per_node
         variance += _turning_variance(self._nodes.turned_rad / per_node)
         # at rest nothing shall be felt, so that the sensor's bias is taken for tilt
-        variance += np.square(settled - self._solution.tilt).sum(axis=0)
+        variance += rot.squared_norm(settled - self._solution.tilt)
         # two directions that know nothing of each other are 90 degrees apart
-        sigma = np.sqrt(np.clip(variance, 0.0, 2.0))
+        sigma = np.sqrt(np.minimum(variance, 2.0))
         share = np.arange(per_node) / per_node
-        at_samples = sigma[:-1, None] + np.diff(sigma)[:, None] * share
+        # straight lines as one product, because numpy is slow along short axes
+        lines = np.stack([1.0 - share, share])
+        at_samples = np.stack([sigma[:-1], sigma[1:]], axis=1) @ lines
         return np.asarray(at_samples.reshape(-1)[: len(self._samples)])
 
     def _wide(self) -> Wide:
@@ -330,6 +334,10 @@ class _Block:
             with_scale=self._fine,
             shortcuts=self._p.shortcuts,
         )
+        per_node = self._per_window * self._per_node * (1 if self._fine else 2)
+        edges = per_node * np.arange(len(self._nodes.duration_s) + 1)
+        edges[-1] = len(self._samples)
+        self._resting = at_rest.resting(self._rest, edges)
 
     def _integrate(self, vertical: Floats) -> Floats:
         """Integrate anew with what was found; return the vertical in the new frame."""
@@ -359,7 +367,7 @@ class _Block:
         self._problem = self._linearised(vertical, columns)
         self._solution = stages.minimise(self._problem)
         self._solved_columns = columns
-        self._solved_s = np.concatenate([[0.0], np.cumsum(self._nodes.duration_s)])
+        self._solved_s = self._nodes.duration_s
         self._solutions += 1
 
     def _linearised(self, vertical: Floats, columns: int) -> Problem:
@@ -373,13 +381,12 @@ class _Block:
         self._frames, problem = stages.linearised(self._nodes, vertical, known, self._p)
         return problem
 
-    def _settled(self, tilt: Floats) -> Floats:
+    def _settled(self, tilt: Floats, still: NDArray[np.bool_]) -> Floats:
         """Return the tilt with hardly anything left of the specific force at rest.
 
         What is left there is the accelerometer's bias for this attitude, and would
         be felt as a steady pull.
         """
-        still = self._believed()
         if not still.any():
             return tilt
         problem = self._problem
@@ -397,7 +404,7 @@ class _Block:
             level[:, side] += pushed + weight_mps * moved
         inside = span_mps > 0.0
         shift = np.where(inside, level / np.where(inside, span_mps, 1.0) - tilt, 0.0)
-        size = STANDARD_GRAVITY_MPS2 * np.sqrt(np.square(shift).sum(axis=0))
+        size = STANDARD_GRAVITY_MPS2 * np.sqrt(rot.squared_norm(shift))
         part = np.maximum(1.0 - _LEFT_MPS2 / np.maximum(size, 1e-9), 0.0)
         return np.asarray(tilt + np.where(size < _BIAS_MPS2, part, 0.0) * shift)
 
@@ -415,49 +422,47 @@ class _Block:
         nodes = self._nodes
         return float(nodes.turned_rad.sum() / nodes.duration_s.sum())
 
-    def _resting(self) -> NDArray[np.bool_]:
-        """Return which intervals between nodes lie in still spans."""
-        per_node = self._per_window * self._per_node * (1 if self._fine else 2)
-        edges = per_node * np.arange(len(self._nodes.duration_s) + 1)
-        return at_rest.resting(self._rest, np.minimum(edges, len(self._samples)))
-
     def _believed(self) -> NDArray[np.bool_]:
         """Return which still intervals do not seem to be accelerated, (K,)."""
         if self._rest is None:
-            return self._resting()
+            return self._resting
         seems = at_rest.seeming_acceleration(
             self._solution, self._solved_s, self._nodes.duration_s
         )
-        return np.asarray(self._resting() & (seems < _SEEMS_MPS2))
+        return np.asarray(self._resting & (seems < _SEEMS_MPS2))
 
     def _rest_weight(self) -> Floats:
         """Return how far the still spans are to be believed after this solution."""
         duration_s = self._nodes.duration_s
         if self._rest is None:
             return np.zeros(len(duration_s))
-        still = self._resting()
         seems = at_rest.seeming_acceleration(self._solution, self._solved_s, duration_s)
-        return at_rest.rest_weight(still, duration_s, seems, self._p)
+        return at_rest.rest_weight(self._resting, duration_s, seems, self._p)
 
-    def _unrest(self) -> bool:
+    def _unrest(self, weight: Floats) -> bool:
         """Return whether still spans would be believed otherwise than they were."""
         if self._rest is None:
             return False
-        weight = self._rest_weight()
         if self._solutions == 1:
             return bool(weight.any())
         changed = weight > 0.0
         if not changed.any():
             return False
-        ratio = weight[changed] / np.maximum(self._trusted[changed], 1e-12)
-        return bool(np.abs(np.log(ratio)).mean() > self._p.retrust)
+        before = np.maximum(self._trusted[changed], 1e-12)
+        return _mean_change(weight[changed], before) > self._p.retrust
 
 
 def _turning_variance(turn_rad: Floats) -> Floats:
     """Return what turns within a sample add to the variance, at the nodes, rad^2."""
-    at = np.append(turn_rad, turn_rad[-1:])
+    at = np.empty(len(turn_rad) + 1)
+    at[0], at[-1] = turn_rad[0], turn_rad[-1]
     at[1:-1] = 0.5 * (turn_rad[1:] + turn_rad[:-1])
     return np.asarray(np.square(_TURN_ERROR * at))
+
+
+def _mean_change(now: Floats, before: Floats) -> float:
+    """Return the mean change of positive values either way, natural logarithm."""
+    return float(np.abs(np.log(now / before)).sum()) / len(now)
 
 
 def _spins(samples: Samples, per_window: int) -> bool:

@@ -110,7 +110,7 @@ def velocity_bound(
 
     As far as it drives it is the one for what does.
     """
-    squared = 0.5 * np.square(solution.velocity_mps).sum(axis=0)
+    squared = 0.5 * rot.squared_norm(solution.velocity_mps)
     mean = local_mean(squared, duration_s, p.local_s)
     found = np.sqrt(p.velocity_factor**2 * mean + p.velocity_floor_mps**2)
     if not vehicle.share:

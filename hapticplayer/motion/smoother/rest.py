@@ -7,12 +7,14 @@ Cauchy's distribution): true rest draws the solution to itself from one to the n
 false rest lets go of it.
 """
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from hapticplayer.model.arrays import Floats
+from hapticplayer.motion import rotations as rot
 from hapticplayer.motion.smoother.calibrated import Solution
 from hapticplayer.motion.smoother.parameters import SmootherParameters
 
@@ -45,8 +47,8 @@ def resting(rest: Rest | None, edges: NDArray[np.intp]) -> NDArray[np.bool_]:
     """Return which intervals between samples (K + 1,) lie in still spans, (K,)."""
     if rest is None:
         return np.zeros(len(edges) - 1, dtype=np.bool_)
-    still = np.diff(np.interp(edges, rest.at, rest.count))
-    return np.asarray(still > _ALL * np.diff(edges))
+    still = np.interp(edges, rest.at, rest.count)
+    return np.asarray(still[1:] - still[:-1] > _ALL * (edges[1:] - edges[:-1]))
 
 
 def rest_weight(
@@ -63,10 +65,8 @@ def rest_weight(
         seems_mps2: (K,) acceleration in the last solution.
         p: of the smoother.
     """
-    weight = np.zeros(len(duration_s))
-    squared = p.rest_mps2**2 + seems_mps2[still] ** 2
-    weight[still] = 1.0 / (squared * _STEADY_S * duration_s[still])
-    return weight
+    squared = p.rest_mps2**2 + seems_mps2 * seems_mps2
+    return np.asarray(still / (squared * _STEADY_S * np.maximum(duration_s, 1e-9)))
 
 
 def seeming_acceleration(
@@ -76,23 +76,22 @@ def seeming_acceleration(
 
     Args:
         solution: the last one.
-        solved_s: (n + 1,) times of its nodes.
-        duration_s: (K,) intervals that are asked for.
+        solved_s: (n,) intervals that it was found for.
+        duration_s: (K,) intervals that are asked for, mostly the same array.
     """
-    change = np.diff(solution.velocity_mps, axis=1) / np.maximum(
-        np.diff(solved_s), 1e-9
-    )
-    size = np.sqrt(np.square(change).sum(axis=0))
-    ends = np.cumsum(duration_s)
-    middle = 0.5 * (solved_s[1:] + solved_s[:-1])
-    return np.asarray(np.interp(ends - 0.5 * duration_s, middle, size))
+    change = solution.velocity_mps[:, 1:] - solution.velocity_mps[:, :-1]
+    size = np.sqrt(rot.squared_norm(change)) / np.maximum(solved_s, 1e-9)
+    if duration_s is solved_s:
+        return np.asarray(size)
+    middle_s = np.cumsum(duration_s) - 0.5 * duration_s
+    return np.asarray(np.interp(middle_s, np.cumsum(solved_s) - 0.5 * solved_s, size))
 
 
 def expected_bias(rest: Rest | None, p: SmootherParameters) -> tuple[Floats, float]:
     """Return the gyro's bias before the motion is looked at, and its deviation."""
     if rest is None:
         return np.zeros(3), p.gyro_bias_radps
-    sigma = float(np.hypot(p.still_bias_radps, p.still_scatter * rest.sigma_radps))
+    sigma = math.hypot(p.still_bias_radps, p.still_scatter * rest.sigma_radps)
     return rest.mean_radps, min(sigma, p.gyro_bias_radps)
 
 
@@ -108,5 +107,5 @@ def widened(rest: Rest | None, found_radps: Floats, p: SmootherParameters) -> fl
         p: of the smoother.
     """
     sigma = expected_bias(rest, p)[1]
-    far = rest is None and float(np.linalg.norm(found_radps)) > _FAR * sigma
+    far = rest is None and math.hypot(*found_radps) > _FAR * sigma
     return _WIDE * sigma if far else sigma

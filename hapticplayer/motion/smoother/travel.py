@@ -133,7 +133,7 @@ def vehicle(share: float, velocity_mps: Floats, travel_mps: Floats) -> Vehicle:
         velocity_mps: (2, K + 1) horizontal, of a solution with u.
         travel_mps: (3,) that u.
     """
-    speed_mps = math.sqrt(float(np.square(travel_mps).sum()))
+    speed_mps = math.hypot(*travel_mps)
     uneven = _rms(velocity_mps) / max(speed_mps, 1e-9)
     place = _place(uneven, _EVEN, _UNEVEN)
     return Vehicle(share, _between(_EVEN_MPS, _UNEVEN_MPS, place))
@@ -146,7 +146,7 @@ def _going(velocity_mps: Floats) -> float:
 
 
 def _rms(velocity_mps: Floats) -> float:
-    return math.sqrt(float(np.square(velocity_mps).sum(axis=0).mean()))
+    return math.sqrt(float(np.vdot(velocity_mps, velocity_mps)) / velocity_mps.shape[1])
 
 
 def _between(first: float, last: float, share: float) -> float:

@@ -21,6 +21,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hapticplayer.model.arrays import Floats
+from hapticplayer.motion import rotations as rot
 from hapticplayer.motion.smoother.calibrated import (
     FORCE_BIAS,
     Problem,
@@ -83,14 +84,14 @@ def tilt_variance(
         wide: how much wider the bound is than the velocity found asks for.
         p: of the smoother.
     """
-    noise = _NOISE**2 * np.ones(len(problem.bound_weight))
+    noise = np.full(len(problem.bound_weight), _NOISE**2)
     holes = _holes(problem.tilt_weight)
     noise[holes] = noise[holes + 1] = 1.0
     squared = min(float(np.square(gyro_bias_radps).sum()), p.gyro_bias_radps**2)
     doubt = _BIAS**2 * (1.0 + squared / _CALIBRATED_RADPS**2)
     factor = p.velocity_factor * wide.excess * _BEYOND**wide.driven
     other = minimise(tighter(problem, solution, factor)).tilt
-    moved = np.square(other - solution.tilt).sum(axis=0)
+    moved = rot.squared_norm(other - solution.tilt)
     close = replace(problem, bound_weight=problem.bound_weight * wide.excess)
     share = _MOVED**2 * (1.0 + squared / _ROUGH_RADPS**2)
     return np.asarray(
