@@ -1,6 +1,6 @@
 """Validation of arrays at the border: checked once, then read-only for ever."""
 
-from typing import Any
+from typing import Any, TypeGuard
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -29,7 +29,11 @@ def frozen(
     Raises:
         InputError: when the shape is another or an element is not finite.
     """
-    array = np.array(values, dtype=dtype, order="C", copy=not _is_frozen(values, dtype))
+    array: NDArray[Any]
+    if _is_frozen(values, dtype):
+        array = values
+    else:
+        array = np.array(values, dtype=dtype, order="C")
     if array.ndim != len(shape) or any(
         want is not None and got != want
         for got, want in zip(array.shape, shape, strict=True)
@@ -44,9 +48,9 @@ def frozen(
     return array
 
 
-def _is_frozen(values: ArrayLike, dtype: Any) -> bool:
+def _is_frozen(values: ArrayLike, dtype: Any) -> TypeGuard[NDArray[Any]]:
     """Return whether the array, and what it is a view of, can stay as it is."""
-    if not isinstance(values, np.ndarray):
+    if type(values) is not np.ndarray:
         return False
     if values.dtype != dtype or not values.flags.c_contiguous:
         return False
@@ -65,9 +69,9 @@ def frozen_times(values: ArrayLike, name: str) -> Floats:
         InputError: when a time repeats or runs backwards.
     """
     times = frozen(values, (None,), name)
-    steps = np.diff(times)
-    if steps.size and steps.min() <= 0.0:
-        row = int(np.argmin(steps > 0.0)) + 1
+    increases = times[1:] > times[:-1]
+    if not increases.all():
+        row = int(np.argmin(increases)) + 1
         raise InputError(
             f"{name} must increase strictly, but row {row} has {times[row]:.6f} s "
             f"after {times[row - 1]:.6f} s"

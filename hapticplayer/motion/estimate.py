@@ -1,8 +1,7 @@
 """What an orientation estimator returns, and what it may be asked for."""
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field
-from types import MappingProxyType
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -24,12 +23,12 @@ class Estimate:
             where the method does not know.
         at_rest: (N,) still samples that were found to be so, or None where the
             method does not look.
-        found: what was chosen and found on the way, for provenance: plain numbers,
-            lists and texts.
+        found: returns what was chosen and found on the way, for provenance: plain
+            numbers, lists and texts. Most callers do not ask.
     """
 
     quaternion_wxyz: Floats
     vertical: Floats
     sigma_rad: Floats | None = None
     at_rest: NDArray[np.bool_] | None = None
-    found: Mapping[str, Any] = field(default_factory=lambda: MappingProxyType({}))
+    found: Callable[[], Mapping[str, Any]] = dict

@@ -121,7 +121,7 @@ def analyse(
         "saturated_share": task.flaws.saturated_share,
         "invalid_share": 1.0 - float(np.mean(track.valid)),
         "gravity_sigma_mps2": None if sigma is None else float(np.median(sigma)),
-        **estimate.found,
+        **estimate.found(),
     }
     return GravityRemoval(track, summary)
 

@@ -3,7 +3,7 @@
 import functools
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from typing import TypeVar
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,6 +17,7 @@ from hapticplayer.motion.estimate import Estimate
 from hapticplayer.motion.flaws import Flaws
 from hapticplayer.motion.smoother import (
     Samples,
+    SmoothedRecording,
     SmootherParameters,
     bridged,
     smooth_recording,
@@ -77,25 +78,28 @@ def smoother(task: Task) -> Estimate:
     done = smooth_recording(
         samples, task.still, parameters, places, with_sigma=task.sigma
     )
-    driven = float(done.mean("driven"))
     return Estimate(
         quaternion_wxyz=done.quaternion_wxyz,
         vertical=done.vertical,
         sigma_rad=done.sigma_rad if task.sigma else None,
         at_rest=done.at_rest,
-        found={
-            "time_constant_s": [round(value, 2) for value in done.time_constant_s],
-            "time_constant_from": _CHOSEN if is_chosen else _reason(driven),
-            "driven": round(driven, 3),
-            "gyro_bias_radps": _rounded(done.mean("gyro_bias_radps")),
-            "accelerometer_bias_mps2": _rounded(done.mean("accelerometer_bias_mps2")),
-            "accelerometer_scale": round(float(1.0 + done.mean("force_scale")), 5),
-            "accelerometer_scale_sigma": round(
-                float(done.mean("force_scale_sigma")), 5
-            ),
-            "blocks": len(done.blocks),
-        },
+        found=functools.partial(_found, done, is_chosen),
     )
+
+
+def _found(done: SmoothedRecording, is_chosen: bool) -> dict[str, Any]:
+    """Return what the smoother found, for people."""
+    driven = float(done.mean("driven"))
+    return {
+        "time_constant_s": [round(value, 2) for value in done.time_constant_s],
+        "time_constant_from": _CHOSEN if is_chosen else _reason(driven),
+        "driven": round(driven, 3),
+        "gyro_bias_radps": _rounded(done.mean("gyro_bias_radps")),
+        "accelerometer_bias_mps2": _rounded(done.mean("accelerometer_bias_mps2")),
+        "accelerometer_scale": round(float(1.0 + done.mean("force_scale")), 5),
+        "accelerometer_scale_sigma": round(float(done.mean("force_scale_sigma")), 5),
+        "blocks": len(done.blocks),
+    }
 
 
 def _reason(driven: float) -> str:
@@ -111,7 +115,8 @@ def _samples(task: Task) -> tuple[Samples, NDArray[np.intp] | None]:
     step = np.empty(len(imu))
     step[0] = flaws.interval_s
     np.subtract(imu.time_s[1:], imu.time_s[:-1], out=step[1:])
-    np.copyto(step, flaws.interval_s, where=flaws.beyond_bridging)
+    if not flaws.flawless:
+        step[flaws.beyond_bridging] = flaws.interval_s
     samples = Samples(
         step,
         imu.specific_force_mps2,
@@ -140,7 +145,7 @@ def _piecewise(method: Method) -> Method:
             quaternion_wxyz=np.concatenate([one.quaternion_wxyz for one in done]),
             vertical=np.concatenate([one.vertical for one in done]),
             sigma_rad=np.concatenate(sigmas) if len(sigmas) == len(done) else None,
-            found={**longest.found, "pieces": len(done)},
+            found=lambda: {**longest.found(), "pieces": len(done)},
         )
 
     return run
@@ -275,7 +280,7 @@ def _back(
         same = log.time_s is task.imu.time_s
         turned = turn if same else grid.columns(task.imu.time_s, log.time_s, turn)
         vertical = np.ascontiguousarray(window_mean(vertical.T, turned.T).T)
-    return Estimate(q, vertical, sigma_rad, found=found or {})
+    return Estimate(q, vertical, sigma_rad, found=lambda: found or {})
 
 
 def _at_times(task: Task, log: grid.EvenLog, q: Floats) -> Floats:

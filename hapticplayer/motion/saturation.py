@@ -78,8 +78,7 @@ def saturated_mask(values: Floats, sensor: SensorRange) -> tuple[Flags, float | 
     tops, by_axis = _tops(values)
     rails = np.zeros((2, 3))
     for side, sign in enumerate((1.0, -1.0)):
-        for axis in range(3):
-            top = float(tops[side, axis])
+        for axis, top in enumerate(tops[side].tolist()):
             if top >= sensor.least and _is_rail(by_axis[axis], sign, top, sensor):
                 rails[side, axis] = top
     if not rails.any():
@@ -108,12 +107,13 @@ def _tops(values: Floats) -> tuple[Floats, Floats]:
 
 def _is_rail(values: Floats, sign: float, top: float, sensor: SensorRange) -> bool:
     """Return whether samples pile up at `top`, in runs, with few just below."""
-    level, below = (sign * (1.0 - share) * top for share in (ON_RAIL, BELOW_RAIL))
+    level = sign * (1.0 - ON_RAIL) * top
     on_rail = values >= level if sign > 0.0 else values <= level
     count = int(np.count_nonzero(on_rail))
     # what lies there most of the time is a steady motion, not a peak cut off
     if not MIN_RUN <= count <= MAX_SHARE * len(values):
         return False
+    below = sign * (1.0 - BELOW_RAIL) * top
     near = int(np.count_nonzero(values >= below if sign > 0.0 else values <= below))
     is_known = _known(top, sensor) is not None
     if count < MIN_CONTRAST[is_known] * (near - count):

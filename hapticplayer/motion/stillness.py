@@ -103,14 +103,15 @@ def find_still(imu: ImuLog, interval_s: float | None = None) -> StillSpans:
     pushed = _spread(imu.specific_force_mps2[:used], count)
     if not _may_be_still(calm & (pushed[1] < _BINS * MAX_FORCE_STD_MPS2**2)):
         return none
-    rate, force = _Bins.of(*turning), _Bins.of(*pushed)
+    both = zip(turning, pushed, strict=True)
+    norm, deviation = _windows(*(np.stack(pair) for pair in both))
     ends_s = imu.time_s[per_bin - 1 : used : per_bin]
     span_s = ends_s[_BINS - 1 :] - imu.time_s[:used:per_bin][: count - _BINS + 1]
     starts = np.flatnonzero(
-        (force.deviation < MAX_FORCE_STD_MPS2)
-        & (rate.deviation < MAX_RATE_STD_RADPS)
-        & (rate.norm < MAX_RATE_MEAN_RADPS)
-        & (force.norm > 0.5 * STANDARD_GRAVITY_MPS2)
+        (deviation[1] < MAX_FORCE_STD_MPS2)
+        & (deviation[0] < MAX_RATE_STD_RADPS)
+        & (norm[0] < MAX_RATE_MEAN_RADPS)
+        & (norm[1] > 0.5 * STANDARD_GRAVITY_MPS2)
         & (span_s < 1.5 * WINDOW_S)  # a gap inside is no evidence of rest
     )
     edges = np.bincount(starts, minlength=count + 1)
@@ -118,7 +119,7 @@ def find_still(imu: ImuLog, interval_s: float | None = None) -> StillSpans:
     still = np.cumsum(edges[:-1]) > 0
     if imu.valid is not None:
         still &= imu.valid[:used].reshape(count, per_bin).all(axis=1)
-    return StillSpans(per_bin, still, force.means, rate.means, bin_s)
+    return StillSpans(per_bin, still, pushed[0], turning[0], bin_s)
 
 
 def estimate_accelerometer_gain(
@@ -147,27 +148,21 @@ def estimate_accelerometer_gain(
     )
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class _Bins:
-    """Means of bins (3, B), and norm of the mean and deviation of 4 neighbours."""
+def _windows(means: Floats, inside: Floats) -> tuple[Floats, Floats]:
+    """Return norm of the mean and deviation of 4 neighbours among bins, (2, B - 3).
 
-    means: Floats
-    norm: Floats
-    deviation: Floats
-
-    @classmethod
-    def of(cls, means: Floats, inside: Floats) -> "_Bins":
-        overall = means.mean(axis=1, keepdims=True)
-        centred = means - overall  # or the variance cancels
-        running = _running_mean(
-            np.concatenate([centred, np.square(centred), inside[None]])
-        )
-        mean, squared, within = running[:3], running[3:6], running[6]
-        between = np.abs(squared - np.square(mean)).sum(axis=0)
-        mean = mean + overall
-        return cls(
-            means, np.sqrt(np.square(mean).sum(axis=0)), np.sqrt(within + between)
-        )
+    Args:
+        means: (2, 3, B) of both sensors.
+        inside: (2, B) variance inside the bins.
+    """
+    overall = means.mean(axis=2, keepdims=True)
+    centred = means - overall  # or the variance cancels
+    both = np.concatenate([centred, np.square(centred), inside[:, None]], axis=1)
+    running = _running_mean(both)
+    mean, squared, within = running[:, :3], running[:, 3:6], running[:, 6]
+    between = np.abs(squared - np.square(mean)).sum(axis=1)
+    mean = mean + overall
+    return np.sqrt(np.square(mean).sum(axis=1)), np.sqrt(within + between)
 
 
 def _spread(values: Floats, count: int) -> tuple[Floats, Floats]:
@@ -176,8 +171,8 @@ def _spread(values: Floats, count: int) -> tuple[Floats, Floats]:
     per_bin = rows.shape[1] // 3
     # as a product, because numpy is slow along axes of three
     means = (rows @ _averaging(per_bin)).T
-    squares = np.einsum("bk,bk->b", rows, rows) / per_bin
-    return means, np.maximum(squares - np.square(means).sum(axis=0), 0.0)
+    squares = np.vecdot(rows, rows) / per_bin
+    return means, np.maximum(squares - rot.squared_norm(means), 0.0)
 
 
 @functools.cache
@@ -197,6 +192,6 @@ def _may_be_still(calm: NDArray[np.bool_]) -> bool:
 
 def _running_mean(values: Floats) -> Floats:
     """Return the means of 4 neighbours along the last axis."""
-    total = np.zeros((len(values), values.shape[1] + 1))
-    np.cumsum(values, axis=1, out=total[:, 1:])
-    return np.asarray(total[:, _BINS:] - total[:, :-_BINS]) / _BINS
+    total = np.zeros((*values.shape[:-1], values.shape[-1] + 1))
+    np.cumsum(values, axis=-1, out=total[..., 1:])
+    return np.asarray(total[..., _BINS:] - total[..., :-_BINS]) / _BINS

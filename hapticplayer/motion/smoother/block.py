@@ -310,8 +310,8 @@ class _Block:
         sigma = np.sqrt(np.minimum(variance, 2.0))
         share = np.arange(per_node) / per_node
         # straight lines as one product, because numpy is slow along short axes
-        lines = np.stack([1.0 - share, share])
-        at_samples = np.stack([sigma[:-1], sigma[1:]], axis=1) @ lines
+        lines = np.array([1.0 - share, share])
+        at_samples = np.array([sigma[:-1], sigma[1:]]).T @ lines
         return np.asarray(at_samples.reshape(-1)[: len(self._samples)])
 
     def _wide(self) -> Wide:

@@ -13,6 +13,7 @@ of its columns: all of it costs one Cholesky factor of a band, whatever the leng
 Being a normal matrix with positive weights, it is positive definite by construction.
 """
 
+import functools
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -89,8 +90,15 @@ class Solution:
     @property
     def covariance(self) -> Floats:
         """Covariance (C, C) of the calibration."""
-        root, _ = lapack.dtrtri(np.triu(self.factor))
+        root, _ = lapack.dtrtri(self.factor)
+        root *= _upper(len(root))  # below is what the factor was made of
         return np.asarray(root @ root.T)
+
+
+@functools.cache
+def _upper(count: int) -> Floats:
+    """Return a matrix of so many rows with ones on and above the diagonal."""
+    return np.triu(np.ones((count, count)))
 
 
 def minimise(problem: Problem) -> Solution:
@@ -118,7 +126,7 @@ def best_calibration(problem: Problem, normal: Floats) -> tuple[Floats, Floats]:
         normal: (1 + C, 1 + C) matrix of the columns.
     """
     matrix = normal[1:, 1:].copy()  # of which the factor takes one half
-    matrix.flat[:: len(matrix) + 1] += problem.prior_weight
+    matrix.reshape(-1)[:: len(matrix) + 1] += problem.prior_weight  # a view
     right = problem.prior_weight * problem.prior - normal[1:, 0]
     factor, calibration, failed = lapack.dposv(matrix, right)
     if failed:

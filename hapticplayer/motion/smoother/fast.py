@@ -56,6 +56,10 @@ class PackedNodes(Nodes):
     levers: Floats
 
 
+# The axes of the sensor, and no bias.
+_UNCHANGED = np.eye(4, 3)
+
+
 def _ready(values: Floats) -> Floats:
     return np.ascontiguousarray(values, dtype=np.float64)
 
@@ -77,9 +81,9 @@ def integrate(
     total = -(-len(samples) // per_window)
     chunk = max(1, CHUNK // per_window)
     calm = np.zeros(-(-total // chunk), dtype=np.bool_)
-    if shortcuts:
+    if shortcuts and not samples.averaged:
         calm = calm_chunks(samples, per_window, bias_radps)
-    calibration = np.eye(4, 3)
+    calibration = _UNCHANGED.copy()
     if matrix.any():
         calibration[:3] = np.linalg.inv(np.eye(3) + matrix)
     calibration[3] = bias_radps
@@ -159,7 +163,7 @@ def gather(
     levers = np.zeros((count, 3, 3, 4 if with_scale else 1))
     kernels.gather(
         *(windows.rotations, windows.rows, per_node),
-        *(starts, ends, rows, levers, np.eye(3)),
+        *(starts, ends, rows, levers, _UNCHANGED[:3].copy()),
     )
     return PackedNodes(
         per_node=per_node,
@@ -233,7 +237,8 @@ def minimise(problem: Problem) -> Solution:
     normal = problem.rows.reshape(-1, columns).T @ left.reshape(-1, columns)
     calibration, factor = best_calibration(problem, normal)
     states = nodes.reshape(count + 1, 4, columns)  # tilt x, y, velocity x, y
-    weights = np.concatenate([[1.0], calibration])
+    weights = np.ones(columns)
+    weights[1:] = calibration
     found = (nodes.reshape(-1, columns) @ weights).reshape(count + 1, 4).T
     return Solution(
         tilt=found[:2],

@@ -113,10 +113,10 @@ def rough_vertical(nodes: Nodes, half_width_s: float) -> Floats:
 
     The direction of the mean specific force over some seconds around each node.
     """
-    total = np.concatenate(
-        [np.zeros((3, 1)), np.cumsum(nodes.impulse_mps, axis=1)], axis=1
-    )
-    time_s = np.concatenate([[0.0], np.cumsum(nodes.duration_s)])
+    count = len(nodes.duration_s)
+    total, time_s = np.zeros((3, count + 1)), np.zeros(count + 1)
+    np.cumsum(nodes.impulse_mps, axis=1, out=total[:, 1:])
+    np.cumsum(nodes.duration_s, out=time_s[1:])
     first = np.searchsorted(time_s, time_s - half_width_s, side="left")
     last = np.searchsorted(time_s, time_s + half_width_s, side="right") - 1
     return _directions(total[:, last] - total[:, first])
