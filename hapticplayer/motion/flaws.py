@@ -97,7 +97,7 @@ class Flaws:
 
 def find_flaws(imu: ImuLog) -> Flaws:
     """Return the flaws of a log of at least two samples."""
-    steps = np.diff(imu.time_s)
+    steps = imu.time_s[1:] - imu.time_s[:-1]
     interval_s = median(steps)
     gap_s = np.zeros(len(imu))
     if steps.max() > GAP_STEPS * interval_s:

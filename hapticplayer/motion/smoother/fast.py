@@ -4,7 +4,7 @@ Each takes and returns what its counterpart in numpy does; records that the loop
 come along in PackedWindows and PackedNodes.
 """
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -140,14 +140,14 @@ def coarse(samples: Samples, per_window: int) -> Samples:
         _records(force, jit.XYZ),
         _records(rate, jit.XYZ),
     )
-    return replace(
-        samples,
+    return Samples(
         step_s=spent[0],
         specific_force_mps2=force,
         angular_rate_radps=rate,
         averaged=True,
         lost_s=spent[1],
         doubt_s=spent[2],
+        gain=samples.gain,
         usual_step_s=per_window * samples.interval_s,
     )
 
@@ -237,8 +237,8 @@ def minimise(problem: Problem) -> Solution:
     normal = problem.rows.reshape(-1, columns).T @ left.reshape(-1, columns)
     calibration, factor = best_calibration(problem, normal)
     states = nodes.reshape(count + 1, 4, columns)  # tilt x, y, velocity x, y
-    weights = np.ones(columns)
-    weights[1:] = calibration
+    weights = np.empty(columns)
+    weights[0], weights[1:] = 1.0, calibration
     found = (nodes.reshape(-1, columns) @ weights).reshape(count + 1, 4).T
     return Solution(
         tilt=found[:2],

@@ -13,6 +13,8 @@ from hapticplayer.motion.smoother.strapdown import Windows
 _SLOW_RAD2 = 1.0
 # Cosine of the angle up to which one frame serves all verticals.
 _NEAR_FIRST = 0.5
+# A mean that is shorter has no direction.
+_NOWHERE = 1e-6
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -125,9 +127,9 @@ def rough_vertical(nodes: Nodes, half_width_s: float) -> Floats:
 def _directions(vectors: Floats) -> Floats:
     """Return unit vectors; where there is none, the one before (or after)."""
     norm = np.sqrt(rot.squared_norm(vectors))
-    known = norm > 1e-6
-    if known.all():
+    if norm.min() > _NOWHERE:
         return np.asarray(vectors / norm)
+    known = norm > _NOWHERE
     if not known.any():
         return np.tile([[0.0], [0.0], [1.0]], len(norm))
     last = np.maximum.accumulate(np.where(known, np.arange(len(norm)), -1))

@@ -146,6 +146,8 @@ def _picked(whole: SmoothedRecording, places: NDArray[np.intp]) -> SmoothedRecor
 def _rest(still: _Still, part: slice) -> Rest | None:
     """Return what is known of the still spans among some samples."""
     spans = still.spans
+    if not spans.bins.any():
+        return None
     first = int(np.searchsorted(still.edges, part.start))
     last = int(np.searchsorted(still.edges, part.stop, side="right")) - 1
     chosen = spans.bins[first:last]

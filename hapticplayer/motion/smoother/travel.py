@@ -91,10 +91,10 @@ def travel_prior(
     prior: Floats, weight: Floats, sigma_mps: float
 ) -> tuple[Floats, Floats]:
     """Return what is expected, and how surely, with the three columns of u."""
-    return (
-        np.concatenate([prior, np.zeros(TRAVEL)]),
-        np.concatenate([weight, np.full(TRAVEL, sigma_mps**-2.0)]),
-    )
+    longer = np.zeros((2, len(prior) + TRAVEL))
+    longer[:, :-TRAVEL] = prior, weight
+    longer[1, -TRAVEL:] = sigma_mps**-2.0
+    return longer[0], longer[1]
 
 
 def expected_mps(velocity_mps: Floats, driven: float = 0.0) -> float:
