@@ -26,20 +26,20 @@ from hapticplayer.motion.smoother.linearise import (
     Knowledge,
     expected,
 )
-from hapticplayer.motion.smoother.nodes import Nodes
+from hapticplayer.motion.smoother.nodes import AnyNodes
 from hapticplayer.motion.smoother.parameters import SmootherParameters
 from hapticplayer.motion.smoother.strapdown import (
     CHUNK,
+    AnyWindows,
     Samples,
-    Windows,
     calm_chunks,
 )
 from hapticplayer.motion.smoother.travel import TRAVEL, travel_prior
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class PackedWindows(Windows):
-    """Windows with the records that they are views of; see `kernels.integrate`."""
+class PackedWindows(AnyWindows):
+    """Windows as the records that the loops share; see `kernels.integrate`."""
 
     orientations: NDArray[Any]
     rotations: NDArray[Any]
@@ -47,8 +47,8 @@ class PackedWindows(Windows):
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class PackedNodes(Nodes):
-    """Nodes with the records that they are views of; see `kernels.gather`."""
+class PackedNodes(AnyNodes):
+    """Nodes as the records that the loops share; see `kernels.gather`."""
 
     starts: NDArray[Any]
     ends: NDArray[Any]
@@ -106,16 +106,9 @@ def integrate(
         rotations,
         rows,
     )
-    columns = rows.view(np.float64).reshape(total, -1).T
     return PackedWindows(
         duration_s=rows["duration"],
-        rotation=(rotation[:, 0], rotation[:, 1]),
-        impulse_mps=columns[:3],
-        turn_rad=columns[3:6],
-        power_m2ps3=rows["power"],
         lost_s=rows["lost"],
-        doubt_s=rows["doubt"],
-        inside=(inside[..., 0].T, inside[..., 1].T),
         orientations=orientations,
         rotations=rotations,
         rows=rows,
@@ -167,16 +160,10 @@ def gather(
     )
     return PackedNodes(
         per_node=per_node,
-        start=(starts["first"], starts["second"]),
         at=(ends["first"], ends["second"]),
         duration_s=rows["duration"].copy(),
         impulse_mps=rows.view(np.float64).reshape(count, -1).T[:3],
-        bias_turn_s=levers[..., 0].transpose(1, 2, 0),
-        scale_turn_rad=levers[..., 1:].reshape(count, 3, -1).transpose(1, 2, 0),
-        power_m2ps3=rows["power"],
         turned_rad=rows["turned"],
-        lost_s=rows["lost"],
-        doubt_s=rows["doubt"],
         starts=starts,
         ends=ends,
         rows=rows,

@@ -10,9 +10,14 @@ from hapticplayer.motion.smoother import calibrated, compiled, linearise, strapd
 from hapticplayer.motion.smoother import nodes as nd
 from hapticplayer.motion.smoother.calibrated import Problem, Solution
 from hapticplayer.motion.smoother.linearise import Knowledge
-from hapticplayer.motion.smoother.nodes import Nodes
+from hapticplayer.motion.smoother.nodes import AnyNodes, Nodes
 from hapticplayer.motion.smoother.parameters import SmootherParameters
-from hapticplayer.motion.smoother.strapdown import Correction, Samples, Windows
+from hapticplayer.motion.smoother.strapdown import (
+    AnyWindows,
+    Correction,
+    Samples,
+    Windows,
+)
 
 
 def opened(
@@ -22,7 +27,7 @@ def opened(
     *,
     with_scale: bool,
     shortcuts: bool,
-) -> tuple[Windows, Nodes]:
+) -> tuple[AnyWindows, AnyNodes]:
     """Return windows and nodes; see `strapdown.integrate` and `nodes.gather`.
 
     Args:
@@ -48,13 +53,14 @@ def coarse(samples: Samples, per_window: int) -> Samples:
 
 
 def linearised(
-    nodes: Nodes, vertical: Floats, known: Knowledge, p: SmootherParameters
+    nodes: AnyNodes, vertical: Floats, known: Knowledge, p: SmootherParameters
 ) -> tuple[Pair, Problem]:
     """Return level frames about verticals (3, K + 1), and the problem in them."""
     fast = compiled.fast()
     if fast is not None and isinstance(nodes, fast.PackedNodes):
         found: tuple[Pair, Problem] = fast.linearised(nodes, vertical, known, p)
         return found
+    assert isinstance(nodes, Nodes)
     frames = nd.level_frames(vertical)
     return frames, linearise.linearised(nodes, vertical, frames, known, p)
 
@@ -89,7 +95,7 @@ def rotated(rotation: Pair, vector: Floats, *, inverse: bool = False) -> Floats:
 def at_samples(
     tilt: Floats,
     frames: Pair,
-    strapped: tuple[Windows, Nodes],
+    strapped: tuple[AnyWindows, AnyNodes],
     samples: Samples,
     bias_radps: Floats,
     rate_noise_rad_per_sqrt_s: float,
@@ -112,6 +118,8 @@ def at_samples(
             tilt, frames, share, strapped, samples, bias_radps
         )
         return strapped_down
+    assert isinstance(windows, Windows)
+    assert isinstance(nodes, Nodes)
     level = nd.levelled(tilt, frames)
     start = rot.unit(rot.multiply(nd.between(level, share, windows), nodes.start))
     return strapdown.spread(start, windows, samples, bias_radps)

@@ -80,26 +80,35 @@ class Samples:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Windows:
-    """What the sensor did in each window, in its own frame at the window's start.
+class AnyWindows:
+    """What is known of windows however they are kept.
 
     Attributes:
         duration_s: (n,).
+        lost_s: (n,) sum of the samples'.
+    """
+
+    duration_s: Floats
+    lost_s: Floats
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Windows(AnyWindows):
+    """What the sensor did in each window, in its own frame at the window's start.
+
+    Attributes:
         rotation: from the end of the window to its start, (n,).
         impulse_mps: (3, n) the integral of the specific force.
         turn_rad: (3, n) the integral of the angular rate.
         power_m2ps3: (n,) the integral of the squared specific force.
-        lost_s: (n,) sum of the samples'.
         doubt_s: (n,) sum of the samples'.
         inside: orientation of each sample relative to the start, (per window, n).
     """
 
-    duration_s: Floats
     rotation: Pair
     impulse_mps: Floats
     turn_rad: Floats
     power_m2ps3: Floats
-    lost_s: Floats
     doubt_s: Floats
     inside: Pair
 
@@ -162,11 +171,11 @@ def integrate(
     )
     return Windows(
         duration,
+        _sums(samples.lost_s, per_window, total),
         rotation,
         impulse,
         turned,
         power,
-        _sums(samples.lost_s, per_window, total),
         _sums(samples.doubt_s, per_window, total),
         inside,
     )
