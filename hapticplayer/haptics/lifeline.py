@@ -11,11 +11,11 @@ the line and the process's descriptor tell.
 
 import ctypes
 import errno
-import functools
 import mmap
 import os
 import threading
 from collections.abc import Callable
+from functools import cache, partial
 
 from hapticplayer.haptics.track import anonymous_memory
 
@@ -44,9 +44,17 @@ class Lifeline:
     def __init__(self, memory: memoryview) -> None:
         self._word = memory[:4].cast("I")
         self._mark = memory[_MARK_AT:LIFE_BYTES].cast("I")
-        self._address = ctypes.addressof(ctypes.c_char.from_buffer(memory))
         self._futex = _FUTEX.get(os.uname().machine, 0)
-        self._system_call = ctypes.CDLL(None, use_errno=True).syscall
+        self._seen, self._timeout = ctypes.c_uint(), _Timespec()
+        self._sleep = partial(
+            ctypes.CDLL(None, use_errno=True).syscall,
+            ctypes.c_long(self._futex),
+            ctypes.byref(ctypes.c_char.from_buffer(memory)),
+            ctypes.c_int(_WAIT),
+            self._seen,
+            ctypes.byref(self._timeout),
+            None,
+        )
 
     def is_cut(self) -> bool:
         """Whether the thread that held it has ended."""
@@ -61,15 +69,13 @@ class Lifeline:
 
         Only where it `wakes`; a system that refuses the call is not asked again.
         """
-        word = self._word[0]
+        self._seen.value = word = self._word[0]
         if word & _OWNER_DIED:
             return True
-        number, kind = ctypes.c_long(self._futex), ctypes.c_int(_WAIT)
-        place, seen = ctypes.c_void_p(self._address), ctypes.c_uint(word)
-        whole_s = int(timeout_s)
-        time = _Timespec(whole_s, int((timeout_s - whole_s) * 1e9))
-        refused = self._system_call(number, place, kind, seen, ctypes.byref(time), None)
-        if refused and ctypes.get_errno() not in _NO_END_OF_WAITING:
+        seconds = int(timeout_s)
+        self._timeout.seconds = seconds
+        self._timeout.nanoseconds = int(1e9 * (timeout_s - seconds))
+        if self._sleep() and ctypes.get_errno() not in _NO_END_OF_WAITING:
             self._futex = 0
         return self.is_cut()
 
@@ -91,7 +97,7 @@ def hold_lifeline() -> int:
     return _hold()
 
 
-@functools.cache
+@cache
 def _hold() -> int:
     descriptor = anonymous_memory("hapticplayer-lifeline", mmap.PAGESIZE)
     page = mmap.mmap(descriptor, mmap.PAGESIZE)

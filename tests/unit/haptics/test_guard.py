@@ -1,11 +1,13 @@
 """The guard on a virtual clock: when it writes zero, and when it leaves the loop alone."""
 
+import ctypes
 import mmap
 import os
 import signal
 import subprocess
 import sys
 import threading
+from functools import partial
 from itertools import pairwise
 
 import pytest
@@ -221,7 +223,9 @@ def test_a_lifeline_that_is_let_go_tells_of_nothing_and_the_descriptor_does(hold
 
 def test_a_system_that_refuses_to_wait_is_asked_once(holder, monkeypatch):
     assert holder.listen() == "held"
-    monkeypatch.setattr(holder.life, "_futex", 1_000_000)  # no such call
+    library = ctypes.CDLL(None, use_errno=True)
+    refused = partial(library.syscall, ctypes.c_long(1_000_000))  # no such call
+    monkeypatch.setattr(holder.life, "_sleep", refused)
     assert not holder.life.wait(60.0)
     assert not holder.life.wakes()
     assert not holder.process.has_ended(0.0)
