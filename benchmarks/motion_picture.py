@@ -134,7 +134,7 @@ def _panel(axes: Axes, key: str, points: Sequence[Point], *, detailed: bool) -> 
     axes.plot(
         default.us, default.error_mps2, "*", color=colour, ms=15, mec="black", zorder=5
     )
-    axes.set_xlim(0.1, 60.0)
+    axes.set_xlim(0.05, 60.0)
 
 
 def _legend(figure: Figure) -> None:
