@@ -500,10 +500,10 @@ def spread(
         here = level[w]
         here.first, here.second = _unit(q0, q1)
     drift, here = bias[0], level[0]
-    s0, s1 = here.first, here.second
+    s0, s1, w, m = here.first, here.second, 0, 0
     for k in range(len(step)):
-        w = k // per_window
-        m = k - w * per_window
+        if m == per_window:
+            w, m = w + 1, 0
         if m == 0:
             here = level[w]
             s0, s1 = here.first, here.second
@@ -512,9 +512,12 @@ def spread(
             s0, s1 = turned.first.conjugate(), -turned.second
             s0, s1 = _multiply(here.first, here.second, s0, s1)
         here, row, up = inside[w, m], orientation[k], vertical[k]
+        m += 1
         q0, q1 = _multiply(s0, s1, here.first, here.second)
         row.first, row.second = q0, q1
-        x, y, z = _rotate(q0.conjugate(), -q1, 0.0, 0.0, 1.0)
+        a, b, c, d = q0.real, q0.imag, q1.real, q1.imag
+        x, y = 2.0 * (b * d - a * c), 2.0 * (c * d + a * b)
+        z = a * a + d * d - (b * b + c * c)
         if averaged:
             read, dt = rate[k], step[k]
             a, b, c = read.x - drift.x, read.y - drift.y, read.z - drift.z
