@@ -30,6 +30,7 @@ from hapticplayer.motion.smoother.calibrated import (
     GYRO_MATRIX,
     Problem,
     Solution,
+    again,
 )
 from hapticplayer.motion.smoother.linearise import Knowledge, velocity_bound
 from hapticplayer.motion.smoother.parameters import SmootherParameters
@@ -186,15 +187,17 @@ class _Block:
         vertical = nd.rough_vertical(self._nodes, p.rough_s)
         self._bound = np.full(vertical.shape[1], p.velocity_start_mps)
         self._trusted = np.zeros(len(self._nodes.duration_s))
-        self._travel_sigma_mps = 0.0
+        # solved with columns for a velocity u, of which nothing is expected at first
+        self._may_travel, self._travel_sigma_mps = True, 0.0
         self._solutions = 0
         self._solve(vertical, BIASES_ONLY)
         swaying = self._solution.velocity_mps
         self._vehicle = travel.Vehicle()
         self._travel_sigma_mps = travel.expected_mps(swaying)
-        if self._travel_sigma_mps:
-            self._solutions = 0
-            self._solve(vertical, BIASES_ONLY)
+        self._may_travel = self._travel_sigma_mps > 0.0
+        if self._may_travel:
+            self._problem = travel.travelling(self._problem, self._travel_sigma_mps)
+            self._solution = again(self._problem, self._solution)
             self._drive(swaying)
 
     def _drive(self, swaying_mps: Floats) -> None:
@@ -376,6 +379,7 @@ class _Block:
             self._trusted,
             self._calibration[:columns],
             *self._expected,
+            self._may_travel,
             self._travel_sigma_mps,
         )
         self._frames, problem = stages.linearised(self._nodes, vertical, known, self._p)

@@ -40,7 +40,8 @@ class Problem:
         duration_s: (K,).
         rows: (K, 5, 1 + C) what changes from node to node: the known part, then that
             per unit of calibration. First the vertical's x and y, that is r; then
-            the velocity, m/s, in the level frames, gravity taken off.
+            the velocity, m/s, in the level frames, gravity taken off. Columns beyond
+            those that something is expected of are there for `again`.
         tilt_weight: (K,) 1 / variance of w_s.
         velocity_weight: (K,) 1 / variance of w_v.
         bound_weight: (K + 1,) 1 / variance of w_b.
@@ -78,14 +79,24 @@ class Solution:
         velocity_mps: (2, K + 1) horizontal.
         calibration: (C,).
         factor: (C, C) upper Cholesky factor of the calibration's information.
-        tilt_per_calibration: (2, C, K + 1).
+        states: (4 (K + 1), 1 + C or more) tilt x and y, then velocity x and y of each
+            node, for each column of the problem alone.
+        normal: (1 + C or more, the same) normal matrix of those columns.
     """
 
     tilt: Floats
     velocity_mps: Floats
     calibration: Floats
     factor: Floats
-    tilt_per_calibration: Floats
+    states: Floats
+    normal: Floats
+
+    @property
+    def tilt_per_calibration(self) -> Floats:
+        """How the tilt moves with the calibration, (2, C, K + 1), a view."""
+        columns = self.states.shape[1]
+        by_node = self.states.reshape(-1, 4, columns)[..., 1 : 1 + len(self.factor)]
+        return by_node[:, :2].transpose(1, 2, 0)
 
     @property
     def covariance(self) -> Floats:
@@ -105,33 +116,42 @@ def minimise(problem: Problem) -> Solution:
     """Return tilt, velocity and calibration of least squares."""
     states, normal = _horizontal(problem)
     normal += _vertical_normal(problem)
-    calibration, factor = best_calibration(problem, normal)
-    weights = np.concatenate([[1.0], calibration])
-    found = (weights @ states.reshape(len(weights), -1)).reshape(-1, 2)
-    tilt, velocity = found.T
-    return Solution(
-        tilt=np.stack([tilt.real, tilt.imag]),
-        velocity_mps=np.stack([velocity.real, velocity.imag]),
-        calibration=calibration,
-        factor=factor,
-        tilt_per_calibration=np.stack([states[1:, :, 0].real, states[1:, :, 0].imag]),
+    axes = np.stack([states.real, states.imag])  # (2, 1 + C, K + 1, tilt and velocity)
+    return with_best_calibration(
+        problem, axes.transpose(2, 3, 0, 1).reshape(-1, len(states)), normal
     )
 
 
-def best_calibration(problem: Problem, normal: Floats) -> tuple[Floats, Floats]:
-    """Return the calibration and the Cholesky factor of its information.
+def again(problem: Problem, solution: Solution) -> Solution:
+    """Return the minimum of a solved problem of whose columns something else is expected.
+
+    Args:
+        problem: the same but for what is expected, which may be of more columns.
+        solution: of the other.
+    """
+    return with_best_calibration(problem, solution.states, solution.normal)
+
+
+def with_best_calibration(problem: Problem, states: Floats, normal: Floats) -> Solution:
+    """Return the minimum over the calibration that something is expected of.
 
     Args:
         problem: with what is expected.
-        normal: (1 + C, 1 + C) matrix of the columns.
+        states: of its columns, see `Solution`.
+        normal: the same.
     """
-    matrix = normal[1:, 1:].copy()  # of which the factor takes one half
-    matrix.reshape(-1)[:: len(matrix) + 1] += problem.prior_weight  # a view
-    right = problem.prior_weight * problem.prior - normal[1:, 0]
+    used = 1 + len(problem.prior)
+    matrix = normal[1:used, 1:used].copy()  # of which the factor takes one half
+    matrix.reshape(-1)[::used] += problem.prior_weight  # a view
+    right = problem.prior_weight * problem.prior
+    right -= normal[1:used, 0]
     factor, calibration, failed = lapack.dposv(matrix, right)
     if failed:
         raise inseparable()
-    return np.asarray(calibration), np.asarray(factor)
+    weights = np.empty(used)
+    weights[0], weights[1:] = 1.0, calibration
+    found = states[:, :used].dot(weights).reshape(-1, 4).T
+    return Solution(found[:2], found[2:], calibration, factor, states, normal)
 
 
 def tighter(problem: Problem, solution: Solution, factor: Floats) -> Problem:

@@ -17,8 +17,8 @@ from hapticplayer.motion.smoother import jit, kernels, means_kernel, solver_kern
 from hapticplayer.motion.smoother.calibrated import (
     Problem,
     Solution,
-    best_calibration,
     inseparable,
+    with_best_calibration,
 )
 from hapticplayer.motion.smoother.linearise import (
     DOUBTFUL_MPS2,
@@ -34,7 +34,7 @@ from hapticplayer.motion.smoother.strapdown import (
     Samples,
     calm_chunks,
 )
-from hapticplayer.motion.smoother.travel import TRAVEL, travel_prior
+from hapticplayer.motion.smoother.travel import TRAVEL
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -176,7 +176,7 @@ def linearised(
 ) -> tuple[Pair, Problem]:
     """Return level frames and the problem in them; see `linearise.linearised`."""
     count, columns = len(nodes.rows), 1 + len(known.applied)
-    columns += TRAVEL if known.travel_sigma_mps else 0
+    columns += TRAVEL if known.may_travel else 0
     frames, rows = np.empty(count + 1, jit.PAIR), np.zeros((count, 5, columns))
     weights, bound_weight = np.empty((2, count)), np.zeros(count + 1)
     noises = (
@@ -202,8 +202,6 @@ def linearised(
         bound_weight,
     )
     prior, prior_weight = expected(known, p)
-    if known.travel_sigma_mps:
-        prior, prior_weight = travel_prior(prior, prior_weight, known.travel_sigma_mps)
     problem = Problem(
         duration_s=nodes.duration_s,
         rows=rows,
@@ -220,32 +218,14 @@ def linearised(
 def minimise(problem: Problem) -> Solution:
     """Return tilt, velocity and calibration; see `calibrated.minimise`."""
     count, _, columns = problem.rows.shape
-    nodes, left = _solved(problem)
-    normal = problem.rows.reshape(-1, columns).T @ left.reshape(-1, columns)
-    calibration, factor = best_calibration(problem, normal)
-    states = nodes.reshape(count + 1, 4, columns)  # tilt x, y, velocity x, y
-    weights = np.empty(columns)
-    weights[0], weights[1:] = 1.0, calibration
-    found = (nodes.reshape(-1, columns) @ weights).reshape(count + 1, 4).T
-    return Solution(
-        tilt=found[:2],
-        velocity_mps=found[2:],
-        calibration=calibration,
-        factor=factor,
-        tilt_per_calibration=states[:, :2, 1:].transpose(1, 2, 0),
-    )
-
-
-def _solved(problem: Problem) -> tuple[Floats, Floats]:
-    """Return horizontal states of the nodes, and what all leave of the rows."""
-    count, _, columns = problem.rows.shape
-    left = np.empty(problem.rows.shape)
+    rows, left = problem.rows.reshape(count, -1), np.empty((count, 5 * columns))
     nodes = np.empty((2 * count + 5, 2 * columns))
-    flat = problem.rows.reshape(count, -1), left.reshape(count, -1)
     band = np.empty(2 * count + 5, jit.BAND)
-    if not solver_kernel.solve(*flat, columns, *_weights(problem), band, nodes):
+    if not solver_kernel.solve(rows, left, columns, *_weights(problem), band, nodes):
         raise inseparable()
-    return nodes[:-3], left
+    # each interval has five rows, and each node tilt x, y and velocity x, y
+    normal = rows.reshape(-1, columns).T.dot(left.reshape(-1, columns))
+    return with_best_calibration(problem, nodes[:-3].reshape(-1, columns), normal)
 
 
 def _weights(problem: Problem) -> tuple[Floats, Floats, Floats, Floats, Floats]:

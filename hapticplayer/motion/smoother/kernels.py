@@ -499,25 +499,22 @@ def spread(
         q0, q1 = _multiply(q0 + s0, q1 + s1, opened.first, opened.second)
         here = level[w]
         here.first, here.second = _unit(q0, q1)
-    drift, here = bias[0], level[0]
-    s0, s1, w, m = here.first, here.second, 0, 0
+    drift, w, m, s0, s1 = bias[0], 0, 0, level[0].first, level[0].second
     for k in range(len(step)):
         if m == per_window:
             w, m = w + 1, 0
         if m == 0:
-            here = level[w]
-            s0, s1 = here.first, here.second
+            s0, s1 = level[w].first, level[w].second
         if lost[k] > 0.0 and w + 1 < total:  # from the end of the window instead
             here, turned = level[w + 1], rotation[w]
             s0, s1 = turned.first.conjugate(), -turned.second
             s0, s1 = _multiply(here.first, here.second, s0, s1)
-        here, row, up = inside[w, m], orientation[k], vertical[k]
-        m += 1
+        here, row, up, m = inside[w, m], orientation[k], vertical[k], m + 1
         q0, q1 = _multiply(s0, s1, here.first, here.second)
         row.first, row.second = q0, q1
-        a, b, c, d = q0.real, q0.imag, q1.real, q1.imag
-        x, y = 2.0 * (b * d - a * c), 2.0 * (c * d + a * b)
-        z = a * a + d * d - (b * b + c * c)
+        a, b, y, z = q0.real, q0.imag, q1.real, q1.imag
+        x, y, z = b * z - a * y, y * z + a * b, a * a + z * z - (b * b + y * y)
+        x, y = 2.0 * x, 2.0 * y
         if averaged:
             read, dt = rate[k], step[k]
             a, b, c = read.x - drift.x, read.y - drift.y, read.z - drift.z

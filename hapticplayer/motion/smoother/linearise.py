@@ -21,7 +21,7 @@ from hapticplayer.motion.smoother.calibrated import (
 )
 from hapticplayer.motion.smoother.nodes import Nodes
 from hapticplayer.motion.smoother.parameters import SmootherParameters
-from hapticplayer.motion.smoother.travel import Vehicle, with_travel
+from hapticplayer.motion.smoother.travel import Vehicle, travel_prior, with_travel
 
 # A sample whose specific force is in doubt may be wrong by as much.
 DOUBTFUL_MPS2 = 5.0
@@ -39,7 +39,8 @@ class Knowledge:
         applied: (C,) calibration that is in the nodes already.
         bias_radps: (3,) where the gyro's bias is expected, in all.
         bias_sigma_radps: how well.
-        travel_sigma_mps: see `travel`; 0 where there is no need for it.
+        may_travel: whether there are columns for `travel`.
+        travel_sigma_mps: see there; 0 where nothing is expected of them.
     """
 
     bound_mps: Floats
@@ -47,6 +48,7 @@ class Knowledge:
     applied: Floats
     bias_radps: Floats
     bias_sigma_radps: float
+    may_travel: bool
     travel_sigma_mps: float
 
 
@@ -76,7 +78,9 @@ def linearised(
     impulse[2, 0] -= STANDARD_GRAVITY_MPS2 * duration_s
     impulse[:, 1:][:, FORCE_BIAS] = -turn
     prior, prior_weight = expected(known, p)
-    problem = Problem(
+    if known.may_travel:
+        rows = with_travel(rows, nodes, frames)
+    return Problem(
         duration_s=duration_s,
         rows=rows,
         tilt_weight=1.0 / _tilt_noise(nodes, p),
@@ -86,21 +90,20 @@ def linearised(
         prior=prior,
         prior_weight=prior_weight,
     )
-    return with_travel(problem, nodes, frames, known.travel_sigma_mps)
 
 
 def expected(known: Knowledge, p: SmootherParameters) -> tuple[Floats, Floats]:
-    """Return where the calibration is expected, and 1 / variance of that, (C,).
-
-    Without what `travel` adds.
-    """
+    """Return where the calibration is expected, and 1 / variance of that, (C,)."""
     prior = -known.applied
     prior[FORCE_BIAS] = prior[FORCE_SCALE] = 0.0
     prior[GYRO_BIAS] += known.bias_radps
     sigma = np.empty(CALIBRATION)
     sigma[GYRO_BIAS], sigma[GYRO_MATRIX] = known.bias_sigma_radps, p.gyro_matrix
     sigma[FORCE_BIAS], sigma[FORCE_SCALE] = p.accelerometer_bias_mps2, p.force_scale
-    return prior, sigma[: len(prior)] ** -2.0
+    weight = sigma[: len(prior)] ** -2.0
+    if not known.travel_sigma_mps:
+        return prior, weight
+    return travel_prior(prior, weight, known.travel_sigma_mps)
 
 
 def velocity_bound(

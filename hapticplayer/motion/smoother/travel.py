@@ -64,27 +64,30 @@ class Vehicle:
     bound_mps: float = _UNEVEN_MPS
 
 
-def with_travel(
-    problem: Problem, nodes: Nodes, frames: Pair, sigma_mps: float
-) -> Problem:
-    """Return the problem with three more columns at the end, the velocity u in m/s.
-
-    Without any where sigma is 0.
+def with_travel(rows: Floats, nodes: Nodes, frames: Pair) -> Floats:
+    """Return the rows of a problem (K, 5, 4 + C) with three more columns at the end.
 
     Args:
-        problem: the linearised block.
+        rows: (K, 5, 1 + C) see `Problem`.
         nodes: of the block.
         frames: from frame I to the level frames at the nodes.
+    """
+    turned = np.diff(rot.matrices(rot.multiply(frames, nodes.at)), axis=2)
+    out = np.zeros((*rows.shape[:2], rows.shape[2] + TRAVEL))
+    out[..., :-TRAVEL] = rows
+    out[:, 2:, -TRAVEL:] = -turned.transpose(2, 0, 1)
+    return out
+
+
+def travelling(problem: Problem, sigma_mps: float) -> Problem:
+    """Return a problem that has columns for u with something expected of them.
+
+    Args:
+        problem: whose last three columns nothing is expected of.
         sigma_mps: standard deviation of each component of u.
     """
-    if not sigma_mps:
-        return problem
-    turned = np.diff(rot.matrices(rot.multiply(frames, nodes.at)), axis=2)
-    rows = np.zeros((turned.shape[2], 5, problem.rows.shape[2] + TRAVEL))
-    rows[..., :-TRAVEL] = problem.rows
-    rows[:, 2:, -TRAVEL:] = -turned.transpose(2, 0, 1)
     prior, weight = travel_prior(problem.prior, problem.prior_weight, sigma_mps)
-    return replace(problem, rows=rows, prior=prior, prior_weight=weight)
+    return replace(problem, prior=prior, prior_weight=weight)
 
 
 def travel_prior(

@@ -10,7 +10,7 @@ NOTHING = np.zeros((0, 0))
 
 
 def solution(velocity_mps):
-    return Solution(NOTHING, velocity_mps, NOTHING, NOTHING, NOTHING)
+    return Solution(NOTHING, velocity_mps, *(4 * [NOTHING]))
 
 
 @pytest.fixture
