@@ -8,6 +8,7 @@ gyro is; the second is about the first and uses both; more follow only while the
 change much.
 """
 
+import math
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -31,6 +32,7 @@ from hapticplayer.motion.smoother.calibrated import (
     Problem,
     Solution,
     again,
+    covariance,
 )
 from hapticplayer.motion.smoother.linearise import Knowledge, velocity_bound
 from hapticplayer.motion.smoother.parameters import SmootherParameters
@@ -71,7 +73,7 @@ class Calibration:
         gyro_matrix: (3, 3) the gyro reads (1 + matrix) times the angular rate.
         accelerometer_bias_mps2: (3,).
         force_scale: the accelerometer reads 1 + so much times the specific force.
-        force_scale_sigma: standard deviation of that.
+        factor: upper Cholesky factor of the information, see `Solution`.
         time_constant_s: of the levelling that was used, at the nodes.
         driven: how far it was taken for something that drives, 0 to 1; see `travel`.
     """
@@ -80,9 +82,14 @@ class Calibration:
     gyro_matrix: Floats
     accelerometer_bias_mps2: Floats
     force_scale: float
-    force_scale_sigma: float
+    factor: Floats
     time_constant_s: Floats
     driven: float
+
+    @property
+    def force_scale_sigma(self) -> float:
+        """Standard deviation of `force_scale`."""
+        return math.sqrt(covariance(self.factor)[FORCE_SCALE, FORCE_SCALE])
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -184,7 +191,7 @@ class _Block:
         nodes = self._nodes
         usual_radps = median(nodes.turned_rad / nodes.duration_s)
         self._p = p = _less_certain(p, usual_radps * samples.interval_s)
-        vertical = nd.rough_vertical(self._nodes, p.rough_s)
+        vertical = stages.rough_vertical(self._nodes, p.rough_s)
         self._bound = np.full(vertical.shape[1], p.velocity_start_mps)
         self._trusted = np.zeros(len(self._nodes.duration_s))
         # solved with columns for a velocity u, of which nothing is expected at first
@@ -216,17 +223,17 @@ class _Block:
         duration_s = self._nodes.duration_s
         bound = velocity_bound(self._solution, duration_s, self._vehicle, p)
         moved = max(map(abs, change[GYRO_BIAS].tolist())) > p.rebias_radps
-        faster = _mean_change(bound, self._bound) > p.rebound
         weight = self._rest_weight()
         unrest = self._unrest(weight)
         limit = max(2, p.rest_solutions if unrest else p.solutions)
-        first = self._solutions == 1
-        again = self._solutions < limit and (first or moved or faster or unrest)
+        # the first solution knows nothing of how fast it moves
+        faster = self._solutions == 1 or _mean_change(bound, self._bound) > p.rebound
+        again = self._solutions < limit and (moved or faster or unrest)
         if not again and not self._expect_more():
             return False
         # a solution for the gyro's sake shall not move the bound: whether there is one
         # may hang by a hair, and the bound that is there was good enough
-        if first or faster or unrest:
+        if faster or unrest:
             self._bound = bound
         vertical = self._vertical()
         if moved or not self._fine:
@@ -265,7 +272,7 @@ class _Block:
     def result(self, *, with_sigma: bool) -> Smoothed:
         """Return the orientation at each sample, and how certain it is."""
         solution, count = self._solution, len(self._samples)
-        covariance, believed = solution.covariance, self._believed()
+        believed = self._believed()
         settled = self._settled(solution.tilt, believed)
         total = self._calibration.copy()
         total[: self._solved_columns] += solution.calibration[: self._solved_columns]
@@ -282,7 +289,7 @@ class _Block:
         return Smoothed(
             quaternion_wxyz=quaternion,
             vertical=vertical,
-            sigma_rad=self._sigma(total[GYRO_BIAS], settled, covariance)
+            sigma_rad=self._sigma(total[GYRO_BIAS], settled)
             if with_sigma
             else np.zeros(count),
             at_rest=np.repeat(believed, per_node)[:count],
@@ -291,19 +298,16 @@ class _Block:
                 gyro_matrix=total[GYRO_MATRIX].reshape(3, 3),
                 accelerometer_bias_mps2=total[FORCE_BIAS],
                 force_scale=float(total[FORCE_SCALE]),
-                force_scale_sigma=float(covariance[FORCE_SCALE, FORCE_SCALE]) ** 0.5,
+                factor=solution.factor,
                 time_constant_s=constant_s,
                 driven=self._vehicle.share,
             ),
         )
 
-    def _sigma(
-        self, gyro_bias_radps: Floats, settled: Floats, covariance: Floats
-    ) -> Floats:
+    def _sigma(self, gyro_bias_radps: Floats, settled: Floats) -> Floats:
         """Return the standard deviation of the tilt at each sample, rad."""
         variance = tilt_variance(
-            *(self._problem, self._solution, covariance),
-            *(gyro_bias_radps, self._wide(), self._p),
+            self._problem, self._solution, gyro_bias_radps, self._wide(), self._p
         )
         per_node = self._per_window * self._per_node
         variance += _turning_variance(self._nodes.turned_rad / per_node)
@@ -338,9 +342,12 @@ class _Block:
             shortcuts=self._p.shortcuts,
         )
         per_node = self._per_window * self._per_node * (1 if self._fine else 2)
-        edges = per_node * np.arange(len(self._nodes.duration_s) + 1)
-        edges[-1] = len(self._samples)
-        self._resting = at_rest.resting(self._rest, edges)
+        count = len(self._nodes.duration_s)
+        self._resting = np.zeros(count, dtype=np.bool_)
+        if self._rest is not None:
+            edges = per_node * np.arange(count + 1)
+            edges[-1] = len(self._samples)
+            self._resting = at_rest.resting(self._rest, edges)
 
     def _integrate(self, vertical: Floats) -> Floats:
         """Integrate anew with what was found; return the vertical in the new frame."""
@@ -358,8 +365,10 @@ class _Block:
         shared = 2 * np.arange(sensor.shape[1])
         shared[-1] = last
         known = stages.rotated((at[0][shared], at[1][shared]), sensor)
-        self._bound = finer(self._bound, last + 1)
-        return _unit(finer(known, last + 1))
+        self._bound = nd.finer(self._bound, last + 1)
+        vertical = nd.finer(known, last + 1)
+        vertical /= np.sqrt(rot.squared_norm(vertical))
+        return vertical
 
     def _vertical(self) -> Floats:
         """Return the vertical of the last solution in frame I, (3, K + 1)."""
@@ -485,16 +494,3 @@ def _less_certain(p: SmootherParameters, turn_rad: float) -> SmootherParameters:
     if loss < _NO_LOSS:
         return p
     return replace(p, rotation_error=p.rotation_error * loss)
-
-
-def finer(values: Floats, count: int) -> Floats:
-    """Return values (..., K + 1) for so many nodes, half as far apart."""
-    out, last = np.empty((*values.shape[:-1], count)), count - 1
-    out[..., :last:2], out[..., last] = values[..., :-1], values[..., -1]
-    pairs = out[..., : last - 1 : 2], out[..., 2 : last + 1 : 2]
-    np.multiply(0.5, pairs[0] + pairs[1], out=out[..., 1:last:2])
-    return out
-
-
-def _unit(vectors: Floats) -> Floats:
-    return np.asarray(vectors / np.sqrt(rot.squared_norm(vectors)))

@@ -101,9 +101,14 @@ class Solution:
     @property
     def covariance(self) -> Floats:
         """Covariance (C, C) of the calibration."""
-        root, _ = lapack.dtrtri(self.factor)
-        root *= _upper(len(root))  # below is what the factor was made of
-        return np.asarray(root @ root.T)
+        return covariance(self.factor)
+
+
+def covariance(factor: Floats) -> Floats:
+    """Return the inverse (C, C) of what has this upper Cholesky factor."""
+    root, _ = lapack.dtrtri(factor)
+    root *= _upper(len(root))  # below is what the factor was made of
+    return np.asarray(root @ root.T)
 
 
 @functools.cache

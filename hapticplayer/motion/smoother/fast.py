@@ -26,7 +26,7 @@ from hapticplayer.motion.smoother.linearise import (
     Knowledge,
     expected,
 )
-from hapticplayer.motion.smoother.nodes import AnyNodes
+from hapticplayer.motion.smoother.nodes import NOWHERE_MPS, AnyNodes
 from hapticplayer.motion.smoother.parameters import SmootherParameters
 from hapticplayer.motion.smoother.strapdown import (
     CHUNK,
@@ -65,8 +65,8 @@ def _ready(values: Floats) -> Floats:
 
 
 def _records(table: NDArray[Any], row: np.dtype[Any]) -> NDArray[Any]:
-    """Return the rows (last axis) of a table as records, which share its memory."""
-    return np.asarray(table.view(row)[..., 0])
+    """Return the rows of a contiguous table (n, columns) as records in its memory."""
+    return np.frombuffer(table, row)
 
 
 def integrate(
@@ -87,10 +87,8 @@ def integrate(
     if matrix.any():
         calibration[:3] = np.linalg.inv(np.eye(3) + matrix)
     calibration[3] = bias_radps
-    inside = np.empty((total, per_window, 2), complex)
-    rotation = np.empty((total, 2), complex)
-    rows = np.empty(total, jit.WINDOW)
-    orientations, rotations = _records(inside, jit.PAIR), _records(rotation, jit.PAIR)
+    orientations = np.empty((total, per_window), jit.PAIR)
+    rotations, rows = np.empty(total, jit.PAIR), np.empty(total, jit.WINDOW)
     kernels.integrate(
         _ready(samples.step_s),
         _records(_ready(samples.specific_force_mps2), jit.XYZ),
@@ -162,7 +160,6 @@ def gather(
         per_node=per_node,
         at=(ends["first"], ends["second"]),
         duration_s=rows["duration"].copy(),
-        impulse_mps=rows.view(np.float64).reshape(count, -1).T[:3],
         turned_rad=rows["turned"],
         starts=starts,
         ends=ends,
@@ -194,7 +191,7 @@ def linearised(
         nodes.levers,
         nodes.ends,
         _ready(known.bound_mps),
-        np.array([noises], jit.NOISE),
+        np.array(noises).view(jit.NOISE),
         1 + len(known.applied),
         frames,
         rows,
@@ -250,19 +247,27 @@ def tilt_variances(problem: Problem, chosen: NDArray[np.intp]) -> Floats:
 
 def rotate(rotation: Pair, vector: Floats, *, inverse: bool = False) -> Floats:
     """Return vectors (3, n) turned by rotations (n,) or back; see `rotations`."""
-    out = np.empty(vector.shape)
-    kernels.rotate(*rotation, _ready(vector), inverse, out)
+    out = np.empty((vector.shape[1], 3))
+    kernels.rotate(*rotation, vector, inverse, _records(out, jit.XYZ))
+    return out.T
+
+
+def mean_square(vectors: Floats, duration_s: Floats, half_width_s: float) -> Floats:
+    """Return the mean over the nodes within some time; see `linearise.mean_square`."""
+    out = np.empty(vectors.shape[1])
+    scratch = np.zeros(len(out) + 1, jit.SUMS)
+    means_kernel.mean_square(vectors, _ready(duration_s), half_width_s, scratch, out)
     return out
 
 
-def local_mean(values: Floats, duration_s: Floats, half_width_s: float) -> Floats:
-    """Return the mean over the nodes within some time; see `linearise.local_mean`."""
-    out = np.empty(len(values))
-    scratch = np.zeros(len(values) + 1, jit.SUMS)
-    means_kernel.local_mean(
-        _ready(values), _ready(duration_s), half_width_s, scratch, out
+def rough_vertical(nodes: PackedNodes, half_width_s: float) -> Floats:
+    """Return unit verticals (3, K + 1) at the nodes; see `nodes.rough_vertical`."""
+    count = len(nodes.ends)
+    out, scratch = np.empty((count, 3)), np.zeros(count, jit.NODE)
+    means_kernel.rough_vertical(
+        nodes.rows, half_width_s, NOWHERE_MPS, scratch, _records(out, jit.XYZ)
     )
-    return out
+    return out.T
 
 
 def spread(

@@ -73,7 +73,9 @@ def _array(element: Any, dimensions: int, *, readonly: bool) -> Any:
 FLAGS = _array(BOOL, 1, readonly=True)
 INDICES = _array(INT, 1, readonly=True)
 IN1, IN2, IN4 = (_array(FLOAT, n, readonly=True) for n in (1, 2, 4))
+# the same, with any strides
 COLUMN = types.Array(COMPLEX, 1, "A", readonly=True)
+STRIDED2 = types.Array(FLOAT, 2, "A", readonly=True)
 VECTORS = _array(numba.from_dtype(XYZ), 1, readonly=True)
 # arrays that are written
 OUT1, OUT2, OUT3, OUT4 = (_array(FLOAT, n, readonly=False) for n in (1, 2, 3, 4))

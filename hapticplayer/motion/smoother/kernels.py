@@ -34,6 +34,7 @@ from hapticplayer.motion.smoother.jit import (
     OUT_VECTORS,
     PAIRS,
     PAIRS_BY_TWO,
+    STRIDED2,
     VECTORS,
     WINDOWS,
     compiled,
@@ -340,15 +341,14 @@ def gather(
             node.power = 0.0
 
 
-@compiled(NOTHING, COLUMN, COLUMN, IN2, BOOL, OUT2)
+@compiled(NOTHING, COLUMN, COLUMN, STRIDED2, BOOL, OUT_VECTORS)
 def rotate(first: Any, second: Any, vector: Any, inverse: bool, out: Any) -> None:
-    """Turn vectors (3, n) by rotations (n,), or back."""
+    """Turn vectors (3, n) by rotations (n,), or back, into (n,)."""
     for k in range(len(first)):
-        q0, q1 = first[k], second[k]
+        q0, q1, v = first[k], second[k], out[k]
         if inverse:
             q0, q1 = q0.conjugate(), -q1
-        v = _rotate(q0, q1, vector[0, k], vector[1, k], vector[2, k])
-        out[0, k], out[1, k], out[2, k] = v
+        v.x, v.y, v.z = _rotate(q0, q1, vector[0, k], vector[1, k], vector[2, k])
 
 
 @compiled(

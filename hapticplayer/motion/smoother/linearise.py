@@ -113,20 +113,30 @@ def velocity_bound(
 
     As far as it drives it is the one for what does.
     """
-    squared = 0.5 * rot.squared_norm(solution.velocity_mps)
-    mean = local_mean(squared, duration_s, p.local_s)
-    found = np.sqrt(p.velocity_factor**2 * mean + p.velocity_floor_mps**2)
+    squared = mean_square(solution.velocity_mps, duration_s, p.local_s)
+    squared *= 0.5 * p.velocity_factor**2
+    squared += p.velocity_floor_mps**2
+    found = np.sqrt(squared)
     if not vehicle.share:
         return np.asarray(found)
     return np.asarray(found ** (1.0 - vehicle.share) * vehicle.bound_mps**vehicle.share)
 
 
-def local_mean(values: Floats, duration_s: Floats, half_width_s: float) -> Floats:
-    """Return the mean over the nodes within some time of each node, (K + 1,)."""
+def mean_square(vectors: Floats, duration_s: Floats, half_width_s: float) -> Floats:
+    """Return the mean of squared norms over the nodes within some time of each.
+
+    Args:
+        vectors: (2, K + 1) at the nodes.
+        duration_s: (K,) between them.
+        half_width_s: of the mean.
+
+    Returns:
+        (K + 1,).
+    """
     fast = compiled.fast()
     if fast is not None:
-        return np.asarray(fast.local_mean(values, duration_s, half_width_s))
-    weight = around(duration_s)
+        return np.asarray(fast.mean_square(vectors, duration_s, half_width_s))
+    weight, values = around(duration_s), rot.squared_norm(vectors)
     time_s = np.concatenate([[0.0], np.cumsum(duration_s)])
     total = np.concatenate([[0.0], np.cumsum(values * weight)])
     length = np.concatenate([[0.0], np.cumsum(weight)])

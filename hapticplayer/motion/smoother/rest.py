@@ -43,10 +43,8 @@ class Rest:
     sigma_radps: float
 
 
-def resting(rest: Rest | None, edges: NDArray[np.intp]) -> NDArray[np.bool_]:
+def resting(rest: Rest, edges: NDArray[np.intp]) -> NDArray[np.bool_]:
     """Return which intervals between samples (K + 1,) lie in still spans, (K,)."""
-    if rest is None:
-        return np.zeros(len(edges) - 1, dtype=np.bool_)
     still = np.interp(edges, rest.at, rest.count)
     return np.asarray(still[1:] - still[:-1] > _ALL * (edges[1:] - edges[:-1]))
 

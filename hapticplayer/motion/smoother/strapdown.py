@@ -28,6 +28,8 @@ CHUNK = 8192
 # Windows within which nothing turns further take first-order rotations; the vertical
 # is off by less than 2e-4 of g.
 _CALM_RAD = 0.02
+# One of so many samples mostly tells that something turns.
+_FEW = 32
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -193,9 +195,13 @@ def calm_chunks(
     bias = float(np.abs(bias_radps).max())
     for number, start in enumerate(starts):
         rate = samples.angular_rate_radps[start : start + size]
-        fastest = bias + max(float(rate.max()), -float(rate.min()))
         longest_s = float(samples.step_s[start : start + size].max())
-        calm[number] = per_window * fastest * longest_s < _CALM_RAD
+        slow_radps = _CALM_RAD / (per_window * longest_s) - bias
+        # of what turns a few samples tell
+        calm[number] = all(
+            float(some.max()) < slow_radps and -float(some.min()) < slow_radps
+            for some in (rate[::_FEW], rate)
+        )
     return calm
 
 

@@ -21,14 +21,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hapticplayer.model.arrays import Floats
-from hapticplayer.motion import rotations as rot
 from hapticplayer.motion.smoother.calibrated import (
     FORCE_BIAS,
     Problem,
     Solution,
     tighter,
 )
-from hapticplayer.motion.smoother.linearise import local_mean
+from hapticplayer.motion.smoother.linearise import mean_square
 from hapticplayer.motion.smoother.parameters import SmootherParameters
 from hapticplayer.motion.smoother.stages import minimise, tilt_variances
 
@@ -69,7 +68,6 @@ class Wide:
 def tilt_variance(
     problem: Problem,
     solution: Solution,
-    covariance: Floats,
     gyro_bias_radps: Floats,
     wide: Wide,
     p: SmootherParameters,
@@ -79,51 +77,56 @@ def tilt_variance(
     Args:
         problem: the last one.
         solution: of it.
-        covariance: of its calibration.
         gyro_bias_radps: (3,) that was found, in all.
         wide: how much wider the bound is than the velocity found asks for.
         p: of the smoother.
     """
-    noise = np.full(len(problem.bound_weight), _NOISE**2)
-    holes = _holes(problem.tilt_weight)
-    noise[holes] = noise[holes + 1] = 1.0
     squared = min(float(np.square(gyro_bias_radps).sum()), p.gyro_bias_radps**2)
     doubt = _BIAS**2 * (1.0 + squared / _CALIBRATED_RADPS**2)
     factor = p.velocity_factor * wide.excess * _BEYOND**wide.driven
     other = minimise(tighter(problem, solution, factor)).tilt
-    moved = rot.squared_norm(other - solution.tilt)
+    moved = mean_square(other - solution.tilt, problem.duration_s, p.local_s)
     close = replace(problem, bound_weight=problem.bound_weight * wide.excess)
     share = _MOVED**2 * (1.0 + squared / _ROUGH_RADPS**2)
+    holes = holes_of(problem)
+    noise = noise_variance(close, holes)
+    known = np.full(len(noise), 2.0 * _NOISE**2)
+    known[holes] = known[holes + 1] = 2.0
     return np.asarray(
-        noise * 2.0 * noise_variance(close)
-        + doubt * force_bias_variance(problem, solution, covariance)
-        + share * local_mean(moved, problem.duration_s, p.local_s)
+        known * noise
+        + doubt * force_bias_variance(problem, solution)
+        + share * moved
         + _FLOOR_RAD**2
     )
 
 
-def force_bias_variance(
-    problem: Problem, solution: Solution, covariance: Floats
-) -> Floats:
+def force_bias_variance(problem: Problem, solution: Solution) -> Floats:
     """Return the variance of both tilts by the accelerometer's bias, (K + 1,).
 
     A bias that is not where it is expected pulls the calibration away by the part that
     the expectation has in it: for the deviation that is assumed, by `pulled`.
     """
     weight = problem.prior_weight[FORCE_BIAS]
-    pulled = covariance[:, FORCE_BIAS] * np.sqrt(weight)
-    rows = solution.tilt_per_calibration
-    return np.asarray(np.square(pulled.T @ rows).sum(axis=(0, 1)))
+    pulled = np.zeros((solution.states.shape[1], 3))
+    pulled[1 : 1 + len(solution.factor)] = solution.covariance[:, FORCE_BIAS]
+    pulled *= np.sqrt(weight)
+    # x and y of the tilt of each node, by the three of the bias
+    moved = solution.states.dot(pulled).reshape(-1, 12)[:, :6]
+    return np.asarray(np.vecdot(moved, moved))
 
 
-def noise_variance(problem: Problem) -> Floats:
-    """Return the variance of one tilt for a known calibration, (K + 1,)."""
+def noise_variance(problem: Problem, holes: NDArray[np.intp]) -> Floats:
+    """Return the variance of one tilt for a known calibration, (K + 1,).
+
+    Args:
+        problem: the block.
+        holes: of it, see `holes_of`.
+    """
     count = len(problem.duration_s) + 1
     number = max(_AT_LEAST, round(float(problem.duration_s.sum()) / _EVERY_S))
     number = min(number, count)
     even = np.rint(np.arange(number) * ((count - 1) / max(1, number - 1))).astype(int)
     # holes are looked at where they are
-    holes = _holes(problem.tilt_weight)
     chosen = even
     if len(holes):
         holes = holes[:: max(1, len(holes) // _HOLES)]
@@ -133,8 +136,9 @@ def noise_variance(problem: Problem) -> Floats:
     return np.asarray(np.exp(np.interp(np.arange(count), chosen, found)))
 
 
-def _holes(weight: Floats) -> NDArray[np.intp]:
+def holes_of(problem: Problem) -> NDArray[np.intp]:
     """Return the intervals whose tilt is far less certain than that of the usual."""
+    weight = problem.tilt_weight
     if weight.min() >= _HOLE * weight.max():
         return np.empty(0, np.intp)
     return np.flatnonzero(weight < _HOLE * np.median(weight))

@@ -13,6 +13,7 @@ from hapticplayer.motion.smoother.parameters import SmootherParameters
 from hapticplayer.motion.smoother.uncertainty import (
     Wide,
     force_bias_variance,
+    holes_of,
     noise_variance,
     tilt_variance,
 )
@@ -82,7 +83,7 @@ def exact_variance(problem):
 @pytest.mark.parametrize("bound_mps", [0.3, 1.0, 3.0])
 def test_in_the_middle_of_a_block_the_variance_is_that_of_the_inverse(bound_mps):
     problem = steady_problem(240, bound_mps)
-    ratio = noise_variance(problem) / exact_variance(problem)
+    ratio = noise_variance(problem, holes_of(problem)) / exact_variance(problem)
     assert np.abs(ratio[80:-80] - 1.0).max() < 0.15
     assert ratio.min() > 0.5
     assert ratio.max() < 2.0
@@ -91,7 +92,7 @@ def test_in_the_middle_of_a_block_the_variance_is_that_of_the_inverse(bound_mps)
 @pytest.mark.parametrize("intervals", [1, 2, 3, 7, 30])
 def test_of_a_short_block_the_variance_is_that_of_the_inverse(intervals):
     problem = steady_problem(intervals, 1.0)
-    ratio = noise_variance(problem) / exact_variance(problem)
+    ratio = noise_variance(problem, holes_of(problem)) / exact_variance(problem)
     assert ratio.min() > 0.8
     assert ratio.max() < 1.25
 
@@ -100,7 +101,7 @@ def test_of_a_short_block_the_variance_is_that_of_the_inverse(intervals):
 @pytest.mark.parametrize("hole", [100, 113])
 def test_what_is_not_known_in_a_hole_is_not_overlooked(hole, bound_mps):
     problem = steady_problem(240, bound_mps, hole)
-    ratio = noise_variance(problem) / exact_variance(problem)
+    ratio = noise_variance(problem, holes_of(problem)) / exact_variance(problem)
     assert ratio[hole : hole + 2].min() > 0.7
     assert ratio.min() > 0.6
 
@@ -118,7 +119,7 @@ def test_the_calibration_makes_both_tilts_as_uncertain_as_it_should(intervals):
     solution = minimise(problem)
     rows = solution.tilt_per_calibration
     spread = np.einsum("acn,cd,adn->n", rows, solution.covariance, rows)
-    total = 2.0 * noise_variance(problem) + spread
+    total = 2.0 * noise_variance(problem, holes_of(problem)) + spread
     exact = Dense(problem).tilt_variance()
     assert np.abs(total / exact - 1.0)[intervals // 3 : -intervals // 3].max() < 0.15
     # of a short block it is much of what is not known, or this would test nothing
@@ -136,7 +137,7 @@ def test_the_accelerometers_bias_moves_the_tilt_by_as_much_as_is_said(intervals)
         prior[axis] += problem.prior_weight[axis] ** -0.5
         other = minimise(dataclasses.replace(problem, prior=prior))
         squares += np.square(other.tilt - solution.tilt).sum(axis=0)
-    found = force_bias_variance(problem, solution, solution.covariance)
+    found = force_bias_variance(problem, solution)
     assert squares.max() > 1e-6
     assert found == pytest.approx(squares, rel=1e-6)
 
@@ -146,7 +147,7 @@ def tilt_sigma(problem, gyro_bias_radps=0.0):
     bias = np.array([gyro_bias_radps, 0.0, 0.0])
     p = SmootherParameters()
     wide = Wide(np.ones(len(problem.bound_weight)))
-    found = tilt_variance(problem, solution, solution.covariance, bias, wide, p)
+    found = tilt_variance(problem, solution, bias, wide, p)
     return np.sqrt(found)
 
 

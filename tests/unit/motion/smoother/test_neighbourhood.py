@@ -1,0 +1,102 @@
+"""Sums over what is near a node, compiled and in numpy, against loops over all nodes."""
+
+import numpy as np
+import pytest
+
+from hapticplayer.motion.smoother import compiled, linearise, stages
+from tests.unit.motion.smoother.conftest import samples_of
+
+HALF_WIDTH_S = 2.0
+
+
+@pytest.fixture(params=["on", "off"])
+def _way(request, monkeypatch):
+    monkeypatch.setenv(compiled.SWITCH, request.param)
+    compiled.fast.cache_clear()
+    yield
+    monkeypatch.undo()
+    compiled.fast.cache_clear()
+
+
+def rough(force_mps2, step_s):
+    """Return the rough verticals of a sensor that does not turn, and its nodes' times."""
+    samples = samples_of(step_s, force_mps2, np.zeros_like(force_mps2), averaged=False)
+    correction = np.zeros(3), np.zeros((3, 3))
+    _, nodes = stages.opened(
+        samples, (4, 5), correction, with_scale=False, shortcuts=False
+    )
+    time_s = np.append(0.0, np.cumsum(nodes.duration_s))
+    return stages.rough_vertical(nodes, HALF_WIDTH_S), time_s
+
+
+@pytest.mark.usefixtures("_way")
+@pytest.mark.parametrize("count", [7, 20, 213, 400])
+def test_the_rough_vertical_is_that_of_the_mean_force_around(count, rng):
+    step_s = rng.uniform(0.01, 0.09, count)
+    force = np.array([0.0, 3.0, 9.0]) + rng.standard_normal((count, 3))
+    found, time_s = rough(force, step_s)
+    ends = np.append(np.arange(0, count, 20), count)
+    assert found.shape == (3, len(ends))
+    for at, vertical in zip(time_s, found.T, strict=True):
+        near = [
+            (force[a:b] * step_s[a:b, None]).sum(axis=0)
+            for a, b, begin, end in zip(
+                ends[:-1], ends[1:], time_s[:-1], time_s[1:], strict=True
+            )
+            if begin >= at - HALF_WIDTH_S and end <= at + HALF_WIDTH_S
+        ]
+        total = np.sum(near, axis=0)
+        assert vertical == pytest.approx(total / np.linalg.norm(total), abs=1e-12)
+
+
+@pytest.mark.usefixtures("_way")
+def test_where_nothing_pulls_the_rough_vertical_is_the_one_beside():
+    force = np.zeros((600, 3))
+    force[200:220] = 0.0, 0.0, 9.0
+    force[400:420] = 0.0, -9.0, 0.0
+    found, time_s = rough(force, np.full(600, 0.04))
+    is_second = time_s >= 16.0 - HALF_WIDTH_S + 0.8 - 1e-9
+    expected = np.where(is_second, [[0.0], [-1.0], [0.0]], [[0.0], [0.0], [1.0]])
+    assert found == pytest.approx(expected, abs=1e-12)
+
+
+@pytest.mark.usefixtures("_way")
+def test_where_nothing_pulls_at_all_up_is_z():
+    found, _ = rough(np.zeros((100, 3)), np.full(100, 0.04))
+    assert np.array_equal(found, np.tile([[0.0], [0.0], [1.0]], found.shape[1]))
+
+
+@pytest.mark.usefixtures("_way")
+@pytest.mark.parametrize("intervals", [1, 2, 50])
+def test_a_mean_square_counts_each_node_by_the_time_around_it(intervals, rng):
+    duration_s = rng.uniform(0.2, 1.2, intervals)
+    states = rng.standard_normal((intervals + 1, 4))
+    # as a solution keeps them: not contiguous
+    found = linearise.mean_square(states.T[2:], duration_s, HALF_WIDTH_S)
+    time_s = np.append(0.0, np.cumsum(duration_s))
+    width_s = 0.5 * (np.append(0.0, duration_s) + np.append(duration_s, 0.0))
+    squared = np.square(states[:, 2:]).sum(axis=1)
+    for at, mean in zip(time_s, found, strict=True):
+        near = np.abs(time_s - at) <= HALF_WIDTH_S
+        assert mean == pytest.approx(np.average(squared[near], weights=width_s[near]))
+
+
+@pytest.mark.usefixtures("_way")
+@pytest.mark.parametrize("inverse", [False, True])
+def test_vectors_are_turned_whatever_their_strides(inverse, rng):
+    q = rng.standard_normal((30, 4))
+    q /= np.linalg.norm(q, axis=1, keepdims=True)
+    vectors = rng.standard_normal((30, 3))
+    w, x, y, z = q.T
+    matrices = np.array(
+        [
+            [w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y)],
+            [2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x)],
+            [2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z],
+        ]
+    )
+    expected = np.einsum("jin,nj->in" if inverse else "ijn,nj->in", matrices, vectors)
+    rotation = w + 1j * x, y + 1j * z
+    for given in (vectors.T, np.ascontiguousarray(vectors.T)):
+        found = stages.rotated(rotation, given, inverse=inverse)
+        assert found == pytest.approx(expected, abs=1e-12)
