@@ -48,7 +48,7 @@ class Flaws:
 
     def __post_init__(self) -> None:
         found = (self.missing, self.force_clipped, self.rate_clipped)
-        flawed = self.gap_s.any() or any(flags.any() for flags in found)
+        flawed = self.gap_s.max() > 0.0 or any(flags.any() for flags in found)
         object.__setattr__(self, "flawless", not flawed)
 
     @property

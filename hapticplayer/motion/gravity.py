@@ -167,7 +167,8 @@ def _removed(task: Task, method: str) -> tuple[MotionTrack, Estimate]:
     if sigma is not None:
         sigma *= STANDARD_GRAVITY_MPS2
         sigma.setflags(write=False)
-    for fresh in (gravity, acceleration):
+    valid = task.flaws.valid
+    for fresh in (gravity, acceleration, valid):
         fresh.setflags(write=False)  # or the track would copy it
     track = MotionTrack(
         time_s=task.imu.time_s,
@@ -176,7 +177,7 @@ def _removed(task: Task, method: str) -> tuple[MotionTrack, Estimate]:
         accelerometer_gain=gain,
         quaternion_wxyz=estimate.quaternion_wxyz,
         gravity_sigma_mps2=sigma,
-        valid=task.flaws.valid,
+        valid=valid,
     )
     return track, estimate
 

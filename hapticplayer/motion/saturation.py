@@ -73,7 +73,9 @@ def saturated_mask(values: Floats, sensor: SensorRange) -> tuple[Flags, float | 
             that was found; None when nothing is clipped.
     """
     mask = np.zeros(values.shape[::-1], np.bool_)
-    if max(values.max(initial=-np.inf), -values.min(initial=np.inf)) < sensor.least:
+    # a second look is needed only where the first finds nothing
+    is_low = values.max(initial=-np.inf) < sensor.least
+    if is_low and -values.min(initial=np.inf) < sensor.least:
         return mask.T, None
     tops, by_axis = _tops(values)
     rails = np.zeros((2, 3))

@@ -170,9 +170,11 @@ def _spread(values: Floats, count: int) -> tuple[Floats, Floats]:
     rows = values.reshape(count, -1)
     per_bin = rows.shape[1] // 3
     # as a product, because numpy is slow along axes of three
-    means = (rows @ _averaging(per_bin)).T
-    squares = np.vecdot(rows, rows) / per_bin
-    return means, np.maximum(squares - rot.squared_norm(means), 0.0)
+    means = rows @ _averaging(per_bin)
+    variances = np.vecdot(rows, rows)
+    variances /= per_bin
+    variances -= np.vecdot(means, means)
+    return means.T, np.maximum(variances, 0.0, out=variances)
 
 
 @functools.cache

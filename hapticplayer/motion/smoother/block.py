@@ -203,8 +203,9 @@ class _Block:
         self._travel_sigma_mps = travel.expected_mps(swaying)
         self._may_travel = self._travel_sigma_mps > 0.0
         if self._may_travel:
-            self._problem = travel.travelling(self._problem, self._travel_sigma_mps)
-            self._solution = again(self._problem, self._solution)
+            known = self._problem.prior, self._problem.prior_weight
+            known = travel.travel_prior(*known, self._travel_sigma_mps)
+            self._solution = again(self._solution, *known)
             self._drive(swaying)
 
     def _drive(self, swaying_mps: Floats) -> None:
@@ -292,7 +293,9 @@ class _Block:
             sigma_rad=self._sigma(total[GYRO_BIAS], settled)
             if with_sigma
             else np.zeros(count),
-            at_rest=np.repeat(believed, per_node)[:count],
+            at_rest=np.zeros(count, np.bool_)
+            if self._rest is None
+            else np.repeat(believed, per_node)[:count],
             calibration=Calibration(
                 gyro_bias_radps=total[GYRO_BIAS],
                 gyro_matrix=total[GYRO_MATRIX].reshape(3, 3),
@@ -481,7 +484,7 @@ def _mean_change(now: Floats, before: Floats) -> float:
 def _spins(samples: Samples, per_window: int) -> bool:
     """Return whether the sensor turns so fast that window means say little."""
     rate = samples.angular_rate_radps
-    fastest = max(abs(float(rate.max())), abs(float(rate.min())))
+    fastest = max(float(rate.max()), -float(rate.min()))
     return bool(2 * per_window * fastest * samples.interval_s > _MEAN_TURN_RAD)
 
 

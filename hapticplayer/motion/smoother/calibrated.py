@@ -14,7 +14,7 @@ Being a normal matrix with positive weights, it is positive definite by construc
 """
 
 import functools
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 from scipy.linalg import lapack
@@ -103,6 +103,11 @@ class Solution:
         """Covariance (C, C) of the calibration."""
         return covariance(self.factor)
 
+    def per_information(self, information: Floats) -> Floats:
+        """Return the covariance times a matrix (C, columns)."""
+        found, _ = lapack.dpotrs(self.factor, information)
+        return np.asarray(found)
+
 
 def covariance(factor: Floats) -> Floats:
     """Return the inverse (C, C) of what has this upper Cholesky factor."""
@@ -122,33 +127,36 @@ def minimise(problem: Problem) -> Solution:
     states, normal = _horizontal(problem)
     normal += _vertical_normal(problem)
     axes = np.stack([states.real, states.imag])  # (2, 1 + C, K + 1, tilt and velocity)
-    return with_best_calibration(
-        problem, axes.transpose(2, 3, 0, 1).reshape(-1, len(states)), normal
-    )
+    flat = axes.transpose(2, 3, 0, 1).reshape(-1, len(states))
+    return with_best_calibration(flat, normal, problem.prior, problem.prior_weight)
 
 
-def again(problem: Problem, solution: Solution) -> Solution:
+def again(solution: Solution, prior: Floats, prior_weight: Floats) -> Solution:
     """Return the minimum of a solved problem of whose columns something else is expected.
 
     Args:
-        problem: the same but for what is expected, which may be of more columns.
-        solution: of the other.
+        solution: of the problem.
+        prior: (C,) see there; of more columns, or of fewer.
+        prior_weight: (C,).
     """
-    return with_best_calibration(problem, solution.states, solution.normal)
+    return with_best_calibration(solution.states, solution.normal, prior, prior_weight)
 
 
-def with_best_calibration(problem: Problem, states: Floats, normal: Floats) -> Solution:
+def with_best_calibration(
+    states: Floats, normal: Floats, prior: Floats, prior_weight: Floats
+) -> Solution:
     """Return the minimum over the calibration that something is expected of.
 
     Args:
-        problem: with what is expected.
-        states: of its columns, see `Solution`.
+        states: of the columns, see `Solution`.
         normal: the same.
+        prior: (C,) see `Problem`.
+        prior_weight: (C,).
     """
-    used = 1 + len(problem.prior)
+    used = 1 + len(prior)
     matrix = normal[1:used, 1:used].copy()  # of which the factor takes one half
-    matrix.reshape(-1)[::used] += problem.prior_weight  # a view
-    right = problem.prior_weight * problem.prior
+    matrix.reshape(-1)[::used] += prior_weight  # a view
+    right = prior_weight * prior
     right -= normal[1:used, 0]
     factor, calibration, failed = lapack.dposv(matrix, right)
     if failed:
@@ -167,13 +175,16 @@ def tighter(problem: Problem, solution: Solution, factor: Floats) -> Problem:
     rows = problem.rows[..., : 1 + BIASES_ONLY].copy()
     found = solution.calibration[BIASES_ONLY:]
     flat = problem.rows.reshape(-1, problem.rows.shape[-1])
-    rows[..., 0] += (flat[:, 1 + BIASES_ONLY :] @ found).reshape(rows.shape[:-1])
-    return replace(
-        problem,
-        rows=rows,
-        bound_weight=problem.bound_weight * factor**2,
-        prior=problem.prior[:BIASES_ONLY],
-        prior_weight=problem.prior_weight[:BIASES_ONLY],
+    rows[..., 0] += flat[:, 1 + BIASES_ONLY :].dot(found).reshape(rows.shape[:-1])
+    return Problem(
+        problem.duration_s,
+        rows,
+        problem.tilt_weight,
+        problem.velocity_weight,
+        problem.bound_weight * factor**2,
+        problem.rest_weight,
+        problem.prior[:BIASES_ONLY],
+        problem.prior_weight[:BIASES_ONLY],
     )
 
 

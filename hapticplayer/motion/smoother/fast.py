@@ -4,6 +4,7 @@ Each takes and returns what its counterpart in numpy does; records that the loop
 come along in PackedWindows and PackedNodes.
 """
 
+import functools
 from dataclasses import dataclass
 from typing import Any
 
@@ -176,14 +177,11 @@ def linearised(
     columns += TRAVEL if known.may_travel else 0
     frames, rows = np.empty(count + 1, jit.PAIR), np.zeros((count, 5, columns))
     weights, bound_weight = np.empty((2, count)), np.zeros(count + 1)
-    noises = (
-        STANDARD_GRAVITY_MPS2,
-        p.rate_noise_rad_per_sqrt_s**2,
-        p.rotation_error**2,
-        LOST_RADPS**2,
-        p.force_noise_mps_per_sqrt_s**2,
-        p.force_error**2,
-        DOUBTFUL_MPS2**2,
+    noises = _noises(
+        p.rate_noise_rad_per_sqrt_s,
+        p.rotation_error,
+        p.force_noise_mps_per_sqrt_s,
+        p.force_error,
     )
     kernels.linearise(
         _records(_ready(vertical.T), jit.XYZ),
@@ -191,7 +189,7 @@ def linearised(
         nodes.levers,
         nodes.ends,
         _ready(known.bound_mps),
-        np.array(noises).view(jit.NOISE),
+        noises,
         1 + len(known.applied),
         frames,
         rows,
@@ -212,6 +210,22 @@ def linearised(
     return (frames["first"], frames["second"]), problem
 
 
+@functools.lru_cache
+def _noises(
+    rate_rad_per_sqrt_s: float,
+    rotation_error: float,
+    force_mps_per_sqrt_s: float,
+    force_error: float,
+) -> NDArray[Any]:
+    """Return what `kernels.linearise` knows of noises, (1,)."""
+    deviations = (
+        *(rate_rad_per_sqrt_s, rotation_error, LOST_RADPS),
+        *(force_mps_per_sqrt_s, force_error, DOUBTFUL_MPS2),
+    )
+    squared = [STANDARD_GRAVITY_MPS2, *(one * one for one in deviations)]
+    return np.array(squared).view(jit.NOISE)
+
+
 def minimise(problem: Problem) -> Solution:
     """Return tilt, velocity and calibration; see `calibrated.minimise`."""
     count, _, columns = problem.rows.shape
@@ -222,7 +236,8 @@ def minimise(problem: Problem) -> Solution:
         raise inseparable()
     # each interval has five rows, and each node tilt x, y and velocity x, y
     normal = rows.reshape(-1, columns).T.dot(left.reshape(-1, columns))
-    return with_best_calibration(problem, nodes[:-3].reshape(-1, columns), normal)
+    states = nodes[:-3].reshape(-1, columns)
+    return with_best_calibration(states, normal, problem.prior, problem.prior_weight)
 
 
 def _weights(problem: Problem) -> tuple[Floats, Floats, Floats, Floats, Floats]:

@@ -82,14 +82,15 @@ def smooth_recording(
         upright_mps2 = STANDARD_GRAVITY_MPS2 * abs(samples.gain - 1.0)
         bias_mps2 = math.hypot(p.accelerometer_bias_mps2, _SIDEWAYS * upright_mps2)
         p = replace(p, accelerometer_bias_mps2=bias_mps2)
+    spans = _edges(still)
     if places is None:
-        return _whole(samples, _edges(still), p, with_sigma=with_sigma)
-    moved = _moved(still, places)
+        return _whole(samples, spans, p, with_sigma=with_sigma)
+    moved = _moved(spans, places)
     return _picked(_whole(samples, moved, p, with_sigma=with_sigma), places)
 
 
 def _whole(
-    samples: Samples, still: "_Still", p: SmootherParameters, *, with_sigma: bool
+    samples: Samples, still: "_Still | None", p: SmootherParameters, *, with_sigma: bool
 ) -> SmoothedRecording:
     count = len(samples)
     blocks = _blocks(samples.step_s, p)
@@ -121,16 +122,20 @@ class _Still:
     spans: StillSpans
 
 
-def _edges(still: StillSpans) -> _Still:
+def _edges(still: StillSpans) -> _Still | None:
+    """Return the still spans by their edges; None where there are none."""
+    if not still.bins.any():
+        return None
     return _Still(still.per_bin * np.arange(len(still.bins) + 1), still)
 
 
-def _moved(still: StillSpans, places: NDArray[np.intp]) -> _Still:
+def _moved(still: _Still | None, places: NDArray[np.intp]) -> _Still | None:
     """Return the still spans where other samples were put between."""
-    edges = _edges(still).edges
+    if still is None:
+        return None
     first = np.append(0, places[:-1] + 1)  # what was put in belongs to the one after
     ends = np.append(first, places[-1] + 1)
-    return _Still(ends[edges], still)
+    return _Still(ends[still.edges], still.spans)
 
 
 def _picked(whole: SmoothedRecording, places: NDArray[np.intp]) -> SmoothedRecording:
@@ -143,11 +148,11 @@ def _picked(whole: SmoothedRecording, places: NDArray[np.intp]) -> SmoothedRecor
     )
 
 
-def _rest(still: _Still, part: slice) -> Rest | None:
+def _rest(still: _Still | None, part: slice) -> Rest | None:
     """Return what is known of the still spans among some samples."""
-    spans = still.spans
-    if not spans.bins.any():
+    if still is None:
         return None
+    spans = still.spans
     first = int(np.searchsorted(still.edges, part.start))
     last = int(np.searchsorted(still.edges, part.stop, side="right")) - 1
     chosen = spans.bins[first:last]

@@ -28,8 +28,6 @@ CHUNK = 8192
 # Windows within which nothing turns further take first-order rotations; the vertical
 # is off by less than 2e-4 of g.
 _CALM_RAD = 0.02
-# One of so many samples mostly tells that something turns.
-_FEW = 32
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -197,11 +195,8 @@ def calm_chunks(
         rate = samples.angular_rate_radps[start : start + size]
         longest_s = float(samples.step_s[start : start + size].max())
         slow_radps = _CALM_RAD / (per_window * longest_s) - bias
-        # of what turns a few samples tell
-        calm[number] = all(
-            float(some.max()) < slow_radps and -float(some.min()) < slow_radps
-            for some in (rate[::_FEW], rate)
-        )
+        if float(rate.max()) < slow_radps:
+            calm[number] = -float(rate.min()) < slow_radps
     return calm
 
 

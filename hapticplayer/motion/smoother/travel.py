@@ -22,14 +22,13 @@ everything, as on a motorway.
 """
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
 from hapticplayer.model.arrays import Floats
 from hapticplayer.motion import rotations as rot
 from hapticplayer.motion.rotations import Pair
-from hapticplayer.motion.smoother.calibrated import Problem
 from hapticplayer.motion.smoother.nodes import Nodes
 
 # Standard deviation of each component of u, for what is fast enough to have one, and
@@ -77,17 +76,6 @@ def with_travel(rows: Floats, nodes: Nodes, frames: Pair) -> Floats:
     out[..., :-TRAVEL] = rows
     out[:, 2:, -TRAVEL:] = -turned.transpose(2, 0, 1)
     return out
-
-
-def travelling(problem: Problem, sigma_mps: float) -> Problem:
-    """Return a problem that has columns for u with something expected of them.
-
-    Args:
-        problem: whose last three columns nothing is expected of.
-        sigma_mps: standard deviation of each component of u.
-    """
-    prior, weight = travel_prior(problem.prior, problem.prior_weight, sigma_mps)
-    return replace(problem, prior=prior, prior_weight=weight)
 
 
 def travel_prior(

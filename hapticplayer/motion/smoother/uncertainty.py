@@ -86,7 +86,9 @@ def tilt_variance(
     factor = p.velocity_factor * wide.excess * _BEYOND**wide.driven
     other = minimise(tighter(problem, solution, factor)).tilt
     moved = mean_square(other - solution.tilt, problem.duration_s, p.local_s)
-    close = replace(problem, bound_weight=problem.bound_weight * wide.excess)
+    close = problem
+    if wide.driven:
+        close = replace(problem, bound_weight=problem.bound_weight * wide.excess)
     share = _MOVED**2 * (1.0 + squared / _ROUGH_RADPS**2)
     holes = holes_of(problem)
     noise = noise_variance(close, holes)
@@ -107,11 +109,12 @@ def force_bias_variance(problem: Problem, solution: Solution) -> Floats:
     the expectation has in it: for the deviation that is assumed, by `pulled`.
     """
     weight = problem.prior_weight[FORCE_BIAS]
-    pulled = np.zeros((solution.states.shape[1], 3))
-    pulled[1 : 1 + len(solution.factor)] = solution.covariance[:, FORCE_BIAS]
-    pulled *= np.sqrt(weight)
+    expected = np.zeros((len(solution.factor), 3))
+    np.fill_diagonal(expected[FORCE_BIAS], np.sqrt(weight))
+    pulled = solution.per_information(expected)
     # x and y of the tilt of each node, by the three of the bias
-    moved = solution.states.dot(pulled).reshape(-1, 12)[:, :6]
+    columns = solution.states[:, 1 : 1 + len(pulled)]
+    moved = columns.dot(pulled).reshape(-1, 12)[:, :6]
     return np.asarray(np.vecdot(moved, moved))
 
 

@@ -165,7 +165,10 @@ def test_columns_that_nothing_is_expected_of_wait(state, rng, monkeypatch):
     }
     fewer = dataclasses.replace(problem, rows=problem.rows[..., :8], **of_fewer)
     first = stages.minimise(dataclasses.replace(problem, **of_fewer))
-    for got, wanted in ((first, fewer), (again(problem, first), problem)):
+    for got, wanted in (
+        (first, fewer),
+        (again(first, problem.prior, problem.prior_weight), problem),
+    ):
         dense = Dense(wanted)
         tilt, velocity, calibration = dense.solve()
         assert_same(got.tilt, tilt)
