@@ -191,7 +191,7 @@ class _Block:
         nodes = self._nodes
         usual_radps = median(nodes.turned_rad / nodes.duration_s)
         self._p = p = _less_certain(p, usual_radps * samples.interval_s)
-        vertical = stages.rough_vertical(self._nodes, p.rough_s)
+        vertical = nd.rough_vertical(nodes, p.rough_s)
         self._bound = np.full(vertical.shape[1], p.velocity_start_mps)
         self._trusted = np.zeros(len(self._nodes.duration_s))
         # solved with columns for a velocity u, of which nothing is expected at first

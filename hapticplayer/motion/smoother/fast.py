@@ -27,7 +27,7 @@ from hapticplayer.motion.smoother.linearise import (
     Knowledge,
     expected,
 )
-from hapticplayer.motion.smoother.nodes import NOWHERE_MPS, AnyNodes
+from hapticplayer.motion.smoother.nodes import AnyNodes
 from hapticplayer.motion.smoother.parameters import SmootherParameters
 from hapticplayer.motion.smoother.strapdown import (
     CHUNK,
@@ -161,6 +161,7 @@ def gather(
         per_node=per_node,
         at=(ends["first"], ends["second"]),
         duration_s=rows["duration"].copy(),
+        impulse_mps=rows.view(np.float64).reshape(count, -1).T[:3],
         turned_rad=rows["turned"],
         starts=starts,
         ends=ends,
@@ -273,16 +274,6 @@ def mean_square(vectors: Floats, duration_s: Floats, half_width_s: float) -> Flo
     scratch = np.zeros(len(out) + 1, jit.SUMS)
     means_kernel.mean_square(vectors, _ready(duration_s), half_width_s, scratch, out)
     return out
-
-
-def rough_vertical(nodes: PackedNodes, half_width_s: float) -> Floats:
-    """Return unit verticals (3, K + 1) at the nodes; see `nodes.rough_vertical`."""
-    count = len(nodes.ends)
-    out, scratch = np.empty((count, 3)), np.zeros(count, jit.NODE)
-    means_kernel.rough_vertical(
-        nodes.rows, half_width_s, NOWHERE_MPS, scratch, _records(out, jit.XYZ)
-    )
-    return out.T
 
 
 def spread(

@@ -1,10 +1,8 @@
 """Means over windows and over the neighbourhood of nodes, compiled by numba.
 
-Imported by `fast` alone. See `strapdown.coarse`, `linearise.mean_square` and
-`nodes.rough_vertical`.
+Imported by `fast` alone. See `strapdown.coarse` and `linearise.mean_square`.
 """
 
-import math
 from typing import Any
 
 from hapticplayer.motion.smoother.jit import (
@@ -12,7 +10,6 @@ from hapticplayer.motion.smoother.jit import (
     FLOAT,
     IN1,
     INT,
-    NODES,
     NOTHING,
     OUT1,
     OUT2,
@@ -56,43 +53,6 @@ def mean_square(
             last += 1
         here, there = at[first], at[last]
         out[k] = (there.value - here.value) / (there.width - here.width)
-
-
-@compiled(NOTHING, NODES, FLOAT, FLOAT, NODES, OUT_VECTORS)
-def rough_vertical(
-    nodes: Any, half_width: float, nowhere: float, at: Any, out: Any
-) -> None:
-    """See `nodes.rough_vertical`.
-
-    Args:
-        nodes: (K,).
-        half_width: of the mean, in time.
-        nowhere: an impulse that is no larger has no direction.
-        at: (K + 1,) scratch, sums over the intervals before; the first is zero.
-        out: (K + 1,).
-    """
-    for k in range(len(nodes)):
-        here, there, node = at[k], at[k + 1], nodes[k]
-        there.duration = here.duration + node.duration
-        there.x, there.y, there.z = here.x + node.x, here.y + node.y, here.z + node.z
-    first, last, found = 0, 0, 0
-    x, y, z = 0.0, 0.0, 1.0
-    for k in range(len(out)):
-        time = at[k].duration
-        while at[first].duration < time - half_width:
-            first += 1
-        while last + 1 < len(out) and at[last + 1].duration <= time + half_width:
-            last += 1
-        here, there = at[first], at[last]
-        a, b, c = there.x - here.x, there.y - here.y, there.z - here.z
-        norm = math.sqrt(a * a + b * b + c * c)
-        if norm > nowhere:
-            x, y, z = a / norm, b / norm, c / norm
-            found += 1
-        # where there is none it is the one before, and at the start the first one
-        for m in range(0 if found == 1 else k, k + 1):
-            row = out[m]
-            row.x, row.y, row.z = x, y, z
 
 
 @compiled(

@@ -14,7 +14,7 @@ _SLOW_RAD2 = 1.0
 # Cosine of the angle up to which one frame serves all verticals.
 _NEAR_FIRST = 0.5
 # An impulse that is smaller has no direction.
-NOWHERE_MPS = 1e-6
+_NOWHERE_MPS = 1e-6
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -28,12 +28,14 @@ class AnyNodes:
         per_node: windows between two nodes.
         at: orientation at the nodes in frame I, (K + 1,).
         duration_s: (K,).
+        impulse_mps: (3, K) integral of the specific force.
         turned_rad: (K,) the angles of the windows, summed.
     """
 
     per_node: int
     at: Pair
     duration_s: Floats
+    impulse_mps: Floats
     turned_rad: Floats
 
 
@@ -43,7 +45,6 @@ class Nodes(AnyNodes):
 
     Attributes:
         start: orientation of each window's start in frame I, (windows,).
-        impulse_mps: (3, K) integral of the specific force.
         bias_turn_s: (3, 3, K) rotation of frame I per unit of gyro bias; the same
             matrix takes an accelerometer bias to an impulse.
         scale_turn_rad: (3, 9, K) rotation per unit of each element of the gyro's
@@ -54,7 +55,6 @@ class Nodes(AnyNodes):
     """
 
     start: Pair
-    impulse_mps: Floats
     bias_turn_s: Floats
     scale_turn_rad: Floats
     power_m2ps3: Floats
@@ -119,7 +119,7 @@ def _at_nodes(ends: Pair, per_node: int) -> Pair:
     return found[0], found[1]
 
 
-def rough_vertical(nodes: Nodes, half_width_s: float) -> Floats:
+def rough_vertical(nodes: AnyNodes, half_width_s: float) -> Floats:
     """Return unit verticals in frame I at the nodes (3, K + 1).
 
     The direction of the mean specific force over some seconds around each node.
@@ -136,9 +136,9 @@ def rough_vertical(nodes: Nodes, half_width_s: float) -> Floats:
 def _directions(vectors: Floats) -> Floats:
     """Return unit vectors; where there is none, the one before (or after)."""
     norm = np.sqrt(rot.squared_norm(vectors))
-    if norm.min() > NOWHERE_MPS:
+    if norm.min() > _NOWHERE_MPS:
         return np.asarray(vectors / norm)
-    known = norm > NOWHERE_MPS
+    known = norm > _NOWHERE_MPS
     if not known.any():
         return np.tile([[0.0], [0.0], [1.0]], len(norm))
     last = np.maximum.accumulate(np.where(known, np.arange(len(norm)), -1))

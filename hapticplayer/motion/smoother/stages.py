@@ -52,15 +52,6 @@ def coarse(samples: Samples, per_window: int) -> Samples:
     return found
 
 
-def rough_vertical(nodes: AnyNodes, half_width_s: float) -> Floats:
-    """Return unit verticals in frame I at the nodes, (3, K + 1)."""
-    fast = compiled.fast()
-    if fast is not None and isinstance(nodes, fast.PackedNodes):
-        return np.asarray(fast.rough_vertical(nodes, half_width_s))
-    assert isinstance(nodes, Nodes)
-    return nd.rough_vertical(nodes, half_width_s)
-
-
 def linearised(
     nodes: AnyNodes, vertical: Floats, known: Knowledge, p: SmootherParameters
 ) -> tuple[Pair, Problem]:

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from hapticplayer.motion.smoother import compiled, linearise, stages
+from hapticplayer.motion.smoother.nodes import rough_vertical
 from tests.unit.motion.smoother.conftest import samples_of
 
 HALF_WIDTH_S = 2.0
@@ -26,7 +27,7 @@ def rough(force_mps2, step_s):
         samples, (4, 5), correction, with_scale=False, shortcuts=False
     )
     time_s = np.append(0.0, np.cumsum(nodes.duration_s))
-    return stages.rough_vertical(nodes, HALF_WIDTH_S), time_s
+    return rough_vertical(nodes, HALF_WIDTH_S), time_s
 
 
 @pytest.mark.usefixtures("_way")
