@@ -6,7 +6,7 @@ of every OpenGL way (reference/playback.md, part B).
 
 import math
 
-from PySide6.QtCore import QEvent, QPointF, QRect, QRectF, Qt, Signal
+from PySide6.QtCore import QPointF, QRect, QRectF, Qt, Signal
 from PySide6.QtGui import (
     QImage,
     QMouseEvent,
@@ -153,7 +153,12 @@ class VideoSurface(QWidget):
         self.target_changed.emit(*self._target[2:], is_direct)
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Copy the picture to the window; black where there is none."""
+        """Copy the picture to the window; black where there is none.
+
+        Qt paints all of a window that has come to a screen of another scale.
+        """
+        if self.devicePixelRatioF() != self._ratio:
+            self._place()
         # `with`: a traceback keeps this frame, and Qt dies of a painter that lives on
         with QPainter(self) as painter:
             self._paint(painter, event.region())
@@ -196,8 +201,9 @@ class VideoSurface(QWidget):
         window = painter.paintEngine().paintDevice()
         if not isinstance(window, QImage) or window.format() not in _FORMATS:
             return False
-        corner = painter.deviceTransform().map(self._where.topLeft())
-        x, y = round(corner.x()), round(corner.y())
+        origin = painter.deviceTransform()
+        left, top = self._target[:2]
+        x, y = round(origin.dx() + left), round(origin.dy() + top)
         stride_bytes = window.bytesPerLine()
         memory = memoryview(window.bits())
         return self._painter.paint(picture, memory, stride_bytes, x, y)
@@ -213,12 +219,6 @@ class VideoSurface(QWidget):
     def resizeEvent(self, _event: QResizeEvent) -> None:
         """Follow the window."""
         self._place()
-
-    def event(self, event: QEvent) -> bool:
-        """Follow the window to a screen of another scale."""
-        if event.type() == QEvent.Type.DevicePixelRatioChange:
-            self._place()
-        return super().event(event)
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         """Toggle fullscreen."""

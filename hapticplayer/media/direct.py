@@ -5,7 +5,7 @@ copying it there, and until then it waits as it was decoded, in three eighths of
 memory.
 """
 
-import numpy as np
+import ctypes
 
 from hapticplayer.media.pictures import Picture, PictureConverter
 from hapticplayer.media.swscale import Scaler, library
@@ -43,7 +43,7 @@ class DirectPainter:
         end = begin + (kind.height - 1) * stride_bytes + 4 * kind.width
         if 4 * (x + kind.width) > stride_bytes or end > memory.nbytes:
             return False
-        address = np.frombuffer(memory, np.uint8).ctypes.data
+        address = ctypes.addressof(ctypes.c_char.from_buffer(memory))
         self._scaler.convert(frame, kind, address + begin, stride_bytes)
         return True
 

@@ -1,6 +1,6 @@
 """Turns decoded frames into pictures that can be painted."""
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Any, NamedTuple, Self
 
 import numpy as np
@@ -31,6 +31,7 @@ class Picture:
             anything points into it. Pictures of one owner are the same.
         decoded: what is yet to be converted, and of which kind it is, see
             `DirectPainter`; `pixels` is empty then.
+        has_pixels: whether there is anything to paint; asked several times a picture.
     """
 
     pts_s: float
@@ -40,6 +41,10 @@ class Picture:
     pixels: memoryview
     owner: Any
     decoded: tuple[VideoFrame, Kind] | None = None
+    has_pixels: bool = field(init=False)
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "has_pixels", self.width > 0)
 
     @classmethod
     def without_pixels(cls, pts_s: float, owner: Any) -> Self:
@@ -51,11 +56,6 @@ class Picture:
         """Return what is converted when it is shown."""
         size_px = (kind.width, kind.height)
         return cls(pts_s, *size_px, 0, _NO_PIXELS, frame, (frame, kind))
-
-    @property
-    def has_pixels(self) -> bool:
-        """Whether there is anything to paint."""
-        return self.width > 0
 
     def as_rgb(self) -> np.ndarray[Any, np.dtype[np.uint8]]:
         """Return a copy as (height, width, 3) RGB; for tests and thumbnails."""

@@ -91,7 +91,10 @@ class MediaClock:
 
     def media_s(self, now_s: float) -> float:
         """Return the position, s."""
-        return self.snapshot(now_s).media_s(now_s)
+        elapsed_s = now_s - self._monotonic0_s
+        if not self._is_running or elapsed_s <= 0.0:
+            return self._media0_s
+        return self._media0_s + self.speed * (1.0 + self._bend) * elapsed_s
 
     def snapshot(self, now_s: float) -> PlaybackClock:
         """Return what others may rely on until the horizon."""

@@ -182,10 +182,12 @@ class VideoFeeder(Feeder):
         self._position_s = media_s
 
     def peek(self, number: int = 0) -> Picture | None:
-        """Return a queued picture without taking it."""
-        with self._wake:
-            picture = self._queue[number] if number < len(self._queue) else None
-            return None if picture and self._is_to_convert(picture) else picture
+        """Return a queued picture without taking it; asked often, it takes no lock."""
+        try:
+            picture = self._queue[number]
+        except IndexError:
+            return None
+        return None if self._is_seen and not picture.has_pixels else picture
 
     def pop(self) -> Picture | None:
         """Take the next picture."""
