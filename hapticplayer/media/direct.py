@@ -44,7 +44,8 @@ class DirectPainter:
         if 4 * (x + kind.width) > stride_bytes or end > memory.nbytes:
             return False
         address = ctypes.addressof(ctypes.c_char.from_buffer(memory))
-        self._scaler.convert(frame, kind, address + begin, stride_bytes)
+        size_px = (kind.width, kind.height)
+        self._scaler.convert(frame, kind, address + begin, stride_bytes, size_px)
         return True
 
     def whole(self, picture: Picture) -> Picture:

@@ -11,8 +11,9 @@ from hapticplayer.errors import MediaError
 from hapticplayer.media.clip_info import rotation_of
 from hapticplayer.media.colours import untagged_matrix
 from hapticplayer.media.limits import MAX_PIXELS
+from hapticplayer.media.picture_memory import PictureMemory, stride_of
 from hapticplayer.media.sameness import shows_the_same
-from hapticplayer.media.swscale import Kind, kind_of
+from hapticplayer.media.swscale import Kind, Scaler, kind_of, library
 
 _NO_PIXELS = memoryview(b"")
 
@@ -88,7 +89,7 @@ class _Done(NamedTuple):
 
 
 class PictureConverter:
-    """Scales, rotates and converts to BGRA; reuses swscale's tables.
+    """Scales, rotates and converts to BGRA; reuses swscale's tables, and memory.
 
     A picture that shows what the one before showed is not converted again: it has the
     same memory and the same owner.
@@ -96,6 +97,9 @@ class PictureConverter:
 
     def __init__(self) -> None:
         self._reformatter = VideoReformatter()
+        swscale = library()
+        self._scaler = Scaler(swscale) if swscale is not None else None
+        self._memory = PictureMemory()
         self._last: _Done | None = None
         self._moved = 0  # pictures since two were the same
 
@@ -122,11 +126,12 @@ class PictureConverter:
         last, wanted = self._last, (width_px, height_px, is_direct)
         if last and last.wanted == wanted and self._stands(frame, last.frame):
             return replace(last.picture, pts_s=pts_s)
-        kind = kind_of(frame) if is_direct else None
-        if kind is not None and (kind.width, kind.height) == (width_px, height_px):
+        kind = kind_of(frame) if self._scaler is not None else None
+        is_whole = kind and (kind.width, kind.height) == (width_px, height_px)
+        if kind is not None and is_whole and is_direct:
             picture = Picture.as_decoded(pts_s, frame, kind)
         else:
-            picture = self._converted(frame, pts_s, width_px, height_px)
+            picture = self._converted(frame, pts_s, (width_px, height_px), kind)
         self._last = _Done(frame, wanted, picture)
         return picture
 
@@ -140,11 +145,21 @@ class PictureConverter:
         return self._moved == 0
 
     def _converted(
-        self, frame: VideoFrame, pts_s: float, width_px: int, height_px: int
+        self,
+        frame: VideoFrame,
+        pts_s: float,
+        size_px: tuple[int, int],
+        kind: Kind | None,
     ) -> Picture:
-        width, height = max(2, width_px & ~1), max(2, height_px)
+        width, height = max(2, size_px[0] & ~1), max(2, size_px[1])
         if width * height > MAX_PIXELS:
             raise MediaError(f"{width} x {height} pixels are too large for a picture")
+        if self._scaler is not None and kind and width * height <= _ALONE_PIXELS:
+            stride_bytes = stride_of(width)
+            block = self._memory.take(stride_bytes * height)
+            pixels, address = block.memory.bytes.data, block.memory.address
+            self._scaler.convert(frame, kind, address, stride_bytes, (width, height))
+            return Picture(pts_s, width, height, stride_bytes, pixels, block)
         turns = rotation_of(frame) // 90
         size = (max(2, height & ~1), width) if turns % 2 else (width, height)
         is_scaled = size != (frame.width, frame.height)

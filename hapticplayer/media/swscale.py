@@ -1,7 +1,7 @@
 """swscale asked directly, to convert a picture into memory that is somebody else's.
 
-PyAV converts into memory of its own, from where a picture of the screen's size is copied
-once more. The library it has brought takes any address (libswscale/swscale.h). Where that
+PyAV converts into fresh memory of its own: a picture of the screen's size is copied from
+there once more, and smaller ones leave holes in the heap (see `picture_memory`). The library it has brought takes any address (libswscale/swscale.h). Where that
 library is not found, or does not give PyAV's own answer to a small picture, there is no
 such way, and nothing else depends on it.
 """
@@ -53,7 +53,7 @@ def kind_of(frame: VideoFrame) -> Kind | None:
 
 
 class Scaler:
-    """Converts pictures of one kind after the other, without scaling; for one thread.
+    """Converts pictures of one kind and size after the other; for one thread.
 
     Args:
         library: from `library`.
@@ -62,10 +62,15 @@ class Scaler:
     def __init__(self, library: ctypes.CDLL) -> None:
         self._library = library
         self._context: int | None = None
-        self._kind: Kind | None = None
+        self._prepared: tuple[Kind, tuple[int, int]] | None = None
 
     def convert(
-        self, frame: VideoFrame, kind: Kind, address: int, stride_bytes: int
+        self,
+        frame: VideoFrame,
+        kind: Kind,
+        address: int,
+        stride_bytes: int,
+        size_px: tuple[int, int],
     ) -> None:
         """Write a picture as B, G, R, 255.
 
@@ -73,13 +78,15 @@ class Scaler:
             frame: decoded.
             kind: of the frame.
             address: of its upper left pixel; there is room for all rows.
-            stride_bytes: from one row to the next.
+            stride_bytes: from one row to the next; where it is scaled there is room for
+                64 bytes more, as whole registers are written.
+            size_px: width and height that it shall have.
 
         Raises:
             MemoryError: when swscale has none.
         """
-        if kind != self._kind:
-            self._prepare(kind)
+        if (kind, size_px) != self._prepared:
+            self._prepare(kind, size_px)
         planes = frame.planes
         self._library.sws_scale(
             self._context,
@@ -91,12 +98,12 @@ class Scaler:
             _Strides(stride_bytes),
         )
 
-    def _prepare(self, kind: Kind) -> None:
+    def _prepare(self, kind: Kind, size_px: tuple[int, int]) -> None:
         self._release()
-        size = (kind.width, kind.height)
+        whole_px = (kind.width, kind.height)
         flags = int(Interpolation.BILINEAR)
         context = self._library.sws_getContext(
-            *size, _YUV420P, *size, _BGRA, flags, None, None, None
+            *whole_px, _YUV420P, *size_px, _BGRA, flags, None, None, None
         )
         if not context:
             raise MemoryError
@@ -104,10 +111,10 @@ class Scaler:
         self._library.sws_setColorspaceDetails(
             context, table, int(kind.is_full), table, 0, 0, _ONE, _ONE
         )
-        self._context, self._kind = context, kind
+        self._context, self._prepared = context, (kind, size_px)
 
     def _release(self) -> None:
-        context, self._context, self._kind = self._context, None, None
+        context, self._context, self._prepared = self._context, None, None
         if context:
             self._library.sws_freeContext(context)
 
@@ -162,9 +169,12 @@ def _agrees(swscale: ctypes.CDLL) -> bool:
     kind = kind_of(frame)
     assert kind is not None
     mine = np.zeros((height, 4 * (width + beside)), np.uint8)
-    Scaler(swscale).convert(frame, kind, mine.ctypes.data, mine.shape[1])
-    flags = Interpolation.BILINEAR
-    theirs = frame.reformat(format="bgra", interpolation=flags).planes[0]
-    rows = np.frombuffer(memoryview(theirs), np.uint8).reshape(height, theirs.line_size)
-    is_equal = np.array_equal(mine[:, : 4 * width], rows[:, : 4 * width])
-    return is_equal and not mine[:, 4 * width :].any()
+    scaler, stride = Scaler(swscale), mine.shape[1]
+    for size in ((width - 2, height - 3), (width, height)):
+        scaler.convert(frame, kind, mine.ctypes.data, stride, size)
+        flags = Interpolation.BILINEAR
+        bgra = frame.reformat(*size, "bgra", interpolation=flags).planes[0]
+        theirs = np.frombuffer(memoryview(bgra), np.uint8).reshape(-1, bgra.line_size)
+        if not np.array_equal(mine[: size[1], : 4 * size[0]], theirs[:, : 4 * size[0]]):
+            return False
+    return not mine[:, 4 * width :].any()

@@ -1,10 +1,13 @@
 """Converting into other people's memory gives PyAV's pixels, and touches nothing else."""
 
+from collections import deque
+from unittest import mock
+
 import numpy as np
 import pytest
 from av.video.frame import VideoFrame
 
-from hapticplayer.media import DirectPainter, direct, swscale
+from hapticplayer.media import DirectPainter, direct, picture_memory, pictures, swscale
 from hapticplayer.media.pictures import Picture, PictureConverter
 
 MATRICES = {
@@ -31,9 +34,12 @@ def as_decoded(frame: VideoFrame) -> Picture:
     return PictureConverter().convert(frame, 0.0, *size_px, is_direct=True)
 
 
-def as_before(frame: VideoFrame) -> np.ndarray:
-    size_px = (frame.width, frame.height)
-    return PictureConverter().convert(frame, 0.0, *size_px).as_rgb()
+def as_before(frame: VideoFrame, size_px: tuple[int, int] | None = None) -> np.ndarray:
+    """Return what PyAV makes of it."""
+    size_px = size_px or (frame.width, frame.height)
+    with mock.patch.object(pictures, "library", return_value=None):
+        converter = PictureConverter()
+    return converter.convert(frame, 0.0, *size_px).as_rgb()
 
 
 @pytest.fixture
@@ -186,3 +192,68 @@ def test_a_library_of_another_version_is_not_used(monkeypatch):
     versions = {"libswscale": (9, 0, 0)}
     monkeypatch.setattr(swscale.av, "library_versions", versions)
     assert swscale.library.__wrapped__() is None
+
+
+@pytest.mark.parametrize("color_range", RANGES.values(), ids=RANGES)
+@pytest.mark.parametrize("matrix", [2, 1, 9])
+@pytest.mark.parametrize(
+    "size_px", [(16, 9), (30, 17), (66, 50), (126, 71), (330, 187), (676, 380)]
+)
+def test_scaled_pixels_are_those_of_pyav(size_px, matrix, color_range):
+    frame = frame_of(336, 190)
+    frame.colorspace, frame.color_range = matrix, color_range
+    converter = PictureConverter()
+    for _ in range(2):  # the second time in memory that was used before
+        picture = converter.convert(frame, 0.0, *size_px)
+        assert np.array_equal(picture.as_rgb(), as_before(frame, size_px))
+        del picture
+
+
+def test_a_picture_that_somebody_has_keeps_its_memory():
+    converter = PictureConverter()
+    frames = [frame_of(336, 190 + 2 * k) for k in range(6)]
+    kept = [converter.convert(frame, 0.0, 100, 56) for frame in frames]
+    expected = [as_before(frame, (100, 56)) for frame in frames]
+    for picture, rgb in zip(kept, expected, strict=True):
+        assert np.array_equal(picture.as_rgb(), rgb)
+    known = {address_of(picture) for picture in kept}
+    assert len(known) == len(kept)
+    kept.clear()
+    converter.convert(frames[0], 0.0, 102, 56)
+    converter.convert(frames[1], 0.0, 102, 58)  # other sizes between are no harm
+    again = [converter.convert(frame, 0.0, 100, 56) for frame in frames]
+    for picture, rgb in zip(again, expected, strict=True):
+        assert np.array_equal(picture.as_rgb(), rgb)
+
+
+def test_pictures_take_the_memory_of_those_that_are_gone():
+    converter = PictureConverter()
+    frames = [frame_of(336, 190), frame_of(336, 192)]
+    queue: deque[Picture] = deque(maxlen=5)
+    known = set()
+    for number in range(200):
+        queue.append(converter.convert(frames[number % 2], number / 30, 250, 140))
+        known.add(address_of(queue[-1]))
+    # the queue, the one in the making, and the one that the next is compared with
+    assert len(known) <= 7
+
+
+def test_nothing_is_written_behind_the_memory_of_a_picture(monkeypatch):
+    guard_bytes = 64
+
+    def watched(size_bytes: int) -> picture_memory.Memory:
+        room = np.full(size_bytes + 4 * guard_bytes, UNTOUCHED, np.uint8)
+        rooms.append((room, size_bytes))
+        return picture_memory.Memory(room[:size_bytes], room.ctypes.data)
+
+    rooms: list[tuple[np.ndarray, int]] = []
+    monkeypatch.setattr(picture_memory, "_aligned", watched)
+    for width in range(2, 200, 2):
+        PictureConverter().convert(frame_of(336, 190), 0.0, width, 20)
+    assert len(rooms) == 99
+    for room, size_bytes in rooms:
+        assert (room[size_bytes + guard_bytes :] == UNTOUCHED).all()
+
+
+def address_of(picture: Picture) -> int:
+    return np.frombuffer(picture.pixels, np.uint8).ctypes.data
