@@ -16,18 +16,24 @@ STATS_TICKS = 10_000
 TRACE_EVENTS = 1800  # 30 s of pictures at 60 Hz
 _LATEST_US, _LATENESS_STEP_US = 20_000.0, 1.0
 _FARTHEST_MS, _DIFFERENCE_STEP_MS = 200.0, 0.02
-_COUNTED_TOGETHER = 20  # reads: a second
-_EMPTY = np.empty(0, dtype=TICK)
+_ROOM_TICKS = 18_000
+_AT_ONCE_TICKS = _ROOM_TICKS - HISTORY_TICKS
+_COUNTED_TOGETHER_TICKS = 1000
 
 
 class TickHistory:
-    """The last ticks for plots and stats, and the lateness of all of them."""
+    """The last ticks for plots and stats, and the lateness of all of them.
+
+    They lie in memory that is taken once: what is read five times a second and kept for
+    12 s would be spread over the heap.
+    """
 
     def __init__(self) -> None:
-        self._chunks: deque[NDArray[Any]] = deque()
-        self._kept = 0
+        # as plain bytes: numpy copies records field by field
+        self._rows = np.empty(_ROOM_TICKS, (np.void, TICK.itemsize))
+        self._ticks: NDArray[Any] = self._rows.view(TICK)
+        self._end = self._counted = 0
         self._lateness_us = Tally(0.0, _LATEST_US, _LATENESS_STEP_US)
-        self._uncounted: list[NDArray[Any]] = []
         self._missed = 0
         self._is_followed = False
         self.lost = 0
@@ -35,28 +41,37 @@ class TickHistory:
     def add(self, records: NDArray[Any], lost: int) -> None:
         """Append what came from the ring."""
         self.lost += lost
-        if not len(records):
-            return
-        self._chunks.append(records)
-        self._kept += len(records)
-        while self._kept - len(self._chunks[0]) >= HISTORY_TICKS:
-            self._kept -= len(self._chunks.popleft())
-        self._uncounted.append(records)
-        if len(self._uncounted) >= _COUNTED_TOGETHER:
+        for first in range(0, len(records), _AT_ONCE_TICKS):
+            self._append(records[first : first + _AT_ONCE_TICKS])
+
+    def _append(self, records: NDArray[Any]) -> None:
+        if self._end + len(records) > _ROOM_TICKS:
+            self._count()
+            first = max(0, self._end - HISTORY_TICKS)
+            self._rows[: self._end - first] = self._rows[first : self._end]
+            self._end = self._counted = self._end - first
+        end = self._end + len(records)
+        self._rows[self._end : end] = records.view(self._rows.dtype)
+        self._end = end
+        if end - self._counted >= _COUNTED_TOGETHER_TICKS:
             self._count()
 
     def _count(self) -> None:
         """Count what came: in few large pieces, where many small ones cost ten times."""
-        reads, self._uncounted = self._uncounted, []
-        self._lateness_us.add(_field(reads, "lateness_s") * np.float32(1e6))
-        self._missed += int(_field(reads, "missed").sum())
+        ticks, self._counted = self._ticks[self._counted : self._end], self._end
+        self._lateness_us.add(ticks["lateness_s"] * np.float32(1e6))
+        self._missed += int(ticks["missed"].sum())
 
     def recent(self) -> NDArray[Any]:
         """Return the last 12 s of ticks, oldest first."""
-        return _joined(list(self._chunks))
+        return self._last(HISTORY_TICKS).copy()
+
+    def _last(self, count: int) -> NDArray[Any]:
+        """Return the last ticks in the memory that others will use."""
+        return self._ticks[max(0, self._end - count) : self._end]
 
     def since(self, monotonic_s: float) -> NDArray[Any]:
-        """Return the reads that hold ticks after a time, oldest first, for who follows."""
+        """Return the ticks after a time, oldest first, for who follows."""
         self._is_followed = True
         return self.read_since(monotonic_s)
 
@@ -67,25 +82,21 @@ class TickHistory:
 
     def read_since(self, monotonic_s: float) -> NDArray[Any]:
         """Return the same for a look now and then."""
-        newer: list[NDArray[Any]] = []
-        for chunk in reversed(self._chunks):
-            if chunk["monotonic_s"][-1] <= monotonic_s:
-                break
-            newer.append(chunk)
-        return _joined(newer[::-1])
+        begin = max(0, self._end - HISTORY_TICKS)
+        times_s = self._ticks["monotonic_s"][begin : self._end]
+        first = begin + int(times_s.searchsorted(monotonic_s, side="right"))
+        return self._rows[first : self._end].copy().view(TICK)
 
     def latest(self) -> Any:
         """Return the newest tick, or None."""
-        return self._chunks[-1][-1] if self._chunks else None
+        return self._ticks[self._end - 1].copy() if self._end else None
 
     def recent_stats(self) -> LoopStats | None:
         """Return the health over the last 10 s."""
-        reads = list(self._chunks)
-        lateness_s = _field(reads, "lateness_s")[-STATS_TICKS:]
-        if not len(lateness_s):
+        ticks = self._last(STATS_TICKS)
+        if not len(ticks):
             return None
-        missed = _field(reads, "missed")[-STATS_TICKS:]
-        return _loop_stats(lateness_s * 1e6, int(missed.sum()))
+        return _loop_stats(ticks["lateness_s"] * 1e6, int(ticks["missed"].sum()))
 
     def total_stats(self) -> LoopStats | None:
         """Return the health over everything."""
@@ -171,19 +182,6 @@ class SyncMeter:
             return None
         p05, p50, p95 = total.percentiles(5.0, 50.0, 95.0)
         return SyncStats(total.count, p05, p50, p95)
-
-
-def _joined(chunks: list[NDArray[Any]]) -> NDArray[Any]:
-    """Return chunks as one; as plain bytes, for numpy joins records 20 times slower."""
-    if not chunks:
-        return _EMPTY
-    plain = np.dtype((np.void, TICK.itemsize))
-    return np.concatenate([chunk.view(plain) for chunk in chunks]).view(TICK)
-
-
-def _field(reads: list[NDArray[Any]], name: str) -> NDArray[Any]:
-    """Return one field of all reads; a thirtieth of the memory that whole records take."""
-    return np.concatenate([_EMPTY[name], *(read[name] for read in reads)])
 
 
 def _loop_stats(lateness_us: NDArray[Any], missed: int) -> LoopStats:

@@ -27,6 +27,9 @@ from hapticplayer.playback.sound_block import CHANNELS, SoundBlock
 from hapticplayer.playback.sound_reader import SoundReader
 
 LATENCY_S = 0.120
+BLOCK_S = 0.040
+"""How much is asked for at once. PortAudio's own choice, 25 ms, wakes this process and
+the server's client half as often again, for nothing: what lies ahead is the latency."""
 MAX_AHEAD_S = 1.0
 SERVERS = ("default", "pulse", "pipewire")
 """What ALSA calls them: headphones and loudspeakers have the same name there."""
@@ -59,6 +62,7 @@ class SoundStream:
                 samplerate=block.rate_hz,
                 channels=CHANNELS,
                 dtype="float32",
+                blocksize=round(BLOCK_S * block.rate_hz),
                 latency=LATENCY_S,
                 callback=self._callback,
             )
