@@ -62,16 +62,8 @@ class TickHistory:
         self._lateness_us.add(ticks["lateness_s"] * np.float32(1e6))
         self._missed += int(ticks["missed"].sum())
 
-    def recent(self) -> NDArray[Any]:
-        """Return the last 12 s of ticks, oldest first."""
-        return self._last(HISTORY_TICKS).copy()
-
-    def _last(self, count: int) -> NDArray[Any]:
-        """Return the last ticks in the memory that others will use."""
-        return self._ticks[max(0, self._end - count) : self._end]
-
     def since(self, monotonic_s: float) -> NDArray[Any]:
-        """Return the ticks after a time, oldest first, for who follows."""
+        """Return the ticks after a time, of the last 12 s, oldest first, for who follows."""
         self._is_followed = True
         return self.read_since(monotonic_s)
 
@@ -93,7 +85,7 @@ class TickHistory:
 
     def recent_stats(self) -> LoopStats | None:
         """Return the health over the last 10 s."""
-        ticks = self._last(STATS_TICKS)
+        ticks = self._ticks[max(0, self._end - STATS_TICKS) : self._end]
         if not len(ticks):
             return None
         return _loop_stats(ticks["lateness_s"] * 1e6, int(ticks["missed"].sum()))

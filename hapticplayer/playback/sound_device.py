@@ -29,7 +29,7 @@ from hapticplayer.playback.sound_reader import SoundReader
 LATENCY_S = 0.120
 BLOCK_S = 0.040
 """How much is asked for at once. PortAudio's own choice, 25 ms, wakes this process and
-the server's client half as often again, for nothing: what lies ahead is the latency."""
+the server's client a third more often, for nothing: what lies ahead is the latency."""
 MAX_AHEAD_S = 1.0
 SERVERS = ("default", "pulse", "pipewire")
 """What ALSA calls them: headphones and loudspeakers have the same name there."""

@@ -188,7 +188,6 @@ class _Watch:
         """Take in what the loop did since the last look."""
         self._led_by_sound |= self._player.snapshot().clock == "audio"
         ticks = self._player.link.history.since(self._seen_s)
-        ticks = ticks[ticks["monotonic_s"] > self._seen_s]
         if not len(ticks):
             return
         self._seen_s = float(ticks["monotonic_s"][-1])

@@ -1,6 +1,7 @@
 """The page that measures latencies finds those that were put in, and is gentle."""
 
 import json
+import math
 from functools import partial
 
 import numpy as np
@@ -141,7 +142,7 @@ def test_on_a_device_the_push_stays_gentle_and_escape_takes_it_away(
     def felt():
         if page.player is None:
             return np.zeros(1)
-        ticks = page.player.link.history.recent()
+        ticks = page.player.link.history.read_since(-math.inf)
         return np.linalg.norm(ticks["force_n"], axis=1) if len(ticks) else np.zeros(1)
 
     wait_for(lambda: felt().max() > 0.7 * PULSE_N)

@@ -1,6 +1,7 @@
 """The log is readable line by line; the meters find differences that were put in."""
 
 import json
+import math
 
 import numpy as np
 import pytest
@@ -78,8 +79,8 @@ def test_the_history_is_bounded_and_the_totals_are_not():
         chunk = ticks(1000, start_s=100.0 + k)
         chunk["missed"][0] = 1
         history.add(chunk, lost=0)
-    assert len(history.recent()) == HISTORY_TICKS
-    assert np.all(np.diff(history.recent()["monotonic_s"]) > 0)
+    assert len(history.read_since(-math.inf)) == HISTORY_TICKS
+    assert np.all(np.diff(history.read_since(-math.inf)["monotonic_s"]) > 0)
     total = history.total_stats()
     assert (total.ticks, total.missed) == (40_000, 40)
     assert total.lateness_p99_us == pytest.approx(20.0, rel=1e-4)
@@ -99,7 +100,7 @@ def test_the_history_has_the_last_ticks_whatever_is_read_at_once(most, rng):
         last = whole[max(0, end - HISTORY_TICKS) : end]
         if not end or rng.random() > 20.0 * most / len(whole):
             continue  # most are only added
-        assert np.array_equal(history.recent(), last)
+        assert np.array_equal(history.read_since(-math.inf), last)
         assert history.latest() == whole[end - 1]
         for at_s in (99.0, float(last["monotonic_s"][len(last) // 2]), 1e9):
             newer = last[last["monotonic_s"] > at_s]
@@ -116,7 +117,7 @@ def test_the_history_has_the_last_ticks_whatever_is_read_at_once(most, rng):
 def test_what_was_read_from_the_history_stays_as_it_was():
     history = TickHistory()
     history.add(ticks(10_000), lost=0)
-    kept = (history.recent(), history.read_since(105.0), history.latest())
+    kept = (history.read_since(-math.inf), history.read_since(105.0), history.latest())
     before = [part.copy() for part in kept]
     history.add(ticks(30_000, start_s=110.0), lost=0)
     assert all(map(np.array_equal, kept, before))
