@@ -181,8 +181,10 @@ def steps(track: object) -> Callable[[], int]:
 def ticks() -> Callable[[], int]:
     """Return what runs the loop on a virtual clock."""
     ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
-    player, clock, block = Line(ours), ManualClock(), shared_block()
-    loop = Loop(clock, block, Line(theirs), Still())  # type: ignore[arg-type]
+    clock, block = ManualClock(), shared_block()
+    player = Line(ours, outbox=block.outbox)
+    line = Line(theirs, inbox=block.outbox)
+    loop = Loop(clock, block, line, Still())  # type: ignore[arg-type]
     descriptor = to_shared_memory(waves())
     player.send(Word.TRACK, "1", descriptor)
     os.close(descriptor)

@@ -21,7 +21,7 @@ class Clock(Protocol):
         ...
 
 
-WAKE_UP_S = 25e-6
+WAKE_UP_S = 18e-6
 
 
 class SystemClock:
@@ -33,9 +33,9 @@ class SystemClock:
     def sleep_until(deadline_s: float) -> None:
         """Sleep with clock_nanosleep, and spin for what waking up takes at least.
 
-        Kernel and interpreter take 20 to 26 us to come back (measured with FIFO).
-        Asking for 25 us less instead of 15 takes 22 us off the 99th percentile of the
-        lateness for 0.3 % of a core; more than that costs more and gains nothing.
+        Kernel and interpreter take 10 to 27 us to come back (measured with FIFO; it
+        changes by the hour with what else the machine does). To ask for 25 us less costs
+        up to 1 % of a core at 1 kHz where it is quick; see docs/performance.md.
         """
         remaining_s = deadline_s - time.monotonic()
         if remaining_s > WAKE_UP_S:

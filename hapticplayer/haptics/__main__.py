@@ -38,7 +38,9 @@ def main(argv: list[str] | None = None) -> int:
     # of them at once, and if it dies of them, the closed line does.
     for number in (signal.SIGINT, signal.SIGHUP, signal.SIGTERM):
         signal.signal(number, signal.SIG_IGN)
-    line = Line(socket.socket(fileno=options.line), options.alarm)
+    block = LoopBlock(options.block)
+    end = socket.socket(fileno=options.line)
+    line = Line(end, options.alarm, inbox=block.outbox)
     try:
         device = find_device(options.device).make(options.handle)
         device.open()
@@ -48,7 +50,6 @@ def main(argv: list[str] | None = None) -> int:
     try:
         wanted = Scheduling(options.scheduling) if options.scheduling else None
         limits = limits_of(device.capabilities)
-        block = LoopBlock(options.block)
         hold(block.life)  # until the end, which tells the guard
         loop = _kind(options)(
             SystemClock(),

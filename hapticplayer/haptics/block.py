@@ -18,7 +18,8 @@ TICK_FIELDS = struct.Struct("<dd18fIBBH")
 _CLOCK = struct.Struct("<qqdddd")  # track id, epoch, the four numbers of the clock
 _SLOTS_AT = (64, 128)
 # a cache line for each writer
-_NEWEST_AT, _HEARTBEAT_AT, _HEAD_AT, _GUARD_AT, _LIFE_AT = 192, 256, 320, 384, 448
+_NEWEST_AT, _HEARTBEAT_AT, _HEAD_AT, _GUARD_AT = 192, 256, 320, 384
+_LIFE_AT, _OUTBOX_AT = 448, 512
 RING_AT = 4096
 BLOCK_BYTES = RING_AT + RING_TICKS * TICK_FIELDS.size
 
@@ -32,12 +33,15 @@ class LoopBlock:
         self._map = mmap.mmap(descriptor, BLOCK_BYTES)
         view = memoryview(self._map)
         self._clock = Slots(self._map, _CLOCK, _SLOTS_AT, _NEWEST_AT)
-        self.clock_count = self._clock.count  # for the loop: same count, same clock
+        self._newest = view[_NEWEST_AT : _NEWEST_AT + 8].cast("Q")
         self._heartbeat = view[_HEARTBEAT_AT : _HEARTBEAT_AT + 8].cast("d")
         self._head = view[_HEAD_AT : _HEAD_AT + 8].cast("Q")
         self._last_tick = view[_HEAD_AT + 8 : _HEAD_AT + 16].cast("d")
         self._guard = view[_GUARD_AT : _GUARD_AT + 8].cast("d")
         self.life = view[_LIFE_AT : _LIFE_AT + LIFE_BYTES]  # of the loop
+        self.outbox = view[_OUTBOX_AT : _OUTBOX_AT + 8].cast(
+            "Q"
+        )  # of the player's line
 
     def write_clock(self, clock: PlaybackClock, track_id: int) -> None:
         """Publish the clock and the track it belongs to (player)."""
@@ -59,9 +63,12 @@ class LoopBlock:
         """Say that the player's main thread is alive (player)."""
         self._heartbeat[0] = now_s
 
-    def heartbeat_s(self) -> float:
-        """Return the time of the last beat."""
-        return self._heartbeat[0]
+    def signs(self) -> tuple[int, float, float]:
+        """Return the number of clocks, player's and guard's last beat (loop).
+
+        The same number means the same clock.
+        """
+        return self._newest[0], self._heartbeat[0], self._guard[0]
 
     def beat_guard(self, now_s: float) -> None:
         """Say that the guard watches (guard)."""

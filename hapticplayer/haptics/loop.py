@@ -74,15 +74,12 @@ class Loop:
         self._is_device_gone = False
         self._is_stale = False
         self._missed = MissedPeriods()
+        self._is_player_alive = True
 
     @property
     def is_over(self) -> bool:
         """Whether nobody is left who could want a force."""
-        return self._is_asked_to_quit or not self._is_player_alive()
-
-    def _is_player_alive(self) -> bool:
-        is_cut = self.lifeline is not None and self.lifeline.is_cut()
-        return self.line.is_open and not is_cut
+        return self._is_asked_to_quit or not self._is_player_alive
 
     def run(self) -> None:
         """Tick until the player quits or is gone, then leave zero on the wire."""
@@ -105,14 +102,15 @@ class Loop:
     def tick(self, now_s: float, late_s: float = 0.0, missed: int = 0) -> None:
         """Do one period: listen, decide, exchange, record."""
         self._listen()
-        self._look_at_the_clock()
+        clock_count, heartbeat_s, guard_s = self.block.signs()
+        self._look_at_the_clock(clock_count)
         before = self.state
         self.state = state = step(
             now_s,
             self._playback,
             self._track,
             before,
-            self._told(missed),
+            self._told(heartbeat_s, guard_s, missed),
             self.limits,
             self.centring,
         )
@@ -122,18 +120,19 @@ class Loop:
         self._record(late_s, missed)
         self.count += 1
 
-    def _told(self, missed: int) -> Supervision:
+    def _told(self, heartbeat_s: float, guard_s: float, missed: int) -> Supervision:
         request = Request.CLOSE if self._is_asked_to_quit else self._request
         self._request = _NO_REQUEST
-        block = self.block
+        is_cut = self.lifeline is not None and self.lifeline.is_cut()
+        self._is_player_alive = is_alive = self.line.is_open and not is_cut
         return Supervision(
-            block.heartbeat_s(),
-            self._is_player_alive(),
+            heartbeat_s,
+            is_alive,
             request,
             self._reading,
             self._is_device_gone,
             self._is_stale,
-            block.guard_s() if self.is_guarded else math.inf,
+            guard_s if self.is_guarded else math.inf,
             self._missed.add(missed),
         )
 
@@ -178,8 +177,7 @@ class Loop:
             hand.buttons,
         )
 
-    def _look_at_the_clock(self) -> None:
-        count = self.block.clock_count()
+    def _look_at_the_clock(self, count: int) -> None:
         if count == self._clock_count and self._track is not None:
             return
         sample = self.block.read_clock()

@@ -1,6 +1,6 @@
 """What the player says to the haptics process and back, over one socket pair.
 
-A closed end is a message too: the loop sees it at its next tick.
+A closed end is a message too.
 """
 
 import enum
@@ -10,6 +10,8 @@ import socket
 from typing import NamedTuple
 
 _MAX_BYTES = 4096
+RESTS = 3
+"""How many calls of `receive` in a row believe the inbox that nothing has come."""
 
 
 class Word(enum.Enum):
@@ -40,15 +42,29 @@ class Line:
     Args:
         end: it is the line's from now on.
         alarm: descriptor of an alarm to listen for too, see hapticplayer.haptics.alarm.
+        outbox: number in shared memory of what was sent, the end too; kept up here.
+        inbox: the other end's outbox. With it `receive` asks the kernel only where
+            something was sent, and at every fourth call (see `RESTS`) for an alarm and
+            for the end of a process that died: at 1 kHz the question is a twentieth of
+            a tick.
 
     Attributes:
         is_open: whether the other end has not hung up, as far as is known.
-        is_alarmed: whether the alarm sounded when `receive` was called last.
+        is_alarmed: whether the alarm sounded when the kernel was asked last.
     """
 
-    def __init__(self, end: socket.socket, alarm: int = -1) -> None:
+    def __init__(
+        self,
+        end: socket.socket,
+        alarm: int = -1,
+        *,
+        outbox: memoryview | None = None,
+        inbox: memoryview | None = None,
+    ) -> None:
         end.setblocking(False)
         self._end, self._alarm = end, alarm
+        self._outbox, self._inbox = outbox, inbox
+        self._heard, self._rests = 0, 0
         self._poll = select.poll()
         self._poll.register(end, select.POLLIN)
         if alarm >= 0:
@@ -63,15 +79,23 @@ class Line:
             socket.send_fds(self._end, [word.value + text.encode()], descriptors)
         except OSError:
             self.is_open = False
+        self._count()
         return self.is_open
 
     def receive(self, timeout_ms: int = 0) -> Message | None:
         """Return the next message, or None; clears `is_open` at the end."""
         if not self.is_open:
             return None
+        sent = 0
+        if self._inbox is not None:
+            sent = self._inbox[0]
+            if sent == self._heard and self._rests > 0:
+                self._rests -= 1
+                return None
+            self._rests = RESTS
         ready = self._poll.poll(timeout_ms)
         if not ready:
-            self.is_alarmed = False
+            self.is_alarmed, self._heard = False, sent
             return None
         self.is_alarmed = self._sounds(ready)
         try:
@@ -94,10 +118,15 @@ class Line:
             return False
         return bool(events)
 
+    def _count(self) -> None:
+        if self._outbox is not None:
+            self._outbox[0] += 1
+
     def close(self) -> None:
         """Hang up; the other side reads it as the end."""
         self.is_open = False
         self._end.close()
+        self._count()
 
 
 def close_descriptor(descriptor: int) -> None:

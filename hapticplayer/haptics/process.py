@@ -111,7 +111,7 @@ class HapticsProcess:
             for end in (theirs, act, acted_on):
                 end.close()
             os.close(descriptor)
-        self._line = Line(ours)
+        self._line = Line(ours, outbox=self._block.outbox)
 
     @property
     def pid(self) -> int:

@@ -22,7 +22,7 @@ class Slots:
         layout: of the value.
         slots_at: offsets of the two slots, each with room for a checksum of 4 bytes.
         newest_at: offset of 8 bytes that count the values; its last bit tells which
-            slot is the newest.
+            slot is the newest. The same count needs no second reading.
     """
 
     def __init__(
@@ -54,7 +54,3 @@ class Slots:
             if _CHECKSUM.unpack_from(raw, self._layout.size)[0] == zlib.crc32(payload):
                 return self._layout.unpack(payload)
         return None
-
-    def count(self) -> int:
-        """Return how many values there were; the same count needs no second reading."""
-        return self._newest[0]

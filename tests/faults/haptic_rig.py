@@ -82,10 +82,11 @@ class Rig:
 
     def __init__(self, force=None, device=None, clock=None):
         ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
-        self.player, self.line = Line(ours), Line(theirs)
         descriptor = anonymous_memory("test", BLOCK_BYTES)
         self.block = SharedBlock(descriptor)
         os.close(descriptor)
+        self.player = Line(ours, outbox=self.block.outbox)
+        self.line = Line(theirs, inbox=self.block.outbox)
         self.clock = clock or SlowClock()
         self.device = device or Grip()
         self.loop = Loop(

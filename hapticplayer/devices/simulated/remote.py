@@ -81,8 +81,13 @@ class RemoteFalcon:
         """
         before = self._serial
         self._serial = serial = before % SERIAL_MASK + 1  # never 0
-        is_there = _write(self._send, command_bytes(serial, now_s, force_n))
-        if not is_there or not self._collect(before, now_s - _FRESH_S):
+        try:
+            self._send(command_bytes(serial, now_s, force_n))
+        except BlockingIOError:
+            pass  # the device is there and does not listen: the age of its answers tells
+        except OSError:
+            raise _unplugged() from None
+        if not self._collect(before, now_s - _FRESH_S):
             raise _unplugged()
         if self._newest is None:
             self._newest = DeviceReading(_ZERO, 0, is_homed=False, replied_s=now_s)

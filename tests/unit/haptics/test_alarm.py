@@ -1,4 +1,4 @@
-"""A signal stops the loop in the next period, whatever the player's thread does."""
+"""A signal stops the loop within four periods, whatever the player's thread does."""
 
 import signal
 import socket
@@ -9,7 +9,7 @@ from hapticplayer.clock import SystemClock
 from hapticplayer.haptics.alarm import Alarm, alarm
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.limiter import ZERO
-from hapticplayer.haptics.messages import Line, Word
+from hapticplayer.haptics.messages import RESTS, Line, Word
 from hapticplayer.haptics.process import HapticsProcess
 from hapticplayer.model import ForceTrack
 from tests.unit.haptics.test_loop import CONSTANT, Rig
@@ -30,7 +30,7 @@ def bell():
 def rig(bell):
     """A loop that listens for it, and has a force on the hand."""
     rig = Rig()
-    rig.loop.line = Line(rig.line._end, bell.ear.fileno())
+    rig.loop.line = Line(rig.line._end, bell.ear.fileno(), inbox=rig.block.outbox)
     rig.give_track(CONSTANT)
     rig.play()
     assert rig.tick(300).force_n == pytest.approx((0.0, 2.0, 0.0))
@@ -38,9 +38,11 @@ def rig(bell):
     rig.close()
 
 
-def test_the_next_tick_trips_and_stays_so_while_it_sounds(bell, rig):
+@pytest.mark.parametrize("phase", range(RESTS + 1))
+def test_the_fourth_tick_trips_at_the_latest_and_stays_so(bell, rig, phase):
+    rig.tick(phase)
     bell.bell.send(b"\x02")
-    state = rig.tick()
+    state = rig.tick(RESTS + 1)
     assert (state.force_n, state.mode) == (ZERO, Mode.TRIPPED)
     assert state.cause is Cause.STOPPED
     rig.player.send(Word.REARM)
@@ -49,7 +51,7 @@ def test_the_next_tick_trips_and_stays_so_while_it_sounds(bell, rig):
 
 def test_once_silenced_a_person_may_re_arm(bell, rig):
     bell.bell.send(b"\x02\x0f")
-    rig.tick()
+    assert rig.tick(RESTS + 1).mode is Mode.TRIPPED
     bell.silence()
     bell.silence()  # there may be nothing to be taken
     rig.player.send(Word.REARM)
@@ -58,7 +60,7 @@ def test_once_silenced_a_person_may_re_arm(bell, rig):
 
 def test_messages_are_obeyed_while_it_sounds(bell, rig):
     bell.bell.send(b"\x02")
-    rig.tick()
+    rig.tick(RESTS + 1)
     rig.player.send(Word.QUIT)
     rig.tick(2)
     assert rig.loop.is_over
