@@ -4,7 +4,7 @@
 
 Everything stands beside offlineVQF in the same run, on one thread. `--quick` takes a
 named subset (motion_data.py), leaves out the picture and writes nothing unless told
-where. A whole run takes about ten minutes; it writes docs/motion-pareto.svg and .png,
+where. A whole run takes about fifteen minutes; it writes docs/motion-pareto.svg and .png,
 benchmarks/results/motion.json and the marked tables of docs/numerics.md, or picture
 and figures into `--output`.
 """
@@ -20,6 +20,7 @@ from typing import Any
 import motion_accuracy as accuracy
 import motion_pareto as pareto
 import motion_picture as picture
+import motion_sigma as sigma
 import motion_skips as skips
 import motion_time as timing
 import numpy as np
@@ -31,7 +32,6 @@ from motion_data import (
     OPTICAL,
     load_families,
     missing_data,
-    one_ride_each,
 )
 from motion_document import Document
 
@@ -60,18 +60,20 @@ def main() -> int:
     lengths_s = timing.LENGTHS_S[:2] if options.quick else timing.LENGTHS_S
     scores = accuracy.measure(families, list(METHODS))
     whole = not options.quick
+    rides = sigma.many_rides(options.families, options.sigma_seeds) if whole else {}
     document = Document()
     figures: dict[str, Any] = {
         "default": DEFAULT_METHOD,
         "seeds": options.seeds,
         "accuracy": accuracy.report(families, scores, document, whole=whole),
+        "sigma": sigma.report(scores, rides, document, whole=whole),
         "run_time": timing.by_family(families, rounds, document),
         "length": timing.by_length(lengths_s, rounds, document),
         "resident": timing.resident(lengths_s[-2]),
         "skips": skips.report(families, rounds, document, quick=options.quick),
     }
     chosen = pareto.settings(quick=options.quick)
-    panels = pareto.measure(one_ride_each(families), chosen, rounds)
+    panels = pareto.measure(families, chosen, rounds)
     figures["pareto"] = pareto.report(panels, document)
     _write(options, panels, figures, document)
     return 0
@@ -81,6 +83,9 @@ def _options() -> argparse.Namespace:
     parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
     parser.add_argument("--quick", action="store_true", help="a subset, half a minute")
     parser.add_argument("--seeds", type=int, default=3, help="rides of a scene")
+    parser.add_argument(
+        "--sigma-seeds", type=int, default=24, help="the same to judge sigma by"
+    )
     parser.add_argument("--families", type=_families, default=list(FAMILIES))
     parser.add_argument("--no-picture", action="store_true", help="figures only")
     parser.add_argument("--output", type=Path, help="folder for all that is written")

@@ -28,10 +28,7 @@ LIMITS_RATIO = {
     ("tyrex", NATIVE): 0.45,
     ("tyrex", AVERAGED): 0.5,
 }
-COVERAGE = (0.90, 0.99)
-SIGMA_LIMIT = 1.5
 LEAK_LIMIT_MPS2 = 0.05
-_SHARES = ("recordings", "method", "within 2 sigma", "worst recording")
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -171,13 +168,6 @@ def report(
             scenes,
         )
     document.table(
-        "sigma",
-        f"How well sigma tells the error (asked: {COVERAGE[0]:.0%} to "
-        f"{COVERAGE[1]:.0%}, at most {SIGMA_LIMIT})",
-        [*_SHARES, "median sigma / RMS", ""],
-        _sigma_rows(scores),
-    )
-    document.table(
         "leak",
         f"Leak at rest with {DEFAULT_METHOD}, m/s^2 (limit {LEAK_LIMIT_MPS2})",
         ["recording", "family", "still s", "gain", "leak", ""],
@@ -223,21 +213,6 @@ def _scene_rows(families: Sequence[Family], scores: Scores) -> list[list[Any]]:
             )
             errors = [f"{ours:.3f}", f"{theirs:.3f}", f"{ours / theirs:.2f}"]
             rows.append([scene, family.rate, *errors])
-    return rows
-
-
-def _sigma_rows(scores: Scores) -> list[list[Any]]:
-    rows: list[list[Any]] = []
-    for key, held in scores.items():
-        for name, found in held.items():
-            known = calibration(found)
-            if known is None:
-                continue
-            good = COVERAGE[0] <= known.within <= COVERAGE[1]
-            good &= known.sigma_over_rms <= SIGMA_LIMIT
-            holds = _verdict(good) if name == DEFAULT_METHOD else ""
-            shares = [f"{share:.3f}" for share in (known.within, known.lowest)]
-            rows.append([key, name, *shares, f"{known.sigma_over_rms:.2f}", holds])
     return rows
 
 

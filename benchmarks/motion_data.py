@@ -19,6 +19,7 @@ ORIENTATION, COMMA = DATA / "orientation", DATA / "capture" / "comma2k19"
 OPTICAL = ("broad", "tumvi", "tyrex")
 # a family of simulated rides and how the names of its scenes begin
 _DRIVEN, _CARRIED = "sim-car", "sim-people"
+_CAMERA, _BOARD = "camera", "paper-board"
 FAMILIES = (*OPTICAL, "car", _DRIVEN, _CARRIED)
 TITLES = {
     "broad": "hand-held (BROAD)",
@@ -102,7 +103,7 @@ def load_families(
 def _family_of(recording: TruthRecording) -> str:
     if recording.family in FAMILIES:
         return recording.family
-    return _DRIVEN if recording.family.startswith("car") else _CARRIED
+    return _simulated_family(recording.family)
 
 
 def _recordings(wanted: set[str], seeds: int, quick: bool) -> list[TruthRecording]:
@@ -118,33 +119,36 @@ def _recordings(wanted: set[str], seeds: int, quick: bool) -> list[TruthRecordin
         if recording.family in wanted and not (quick and not _is_quick(recording))
     ]
     for scene in QUICK_SCENES if quick else MOTION_SCENES:
-        if (_DRIVEN if scene.startswith("car") else _CARRIED) in wanted:
+        if _simulated_family(scene) in wanted:
             found += [
                 load_simulated(scene, seed, sensor=sensor)
-                for sensor in (("camera",) if quick else ("camera", "paper-board"))
+                for sensor in ((_CAMERA,) if quick else (_CAMERA, _BOARD))
                 for seed in range(1, (1 if quick else seeds) + 1)
             ]
     return found
 
 
-def one_ride_each(families: Iterable[Family]) -> list[Family]:
-    """Return the families with one simulated ride of each scene."""
-    return [
-        Family(
-            family.name,
-            family.rate,
-            [one for one in family.recordings if one.name not in _more(family)],
-        )
-        for family in families
-    ]
+def _simulated_family(scene: str) -> str:
+    return _DRIVEN if scene.startswith("car") else _CARRIED
 
 
-def _more(family: Family) -> set[str]:
-    """Return the names of all but the first ride of each scene."""
+def simulated_rides(wanted: Iterable[str]) -> dict[str, list[tuple[str, str]]]:
+    """Return scene and sensor of the simulated rides by the key of their family."""
+    found: dict[str, list[tuple[str, str]]] = {}
+    for sensor, rate in ((_CAMERA, NATIVE), (_BOARD, AVERAGED)):
+        for scene in MOTION_SCENES:
+            if (name := _simulated_family(scene)) in wanted:
+                key = Family(name, rate).key
+                found.setdefault(key, []).append((scene, sensor))
+    return found
+
+
+def one_ride_each(family: Family) -> list[TruthRecording]:
+    """Return its recordings, of simulated rides the first of each scene."""
     if family.name in (*OPTICAL, "car"):
-        return set()
-    first = {one.family: one.name for one in reversed(family.recordings)}
-    return {one.name for one in family.recordings} - set(first.values())
+        return family.recordings
+    first = {one.family: one for one in reversed(family.recordings)}
+    return list(first.values())[::-1]
 
 
 def _is_quick(recording: TruthRecording) -> bool:

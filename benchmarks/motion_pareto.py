@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from motion_data import AVERAGED, Family
+from motion_data import AVERAGED, Family, one_ride_each
 from motion_document import Document
 from motion_time import SLOW_SAMPLES, Contender, head, time_rounds
 from numpy.typing import NDArray
@@ -211,13 +211,17 @@ class Point:
 def measure(
     families: Sequence[Family], chosen: Sequence[Setting], rounds: int
 ) -> dict[str, list[Point]]:
-    """Return the points of each family's panel."""
+    """Return the points of each family's panel.
+
+    Errors are those of all recordings, as in the other tables; the time of simulated
+    rides is that of one of each scene.
+    """
     panels = {}
     for family in families:
         fitting = [
             one for one in chosen if family.rate == AVERAGED or not one.averaged_only
         ]
-        logs = _timed_logs(family.recordings)
+        logs = _timed_logs(one_ride_each(family))
         timings = time_rounds({s.name: _contender(s, logs) for s in fitting}, rounds)
         panels[family.key] = [
             Point(one, timings[one.name].us, _mean_error(one, family.recordings))

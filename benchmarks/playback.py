@@ -10,7 +10,8 @@ From start to the first picture: until a pixel of the X server's memory has its 
 
     python benchmarks/playback.py --memory 20
 
-plays looped for so many minutes, us and mpv, and tells how the memory grows.
+plays looped, us and mpv side by side, and tells how the memory grows in so many minutes
+after the first five.
 """
 
 import argparse
@@ -35,7 +36,7 @@ from common import (
     sound_server,
     table,
 )
-from playback_watch import first_picture_s, green_clip, memory_slope
+from playback_watch import first_picture_s, green_clip, slope_of, watch_memory
 
 CLIPS = {
     "720p30": ("1280x720", 30),
@@ -125,20 +126,27 @@ def first_picture(environment: dict[str, str], folder: Path) -> dict[str, list[f
 
 
 def memory(minutes: float) -> int:
-    """Play looped, and print how the memory of both players grows."""
+    """Play looped, each on a screen of its own, and print how the memory grows."""
     figures: dict[str, Any] = {"minutes": minutes}
-    with tempfile.TemporaryDirectory() as kept, screen() as x, sound_server() as s:
+    with (
+        tempfile.TemporaryDirectory() as kept,
+        screen() as first,
+        screen() as second,
+        sound_server() as s,
+    ):
         folder = Path(kept)
         clip = scrolling_clip(folder, LOOPED_S, "1280x720", 30)
         force = force_file(folder, LOOPED_S)
-        environment = {**x, **s, "XDG_CONFIG_HOME": kept, **as_installed(kept)}
+        environment = {**s, "XDG_CONFIG_HOME": kept, **as_installed(kept)}
         looped = str(Path(__file__).with_name("playback_watch.py"))
         ours_looped = [sys.executable, looped, "play", str(clip), "--force", str(force)]
-        for name, command in {
-            "hapticplayer": ours_looped,
-            "mpv --vo=x11": [*MPV, "--loop-file=inf", str(clip)],
-        }.items():
-            slope, samples = memory_slope(command, environment, minutes)
+        mpv_looped = [*MPV, "--loop-file=inf", str(clip)]
+        players = {
+            "hapticplayer": (ours_looped, {**environment, **first}),
+            "mpv --vo=x11": (mpv_looped, {**environment, **second}),
+        }
+        for name, samples in watch_memory(players, minutes).items():
+            slope = slope_of(samples)
             figures[name] = {**slope._asdict(), "samples": samples}
             print(f"{name}: {slope}")
     print(f"saved {save('playback_memory', figures).name}")

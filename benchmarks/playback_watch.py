@@ -22,7 +22,7 @@ GREEN = "0x10E030"
 POLL_S, PATIENCE_S = 0.001, 20.0
 ASIDE_PX = 100  # in the very middle is the mouse pointer
 BLOCKS = 20
-WARM_SHARE = 0.1
+WARM_S = 300.0
 SAMPLE_S = 1.0
 LOOP_END_S = 0.3  # before the end of the clip
 
@@ -102,40 +102,50 @@ class Slope(NamedTuple):
         )
 
 
-def memory_slope(
-    command: list[str], environment: dict[str, str], minutes: float
-) -> tuple[Slope, list[tuple[float, float]]]:
-    """Run a program for so long, and return how its memory grows, and all samples.
+def watch_memory(
+    players: dict[str, tuple[list[str], dict[str, str]]], minutes: float
+) -> dict[str, list[tuple[float, float]]]:
+    """Run programs side by side for WARM_S and more, and return (s, MB) of each.
 
-    The first tenth is left out. Memory goes up and down in steps, so that samples are
-    not independent: the line is fitted to the means of 20 spans.
+    Args:
+        players: name to command and environment.
+        minutes: that are looked at.
     """
-    process = subprocess.Popen(
-        command,
-        env={**os.environ, **environment},
-        stdout=subprocess.DEVNULL,
-        start_new_session=True,
-    )
-    samples: list[tuple[float, float]] = []
+    running = {
+        name: subprocess.Popen(
+            command,
+            env={**os.environ, **environment},
+            stdout=subprocess.DEVNULL,
+            start_new_session=True,
+        )
+        for name, (command, environment) in players.items()
+    }
+    samples: dict[str, list[tuple[float, float]]] = {name: [] for name in players}
     begin_s = time.monotonic()
     try:
-        while (elapsed_s := time.monotonic() - begin_s) < 60.0 * minutes:
-            if process.poll() is not None:
-                sys.exit(f"ended after {elapsed_s:.0f} s: {' '.join(command)}")
-            samples.append((elapsed_s, Usage(process.pid).written_mb()))
+        while (elapsed_s := time.monotonic() - begin_s) < WARM_S + 60.0 * minutes:
+            for name, process in running.items():
+                if process.poll() is not None:
+                    sys.exit(f"{name} ended after {elapsed_s:.0f} s")
+                samples[name].append((elapsed_s, Usage(process.pid).written_mb()))
             time.sleep(SAMPLE_S)
     finally:
-        process.send_signal(signal.SIGTERM)
-        process.wait(PATIENCE_S)
-    return slope_of(samples), samples
+        for process in running.values():
+            process.send_signal(signal.SIGTERM)
+            process.wait(PATIENCE_S)
+    return samples
 
 
 def slope_of(samples: list[tuple[float, float]]) -> Slope:
-    """Return the growth in samples of (s, MB)."""
+    """Return the growth in samples of (s, MB), once caches and heap have filled.
+
+    Memory goes up and down in steps, so that samples are not independent: the line is
+    fitted to the means of 20 spans.
+    """
     from scipy import stats
 
     whole = np.array(samples)
-    kept = whole[whole[:, 0] >= WARM_SHARE * whole[-1, 0]]
+    kept = whole[whole[:, 0] >= WARM_S]
     hour, mb = np.array([part.mean(axis=0) for part in np.array_split(kept, BLOCKS)]).T
     line = stats.linregress(hour / 3600.0, mb)
     sure = float(stats.t.ppf(0.975, BLOCKS - 2) * line.stderr)
