@@ -125,15 +125,18 @@ class Loop:
         self._request = _NO_REQUEST
         is_cut = self.lifeline is not None and self.lifeline.is_cut()
         self._is_player_alive = is_alive = self.line.is_open and not is_cut
-        return Supervision(
-            heartbeat_s,
-            is_alive,
-            request,
-            self._reading,
-            self._is_device_gone,
-            self._is_stale,
-            guard_s if self.is_guarded else math.inf,
-            self._missed.add(missed),
+        return tuple.__new__(  # without the constructor's Python
+            Supervision,
+            (
+                heartbeat_s,
+                is_alive,
+                request,
+                self._reading,
+                self._is_device_gone,
+                self._is_stale,
+                guard_s if self.is_guarded else math.inf,
+                self._missed.add(missed),
+            ),
         )
 
     def _exchange(self, force_n: Vector, now_s: float) -> None:

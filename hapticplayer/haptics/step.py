@@ -40,6 +40,8 @@ CONVERGED_N = 0.05
 CATCH_UP_TICKS = 10  # the allowance doubles in the first ten ticks, and so on
 # More skipped periods than this in 10 s: the loop is not real-time.
 MISSED_SHARE = 0.01
+# What the constructor of a named tuple, which is Python, calls.
+_new = tuple.__new__
 # A member of an enum costs ten times as much as a name of the module.
 _GO, _TRIP, _NO_CAUSE = Reaction.GO, Reaction.TRIP, Cause.NONE
 _IDLE, _TRIPPED, _RAMPING = Mode.IDLE, Mode.TRIPPED, Mode.RAMPING
@@ -73,16 +75,24 @@ def step(  # noqa: PLR0913 - a pure function has no other way in
         reaction, cause = assess(survey(now_s, clock, track, state, hand, told, limits))
     planned = pull = wanted = ZERO
     if reaction is _GO and clock is not None and track is not None:
-        planned = track.force_at(media_s)
-        if not (is_finite(planned) and math.isfinite(media_s)):
+        planned = x, y, z = track.force_at(media_s)
+        is_sound = math.isfinite(x + y + z + media_s)  # though their sum may overflow
+        if not is_sound and not (is_finite(planned) and math.isfinite(media_s)):
             reaction, cause, planned = _TRIP, Cause.NOT_FINITE, ZERO
     if reaction is _GO:
-        ahead_m = ahead_of(hand, centring)
-        wanted = faded(planned, ahead_m, limits)
-        pull = centring_force(ahead_m, centring)
-        if pull is not ZERO:
-            wanted = _sum(wanted, pull)
-    mode = _next_mode(state, reaction, wanted, told, hand, limits)
+        wanted, ahead_m = planned, ahead_of(hand, centring)
+        radius_m, fade_from_m = (
+            math.hypot(*ahead_m),
+            limits.fade_from * limits.workspace_m,
+        )
+        if not (radius_m <= centring.from_m and radius_m <= fade_from_m):
+            wanted = faded(planned, ahead_m, limits)
+            pull = centring_force(ahead_m, centring)
+            if pull is not ZERO:
+                wanted = _sum(wanted, pull)
+    mode = state.mode
+    if mode is not _FOLLOWING or reaction is not _GO:  # else it goes on
+        mode = _next_mode(state, reaction, wanted, told, hand, limits)
     if mode is _TRIPPED and state.mode is _TRIPPED:
         cause = state.cause  # the first reason is the one to tell
     ticks = state.ticks_in_mode + 1 if mode is state.mode else 0
@@ -90,19 +100,22 @@ def step(  # noqa: PLR0913 - a pure function has no other way in
     gap_s = now_s - last_s if last_s > -math.inf else 0.0
     force = _command(mode, ticks, state, told, gap_s, wanted, limits)
     is_following = mode is _FOLLOWING or mode is _ENTERING
-    return State(
-        mode,
-        cause,
-        force,
-        ticks,
-        clock.epoch if clock is not None and mode is _ENTERING else state.epoch,
-        planned,
-        pull,
-        media_s,
-        now_s,
-        hand,
-        warmed(state.heat_n2, force, gap_s, limits),
-        now_s if is_following else state.acted_s,
+    return _new(
+        State,
+        (
+            mode,
+            cause,
+            force,
+            ticks,
+            clock.epoch if clock is not None and mode is _ENTERING else state.epoch,
+            planned,
+            pull,
+            media_s,
+            now_s,
+            hand,
+            warmed(state.heat_n2, force, gap_s, limits),
+            now_s if is_following else state.acted_s,
+        ),
     )
 
 

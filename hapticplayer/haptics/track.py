@@ -53,12 +53,14 @@ class LoadedTrack:
         """
         if not bisect_right(self._span_edges_s, media_s) & 1:
             return ZERO
-        row = self._row_at(media_s)
+        times, row = self._time_s, self._row
+        if row >= self._last or not times[row] <= media_s < times[row + 1]:
+            row = self._row_at(media_s)
         force, at = self._force_n, 3 * row
         x, y, z = force[at], force[at + 1], force[at + 2]
         if self._is_hold or row >= self._last:
             return (x, y, z)
-        t0, t1 = self._time_s[row], self._time_s[row + 1]
+        t0, t1 = times[row], times[row + 1]
         u = (media_s - t0) / (t1 - t0)
         return (
             x + u * (force[at + 3] - x),
@@ -67,13 +69,11 @@ class LoadedTrack:
         )
 
     def _row_at(self, media_s: float) -> int:
-        """Return the last row that is not after `media_s`."""
-        times, row = self._time_s, self._row
-        if row + 2 <= self._last and times[row] <= media_s < times[row + 2]:
-            if times[row + 1] <= media_s:
-                self._row = row = row + 1
-            return row
-        self._row = row = bisect_right(times, media_s) - 1
+        """Return the last row that is not after `media_s`: most often the next one."""
+        times, row = self._time_s, self._row + 1
+        if row >= self._last or not times[row] <= media_s < times[row + 1]:
+            row = bisect_right(times, media_s) - 1
+        self._row = row
         return row
 
 
