@@ -39,9 +39,8 @@ class LoopBlock:
         self._last_tick = view[_HEAD_AT + 8 : _HEAD_AT + 16].cast("d")
         self._guard = view[_GUARD_AT : _GUARD_AT + 8].cast("d")
         self.life = view[_LIFE_AT : _LIFE_AT + LIFE_BYTES]  # of the loop
-        self.outbox = view[_OUTBOX_AT : _OUTBOX_AT + 8].cast(
-            "Q"
-        )  # of the player's line
+        # of the player's line
+        self.outbox = view[_OUTBOX_AT : _OUTBOX_AT + 8].cast("Q")
 
     def write_clock(self, clock: PlaybackClock, track_id: int) -> None:
         """Publish the clock and the track it belongs to (player)."""

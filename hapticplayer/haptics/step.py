@@ -81,10 +81,8 @@ def step(  # noqa: PLR0913 - a pure function has no other way in
             reaction, cause, planned = _TRIP, Cause.NOT_FINITE, ZERO
     if reaction is _GO:
         wanted, ahead_m = planned, ahead_of(hand, centring)
-        radius_m, fade_from_m = (
-            math.hypot(*ahead_m),
-            limits.fade_from * limits.workspace_m,
-        )
+        radius_m = math.hypot(*ahead_m)
+        fade_from_m = limits.fade_from * limits.workspace_m
         if not (radius_m <= centring.from_m and radius_m <= fade_from_m):
             wanted = faded(planned, ahead_m, limits)
             pull = centring_force(ahead_m, centring)
