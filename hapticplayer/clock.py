@@ -33,9 +33,8 @@ class SystemClock:
     def sleep_until(deadline_s: float) -> None:
         """Sleep with clock_nanosleep, and spin for what waking up takes at least.
 
-        Kernel and interpreter take 10 to 27 us to come back (measured with FIFO; it
-        changes by the hour with what else the machine does). To ask for 25 us less costs
-        up to 1 % of a core at 1 kHz where it is quick; see docs/performance.md.
+        How long the kernel takes to come back changes by the hour (14 to 28 us with FIFO,
+        the median); what is asked for too much is spun away. See docs/performance.md.
         """
         remaining_s = deadline_s - time.monotonic()
         if remaining_s > WAKE_UP_S:
