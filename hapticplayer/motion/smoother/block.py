@@ -56,6 +56,8 @@ _TURN_ERROR = 0.04
 # 15 Hz, where three times the error is best), what is as good as none, and the most that
 # is added: what spins evenly loses little.
 _LOSING_TURN_RAD, _NO_LOSS, _MOST_LOSS = 0.18, 1.01, 4.0
+# Of what is steered coarse windows are enough until the bias moves by less.
+_ROUGHLY_RADPS = 0.005
 # Even a short log has so many windows.
 _WINDOWS = 8
 # Windows of so few samples are not worth a first look at their means.
@@ -187,7 +189,8 @@ class _Block:
         if self._fine:
             self._open(samples, self._per_window)
         else:
-            self._open(stages.coarse(samples, 2 * self._per_window), 1)
+            self._coarse = stages.coarse(samples, 2 * self._per_window)
+            self._open(self._coarse, 1)
         nodes = self._nodes
         usual_radps = median(nodes.turned_rad / nodes.duration_s)
         self._p = p = _less_certain(p, usual_radps * samples.interval_s)
@@ -199,46 +202,43 @@ class _Block:
         self._solutions = 0
         self._solve(vertical, BIASES_ONLY)
         swaying = self._solution.velocity_mps
-        self._vehicle = travel.Vehicle()
+        self._driven = self._steered = 0.0  # see `travel`
         self._travel_sigma_mps = travel.expected_mps(swaying)
         self._may_travel = self._travel_sigma_mps > 0.0
         if self._may_travel:
             known = self._problem.prior, self._problem.prior_weight
             known = travel.travel_prior(*known, self._travel_sigma_mps)
             self._solution = again(self._solution, *known)
-            self._drive(swaying)
-
-    def _drive(self, swaying_mps: Floats) -> None:
-        """Find out whether it drives; the velocity is that of a solution without u."""
-        share = travel.driven_share(swaying_mps, self._turn_radps())
-        if not share:
-            return
-        found = self._solution
-        steady_mps = found.calibration[-travel.TRAVEL :]
-        self._vehicle = travel.vehicle(share, found.velocity_mps, steady_mps)
-        self._travel_sigma_mps = travel.expected_mps(swaying_mps, share)
+            turn_radps = self._turn_radps()
+            self._driven = travel.driven_share(swaying, turn_radps)
+            self._steered = self._driven * travel.steered_share(turn_radps)
+            self._travel_sigma_mps = travel.expected_mps(swaying, self._driven)
 
     def improve(self) -> bool:
         """Solve once more about what was found; False if that would change little."""
-        p, change = self._p, self._solution.calibration
-        duration_s = self._nodes.duration_s
-        bound = velocity_bound(self._solution, duration_s, self._vehicle, p)
-        moved = max(map(abs, change[GYRO_BIAS].tolist())) > p.rebias_radps
+        p, solution = self._p, self._solution
+        bound = velocity_bound(solution, self._nodes.duration_s, self._driven, p)
+        moved_radps = max(map(abs, solution.calibration[GYRO_BIAS].tolist()))
+        moved = moved_radps > p.rebias_of_radps(self._steered)
         weight = self._rest_weight()
         unrest = self._unrest(weight)
-        limit = max(2, p.rest_solutions if unrest else p.solutions)
+        limit = p.most_solutions(unrest=unrest, steered=self._steered > 0.0)
         # the first solution knows nothing of how fast it moves
         faster = self._solutions == 1 or _mean_change(bound, self._bound) > p.rebound
         again = self._solutions < limit and (moved or faster or unrest)
-        if not again and not self._expect_more():
+        if not again and self._fine and not self._expect_more():
             return False
         # a solution for the gyro's sake shall not move the bound: whether there is one
         # may hang by a hair, and the bound that is there was good enough
         if faster or unrest:
             self._bound = bound
         vertical = self._vertical()
-        if moved or not self._fine:
-            vertical = self._integrate(vertical)
+        # the first solution of what is steered is not worth an integration
+        is_first = self._solutions == 1 and self._steered > 0.0
+        if (moved or not self._fine) and not is_first:
+            rough = self._steered and moved_radps > _ROUGHLY_RADPS
+            fine = self._fine or not rough or self._solutions >= limit - 1
+            vertical = self._integrate(vertical, fine=fine)
             weight = self._rest_weight()
         self._trusted = weight
         self._solve(vertical, self._columns())
@@ -303,7 +303,7 @@ class _Block:
                 force_scale=float(total[FORCE_SCALE]),
                 factor=solution.factor,
                 time_constant_s=constant_s,
-                driven=self._vehicle.share,
+                driven=self._driven,
             ),
         )
 
@@ -326,12 +326,11 @@ class _Block:
 
     def _wide(self) -> Wide:
         """Return by how much the bound is wider than one for the velocity found."""
-        driven = self._vehicle.share
-        if not driven:
+        if not self._driven:
             return Wide(np.ones_like(self._bound))
-        duration_s, carried = self._nodes.duration_s, travel.Vehicle()
-        found = velocity_bound(self._solution, duration_s, carried, self._p)
-        return Wide(np.maximum(self._bound / found, 1.0), driven)
+        duration_s = self._nodes.duration_s
+        found = velocity_bound(self._solution, duration_s, 0.0, self._p)
+        return Wide(np.maximum(self._bound / found, 1.0), self._driven)
 
     def _open(self, samples: Samples, per_window: int) -> None:
         """Integrate with the calibration so far."""
@@ -352,17 +351,17 @@ class _Block:
             edges[-1] = len(self._samples)
             self._resting = at_rest.resting(self._rest, edges)
 
-    def _integrate(self, vertical: Floats) -> Floats:
+    def _integrate(self, vertical: Floats, *, fine: bool) -> Floats:
         """Integrate anew with what was found; return the vertical in the new frame."""
         change = self._solution.calibration[: self._solved_columns]
         self._calibration[: len(change)] += change
         # of the accelerometer everything is solved for in full each time
         self._calibration[FORCE_BIAS] = self._calibration[FORCE_SCALE] = 0.0
         sensor = stages.rotated(self._nodes.at, vertical, inverse=True)
-        was_fine, self._fine = self._fine, True
-        self._open(self._samples, self._per_window)
+        is_same, self._fine = self._fine == fine, fine
+        self._open(*((self._samples, self._per_window) if fine else (self._coarse, 1)))
         at = self._nodes.at
-        if was_fine:
+        if is_same:
             return stages.rotated(at, sensor)
         last = len(at[0]) - 1
         shared = 2 * np.arange(sensor.shape[1])
@@ -427,9 +426,11 @@ class _Block:
     def _columns(self) -> int:
         """Return how much of the calibration is worth solving for.
 
-        Where little turns, the gyro's scale and alignment move nothing.
+        Where little turns, the gyro's scale and alignment move nothing; coarse windows
+        do not tell them.
         """
-        if self._p.shortcuts and self._turn_radps() < _TURNING_RADPS:
+        is_still = self._p.shortcuts and self._turn_radps() < _TURNING_RADPS
+        if is_still or not self._fine:
             return BIASES_ONLY
         return CALIBRATION
 

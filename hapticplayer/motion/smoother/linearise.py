@@ -21,7 +21,11 @@ from hapticplayer.motion.smoother.calibrated import (
 )
 from hapticplayer.motion.smoother.nodes import Nodes
 from hapticplayer.motion.smoother.parameters import SmootherParameters
-from hapticplayer.motion.smoother.travel import Vehicle, travel_prior, with_travel
+from hapticplayer.motion.smoother.travel import (
+    DRIVEN_BOUND_MPS,
+    travel_prior,
+    with_travel,
+)
 
 # A sample whose specific force is in doubt may be wrong by as much.
 DOUBTFUL_MPS2 = 5.0
@@ -107,19 +111,19 @@ def expected(known: Knowledge, p: SmootherParameters) -> tuple[Floats, Floats]:
 
 
 def velocity_bound(
-    solution: Solution, duration_s: Floats, vehicle: Vehicle, p: SmootherParameters
+    solution: Solution, duration_s: Floats, driven: float, p: SmootherParameters
 ) -> Floats:
     """Return how large the velocity may be at each node, from the one found.
 
-    As far as it drives it is the one for what does.
+    As far as it drives (`driven`, 0 to 1) it is the one for what does.
     """
     squared = mean_square(solution.velocity_mps, duration_s, p.local_s)
     squared *= 0.5 * p.velocity_factor**2
     squared += p.velocity_floor_mps**2
     found = np.sqrt(squared)
-    if not vehicle.share:
+    if not driven:
         return np.asarray(found)
-    return np.asarray(found ** (1.0 - vehicle.share) * vehicle.bound_mps**vehicle.share)
+    return np.asarray(found ** (1.0 - driven) * DRIVEN_BOUND_MPS**driven)
 
 
 def mean_square(vectors: Floats, duration_s: Floats, half_width_s: float) -> Floats:

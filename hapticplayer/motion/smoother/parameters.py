@@ -54,9 +54,12 @@ class SmootherParameters:
         retrust: mean change of their weights, natural logarithm, that calls for
             another solution.
         rebias_radps: a bias that moves by more calls for another integration.
+        steered_rebias_radps: the same for what drives and turns, see `travel`: 7 degrees
+            of heading in two minutes.
         rebound: mean change of the bound, natural logarithm, that calls for another
             solution.
         solutions: at most as many, but two at the least.
+        steered_solutions: at most as many for what drives and turns.
         block_s: longer recordings are taken in blocks, each with its own calibration.
         margin_s: blocks overlap by twice as much.
         shortcuts: whether work is skipped that a recording does not need: rotations
@@ -87,8 +90,10 @@ class SmootherParameters:
     local_s: float = 17.0
     rough_s: float = 4.0
     rebias_radps: float = 0.02
+    steered_rebias_radps: float = 0.001
     rebound: float = 0.7
     solutions: int = 3
+    steered_solutions: int = 8
     block_s: float = 600.0
     margin_s: float = 40.0
     shortcuts: bool = True
@@ -109,6 +114,25 @@ class SmootherParameters:
         """
         noise = STANDARD_GRAVITY_MPS2 * self.rate_noise_rad_per_sqrt_s
         return np.sqrt(math.sqrt(2.0) * velocity_mps / noise)
+
+    def rebias_of_radps(self, steered: float) -> float:
+        """Return the change of bias that calls for another integration.
+
+        Args:
+            steered: how far it drives and turns, 0 to 1; see `travel`.
+        """
+        usual, steering = self.rebias_radps, self.steered_rebias_radps
+        return float(usual ** (1.0 - steered) * steering**steered)
+
+    def most_solutions(self, *, unrest: bool, steered: bool) -> int:
+        """Return how many solutions there may be in all.
+
+        Args:
+            unrest: while still spans are being weighed.
+            steered: whether it drives and turns at all.
+        """
+        usual = self.steered_solutions if steered else self.solutions
+        return max(2, usual, self.rest_solutions if unrest else 0)
 
     def __post_init__(self) -> None:
         for field in fields(self):

@@ -17,12 +17,16 @@ with a bound that fits it more of the acceleration would be taken for tilt than 
 whole recording. What drives is told from what is carried by v / w, how far it is from the
 centre of its turns, which hardly depends on where a recording was cut: 0.1 to 2.5 m for
 hands and bodies, 4 to 6 m for a head on a downhill bike, which is left as it is, 11 m and
-more on roads. All the time it has one wide bound; half of that where u says nearly
-everything, as on a motorway.
+more on roads. All the time it has one wide bound.
+
+What u does follows from the heading, and the heading from the gyro's bias, so that u,
+found about a wrong heading, is wrong itself. What drives is therefore solved for until
+the bias stays where it is, and not as often as hands need: where that ended hung on a
+hair, and moved the result of some rides by 0.8 m/s^2. Without turns, as in a train,
+there is no heading to be found, only one that keeps the velocity small.
 """
 
 import math
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -40,27 +44,14 @@ _SWAYING_MPS, _GOING_MPS = 0.5, 0.8
 # Distance from the centre of its turns up to which something is carried, and from which
 # it drives.
 _CARRIED_M, _DRIVEN_M = 6.5, 9.5
+# Mean speed of rotation up to which nothing is seen of the heading, and from which it is.
+_STRAIGHT_RADPS, _STEERED_RADPS = 0.005, 0.02
 # The same as _ANY_MPS for what drives: beside a wide bound a tighter one makes u too small.
-_DRIVEN_MPS = 40.0
-# Bound on the rest v' for what drives at an even speed, and for what does not; v' as a
-# share of u for the one and for the other.
-_EVEN_MPS, _UNEVEN_MPS = 20.0, 40.0
-_EVEN, _UNEVEN = 0.035, 0.07
+_DRIVEN_MPS = 80.0
+# Bound on the rest v' for what drives.
+DRIVEN_BOUND_MPS = 40.0
 # Columns of u.
 TRAVEL = 3
-
-
-@dataclass(frozen=True, slots=True)
-class Vehicle:
-    """How far a recording is that of something that drives.
-
-    Attributes:
-        share: 0 for what is carried, 1 for what drives.
-        bound_mps: on the rest v' of what drives.
-    """
-
-    share: float = 0.0
-    bound_mps: float = _UNEVEN_MPS
 
 
 def with_travel(rows: Floats, nodes: Nodes, frames: Pair) -> Floats:
@@ -116,18 +107,13 @@ def driven_share(velocity_mps: Floats, turn_radps: float) -> float:
     return share * _place(radius_m, _CARRIED_M, _DRIVEN_M)
 
 
-def vehicle(share: float, velocity_mps: Floats, travel_mps: Floats) -> Vehicle:
-    """Return what is assumed of something that drives.
+def steered_share(turn_radps: float) -> float:
+    """Return how far the heading of what drives can be found, from 0 to 1.
 
     Args:
-        share: of it that does.
-        velocity_mps: (2, K + 1) horizontal, of a solution with u.
-        travel_mps: (3,) that u.
+        turn_radps: mean speed of rotation.
     """
-    speed_mps = math.hypot(*travel_mps)
-    uneven = _rms(velocity_mps) / max(speed_mps, 1e-9)
-    place = _place(uneven, _EVEN, _UNEVEN)
-    return Vehicle(share, _between(_EVEN_MPS, _UNEVEN_MPS, place))
+    return _place(turn_radps, _STRAIGHT_RADPS, _STEERED_RADPS)
 
 
 def _going(velocity_mps: Floats) -> float:

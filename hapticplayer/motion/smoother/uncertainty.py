@@ -49,7 +49,7 @@ _MOVED, _ROUGH_RADPS = 0.75, 0.03
 # The bound of what drives is tightened beyond the velocity found by so much; less tells
 # too little of the few rides that go wrong. The noise is that of a bound halfway to one
 # that goes with that velocity, by the logarithm.
-_BEYOND = 1.5
+_BEYOND = 1.85
 
 
 @dataclass(frozen=True, slots=True, eq=False)
