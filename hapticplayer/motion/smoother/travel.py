@@ -22,8 +22,8 @@ more on roads. All the time it has one wide bound.
 What u does follows from the heading, and the heading from the gyro's bias, so that u,
 found about a wrong heading, is wrong itself. What drives is therefore solved for until
 the bias stays where it is, and not as often as hands need: where that ended hung on a
-hair, and moved the result of some rides by 0.8 m/s^2. Without turns, as in a train,
-there is no heading to be found, only one that keeps the velocity small.
+hair, and moved the result when a recording was cut. Without turns, as in a train, there
+is no heading to be found, only one that keeps the velocity small.
 """
 
 import math
