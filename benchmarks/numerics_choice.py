@@ -8,7 +8,7 @@ what lies between the two is the choice's. Recordings of one block only.
 
 import contextlib
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Any
 from unittest import mock
 
@@ -20,6 +20,7 @@ from recordings import TruthRecording
 
 from hapticplayer.model import ImuLog, Sampling
 from hapticplayer.motion.smoother import block, stages, travel
+from hapticplayer.motion.smoother.travel import Travel
 
 Floats = NDArray[np.float64]
 TRIMMED_S = 10.0
@@ -35,26 +36,31 @@ class Choice:
     Attributes:
         time_s: of its nodes, from its start.
         bound_mps: of the velocity there.
-        travel_mps: how steady a velocity it may have, see `travel`.
+        travel: how it was thought to get about.
     """
 
     time_s: Floats
     bound_mps: Floats
-    travel_mps: float = 0.0
+    travel: Travel = field(default_factory=Travel)
 
 
 @contextlib.contextmanager
 def recorded() -> Iterator[Choice]:
     """Note what the last solution of a recording was found with."""
     choice = Choice(np.zeros(1), np.ones(1))
-    linearised = stages.linearised
+    linearised, travel_of = stages.linearised, travel.travel_of
 
     def noted(nodes: Any, vertical: Floats, known: Any, p: Any) -> Any:
         choice.time_s = np.append(0.0, np.cumsum(nodes.duration_s))
-        choice.bound_mps, choice.travel_mps = known.bound_mps, known.travel_sigma_mps
+        choice.bound_mps = known.bound_mps
         return linearised(nodes, vertical, known, p)
 
-    with mock.patch.object(stages, "linearised", noted):
+    def told(*arguments: Any) -> Travel:
+        choice.travel = travel_of(*arguments)
+        return choice.travel
+
+    last = mock.patch.object(stages, "linearised", noted)
+    with last, mock.patch.object(travel, "travel_of", told):
         yield choice
 
 
@@ -67,8 +73,8 @@ def imposed(choice: Choice, start_s: float) -> Iterator[None]:
         logarithm = np.interp(time_s, choice.time_s, np.log(choice.bound_mps))
         return np.asarray(np.exp(logarithm))
 
-    steady = mock.patch.object(travel, "expected_mps", return_value=choice.travel_mps)
-    with mock.patch.object(block, "velocity_bound", bound), steady:
+    same = mock.patch.object(travel, "travel_of", return_value=choice.travel)
+    with mock.patch.object(block, "velocity_bound", bound), same:
         yield
 
 

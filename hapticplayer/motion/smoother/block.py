@@ -14,7 +14,6 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from hapticplayer.model import STANDARD_GRAVITY_MPS2
 from hapticplayer.model.arrays import Floats
 from hapticplayer.motion import rotations as rot
 from hapticplayer.motion.medians import median
@@ -38,16 +37,13 @@ from hapticplayer.motion.smoother.linearise import Knowledge, velocity_bound
 from hapticplayer.motion.smoother.parameters import SmootherParameters
 from hapticplayer.motion.smoother.rest import Rest
 from hapticplayer.motion.smoother.strapdown import Samples
+from hapticplayer.motion.smoother.travel import Travel
 from hapticplayer.motion.smoother.uncertainty import Wide, tilt_variance
 
 # Weight of a calibration that is not to be changed.
 _CERTAIN = 1e12
 # A still span that seems to be accelerated by more is none.
 _SEEMS_MPS2 = 0.15
-# No accelerometer has a bias beyond this (data sheets: 0.25 g at the worst axis).
-_BIAS_MPS2 = 2.5
-# So much may be left at rest; nobody feels it.
-_LEFT_MPS2 = 0.03
 # Below this mean rate the gyro's matrix is not looked for.
 _TURNING_RADPS = 0.05
 # Share of the turn within a sample by which the vertical may be off.
@@ -58,6 +54,8 @@ _TURN_ERROR = 0.04
 _LOSING_TURN_RAD, _NO_LOSS, _MOST_LOSS = 0.18, 1.01, 4.0
 # Of what is steered coarse windows are enough until the bias moves by less.
 _ROUGHLY_RADPS = 0.005
+# With so much left of the velocity, most of it was the motion's and not the gyro's.
+_MOTION = 0.75
 # Even a short log has so many windows.
 _WINDOWS = 8
 # Windows of so few samples are not worth a first look at their means.
@@ -198,31 +196,27 @@ class _Block:
         self._bound = np.full(vertical.shape[1], p.velocity_start_mps)
         self._trusted = np.zeros(len(self._nodes.duration_s))
         # solved with columns for a velocity u, of which nothing is expected at first
-        self._may_travel, self._travel_sigma_mps = True, 0.0
+        self._may_travel, self._travel = True, Travel()
         self._solutions = 0
         self._solve(vertical, BIASES_ONLY)
-        swaying = self._solution.velocity_mps
-        self._driven = self._steered = 0.0  # see `travel`
-        self._travel_sigma_mps = travel.expected_mps(swaying)
-        self._may_travel = self._travel_sigma_mps > 0.0
+        self._suspect()
+        velocity_mps = self._solution.velocity_mps[:, travel.undisturbed(self._nodes)]
+        self._travel = travel.travel_of(velocity_mps, self._turn_radps())
+        self._may_travel = self._travel.going > 0.0
         if self._may_travel:
             known = self._problem.prior, self._problem.prior_weight
-            known = travel.travel_prior(*known, self._travel_sigma_mps)
+            known = travel.travel_prior(*known, self._travel.expected_mps)
             self._solution = again(self._solution, *known)
-            turn_radps = self._turn_radps()
-            self._driven = travel.driven_share(swaying, turn_radps)
-            self._steered = self._driven * travel.steered_share(turn_radps)
-            self._travel_sigma_mps = travel.expected_mps(swaying, self._driven)
 
     def improve(self) -> bool:
         """Solve once more about what was found; False if that would change little."""
         p, solution = self._p, self._solution
-        bound = velocity_bound(solution, self._nodes.duration_s, self._driven, p)
+        bound = velocity_bound(solution, self._nodes.duration_s, self._travel, p)
         moved_radps = max(map(abs, solution.calibration[GYRO_BIAS].tolist()))
-        moved = moved_radps > p.rebias_of_radps(self._steered)
+        moved = moved_radps > p.rebias_of_radps(self._travel.steered)
         weight = self._rest_weight()
         unrest = self._unrest(weight)
-        limit = p.most_solutions(unrest=unrest, steered=self._steered > 0.0)
+        limit = p.most_solutions(unrest=unrest, steered=self._travel.steered > 0.0)
         # the first solution knows nothing of how fast it moves
         faster = self._solutions == 1 or _mean_change(bound, self._bound) > p.rebound
         again = self._solutions < limit and (moved or faster or unrest)
@@ -234,9 +228,9 @@ class _Block:
             self._bound = bound
         vertical = self._vertical()
         # the first solution of what is steered is not worth an integration
-        is_first = self._solutions == 1 and self._steered > 0.0
+        is_first = self._solutions == 1 and self._travel.steered > 0.0
         if (moved or not self._fine) and not is_first:
-            rough = self._steered and moved_radps > _ROUGHLY_RADPS
+            rough = self._travel.steered and moved_radps > _ROUGHLY_RADPS
             fine = self._fine or not rough or self._solutions >= limit - 1
             vertical = self._integrate(vertical, fine=fine)
             weight = self._rest_weight()
@@ -252,6 +246,21 @@ class _Block:
             return False
         self._expected = self._expected[0], sigma
         return True
+
+    def _suspect(self) -> None:
+        """Look once more where the gyro is off by more than was expected.
+
+        If much of the velocity was its, that is where to start from.
+        """
+        before = {**vars(self), "_calibration": self._calibration.copy()}
+        velocity_mps = self._solution.velocity_mps
+        if not self._expect_more():
+            return
+        self._solve(self._integrate(self._vertical(), fine=self._fine), BIASES_ONLY)
+        self._solutions = 1
+        left_mps = travel.rms_mps(self._solution.velocity_mps)
+        if left_mps > _MOTION * travel.rms_mps(velocity_mps):
+            vars(self).update(before)
 
     def obey(self) -> None:
         """Use the time constant that a person chose, with the calibration found.
@@ -274,7 +283,7 @@ class _Block:
         """Return the orientation at each sample, and how certain it is."""
         solution, count = self._solution, len(self._samples)
         believed = self._believed()
-        settled = self._settled(solution.tilt, believed)
+        settled = at_rest.settled(self._problem, solution, believed)
         total = self._calibration.copy()
         total[: self._solved_columns] += solution.calibration[: self._solved_columns]
         constant_s = self._p.time_constant_of_s(self._bound)
@@ -303,7 +312,7 @@ class _Block:
                 force_scale=float(total[FORCE_SCALE]),
                 factor=solution.factor,
                 time_constant_s=constant_s,
-                driven=self._driven,
+                driven=self._travel.driven,
             ),
         )
 
@@ -326,11 +335,11 @@ class _Block:
 
     def _wide(self) -> Wide:
         """Return by how much the bound is wider than one for the velocity found."""
-        if not self._driven:
+        if not self._travel.going:
             return Wide(np.ones_like(self._bound))
         duration_s = self._nodes.duration_s
-        found = velocity_bound(self._solution, duration_s, 0.0, self._p)
-        return Wide(np.maximum(self._bound / found, 1.0), self._driven)
+        found = velocity_bound(self._solution, duration_s, Travel(), self._p)
+        return Wide(np.maximum(self._bound / found, 1.0), self._travel.driven)
 
     def _open(self, samples: Samples, per_window: int) -> None:
         """Integrate with the calibration so far."""
@@ -391,37 +400,10 @@ class _Block:
             self._calibration[:columns],
             *self._expected,
             self._may_travel,
-            self._travel_sigma_mps,
+            self._travel.expected_mps,
         )
         self._frames, problem = stages.linearised(self._nodes, vertical, known, self._p)
         return problem
-
-    def _settled(self, tilt: Floats, still: NDArray[np.bool_]) -> Floats:
-        """Return the tilt with hardly anything left of the specific force at rest.
-
-        What is left there is the accelerometer's bias for this attitude, and would
-        be felt as a steady pull.
-        """
-        if not still.any():
-            return tilt
-        problem = self._problem
-        weight_mps = still * STANDARD_GRAVITY_MPS2 * problem.duration_s
-        pushed = still * problem.impulse[:2, 0]
-        # frame I turns by what was found of the gyro since it was integrated: halfway
-        # through the interval it is half as far as at its end, in that node's frame
-        turned = (problem.rows[:, :2, 1:] @ self._solution.calibration).T
-        to_end = problem.tilt[:, 0] + 0.5 * turned
-        # at an edge of a still span only one side of the node has a say
-        span_mps = np.zeros(tilt.shape[1])
-        level = np.zeros_like(tilt)
-        for side, moved in (slice(1, None), to_end), (slice(None, -1), -0.5 * turned):
-            span_mps[side] += weight_mps
-            level[:, side] += pushed + weight_mps * moved
-        inside = span_mps > 0.0
-        shift = np.where(inside, level / np.where(inside, span_mps, 1.0) - tilt, 0.0)
-        size = STANDARD_GRAVITY_MPS2 * np.sqrt(rot.squared_norm(shift))
-        part = np.maximum(1.0 - _LEFT_MPS2 / np.maximum(size, 1e-9), 0.0)
-        return np.asarray(tilt + np.where(size < _BIAS_MPS2, part, 0.0) * shift)
 
     def _columns(self) -> int:
         """Return how much of the calibration is worth solving for.

@@ -163,6 +163,8 @@ def gather(
         duration_s=rows["duration"].copy(),
         impulse_mps=rows.view(np.float64).reshape(count, -1).T[:3],
         turned_rad=rows["turned"],
+        lost_s=rows["lost"],
+        doubt_s=rows["doubt"],
         starts=starts,
         ends=ends,
         rows=rows,

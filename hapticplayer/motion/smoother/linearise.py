@@ -21,11 +21,7 @@ from hapticplayer.motion.smoother.calibrated import (
 )
 from hapticplayer.motion.smoother.nodes import Nodes
 from hapticplayer.motion.smoother.parameters import SmootherParameters
-from hapticplayer.motion.smoother.travel import (
-    DRIVEN_BOUND_MPS,
-    travel_prior,
-    with_travel,
-)
+from hapticplayer.motion.smoother.travel import Travel, travel_prior, with_travel
 
 # A sample whose specific force is in doubt may be wrong by as much.
 DOUBTFUL_MPS2 = 5.0
@@ -111,19 +107,20 @@ def expected(known: Knowledge, p: SmootherParameters) -> tuple[Floats, Floats]:
 
 
 def velocity_bound(
-    solution: Solution, duration_s: Floats, driven: float, p: SmootherParameters
+    solution: Solution, duration_s: Floats, travel: Travel, p: SmootherParameters
 ) -> Floats:
     """Return how large the velocity may be at each node, from the one found.
 
-    As far as it drives (`driven`, 0 to 1) it is the one for what does.
+    Args:
+        solution: that found it.
+        duration_s: (K,) between the nodes.
+        travel: how it gets about.
+        p: settings.
     """
     squared = mean_square(solution.velocity_mps, duration_s, p.local_s)
     squared *= 0.5 * p.velocity_factor**2
     squared += p.velocity_floor_mps**2
-    found = np.sqrt(squared)
-    if not driven:
-        return np.asarray(found)
-    return np.asarray(found ** (1.0 - driven) * DRIVEN_BOUND_MPS**driven)
+    return travel.bound_mps(np.sqrt(squared))
 
 
 def mean_square(vectors: Floats, duration_s: Floats, half_width_s: float) -> Floats:

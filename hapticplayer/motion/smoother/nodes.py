@@ -30,6 +30,8 @@ class AnyNodes:
         duration_s: (K,).
         impulse_mps: (3, K) integral of the specific force.
         turned_rad: (K,) the angles of the windows, summed.
+        lost_s: (K,) time without any knowledge of the rotation.
+        doubt_s: (K,) time without trust in the specific force.
     """
 
     per_node: int
@@ -37,6 +39,8 @@ class AnyNodes:
     duration_s: Floats
     impulse_mps: Floats
     turned_rad: Floats
+    lost_s: Floats
+    doubt_s: Floats
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -50,16 +54,12 @@ class Nodes(AnyNodes):
         scale_turn_rad: (3, 9, K) rotation per unit of each element of the gyro's
             error matrix (row by row).
         power_m2ps3: (K,) of the specific force about its mean in frame I.
-        lost_s: (K,) time without any knowledge of the rotation.
-        doubt_s: (K,) time without trust in the specific force.
     """
 
     start: Pair
     bias_turn_s: Floats
     scale_turn_rad: Floats
     power_m2ps3: Floats
-    lost_s: Floats
-    doubt_s: Floats
 
 
 def gather(windows: Windows, per_node: int, *, with_scale: bool = True) -> Nodes:

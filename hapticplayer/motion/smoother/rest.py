@@ -13,15 +13,20 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from hapticplayer.model import STANDARD_GRAVITY_MPS2
 from hapticplayer.model.arrays import Floats
 from hapticplayer.motion import rotations as rot
-from hapticplayer.motion.smoother.calibrated import Solution
+from hapticplayer.motion.smoother.calibrated import Problem, Solution
 from hapticplayer.motion.smoother.parameters import SmootherParameters
 
 # An interval rests if as much of it does; bins and nodes never quite agree.
 _ALL = 0.99
 # A bias of so many deviations was not expected, and by how much more to expect then.
 _FAR, _WIDE = 2.0, 4.0
+# No accelerometer has a bias beyond this (data sheets: 0.25 g at the worst axis).
+_BIAS_MPS2 = 2.5
+# So much may be left at rest; nobody feels it.
+_LEFT_MPS2 = 0.03
 # For so long what moves a resting sensor unseen stays the same.
 _STEADY_S = 1.0
 
@@ -107,3 +112,39 @@ def widened(rest: Rest | None, found_radps: Floats, p: SmootherParameters) -> fl
     sigma = expected_bias(rest, p)[1]
     far = rest is None and math.hypot(*found_radps) > _FAR * sigma
     return _WIDE * sigma if far else sigma
+
+
+def settled(problem: Problem, solution: Solution, still: NDArray[np.bool_]) -> Floats:
+    """Return the tilt with hardly anything left of the specific force at rest.
+
+    What is left there is the accelerometer's bias for this attitude, and would be felt
+    as a steady pull.
+
+    Args:
+        problem: the last one.
+        solution: of it.
+        still: (K,) intervals at rest.
+
+    Returns:
+        (2, K + 1).
+    """
+    tilt = solution.tilt
+    if not still.any():
+        return tilt
+    weight_mps = still * STANDARD_GRAVITY_MPS2 * problem.duration_s
+    pushed = still * problem.impulse[:2, 0]
+    # frame I turns by what was found of the gyro since it was integrated: halfway
+    # through the interval it is half as far as at its end, in that node's frame
+    turned = (problem.rows[:, :2, 1:] @ solution.calibration).T
+    to_end = problem.tilt[:, 0] + 0.5 * turned
+    # at an edge of a still span only one side of the node has a say
+    span_mps = np.zeros(tilt.shape[1])
+    level = np.zeros_like(tilt)
+    for side, moved in (slice(1, None), to_end), (slice(None, -1), -0.5 * turned):
+        span_mps[side] += weight_mps
+        level[:, side] += pushed + weight_mps * moved
+    inside = span_mps > 0.0
+    shift = np.where(inside, level / np.where(inside, span_mps, 1.0) - tilt, 0.0)
+    size = STANDARD_GRAVITY_MPS2 * np.sqrt(rot.squared_norm(shift))
+    part = np.maximum(1.0 - _LEFT_MPS2 / np.maximum(size, 1e-9), 0.0)
+    return np.asarray(tilt + np.where(size < _BIAS_MPS2, part, 0.0) * shift)

@@ -16,8 +16,9 @@ recording that starts in the middle of an acceleration shows too small a velocit
 with a bound that fits it more of the acceleration would be taken for tilt than in the
 whole recording. What drives is told from what is carried by v / w, how far it is from the
 centre of its turns, which hardly depends on where a recording was cut: 0.1 to 2.5 m for
-hands and bodies, 4 to 6 m for a head on a downhill bike, which is left as it is, 11 m and
-more on roads. All the time it has one wide bound.
+hands and bodies, 4 to 6 m for a head on a downhill bike, 11 m and more on roads. All the
+time it has one wide bound. What goes on feet shows more of its velocity or less of it
+from one half of a recording to the next; its bound follows only from 4 m/s on.
 
 What u does follows from the heading, and the heading from the gyro's bias, so that u,
 found about a wrong heading, is wrong itself. What drives is therefore solved for until
@@ -27,20 +28,22 @@ is no heading to be found, only one that keeps the velocity small.
 """
 
 import math
+from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from hapticplayer.model.arrays import Floats
 from hapticplayer.motion import rotations as rot
 from hapticplayer.motion.rotations import Pair
-from hapticplayer.motion.smoother.nodes import Nodes
+from hapticplayer.motion.smoother.nodes import AnyNodes, Nodes
 
 # Standard deviation of each component of u, for what is fast enough to have one, and
 # for what just begins to be.
 _ANY_MPS, _NO_MPS = 10.0, 0.01
 # RMS speed from which there may be one: an arm that sways is slower. From the other on
 # nothing is held against it.
-_SWAYING_MPS, _GOING_MPS = 0.5, 0.8
+_SWAYING_MPS, _GOING_MPS = 0.4, 0.55
 # Distance from the centre of its turns up to which something is carried, and from which
 # it drives.
 _CARRIED_M, _DRIVEN_M = 6.5, 9.5
@@ -48,8 +51,10 @@ _CARRIED_M, _DRIVEN_M = 6.5, 9.5
 _STRAIGHT_RADPS, _STEERED_RADPS = 0.005, 0.02
 # The same as _ANY_MPS for what drives: beside a wide bound a tighter one makes u too small.
 _DRIVEN_MPS = 80.0
-# Bound on the rest v' for what drives.
-DRIVEN_BOUND_MPS = 40.0
+# Bound on the rest v' for what drives, and the least for what goes.
+_DRIVEN_BOUND_MPS, _GOING_BOUND_MPS = 40.0, 4.0
+# A hole is forgotten after so long, and so much of a recording is enough to judge it by.
+_FORGOTTEN_S, _ENOUGH = 15.0, 0.2
 # Columns of u.
 TRAVEL = 3
 
@@ -79,51 +84,72 @@ def travel_prior(
     return longer[0], longer[1]
 
 
-def expected_mps(velocity_mps: Floats, driven: float = 0.0) -> float:
-    """Return the standard deviation of u, 0 where there is no need for it.
+@dataclass(frozen=True, slots=True)
+class Travel:
+    """How something gets about, each from 0 to 1.
 
-    Args:
-        velocity_mps: (2, K + 1) horizontal, of a solution without u.
-        driven: share of a vehicle.
+    Attributes:
+        going: how far it goes, and does not only sway.
+        driven: how far it is a vehicle.
+        steered: how far its heading can be found, too.
     """
-    share = _going(velocity_mps)
-    if not share:
-        return 0.0
-    any_mps = _between(_ANY_MPS, _DRIVEN_MPS, driven)
-    return _between(_NO_MPS, any_mps, share)
+
+    going: float = 0.0
+    driven: float = 0.0
+    steered: float = 0.0
+
+    @property
+    def expected_mps(self) -> float:
+        """The standard deviation of u, 0 where there is no need for it."""
+        if not self.going:
+            return 0.0
+        any_mps = _between(_ANY_MPS, _DRIVEN_MPS, self.driven)
+        return _between(_NO_MPS, any_mps, self.going)
+
+    def bound_mps(self, found_mps: Floats) -> Floats:
+        """Return the bound on the rest v' from that for the velocity found."""
+        if not self.going:
+            return found_mps
+        low = np.maximum(_GOING_BOUND_MPS / found_mps, 1.0) ** self.going
+        own = found_mps * low
+        return np.asarray(own ** (1.0 - self.driven) * _DRIVEN_BOUND_MPS**self.driven)
 
 
-def driven_share(velocity_mps: Floats, turn_radps: float) -> float:
-    """Return how far something drives, from 0 to 1.
+def travel_of(velocity_mps: Floats, turn_radps: float) -> Travel:
+    """Return how something gets about.
 
     Args:
         velocity_mps: (2, K + 1) horizontal, of a solution without u.
         turn_radps: mean speed of rotation.
     """
-    share = _going(velocity_mps)
-    if not share:
-        return 0.0
-    radius_m = _rms(velocity_mps) / max(turn_radps, 1e-9)
-    return share * _place(radius_m, _CARRIED_M, _DRIVEN_M)
+    speed_mps = rms_mps(velocity_mps)
+    going = (speed_mps - _SWAYING_MPS) / (_GOING_MPS - _SWAYING_MPS)
+    going = min(max(going, 0.0), 1.0)
+    radius_m = speed_mps / max(turn_radps, 1e-9)
+    driven = going * _place(radius_m, _CARRIED_M, _DRIVEN_M)
+    steered = driven * _place(turn_radps, _STRAIGHT_RADPS, _STEERED_RADPS)
+    return Travel(going, driven, steered)
 
 
-def steered_share(turn_radps: float) -> float:
-    """Return how far the heading of what drives can be found, from 0 to 1.
+def undisturbed(nodes: AnyNodes) -> NDArray[np.bool_]:
+    """Return which nodes are far from any hole, (K + 1,); all where hardly any is.
 
-    Args:
-        turn_radps: mean speed of rotation.
+    A hole is bridged by a velocity that nothing moved with.
     """
-    return _place(turn_radps, _STRAIGHT_RADPS, _STEERED_RADPS)
+    total = np.cumsum(np.append(0.0, nodes.lost_s + nodes.doubt_s))
+    time_s = np.cumsum(np.append(0.0, nodes.duration_s))
+    if total[-1] > 0.0:
+        before = np.interp(time_s - _FORGOTTEN_S, time_s, total)
+        clear = np.interp(time_s + _FORGOTTEN_S, time_s, total) <= before
+        if clear.mean() > _ENOUGH:
+            return np.asarray(clear)
+    return np.ones(len(time_s), np.bool_)
 
 
-def _going(velocity_mps: Floats) -> float:
-    """Return how far it goes, and does not only sway, from 0 to 1."""
-    share = (_rms(velocity_mps) - _SWAYING_MPS) / (_GOING_MPS - _SWAYING_MPS)
-    return min(max(share, 0.0), 1.0)
-
-
-def _rms(velocity_mps: Floats) -> float:
-    return math.sqrt(float(np.vdot(velocity_mps, velocity_mps)) / velocity_mps.shape[1])
+def rms_mps(velocity_mps: Floats) -> float:
+    """Return the RMS of velocities (2, K + 1)."""
+    count = velocity_mps.shape[1]
+    return math.sqrt(float(np.square(velocity_mps).sum()) / count)
 
 
 def _between(first: float, last: float, share: float) -> float:

@@ -144,7 +144,9 @@ def test_free_fall_costs_little():
 # ---- gyros ----------------------------------------------------------------------
 
 
-@pytest.mark.parametrize(("degrees", "bound_mps2"), [(1, 0.04), (3, 0.1), (10, 0.15)])
+@pytest.mark.parametrize(
+    ("degrees", "bound_mps2"), [(1, 0.04), (3, 0.1), (10, 0.08), (20, 0.15)]
+)
 def test_a_gyro_bias_is_found_while_the_sensor_moves(degrees, bound_mps2):
     bias = 0.1 * degrees * TEN_DEG
     log = usual(angular_rate_radps=WOBBLE.instant(TIME_S).angular_rate_radps + bias)

@@ -15,6 +15,7 @@ from hapticplayer.motion.smoother.calibrated import minimise
 from hapticplayer.motion.smoother.nodes import gather, level_frames
 from hapticplayer.motion.smoother.parameters import SmootherParameters
 from hapticplayer.motion.smoother.strapdown import integrate
+from hapticplayer.motion.smoother.travel import Travel, travel_of
 from tests.unit.motion.smoother.conftest import Motion, miss, rms, samples_of
 from tests.unit.motion.smoother.test_uncertainty import steady_problem
 
@@ -63,7 +64,7 @@ def test_what_lasts_as_long_as_a_bend_is_not_levelled_away(rng, monkeypatch):
     assert rms(CAR.acceleration(TIME_S)) > 2.0
     kept = rms(miss(log, up))
     assert kept < 0.1
-    monkeypatch.setattr(travel, "expected_mps", lambda *_: 0.0)
+    monkeypatch.setattr(travel, "travel_of", lambda *_: Travel())
     assert rms(miss(log, up)) > 3.0 * kept
 
 
@@ -82,21 +83,33 @@ def test_the_velocity_found_is_that_of_the_car(rng, monkeypatch):
     assert found[-1] == pytest.approx([0.0, SPEED_MPS, 0.0], abs=0.5)
 
 
+WALKING_RADPS = 0.35
+
+
+def swaying(speed_mps):
+    return speed_mps * np.array([[0.6] * 10, [0.8] * 10])
+
+
 @pytest.mark.parametrize(
-    ("speed_mps", "sigma_mps"), [(0.0, 0.0), (0.5, 0.0), (0.8, 10.0), (30.0, 10.0)]
+    ("speed_mps", "sigma_mps"), [(0.0, 0.0), (0.39, 0.0), (0.55, 10.0), (2.0, 10.0)]
 )
 def test_what_sways_has_none_and_what_goes_may_have_any(speed_mps, sigma_mps):
-    velocity = speed_mps * np.array([[0.6] * 10, [0.8] * 10])
-    assert travel.expected_mps(velocity) == pytest.approx(sigma_mps, abs=1e-9)
+    found = travel_of(swaying(speed_mps), WALKING_RADPS)
+    assert found.expected_mps == pytest.approx(sigma_mps, abs=1e-9)
 
 
 def test_between_the_two_nothing_jumps():
-    speeds = np.linspace(0.501, 0.9, 400)
-    sigma = [travel.expected_mps(np.array([[v], [0.0]])) for v in speeds]
-    steps = np.diff(np.log(sigma))
+    speeds = np.linspace(0.4001, 0.7, 800)
+    found = [travel_of(swaying(speed), WALKING_RADPS) for speed in speeds]
+    steps = np.diff(np.log([one.expected_mps for one in found]))
     assert steps.min() >= 0.0
     assert steps.max() < 0.03
-    assert sigma[0] < 0.011  # as good as none
+    assert found[0].expected_mps < 0.011  # as good as none
+    bounds = [float(one.bound_mps(np.array([0.5]))[0]) for one in found]
+    steps = np.diff(np.log(bounds))
+    assert steps.min() >= 0.0
+    assert steps.max() < 0.03
+    assert bounds[0] == pytest.approx(0.5, rel=0.01)
 
 
 def nodes_of_a_turn(count):
@@ -196,10 +209,6 @@ def test_of_what_drives_a_part_is_bounded_like_the_whole(scene, kept, monkeypatc
     assert found_sigma_mps == pytest.approx(sigma_mps)
 
 
-def swaying(speed_mps):
-    return speed_mps * np.array([[0.6] * 10, [0.8] * 10])
-
-
 @pytest.mark.parametrize(
     ("speed_mps", "turn_radps", "share"),
     [
@@ -215,11 +224,12 @@ def swaying(speed_mps):
 def test_what_goes_far_from_the_centre_of_its_turns_drives(
     speed_mps, turn_radps, share
 ):
-    assert travel.driven_share(swaying(speed_mps), turn_radps) == share
+    assert travel_of(swaying(speed_mps), turn_radps).driven == share
 
 
 def test_between_what_is_carried_and_what_drives_nothing_jumps():
-    shares = [travel.driven_share(swaying(2.0), w) for w in np.geomspace(0.4, 0.1, 400)]
+    found = [travel_of(swaying(2.0), w) for w in np.geomspace(0.4, 0.1, 400)]
+    shares = [one.driven for one in found]
     steps = np.diff(shares)
     assert (shares[0], shares[-1]) == (0.0, 1.0)
     assert steps.min() >= 0.0
@@ -260,12 +270,55 @@ def test_without_turns_no_heading_is_looked_for(monkeypatch):
     ("turn_radps", "share"), [(0.0, 0.0), (0.005, 0.0), (0.01, 0.5), (0.02, 1.0)]
 )
 def test_what_turns_shows_its_heading(turn_radps, share):
-    assert travel.steered_share(turn_radps) == pytest.approx(share)
+    assert travel_of(swaying(2.0), turn_radps).steered == pytest.approx(share)
 
 
 def test_a_vehicle_may_have_any_velocity_and_other_things_less():
-    assert travel.expected_mps(swaying(2.0), 0.0) == pytest.approx(10.0)
-    assert travel.expected_mps(swaying(2.0), 1.0) == pytest.approx(80.0)
+    assert Travel(going=1.0).expected_mps == pytest.approx(10.0)
+    assert Travel(going=1.0, driven=1.0).expected_mps == pytest.approx(80.0)
+
+
+def test_the_bound_of_what_goes_follows_the_velocity_from_a_walk_on():
+    found = np.array([0.5, 4.0, 12.0])
+    assert Travel().bound_mps(found) == pytest.approx(found)
+    assert Travel(going=1.0).bound_mps(found) == pytest.approx([4.0, 4.0, 12.0])
+    assert Travel(going=0.5).bound_mps(found) == pytest.approx([2.0**0.5, 4.0, 12.0])
+    assert Travel(1.0, driven=1.0).bound_mps(found) == pytest.approx(40.0)
+
+
+# ---- what goes on feet, however it is cut ---------------------------------------
+
+
+@pytest.mark.parametrize("sensor", ["camera", "paper-board"])
+@pytest.mark.parametrize("scene", ["walk", "run"])
+@pytest.mark.parametrize("seed", [61, 62, 63])
+def test_half_of_a_walk_is_taken_for_a_walk(scene, seed, sensor, monkeypatch):
+    """The slower half of one must not seem to sway, without a way to go."""
+    log = simulate_motion(scene, seed, sensor=sensor).imu
+    middle = len(log) // 2
+    for part in slice(None), slice(None, middle), slice(middle, None):
+        kept = ImuLog(
+            log.time_s[part],
+            log.specific_force_mps2[part],
+            log.angular_rate_radps[part],
+            sampling=log.sampling,
+        )
+        bound_mps, sigma_mps = last_assumed(kept, monkeypatch)
+        assert sigma_mps == pytest.approx(10.0)
+        assert bound_mps.min() > 4.0 - 1e-9
+
+
+def test_what_holes_seem_to_have_moved_is_not_looked_at():
+    nodes = nodes_of_a_turn(60)
+    time_s = np.append(0.0, np.cumsum(nodes.duration_s))
+    assert travel.undisturbed(nodes).all()
+    lost = replace(nodes, lost_s=np.where(np.arange(120) == 60, 0.2, 0.0))
+    begin_s, end_s = time_s[60:62]
+    far = (time_s <= begin_s - 15.0) | (time_s >= end_s + 15.0)
+    assert np.array_equal(travel.undisturbed(lost), far)
+    # where samples are doubtful all the time there is nothing else to go by
+    doubtful = replace(nodes, doubt_s=np.where(np.arange(120) % 40 == 0, 0.1, 0.0))
+    assert travel.undisturbed(doubtful).all()
 
 
 @pytest.mark.parametrize(
