@@ -56,6 +56,8 @@ _LOSING_TURN_RAD, _NO_LOSS, _MOST_LOSS = 0.18, 1.01, 4.0
 _ROUGHLY_RADPS = 0.005
 # With so much left of the velocity, most of it was the motion's and not the gyro's.
 _MOTION = 0.75
+# The nodes of what stands still are so much further apart.
+_WIDER = 2.0
 # Even a short log has so many windows.
 _WINDOWS = 8
 # Windows of so few samples are not worth a first look at their means.
@@ -132,7 +134,7 @@ def smooth(
     if rest is None or parts == 1 or not p.shortcuts:
         return _smoothed(samples, rest, p, with_sigma=with_sigma)
     still = standing.in_parts(rest, parts, count)
-    few = replace(p, node_samples=1)
+    few = replace(p, node_samples=1, node_s=_WIDER * p.node_s)
     done = _smoothed(stages.coarse(samples, parts), still, few, with_sigma=with_sigma)
     place = (parts, count)
     averaged = samples.averaged

@@ -64,7 +64,8 @@ class SmootherParameters:
         margin_s: blocks overlap by twice as much.
         shortcuts: whether work is skipped that a recording does not need: rotations
             to first order where hardly anything turns, the gyro's matrix where
-            little does, the full rate where it stands still from beginning to end.
+            little does, the full rate and half of the nodes where it stands still from
+            beginning to end.
     """
 
     window_hz: float = 16.0

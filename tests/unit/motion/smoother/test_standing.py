@@ -66,6 +66,23 @@ def test_so_little_of_the_work_is_left(rng, monkeypatch):
     assert work(log, monkeypatch) < 0.2 * work(log, monkeypatch, FULL)
 
 
+def test_its_nodes_are_twice_as_far_apart(rng, monkeypatch):
+    def nodes(parameters):
+        counted = []
+
+        def noted(nodes, *more):
+            counted.append(len(nodes.duration_s))
+            return linearised(nodes, *more)
+
+        with monkeypatch.context() as patch:
+            patch.setattr(stages, "linearised", noted)
+            remove_gravity(log, parameters=parameters)
+        return counted[-1]
+
+    log, linearised = on_a_tripod(rng), stages.linearised
+    assert nodes(None) == pytest.approx(0.5 * nodes(FULL), rel=0.05)
+
+
 def test_what_moves_for_a_moment_is_looked_at_in_full(rng, monkeypatch):
     log = on_a_tripod(rng)
     force = log.specific_force_mps2.copy()
