@@ -11,14 +11,14 @@ slide sideways has long been used: Dissanayake et al. 2001, IEEE T-RA 17(5):731;
 the direction is found, too.) What only sways has none: there u would be another name
 for errors of the sensors.
 
-What drives also has a bound that is not read off the velocity found place by place. A
+What goes also has a bound that is not read off the velocity found place by place. A
 recording that starts in the middle of an acceleration shows too small a velocity, and
 with a bound that fits it more of the acceleration would be taken for tilt than in the
-whole recording. What drives is told from what is carried by v / w, how far it is from the
-centre of its turns, which hardly depends on where a recording was cut: 0.1 to 2.5 m for
-hands and bodies, 4 to 6 m for a head on a downhill bike, 11 m and more on roads. All the
-time it has one wide bound. What goes on feet shows more of its velocity or less of it
-from one half of a recording to the next; its bound follows only from 4 m/s on.
+whole recording. How it goes is told by v / w, how far it is from the centre of its turns,
+which hardly depends on where a recording was cut: 0.1 to 2.3 m for hands and bodies on
+their feet, 5 to 6.5 m for a head on a downhill bike, 11 m and more for what drives. Each
+has its usual bound. That of a driven one is wide and always holds; the others may be
+faster than usual, and the bound follows from there on.
 
 What u does follows from the heading, and the heading from the gyro's bias, so that u,
 found about a wrong heading, is wrong itself. What drives is therefore solved for until
@@ -44,15 +44,17 @@ _ANY_MPS, _NO_MPS = 10.0, 0.01
 # RMS speed from which there may be one: an arm that sways is slower. From the other on
 # nothing is held against it.
 _SWAYING_MPS, _GOING_MPS = 0.4, 0.55
-# Distance from the centre of its turns up to which something is carried, and from which
-# it drives.
-_CARRIED_M, _DRIVEN_M = 6.5, 9.5
+# Distance from the centre of its turns up to which something goes on feet, and from which
+# it is ridden; up to which a head moves by itself, and from which it goes with what drives.
+_WALKED_M, _RIDDEN_M, _CARRIED_M, _DRIVEN_M = 2.8, 4.2, 6.5, 9.5
 # Mean speed of rotation up to which nothing is seen of the heading, and from which it is.
 _STRAIGHT_RADPS, _STEERED_RADPS = 0.005, 0.02
 # The same as _ANY_MPS for what drives: beside a wide bound a tighter one makes u too small.
 _DRIVEN_MPS = 80.0
-# Bound on the rest v' for what drives, and the least for what goes.
-_DRIVEN_BOUND_MPS, _GOING_BOUND_MPS = 40.0, 4.0
+# Bound on the rest v' for what drives, and the least for what is ridden or walks.
+_DRIVEN_BOUND_MPS, _RIDDEN_BOUND_MPS, _WALKED_BOUND_MPS = 40.0, 8.0, 4.0
+# What is faster has a bound this much smaller than for the velocity found.
+_FASTER = 1.15
 # A hole is forgotten after so long, and so much of a recording is enough to judge it by.
 _FORGOTTEN_S, _ENOUGH = 15.0, 0.2
 # Columns of u.
@@ -90,11 +92,13 @@ class Travel:
 
     Attributes:
         going: how far it goes, and does not only sway.
+        ridden: how far it goes faster than feet.
         driven: how far it is a vehicle.
         steered: how far its heading can be found, too.
     """
 
     going: float = 0.0
+    ridden: float = 0.0
     driven: float = 0.0
     steered: float = 0.0
 
@@ -110,8 +114,9 @@ class Travel:
         """Return the bound on the rest v' from that for the velocity found."""
         if not self.going:
             return found_mps
-        low = np.maximum(_GOING_BOUND_MPS / found_mps, 1.0) ** self.going
-        own = found_mps * low
+        usual_mps = _between(_WALKED_BOUND_MPS, _RIDDEN_BOUND_MPS, self.ridden)
+        going_mps = np.maximum(usual_mps, found_mps / _FASTER)
+        own = found_mps ** (1.0 - self.going) * going_mps**self.going
         return np.asarray(own ** (1.0 - self.driven) * _DRIVEN_BOUND_MPS**self.driven)
 
 
@@ -126,9 +131,10 @@ def travel_of(velocity_mps: Floats, turn_radps: float) -> Travel:
     going = (speed_mps - _SWAYING_MPS) / (_GOING_MPS - _SWAYING_MPS)
     going = min(max(going, 0.0), 1.0)
     radius_m = speed_mps / max(turn_radps, 1e-9)
+    ridden = going * _place(radius_m, _WALKED_M, _RIDDEN_M)
     driven = going * _place(radius_m, _CARRIED_M, _DRIVEN_M)
     steered = driven * _place(turn_radps, _STRAIGHT_RADPS, _STEERED_RADPS)
-    return Travel(going, driven, steered)
+    return Travel(going, ridden, driven, steered)
 
 
 def undisturbed(nodes: AnyNodes) -> NDArray[np.bool_]:

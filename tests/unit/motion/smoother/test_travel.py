@@ -278,15 +278,47 @@ def test_a_vehicle_may_have_any_velocity_and_other_things_less():
     assert Travel(going=1.0, driven=1.0).expected_mps == pytest.approx(80.0)
 
 
-def test_the_bound_of_what_goes_follows_the_velocity_from_a_walk_on():
-    found = np.array([0.5, 4.0, 12.0])
+def test_the_bound_of_what_goes_follows_only_what_is_faster_than_usual():
+    found = np.array([0.5, 4.6, 9.2, 23.0])
     assert Travel().bound_mps(found) == pytest.approx(found)
-    assert Travel(going=1.0).bound_mps(found) == pytest.approx([4.0, 4.0, 12.0])
-    assert Travel(going=0.5).bound_mps(found) == pytest.approx([2.0**0.5, 4.0, 12.0])
-    assert Travel(1.0, driven=1.0).bound_mps(found) == pytest.approx(40.0)
+    walked = Travel(going=1.0).bound_mps(found)
+    assert walked == pytest.approx([4.0, 4.0, 8.0, 20.0])
+    ridden = Travel(going=1.0, ridden=1.0).bound_mps(found)
+    assert ridden == pytest.approx([8.0, 8.0, 8.0, 20.0])
+    half = Travel(going=0.5).bound_mps(found)
+    assert half == pytest.approx(np.sqrt(found * walked))
+    driven = Travel(going=1.0, ridden=1.0, driven=1.0).bound_mps(found)
+    assert driven == pytest.approx(40.0)
 
 
-# ---- what goes on feet, however it is cut ---------------------------------------
+@pytest.mark.parametrize(
+    ("speed_mps", "turn_radps", "share"),
+    [
+        (0.86, 0.37, 0.0),  # a walk
+        (1.7, 2.3, 0.0),  # a run
+        (2.6, 0.55, 1.0),  # a head on a downhill bike
+        (0.3, 0.05, 0.0),  # what sways, however slowly
+    ],
+)
+def test_what_is_ridden_is_told_by_the_centre_of_its_turns(
+    speed_mps, turn_radps, share
+):
+    assert travel_of(swaying(speed_mps), turn_radps).ridden == share
+
+
+# ---- what goes on feet and by bike, however it is cut ---------------------------
+
+
+def whole_and_halves(scene, seed, sensor):
+    log = simulate_motion(scene, seed, sensor=sensor).imu
+    middle = len(log) // 2
+    for part in slice(None), slice(None, middle), slice(middle, None):
+        yield ImuLog(
+            log.time_s[part],
+            log.specific_force_mps2[part],
+            log.angular_rate_radps[part],
+            sampling=log.sampling,
+        )
 
 
 @pytest.mark.parametrize("sensor", ["camera", "paper-board"])
@@ -294,18 +326,20 @@ def test_the_bound_of_what_goes_follows_the_velocity_from_a_walk_on():
 @pytest.mark.parametrize("seed", [61, 62, 63])
 def test_half_of_a_walk_is_taken_for_a_walk(scene, seed, sensor, monkeypatch):
     """The slower half of one must not seem to sway, without a way to go."""
-    log = simulate_motion(scene, seed, sensor=sensor).imu
-    middle = len(log) // 2
-    for part in slice(None), slice(None, middle), slice(middle, None):
-        kept = ImuLog(
-            log.time_s[part],
-            log.specific_force_mps2[part],
-            log.angular_rate_radps[part],
-            sampling=log.sampling,
-        )
-        bound_mps, sigma_mps = last_assumed(kept, monkeypatch)
+    for part in whole_and_halves(scene, seed, sensor):
+        bound_mps, sigma_mps = last_assumed(part, monkeypatch)
         assert sigma_mps == pytest.approx(10.0)
         assert bound_mps.min() > 4.0 - 1e-9
+
+
+@pytest.mark.parametrize("sensor", ["camera", "paper-board"])
+@pytest.mark.parametrize("seed", [62, 72, 102])
+def test_half_of_a_downhill_ride_is_bounded_like_the_whole(seed, sensor, monkeypatch):
+    """A bound that follows the velocity found was 5 to 13 m/s from place to place."""
+    for part in whole_and_halves("mountain-bike", seed, sensor):
+        bound_mps, _ = last_assumed(part, monkeypatch)
+        assert bound_mps.min() > 8.0 - 1e-9
+        assert np.median(bound_mps) < 9.5
 
 
 def test_what_holes_seem_to_have_moved_is_not_looked_at():
