@@ -76,7 +76,7 @@ def _is_in_group(widget, reached) -> bool:
 
 
 @pytest.mark.parametrize("look", list(theme.LOOKS))
-def test_the_window_and_every_dialog_can_be_used_by_keyboard_alone(
+def test_the_window_and_every_dialog_can_be_used_by_keyboard(
     make_window, dressed, source, look, tmp_path, qtbot
 ):
     dressed(look=look)
@@ -91,7 +91,7 @@ def test_the_window_and_every_dialog_can_be_used_by_keyboard_alone(
         faces.close(face)
 
 
-def test_the_participants_pages_can_be_used_by_keyboard_and_by_finger(
+def test_participant_pages_work_by_keyboard_and_by_finger(
     make_study, sit, wait_for, qtbot
 ):
     session = sit(make_study(), size=(1024, 768))

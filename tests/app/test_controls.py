@@ -21,7 +21,7 @@ def key(window, code) -> None:
     QTest.keyClick(window.windowHandle(), code)
 
 
-def test_the_brackets_change_the_speed_and_backspace_brings_it_back(playing):
+def test_brackets_change_the_speed_and_backspace_resets_it(playing):
     key(playing, Qt.Key.Key_BracketRight)
     assert playing.player.speed == pytest.approx(1.1)
     assert playing.transport.speed.isVisible()
@@ -107,7 +107,7 @@ def test_the_statistics_show_and_hide(playing, wait_for):
     assert not statistics.isVisible()
 
 
-def test_the_force_lies_under_the_seek_bar_and_follows_the_feedback(playing):
+def test_the_force_under_the_seek_bar_follows_the_feedback(playing):
     slider = playing.transport.slider
     assert slider._heat is not None
     playing.session.choose_feedback("none")

@@ -71,7 +71,7 @@ def test_a_device_that_is_not_there_is_said_on_the_page(application, qtbot, wait
     assert "Falcon" in page.text.text()
 
 
-def test_a_falcon_that_is_not_homed_leads_to_the_picture_of_homing(
+def test_a_falcon_that_is_not_homed_leads_to_the_homing_page(
     application, qtbot, wait_for, monkeypatch
 ):
     page = DevicePage(SystemClock(), "falcon-simulated")

@@ -115,9 +115,7 @@ def raised(silent: tuple[str, ...]) -> Iterator[tuple[str, str, list[str]]]:
 
 
 @pytest.mark.parametrize("code", FOREIGN)
-def test_every_error_that_is_raised_is_said_in_the_windows_language(
-    spoken, script, code
-):
+def test_every_error_is_shown_in_the_language_of_the_window(spoken, script, code):
     sites = list(raised(script.SILENT))
     assert len(sites) > 300
     spoken(code)
@@ -312,7 +310,7 @@ def test_a_sentence_of_a_megabyte_is_shown_as_it_is(spoken, monkeypatch):
 # --- in the window -------------------------------------------------------------
 
 
-def test_a_missing_file_is_told_in_german_and_copied_in_english_too(
+def test_a_missing_file_is_shown_in_german_and_copied_in_both(
     german, wait_for, tmp_path
 ):
     path = tmp_path / "missing.mp4"
@@ -355,9 +353,7 @@ def test_a_log_that_cannot_be_read_is_told_in_german(
     )
 
 
-def test_a_question_about_a_log_is_put_in_german_and_answered_as_typed(
-    german, qtbot, tmp_path
-):
+def test_a_question_about_a_log_is_asked_in_german(german, qtbot, tmp_path):
     wizard = ImportWizard("", tmp_path, german)
     qtbot.addWidget(wizard)
     question = LogQuestion(

@@ -75,7 +75,7 @@ def test_a_point_lands_where_the_pinhole_equation_says(yaw_deg, pitch_deg, rng):
     assert np.allclose(got, wanted, atol=1e-9)
 
 
-def test_no_point_of_the_sphere_leaves_its_outline_and_some_touch_it(rng):
+def test_the_outline_of_the_sphere_is_tight(rng):
     view = projection(Camera(0.4, -0.3, 1.3))
     points = rng.standard_normal((20_000, 3))
     points *= RADIUS_M / np.linalg.norm(points, axis=1)[:, None]
@@ -84,7 +84,7 @@ def test_no_point_of_the_sphere_leaves_its_outline_and_some_touch_it(rng):
     assert max(away) == pytest.approx(view.sphere_px, rel=1e-3)
 
 
-def test_of_the_sphere_that_is_in_front_whose_surface_faces_the_camera():
+def test_the_front_of_the_sphere_faces_the_camera():
     view = projection()
     rim_m = RADIUS_M**2 / view.distance_m  # where the rays touch
     across_m = math.sqrt(RADIUS_M**2 - rim_m**2)
@@ -114,7 +114,7 @@ def test_the_camera_never_goes_over_the_top_nor_through_the_grip():
 @pytest.mark.parametrize(
     "force_n", [(2.0, 0, 0), (0, -3.0, 0), (0, 0, 4.5), (1.0, 2.0, -2.0)]
 )
-def test_the_arrow_goes_along_the_force_and_is_as_long_as_it_is_strong(force_n):
+def test_the_arrow_has_direction_and_length_of_the_force(force_n):
     grip = replace(ACTIVE, force_n=force_n)
     tip = np.array(arrow_tip(grip, grip.position_m)) - grip.position_m
     strength_n = np.linalg.norm(force_n)

@@ -123,7 +123,7 @@ def test_every_mode_has_its_words_and_its_colour(state, activity):
         (link(ticks(9, position_m=math.nan)), "not known"),
     ],
 )
-def test_where_no_position_is_known_it_says_why_and_shows_no_grip(made, said):
+def test_without_a_position_it_says_why_and_shows_no_grip(made, said):
     grip = grip_of(made, "realistic")
     assert grip.position_m is None
     assert said in grip.state
@@ -184,7 +184,7 @@ def test_the_arrow_is_painted_to_the_side_it_pushes(force_n, across, down):
 
 
 @pytest.mark.parametrize("force_n", [(0, 0, 3.0), (0, 0, -3.0)])
-def test_an_arrow_at_ones_eye_or_away_from_it_is_told_by_its_figure(force_n):
+def test_an_arrow_along_the_line_of_sight_has_its_figure(force_n):
     grip = replace(ACTIVE, position_m=(0.0, 0.0, 0.0))
     with_arrow = painted(replace(grip, force_n=force_n))
     assert np.any(with_arrow != painted(grip), axis=2).sum() > 100
@@ -209,7 +209,7 @@ def test_a_stopped_grip_is_red_and_shows_what_is_only_planned():
     assert middle_of(planned, picture)[0] < projection().px(ACTIVE.position_m)[0]
 
 
-def test_centring_is_shown_in_its_own_colour_and_only_when_there_is_some():
+def test_centring_has_a_colour_and_shows_only_when_active():
     assert count_of(painted(ACTIVE), CENTRING) == 0
     assert count_of(painted(replace(ACTIVE, centring_n=(-2.0, 0, 0))), CENTRING) > 40
 
@@ -255,7 +255,7 @@ def test_a_trail_is_painted_and_fades():
     assert new > 3 * max(old, 1)
 
 
-def test_a_picture_of_twice_the_resolution_shows_the_same_sharper():
+def test_twice_the_resolution_shows_the_same_but_sharper():
     small, large = painted(ACTIVE), painted(ACTIVE, ratio=2.0)
     halved = large.reshape(320, 2, 320, 2, 3).mean(axis=(1, 3))
     assert large.shape == (640, 640, 3)
@@ -277,7 +277,7 @@ def test_every_colour_of_arrows_and_words_stands_out(name):
     assert contrast > 4.5
 
 
-def test_the_words_of_the_axes_keep_off_the_rim_where_there_is_room(monkeypatch):
+def test_axis_labels_keep_off_the_rim_where_there_is_room(monkeypatch):
     written = []
     monkeypatch.setattr(
         QPainter, "drawText", lambda _p, box, _flags, text: written.append((text, box))
@@ -420,7 +420,7 @@ def test_a_long_state_is_wrapped_and_shown_whole(qtbot):
 # --- in the window ------------------------------------------------------------
 
 
-def test_the_window_shows_it_beside_the_plots_until_it_is_put_away(window, wait_for):
+def test_the_window_shows_it_beside_the_plots_until_hidden(window, wait_for):
     view = window.plots.panel.grip
     wait_for(lambda: view.grip.state.startswith("No device: choose"))
     assert view.isVisible()

@@ -221,7 +221,7 @@ def test_closing_while_it_looks_does_not_hold_the_window_up(wizard, ride, wait_f
     assert wizard.recognised is None or not wizard.isVisible()
 
 
-def test_what_was_typed_last_begins_nothing_in_a_wizard_that_is_closed(wizard, ride):
+def test_a_closed_wizard_starts_no_work_for_the_last_input(wizard, ride):
     folder, _ = ride
     wizard.reject()
     wizard.files.video.setText(str(folder / "gopro.mp4"))

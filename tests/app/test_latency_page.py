@@ -72,9 +72,7 @@ def tap_along(page, clock, rng, late_s, taps):
         QTest.keyClick(page.focusWidget() or page, Qt.Key.Key_Space)
 
 
-def test_taps_to_the_picture_and_to_the_force_give_the_latency_between(
-    make_page, wait_for
-):
+def test_taps_to_frame_and_force_give_the_latency_between(make_page, wait_for):
     clock = ManualClock(100.0)
     page, rng = make_page(clock), np.random.default_rng(7)
     page.begin()
@@ -120,7 +118,7 @@ def test_differences_are_put_where_none_is_negative():
     assert found == pytest.approx({"a": 0.04, "b": 0.01})
 
 
-def test_the_beats_are_where_they_are_said_to_be_and_below_a_newton():
+def test_the_beats_are_at_their_times_and_below_a_newton():
     source, track = beat_source(), beat_track()
     assert source.clip.duration_s == pytest.approx(COUNT, abs=0.03)
     assert track.peak_n() == pytest.approx(PULSE_N)
@@ -133,9 +131,7 @@ def test_the_beats_are_where_they_are_said_to_be_and_below_a_newton():
     assert around == pytest.approx(0.0, abs=1e-6)
 
 
-def test_on_a_device_the_push_stays_gentle_and_escape_takes_it_away(
-    make_page, wait_for
-):
+def test_on_a_device_the_force_is_gentle_and_escape_ends_it(make_page, wait_for):
     page = make_page(SystemClock(), "simulated")
     page.begin()
 
@@ -182,7 +178,7 @@ def test_cancel_changes_nothing(make_page, settings):
     assert settings.table("latencies") == {}
 
 
-def test_each_output_has_its_own_latency_and_files_may_hold_nonsense(tmp_path):
+def test_each_output_has_its_latency_and_bad_files_are_ignored(tmp_path):
     path = tmp_path / "window.json"
     settings = Settings(path)
     keep_latency(settings, SOUND, "headphones", 180.0)

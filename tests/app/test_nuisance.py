@@ -38,7 +38,7 @@ def imu_log(folder: Path) -> Path:
     return path
 
 
-def test_nothing_that_a_person_does_with_the_window_makes_the_loop_react_but_as_meant(
+def test_using_the_window_causes_no_unintended_reaction(
     make_window, source, sequence, clip, tmp_path, wait_for, qtbot
 ):
     window = make_window("simulated")
@@ -85,7 +85,7 @@ def test_a_ramp_that_nobody_has_asked_for_is_a_nuisance(judge):
     assert not nuisance.is_trip
 
 
-def test_what_the_script_has_done_explains_its_own_causes_and_only_for_a_while(judge):
+def test_an_action_explains_its_own_causes_for_a_while(judge):
     watch, show = judge
     watch.expect(3.0, "seek", Cause.SEEK)
     show((2.9, Mode.FOLLOWING, Cause.NONE), (3.2, Mode.RAMPING, Cause.SEEK))
@@ -94,7 +94,7 @@ def test_what_the_script_has_done_explains_its_own_causes_and_only_for_a_while(j
     assert [r.by for r in watch.reactions] == ["seek", "", ""]
 
 
-def test_a_late_heartbeat_counts_also_where_no_force_is_and_a_trip_always(judge):
+def test_a_late_heartbeat_counts_without_force_too(judge):
     watch, show = judge
     show((1.0, Mode.IDLE, Cause.PAUSED), (1.1, Mode.IDLE, Cause.HEARTBEAT_LATE))
     show((1.2, Mode.IDLE, Cause.PAUSED), (1.3, Mode.TRIPPED, Cause.HEARTBEAT_LOST))

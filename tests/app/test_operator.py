@@ -39,9 +39,7 @@ def test_the_operator_sees_the_picture_of_the_clip_but_no_page(
     wait_for(lambda: not mirror._is_clip)
 
 
-def test_the_mirror_draws_ten_times_a_second_and_not_while_a_page_is_shown(
-    make_study, sit
-):
+def test_the_mirror_draws_at_10_hz_and_not_behind_a_page(make_study, sit):
     mirror, updates = sit(make_study()).control.mirror, []
     mirror.update = lambda: updates.append(1)
     for k in range(300):
@@ -54,9 +52,7 @@ def test_the_mirror_draws_ten_times_a_second_and_not_while_a_page_is_shown(
     assert updates == []
 
 
-def test_the_volume_is_fixed_kept_and_the_same_for_the_next_participant(
-    make_study, sit, wait_for
-):
+def test_the_volume_is_kept_for_the_next_participant(make_study, sit, wait_for):
     study = make_study()
     first = sit(study)
     first.start_panel.volume.setValue(65)

@@ -218,7 +218,7 @@ def test_a_session_is_resumed_in_new_windows(make_study, sit, wait_for):
     person.wait_page(PageKind.READY, "trial-03")
 
 
-def test_a_disk_that_is_gone_stops_the_participant_until_it_is_back(
+def test_a_missing_disk_stops_the_participant_until_it_is_back(
     make_study, sit, wait_for
 ):
     session = sit(make_study(), device="simulated")

@@ -202,9 +202,7 @@ def test_another_choice_lets_go_of_the_falcon(make_page, falcon, wait_for):
     assert page.use.isEnabled()
 
 
-def test_the_first_page_leads_here_and_the_window_gets_what_was_chosen(
-    make_window, wait_for
-):
+def test_the_first_page_leads_here_and_the_choice_is_taken(make_window, wait_for):
     window = make_window("none")
     window.empty_page.device.click()
     page = window.findChild(SetupPage)
@@ -235,7 +233,7 @@ def test_it_leads_on_to_the_forces(make_window, wait_for):
     wait_for(lambda: window.player.link.device == "simulated")
 
 
-def test_the_way_of_a_leg_is_shown_from_end_to_end_wherever_it_began():
+def test_the_travel_of_a_leg_is_shown_from_end_to_end():
     ways = Ways()
     assert ways.share(0, 0) == 0.5
     assert ways.share(0, WAY_COUNTS) == 1.0

@@ -122,7 +122,7 @@ def test_the_real_program_is_started_and_its_complaint_is_heard(
     assert (tmp_path / "s" / "study.json").is_file()
 
 
-def test_a_study_without_clips_is_refused_before_anything_is_let_go(
+def test_a_study_without_clips_is_refused_before_any_change(
     window, tmp_path, monkeypatch
 ):
     study, told = create_study(tmp_path / "empty"), []

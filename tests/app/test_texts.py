@@ -53,7 +53,7 @@ def test_every_step_of_long_work_is_said_in_the_windows_language(spoken, code):
     assert [step for step in steps() if step_text(step) == step] == []
 
 
-def test_a_name_in_a_step_stays_and_what_is_not_known_is_said_as_it_is(spoken):
+def test_names_in_steps_stay_and_unknown_steps_stay_english(spoken):
     spoken("fr")
     assert step_text("reading ride.mp4") == "lecture de ride.mp4"
     assert step_text("frame 312 of 780") == "frame 312 of 780"

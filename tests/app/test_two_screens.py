@@ -94,9 +94,7 @@ def session(make_study, application):
 
 
 @beside
-def test_the_participant_has_the_other_screen_for_nothing_but_the_clip(
-    session, wait_for
-):
+def test_the_participants_screen_shows_only_the_clip(session, wait_for):
     mine = session.control.screen()
     (theirs,) = set(QGuiApplication.screens()) - {mine}
     session.begin_session("", "en")
@@ -116,7 +114,7 @@ def test_the_participant_has_the_other_screen_for_nothing_but_the_clip(
 
 
 @beside
-def test_escape_stops_the_force_whichever_screen_has_the_keyboard(session, wait_for):
+def test_escape_on_either_screen_stops_the_force(session, wait_for):
     session.begin_session("", "en")
     person = Person(session, wait_for)
     person.to_trials()

@@ -91,7 +91,7 @@ def play_unseen(window, wait_for, counts):
     assert player.snapshot().frames_dropped == 0 or player.phase is Phase.PLAYING
 
 
-def test_a_window_that_comes_back_while_paused_shows_where_it_stands(
+def test_a_window_restored_while_paused_shows_the_position(
     make_window, source, wait_for
 ):
     window = make_window()

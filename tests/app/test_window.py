@@ -255,9 +255,7 @@ def test_a_falcon_is_offered_and_what_is_for_developers_is_not(window):
     assert combo.findData("falcon-simulated") < 0
 
 
-def test_a_falcon_that_is_not_there_leaves_the_window_without_a_device(
-    window, wait_for
-):
+def test_a_missing_falcon_leaves_the_window_without_a_device(window, wait_for):
     window.session.choose_device("falcon:NOWHERE0")  # nobody has one of that number
     wait_for(lambda: "Falcon" in window.messages.text())
     assert not window.player.link.history.latest()
@@ -341,7 +339,7 @@ def test_a_device_is_let_go_of_without_holding_the_window_up(
     wait_for(lambda: not is_alive(first))
 
 
-def test_a_haptics_process_that_dies_is_told_and_can_be_had_again(
+def test_a_dead_haptics_process_is_shown_and_can_be_restarted(
     make_window, source, wait_for
 ):
     window = make_window("simulated")

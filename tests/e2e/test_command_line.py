@@ -470,7 +470,7 @@ def test_wrong_usage_has_status_2(demo):
     )
 
 
-def test_pipes_and_folders_are_refused_wherever_a_file_is_expected(clip, tmp_path):
+def test_pipes_and_folders_are_refused_in_place_of_files(clip, tmp_path):
     pipe = tmp_path / "pipe"
     os.mkfifo(pipe)
     play = ("play", clip, "--headless", "--duration", 0.2)

@@ -51,7 +51,7 @@ def test_info_looks_and_loads_nothing(device):
     assert "firmware" not in simulated
 
 
-def test_homing_guides_out_then_in_and_ends_near_nothing_but_homed(device):
+def test_homing_guides_out_then_in_and_ends_homed(device):
     done = device("home", *FALCON)
     told = [line.split(" (")[0] for line in done.stderr.splitlines()]
     wanted = ["pull the grip out as far as it goes", "push the grip in until it locks"]
@@ -66,13 +66,13 @@ def test_homing_that_nobody_does_ends(device):
 
 
 @pytest.mark.parametrize("limit", ["nan", "inf", "-1", "0"])
-def test_a_time_limit_that_is_none_is_refused_before_anything_is_done(limit, device):
+def test_an_invalid_time_limit_is_refused_first(limit, device):
     done = device("home", *FALCON, f"--timeout={limit}", status=2)
     assert "--timeout" in done.stderr
     assert "firmware" not in done.stderr
 
 
-def test_firmware_is_kept_only_after_consent_and_only_if_it_is_sound(device, tmp_path):
+def test_firmware_is_kept_only_with_consent_and_if_valid(device, tmp_path):
     file = tmp_path / "image.bin"
     kept = tmp_path / "hapticplayer" / "falcon-firmware.bin"
     upload = ("upload-firmware", file, *FALCON)

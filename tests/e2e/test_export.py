@@ -126,7 +126,7 @@ def test_lost_ticks_are_a_gap_in_the_numbers(tmp_path):
     assert numbers == [0, 1, 2, 10, 11, 12]
 
 
-def test_an_unknown_format_is_a_usage_error_that_names_what_there_is(record, tmp_path):
+def test_an_unknown_format_is_a_usage_error_with_choices(record, tmp_path):
     done = hapticplayer("export", record, "-o", tmp_path / "x", "--format", "hjif")
     complaint = refused(done, 2)
     assert "hjif" in complaint

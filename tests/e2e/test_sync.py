@@ -44,7 +44,7 @@ def offset_error_s(found, made):
     return rate * log_s + found["offset_s"] - at_s
 
 
-def test_sync_reports_offset_confidence_and_pats_through_the_files(ride):
+def test_sync_reports_offset_confidence_and_pats(ride):
     folder, made = ride
     done = hapticplayer(
         "sync", folder / "ride.mp4", "--imu", folder / "log.csv", "--json"
@@ -182,7 +182,7 @@ def test_a_batch_imports_what_it_can_and_sums_up(ride, tmp_path):
     refused(hapticplayer("import", *videos, "-o", out, "--offset", 0), status=2)
 
 
-def test_the_skew_of_a_camera_that_its_clip_names_is_used_everywhere(ride, tmp_path):
+def test_the_skew_of_the_camera_in_the_clip_is_used_everywhere(ride, tmp_path):
     import av
 
     folder, _ = ride

@@ -72,7 +72,7 @@ def test_the_force_is_gone_in_the_stated_time_and_three_periods(name, phase, rig
     assert any(words == (0, 0, 0) for at_s, words in commands if at_s >= began_s)
 
 
-def test_what_the_motors_get_is_what_was_sent_and_never_more_than_the_cap(rig):
+def test_the_motors_get_what_was_sent_within_the_cap(rig):
     rig.tick(900)
     forces = [size for _, size in rig.device.motor_forces_n()]
     assert max(forces) <= CAP_N + ROUNDING_N
@@ -173,7 +173,7 @@ def test_single_faults_are_dropped_without_a_reaction(fault, rig):
         assert math.hypot(*rig.loop.state.hand.position_m) < 1e-4
 
 
-def test_a_hand_that_slowly_comes_to_the_edge_is_not_pushed_further(rig):
+def test_a_hand_slowly_at_the_edge_is_not_pushed_outward(rig):
     """The glide that no leap can show: fade, and at the edge the trip."""
     rig.following()
     for _ in range(400):
@@ -187,7 +187,7 @@ def test_a_hand_that_slowly_comes_to_the_edge_is_not_pushed_further(rig):
     assert_the_motors_are_off(rig)
 
 
-def test_lost_homing_is_zero_on_the_motors_with_the_very_next_frame(rig):
+def test_lost_homing_is_zero_with_the_next_frame(rig):
     rig.following()
     rig.device.is_homed = False
     rig.tick(SLACK)

@@ -53,7 +53,7 @@ def test_firmer_hands_are_kept_further_inside(hand):
 
 
 @pytest.mark.parametrize("name", ["knocks 3 Hz x", "steady z"])
-def test_a_hand_that_gives_way_is_kept_inside_under_the_full_force(name):
+def test_a_compliant_hand_is_kept_inside_under_full_force(name):
     trial = Trial(hostile()[name], YIELDING, **WORST_WIRE).run(4.0)
     assert is_held(trial)
     assert trial.reach < 0.8

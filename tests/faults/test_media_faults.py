@@ -25,9 +25,7 @@ def test_a_whole_file_is_played_and_not_marked(clip):
     assert cases.play(clip[1]) == (cases.PICTURES, False)
 
 
-def test_damaged_files_neither_crash_nor_hang_and_lost_pictures_are_marked(
-    clip, tmp_path
-):
+def test_damaged_files_never_crash_or_hang_and_losses_are_marked(clip, tmp_path):
     container, whole = clip
     content, path = whole.read_bytes(), tmp_path / f"damaged.{container}"
     kinds = set()

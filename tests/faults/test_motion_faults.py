@@ -64,7 +64,7 @@ def test_ten_seconds_after_a_fault_the_vertical_is_right_again(name):
 @pytest.mark.parametrize(
     "name", [name for name, one in CASES.items() if one.during_deg is not None]
 )
-def test_what_is_left_of_the_information_bounds_the_error_of_a_fault(name):
+def test_the_remaining_information_bounds_the_error_of_a_fault(name):
     _, track = processed(name)
     everywhere = np.ones(len(track), dtype=bool)
     figures = scored(CASES[name], track, everywhere)
@@ -80,7 +80,7 @@ def test_lost_information_costs_no_more_than_it_must(name):
 
 
 @pytest.mark.parametrize("name", of(Outcome.REFUSED))
-def test_what_cannot_be_used_is_refused_and_the_message_says_where(name):
+def test_unusable_input_is_refused_and_the_message_says_where(name):
     raw = CASES[name].raw
     with pytest.raises(InputError, match=CASES[name].says) as refusal:
         repair_samples(raw.time_s, raw.force, raw.rate, raw.field, source="walk.csv")

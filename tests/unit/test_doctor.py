@@ -143,7 +143,7 @@ def test_the_file_runs_alone_on_a_bare_python(tmp_path) -> None:
     assert result.stderr == ""
 
 
-def test_the_file_needs_the_standard_library_only_and_no_new_syntax() -> None:
+def test_the_file_needs_only_the_standard_library() -> None:
     source = Path(doctor.__file__).read_text(encoding="utf-8")
     imported = set()
     for node in ast.walk(ast.parse(source, feature_version=(3, 9))):

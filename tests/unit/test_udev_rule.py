@@ -23,7 +23,7 @@ def test_it_comes_before_the_rule_that_gives_uaccess_its_meaning():
     assert Path(UDEV_RULE).suffix == ".rules"
 
 
-def test_the_falcon_is_given_to_whoever_sits_there_and_to_nobody_else():
+def test_the_falcon_is_given_to_the_seated_user_only():
     rule = rules()[0]
     matched = {key: value for key, operator, value in rule if operator == "=="}
     assert matched == {

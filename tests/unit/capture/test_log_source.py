@@ -157,7 +157,7 @@ def test_empty_cells_are_nan_and_damaged_lines_are_counted() -> None:
     assert "first: line 62" in held.notes[0]
 
 
-def test_rows_that_are_too_long_and_too_short_are_not_shifted_into_each_other() -> None:
+def test_rows_of_wrong_length_do_not_shift_into_each_other() -> None:
     """Together they have the right number of cells."""
     good = b"1,2,3\n" * 60
     held = rows(good + b"1,2,3,4\n1,2\n" + good)

@@ -161,7 +161,7 @@ def turned(clean: Sampled, axes: list[int], signs: list[float]) -> Sampled:
     )  # fmt: skip
 
 
-def test_a_phone_held_upright_asks_for_its_axes_and_proposes_them(
+def test_an_upright_phone_asks_for_its_axes_and_proposes_them(
     tmp_path: Path,
 ) -> None:
     """Upright: stored x = right, y = up, z = back."""

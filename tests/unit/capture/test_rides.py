@@ -62,7 +62,7 @@ def test_rides_last_as_long_as_the_papers(name: str, duration_s: int) -> None:
     assert (recorded.width, recorded.height) == (1280, 720)
 
 
-def test_bicycle_shakes_little_and_the_horse_much_again_and_again() -> None:
+def test_the_bicycle_shakes_little_and_the_horse_much() -> None:
     bike, horse = (moving(name)[1][:, 2] for name in ("bike", "horse"))
     assert 0.4 < np.sqrt(np.mean(bike**2)) < 1.5
     assert np.sqrt(np.mean(horse**2)) > 4.0 * np.sqrt(np.mean(bike**2))

@@ -9,7 +9,7 @@ from hapticplayer import cli
 PAPER = {"none": (7.5, 2.1), "random": (10.2, 1.6), "realistic": (15.3, 2.6)}
 
 
-def test_simulated_participants_are_analysed_as_the_paper_reports(tmp_path, capsys):
+def test_simulated_participants_give_the_results_of_the_paper(tmp_path, capsys):
     study = str(tmp_path / "study")
     simulate = ["study", "simulate", study, "--participants", "15"]
     assert cli.main([*simulate, "--effect", "paper"]) == 0

@@ -41,7 +41,7 @@ def test_it_is_a_falcon_by_name():
         find_device("a Falcon of wood")
 
 
-def test_one_of_several_falcons_is_found_by_its_number_and_nothing_else_is():
+def test_one_of_several_falcons_is_found_by_its_number_only():
     entry = find_device("falcon:12PZ657E")
     assert entry.name == "falcon:12PZ657E"
     assert entry.capabilities is DEVICES["falcon"].capabilities

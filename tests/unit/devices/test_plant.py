@@ -149,7 +149,7 @@ def test_a_grip_pressed_against_the_stop_rests_there(kinematics):
     assert math.hypot(*plant.velocity_mps) < 1e-3
 
 
-def test_dry_friction_holds_a_small_force_and_stops_a_moving_grip(kinematics):
+def test_dry_friction_holds_a_small_force_and_stops_the_grip(kinematics):
     plant = Plant(kinematics, Mechanism(), None)
     plant.advance((0.03, 0.0, 0.0), 1.0)
     assert 0.0 < plant.position_m[0] < 1e-3  # it creeps, and does not run

@@ -60,7 +60,7 @@ def bench():
     made.close()
 
 
-def test_behind_a_fresh_answer_to_the_command_before_nothing_is_asked_for(bench):
+def test_after_a_fresh_answer_nothing_more_is_requested(bench):
     _, serial = bench.tick()
     for tick in range(10):
         bench.answer(serial, x_m=0.001 * tick)
@@ -69,7 +69,7 @@ def test_behind_a_fresh_answer_to_the_command_before_nothing_is_asked_for(bench)
         assert bench.asked == 1
 
 
-def test_answers_that_have_piled_up_are_all_taken_and_the_newest_counts(bench):
+def test_of_many_waiting_answers_the_newest_counts(bench):
     serials = [bench.tick()[1] for _ in range(5)]
     for number, serial in enumerate(serials):
         bench.answer(serial, age_s=0.0001 * (5 - number), x_m=0.001 * number)
@@ -79,7 +79,7 @@ def test_answers_that_have_piled_up_are_all_taken_and_the_newest_counts(bench):
 
 
 @pytest.mark.parametrize("others", [0, 1, 7])
-def test_answers_to_others_do_not_hide_the_one_to_the_command_before(bench, others):
+def test_other_answers_do_not_hide_that_to_the_last_command(bench, others):
     _, serial = bench.tick()
     bench.answer(others, x_m=0.01)
     bench.answer(serial, x_m=0.02)
@@ -124,7 +124,7 @@ def test_serial_numbers_begin_anew_and_leave_out_zero(bench):
     assert reading.position_m[0] == 0.002
 
 
-def test_a_device_that_hangs_up_is_noticed_although_an_answer_is_left(bench):
+def test_a_hang_up_is_noticed_although_an_answer_is_left(bench):
     _, serial = bench.tick()
     bench.answer(serial)
     bench.end.close()
@@ -132,7 +132,7 @@ def test_a_device_that_hangs_up_is_noticed_although_an_answer_is_left(bench):
         bench.device.exchange(PUSH, bench.now_s)
 
 
-def test_a_device_that_hangs_up_behind_its_answer_is_noticed_a_tick_later(bench):
+def test_a_hang_up_after_an_answer_is_noticed_a_tick_later(bench):
     _, serial = bench.tick()
     bench.answer(serial)
     send = bench.device._send

@@ -76,7 +76,7 @@ def _has_stopped(ticks):
     return (ticks["cause"] == Cause.STOPPED).any()
 
 
-def test_the_real_loop_stops_though_the_player_has_not_come_to_its_handler():
+def test_the_loop_stops_before_the_players_handler_runs():
     clock, handled_s = SystemClock(), []
     process = HapticsProcess(clock)
     ring = alarm()

@@ -57,7 +57,7 @@ def test_the_look_ahead_is_a_damper_of_stiffness_times_time(radius_m):
     assert damping == pytest.approx(expected, rel=1e-3)
 
 
-def test_near_the_edge_the_way_out_is_damped_more_than_the_way_in():
+def test_near_the_edge_outward_motion_is_damped_more():
     out = radial(0.030) - radial(0.030, 0.4)
     back = radial(0.030, -0.4) - radial(0.030)
     assert out > 1.2 * back > 0.0

@@ -92,7 +92,7 @@ def falcon(*options):
         os.close(record)
 
 
-def test_the_firmware_is_loaded_and_the_owner_homes_before_any_force():
+def test_firmware_and_homing_come_before_any_force():
     with falcon("--unhomed") as bench:
         ticks = bench.play_until_it_pushes()
     causes = ticks["cause"]
@@ -136,7 +136,7 @@ def test_pulling_the_cable_is_told():
         assert "unplugged" in bench.process.problem
 
 
-def test_a_stall_of_200_ms_trips_and_the_exchange_goes_on_after_it():
+def test_a_stall_of_200_ms_trips_and_the_exchange_resumes():
     with falcon("--running") as bench:
         bench.play_until_it_pushes()
         bench.controls.stall(0.2)

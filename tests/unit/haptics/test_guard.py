@@ -73,7 +73,7 @@ def test_before_the_first_tick_there_is_nothing_to_silence(bench):
 
 
 @pytest.mark.parametrize("phase", range(20))
-def test_a_loop_that_stands_still_is_silenced_within_a_look_after_20_ms(bench, phase):
+def test_a_stalled_loop_is_silenced_within_a_poll_after_20_ms(bench, phase):
     bench.look_for(0.1, ticking=True)
     bench.clock.advance(phase * REPEAT_PERIOD_S / 20)
     bench.loop_ticks()
@@ -209,7 +209,7 @@ def test_the_end_of_a_loop_wakes_the_guard(holder, number):
     assert holder.process.has_ended(60.0)
 
 
-def test_a_lifeline_that_is_let_go_tells_of_nothing_and_the_descriptor_does(holder):
+def test_a_released_lifeline_leaves_it_to_the_descriptor(holder):
     assert holder.listen() == "held"
     holder.say("release")
     assert holder.listen() == "released"
@@ -240,7 +240,7 @@ def test_an_end_before_the_wait_is_seen(holder):
 
 
 @pytest.mark.parametrize("phase", range(20))
-def test_a_loop_that_stands_still_is_silenced_as_soon_as_it_did_for_20_ms(bench, phase):
+def test_a_loop_that_stalls_for_20_ms_is_silenced(bench, phase):
     stands_s = bench.clock.now_s() + 0.1 + phase * LOOK_PERIOD_S / 20
     bench.guard.run(Ticking(bench, stands_s, stands_s + 0.1))
     last_s = bench.block.last_tick_s()

@@ -152,7 +152,7 @@ def test_a_real_device_takes_none_at_any_level():
     assert "real device takes no faults" in done.stderr
 
 
-def test_a_study_and_everybody_else_who_does_not_ask_gets_a_device_without_them():
+def test_faults_are_injected_only_on_request():
     player = Player(SystemClock(), audio=None)
     player.set_device("simulated")
     try:

@@ -71,7 +71,7 @@ def test_a_thread_that_comes_and_goes_cuts_nothing():
         end(process)
 
 
-def test_a_loop_without_a_player_trips_at_its_next_tick_though_the_line_is_open():
+def test_a_loop_without_a_player_trips_at_its_next_tick():
     descriptor = anonymous_memory("test", os.sysconf("SC_PAGESIZE"))
     rig = Rig()
     rig.loop.lifeline = map_lifeline(os.dup(descriptor))

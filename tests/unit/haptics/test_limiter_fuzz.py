@@ -104,7 +104,7 @@ def test_whatever_comes_a_tick_sends_nothing_that_is_forbidden(rng, kind):
             assert state.force_n == ZERO
 
 
-def test_a_leap_of_the_encoder_is_dropped_and_no_speed_is_made_of_it():
+def test_a_leap_of_the_encoder_is_dropped_and_gives_no_speed():
     hand = observe(State().hand, DeviceReading(ZERO, 0, True, 1.000), LIMITS)
     leap = observe(hand, DeviceReading((0.03, 0.0, 0.0), 0, True, 1.001), LIMITS)
     assert (leap.position_m, leap.malformed, leap.fast_samples) == (ZERO, 1, 0)

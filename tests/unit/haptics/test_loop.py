@@ -136,7 +136,7 @@ def test_a_closed_line_trips_at_the_next_tick(rig):
     assert (state.force_n, state.cause) == (ZERO, Cause.PLAYER_GONE)
 
 
-def test_a_track_that_is_no_track_is_refused_and_the_loop_goes_on(rig):
+def test_an_invalid_track_is_refused_and_the_loop_continues(rig):
     descriptor = anonymous_memory("bad", 10)
     rig.player.send(Word.TRACK, "1", descriptor)
     os.close(descriptor)
@@ -197,7 +197,7 @@ def test_processors_are_kept_awake_only_while_a_force_may_be_on(tmp_path):
 
 
 @pytest.mark.parametrize("file", ["nothing is there", "/dev/full"])
-def test_a_loop_that_is_refused_awake_processors_plays_all_the_same(file, tmp_path):
+def test_a_loop_refused_the_latency_request_still_plays(file, tmp_path):
     rig = Rig()
     rig.loop.wakefulness = Wakefulness(tmp_path / file)
     rig.give_track(CONSTANT)

@@ -63,7 +63,7 @@ def test_the_process_follows_a_track_exactly():
     assert process.health is Health.GONE
 
 
-def test_no_force_is_asked_for_before_the_device_has_its_priority():
+def test_no_force_is_requested_before_the_device_has_priority():
     """Until then it may wait for a core, and be late under the first force."""
     clock = SystemClock()
     process = HapticsProcess(clock)

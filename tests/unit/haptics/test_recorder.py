@@ -288,7 +288,7 @@ def test_a_block_of_another_version_is_refused(tmp_path, loop, capfd):
     assert "versions differ" in capfd.readouterr().err
 
 
-def test_without_a_loop_to_watch_it_takes_a_path_and_ends_with_silence(ring, tmp_path):
+def test_without_a_loop_it_takes_a_path_and_ends_with_silence(ring, tmp_path):
     ring.tick(20)
     path = tmp_path / "record"
     code = (
@@ -359,9 +359,7 @@ def test_a_recording_of_a_loop_that_never_was_leaves_no_file(ring, tmp_path):
     assert handle.problem == ""
 
 
-def test_a_recording_that_cannot_begin_says_so_and_raises_nothing(
-    ring, loop, tmp_path, monkeypatch
-):
+def test_a_recording_that_cannot_start_is_reported(ring, loop, tmp_path, monkeypatch):
     handle = Recording(tmp_path / "record", ring.descriptor)
 
     def fail(_self, _header):

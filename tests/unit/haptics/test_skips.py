@@ -76,7 +76,7 @@ def gentle():
     return ForceTrack(time_s, force_n)
 
 
-def test_spans_without_force_are_neither_interpolated_nor_limited(counted):
+def test_spans_without_force_skip_interpolation_and_limits(counted):
     track = gentle()
     records = run(track, counted)
     media_s = records["media_s"]
@@ -92,7 +92,7 @@ def test_spans_without_force_are_neither_interpolated_nor_limited(counted):
     assert counted["exchange"] == TICKS
 
 
-def test_the_feedback_none_costs_no_interpolation_and_sends_exactly_zero(counted):
+def test_feedback_none_sends_exactly_zero(counted):
     time_s = np.arange(0.0, 3.001, 0.01)
     records = run(ForceTrack(time_s, np.zeros((len(time_s), 3))), counted)
     assert counted["forces"][0].count == 0

@@ -259,7 +259,7 @@ def test_closing_ramps_and_is_no_trip():
     assert max(slews(world.sent)) <= LIMITS.stop_slew_n + 1e-9
 
 
-def test_more_missed_periods_than_one_in_a_hundred_allow_3_newtons_only():
+def test_over_1_percent_of_missed_periods_caps_at_3_newtons():
     world = World().following()
     world.missed_share = 0.0101
     world.tick(50)
@@ -270,7 +270,7 @@ def test_more_missed_periods_than_one_in_a_hundred_allow_3_newtons_only():
     assert max(slews(world.sent)) <= LIMITS.content_slew_n + 1e-9
 
 
-def test_an_hour_of_5_newtons_leaves_the_motors_at_what_they_bear():
+def test_an_hour_of_5_newtons_stays_at_the_continuous_force():
     limits = Limits(continuous_n=3.0)
     heat, hottest, force = 0.0, 0.0, ZERO
     for _ in range(360_000):  # ticks of 10 ms: the model is one of seconds
@@ -282,7 +282,7 @@ def test_an_hour_of_5_newtons_leaves_the_motors_at_what_they_bear():
     assert force[0] == pytest.approx(3.0, abs=1e-3)
 
 
-def test_the_mean_force_of_the_last_seconds_follows_its_own_time_constant():
+def test_the_mean_force_follows_its_time_constant():
     limits, heat = Limits(), 0.0
     for _ in range(10_000):
         heat = warmed(heat, (0.0, 2.0, 0.0), PERIOD_S, limits)
@@ -306,7 +306,7 @@ def test_outward_force_fades_and_the_rest_stays():
     assert faded((2.0, 1.0, 0.0), (0.02, 0.0, 0.0), limits) == (2.0, 1.0, 0.0)
 
 
-def test_a_window_that_takes_its_time_while_nothing_plays_is_no_fault():
+def test_a_slow_window_while_nothing_plays_is_no_fault():
     world = World()
     world.clock = PlaybackClock(1, START_S, 0.0, 0.0, math.inf)
     world.heartbeat_s = START_S

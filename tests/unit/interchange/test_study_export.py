@@ -219,7 +219,7 @@ def test_the_official_validator_finds_no_error(study, tmp_path, validate):
     assert others <= {"TOO_FEW_AUTHORS", "NO_AUTHORS"}
 
 
-def test_the_official_validator_finds_no_error_where_no_device_was(
+def test_the_official_validator_finds_no_error_without_device(
     study, tmp_path, validate
 ):
     next(study.folder.rglob("*.hprec")).unlink()
@@ -228,7 +228,7 @@ def test_the_official_validator_finds_no_error_where_no_device_was(
     assert [i for i in issues if i["severity"] == "error"] == []
 
 
-def test_who_was_simulated_and_how_long_an_answer_took_is_exported(
+def test_simulated_participants_and_answer_times_are_exported(
     study, tmp_path, manual_clock
 ):
     session = begin_session(study, "en", {}, manual_clock)

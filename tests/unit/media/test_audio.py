@@ -100,7 +100,7 @@ def test_resampled_clicks_keep_their_place(
 
 
 @pytest.mark.parametrize(("codec", "channels"), [("aac", 2), ("aac", 1), ("opus", 2)])
-def test_sound_that_is_as_wanted_goes_round_the_resampler_and_is_the_same(
+def test_sound_of_the_wanted_format_bypasses_the_resampler(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, codec: str, channels: int
 ) -> None:
     path = tmp_path / "sound.mkv"

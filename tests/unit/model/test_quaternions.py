@@ -48,7 +48,7 @@ def test_rotation_vector_agrees_with_scipy(angle):
     )
 
 
-def test_interpolation_stays_near_the_great_arc_across_a_sign_flip():
+def test_interpolation_follows_the_great_arc_across_sign_flips():
     time = np.arange(0, 1, 0.01)
     phi = np.outer(3.0 * time, [0.0, 0.6, 0.8])
     q = quat.from_rotation_vector(phi)

@@ -59,7 +59,7 @@ def test_rate_is_the_median_and_survives_one_gap():
     assert log(time_s=np.arange(3) * 0.02).rate_hz == pytest.approx(50.0)
 
 
-def test_hold_keeps_each_value_until_the_next_row_and_the_last_for_ever():
+def test_hold_keeps_each_value_until_the_next_row():
     track = ForceTrack([1.0, 2.0], [[1, 0, 0], [2, 0, 0]], Reconstruction.HOLD)
     found = track.at(np.array([0.999, 1.0, 1.999, 2.0, 99.0]))[:, 0]
     assert found.tolist() == [0.0, 1.0, 1.0, 2.0, 2.0]
@@ -86,7 +86,7 @@ def test_outside_the_active_spans_the_force_is_zero(how, rng):
         assert np.all(np.diff(track.active_s.ravel()) > 0)
 
 
-def test_default_axes_send_up_to_y_and_forward_away_from_the_user():
+def test_default_axes_map_up_to_y_and_forward_to_minus_z():
     up, forward, right = np.eye(3)[2], np.eye(3)[1], np.eye(3)[0]
     assert (M_AD @ up).tolist() == [0, 1, 0]
     assert (M_AD @ forward).tolist() == [0, 0, -1]

@@ -97,7 +97,7 @@ def test_a_long_hole_is_lost_and_a_short_one_nearly_not(log):
 
 
 @pytest.mark.parametrize("count", [35, 100])
-def test_dropped_samples_are_as_lost_as_filled_in_ones_beyond_bridging(count, log):
+def test_dropped_samples_count_like_filled_ones_in_long_gaps(count, log):
     valid = np.ones(len(log), dtype=bool)
     valid[100 : 100 + count] = False
     filled = find_flaws(dataclasses.replace(log, valid=valid))

@@ -19,7 +19,7 @@ def rms(vectors):
     return np.sqrt(np.mean(np.sum(np.square(vectors), axis=1)))
 
 
-def test_nothing_is_left_of_gravity_at_rest_even_with_a_wrong_gain(still_log):
+def test_at_rest_gravity_is_removed_even_with_a_wrong_gain(still_log):
     track = remove_gravity(still_log)
     # the noise itself is 0.02 * sqrt(3) = 0.035 m/s^2
     assert rms(track.acceleration_mps2) < 0.04
@@ -104,9 +104,7 @@ def test_both_ends_of_a_gap_are_not_valid(swing):
     # means are other evidence, from which it levels by a little otherwise
     [("ekf", 1e-6), ("vqf", 1e-6), ("offline-vqf", 1e-6), ("smoother", 2e-4)],
 )
-def test_averaged_samples_get_the_orientation_of_the_middle_of_their_window(
-    swing, method, tolerance_rad
-):
+def test_averaged_samples_get_the_mid_window_orientation(swing, method, tolerance_rad):
     log, _ = swing
     averaged = dataclasses.replace(log, sampling=Sampling.AVERAGED)
     end = estimate_orientation(log, method)

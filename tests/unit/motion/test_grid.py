@@ -47,7 +47,7 @@ def test_holes_that_can_be_waited_for_stay():
 
 
 @pytest.mark.parametrize("method", METHODS)
-def test_hours_of_nothing_inside_cost_a_method_nothing_but_its_start(method):
+def test_a_gap_of_hours_costs_a_method_only_a_new_start(method):
     log, up = WOBBLE.instant(TIME_S), WOBBLE.up(TIME_S)
     late = slice(COUNT - 1500, COUNT)  # 15 s after the hole
     usual = remove_gravity(log, method).gravity_mps2[late] - G * up[late]

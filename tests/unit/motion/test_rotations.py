@@ -77,7 +77,7 @@ def test_the_units_multiply_as_hamilton_wrote_them():
 @pytest.mark.parametrize(
     "angle_rad", [1e-12, 1e-8, 1e-4, 0.01, 0.15, 0.25, 0.5, 0.7, 0.72, 1.0, 2.0, 4.0]
 )
-def test_the_exponential_is_exact_to_the_last_digits_at_every_size(angle_rad, rng):
+def test_the_exponential_is_exact_at_every_angle(angle_rad, rng):
     # one call per size: which branch is taken depends on the largest angle
     turn = angle_rad * rng.uniform(0.5, 1.0, 300) * directions(rng, 300)
     reference = extended_exponential(turn)
@@ -156,7 +156,7 @@ def test_the_running_product_is_that_of_a_plain_loop(count):
     assert all(np.array_equal(a, b) for a, b in zip(pair, untouched, strict=True))
 
 
-def test_the_running_product_of_a_steady_turn_stays_exact_for_hours():
+def test_the_running_product_stays_exact_for_hours():
     # 0.003 rad a sample about one axis: after k samples it is one turn by k times it
     count = 2_000_000
     turn = np.array([0.001, -0.002, 0.002])
@@ -233,7 +233,7 @@ def test_products_of_vectors_are_those_of_numpy(rng):
     assert np.allclose(rot.squared_norm(left), squared, atol=1e-14)
 
 
-def test_the_smallest_rotation_leads_to_the_goal_by_the_angle_between(rng):
+def test_the_smallest_rotation_turns_by_the_angle_between(rng):
     start, end = directions(rng, 300), directions(rng, 300)
     near = (start * end).sum(axis=0) > -0.9  # nearly opposite ones have few digits
     start, end = start[:, near], end[:, near]
@@ -259,7 +259,7 @@ def test_opposite_directions_are_half_a_turn_apart():
 
 
 @pytest.mark.parametrize("missing_rad", [1e-12, 1e-6, 3e-5, 4.4e-5, 4.6e-5, 1e-4, 1e-2])
-def test_nearly_opposite_directions_miss_by_no_more_than_they_lack(missing_rad, rng):
+def test_nearly_opposite_directions_miss_by_their_defect(missing_rad, rng):
     start = directions(rng, 100)
     across = np.cross(start.T, directions(rng, 100).T).T
     across /= np.linalg.norm(across, axis=0)

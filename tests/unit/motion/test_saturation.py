@@ -90,7 +90,7 @@ def test_what_never_reached_a_rail_is_left_alone(name, sensor, rng):
     assert not mask.any()
 
 
-def test_the_phones_of_running_people_are_clipped_and_nothing_else_is(shared_data):
+def test_only_the_phones_of_running_people_are_clipped(shared_data):
     for path in sorted((shared_data / "orientation" / "native").glob("*.npz")):
         with np.load(path) as recording:
             force, rate = (recording[key].astype(float) for key in ("acc", "gyr"))

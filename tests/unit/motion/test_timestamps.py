@@ -67,7 +67,7 @@ def test_rows_without_a_time_in_a_gap_are_left_out(true_s, values):
     assert kinds(line) == {Kind.TIME_DROPPED: 2, Kind.LOST: 402}
 
 
-def test_equal_rows_of_one_time_are_kept_once_and_others_averaged(true_s, values):
+def test_equal_rows_of_a_time_are_kept_once_others_averaged(true_s, values):
     again = np.sort(np.r_[np.arange(500), [50, 50, 350]])
     times, rows = true_s[again], values[again]
     rows[np.searchsorted(again, 350) + 1] += 1.0
@@ -87,7 +87,7 @@ def test_packets_with_the_time_of_their_last_sample_are_spread(true_s, values, s
     assert kinds(line) == {Kind.SPREAD: 500}
 
 
-def test_a_sample_that_came_late_together_with_the_next_is_spread(true_s, values):
+def test_a_late_sample_that_came_with_the_next_is_spread(true_s, values):
     times = true_s.copy()
     times[200] = times[201]
     line = repair_times(times, [values])
@@ -110,7 +110,7 @@ def test_a_clock_that_is_set_back_is_refused_by_its_row(true_s, values, jump_s):
         repair_times(times, [values])
 
 
-def test_a_silence_of_hours_is_refused_but_a_lone_first_row_left_out(true_s, values):
+def test_a_gap_of_hours_is_refused_but_a_lone_first_row_dropped(true_s, values):
     epoch = true_s + 1.7e9
     epoch[0] = 0.0
     line = repair_times(epoch.copy(), [values])

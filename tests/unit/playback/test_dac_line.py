@@ -70,7 +70,7 @@ def test_a_standstill_of_the_server_moves_nothing():
     assert output.run(3.0) < 0.001
 
 
-def test_an_output_that_is_another_one_is_followed_as_soon_as_it_is_certain():
+def test_another_output_is_followed_once_certain():
     output = Output()
     output.run(3.0)
     output.run(STEADY_S + 0.2, lambda _t_s: 0.080)

@@ -32,7 +32,7 @@ def test_without_a_file_nothing_is_compensated(keep):
     assert kept_latencies() == Latencies()
 
 
-def test_sounds_and_devices_are_known_by_name_and_there_is_no_screen(keep):
+def test_outputs_and_devices_are_known_by_name(keep):
     keep(settings(sound={"a": 70}, device={"falcon": 12.5}, display={"b": 30}))
     known = kept_latencies().of("a", "falcon")
     assert (known.sound_s, known.device_s) == (0.07, 0.0125)

@@ -31,7 +31,7 @@ def large(tmp_path_factory):
     return path
 
 
-def test_every_picture_of_a_4k_clip_is_shown_or_counted_as_dropped(large):
+def test_every_frame_of_a_4k_clip_is_shown_or_counted_as_dropped(large):
     assert (probe(large).width, probe(large).height) == (WIDTH, HEIGHT)
     clock, sink = SystemClock(), SizesSink()
     player = Player(clock, sink, audio=None)

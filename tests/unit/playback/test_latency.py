@@ -83,7 +83,7 @@ def test_picture_sound_and_force_of_a_moment_meet_at_the_person(
     assert theatre.player.frames_dropped == 0
 
 
-def test_a_late_display_holds_sound_and_force_back_by_exactly_its_latency(theatre):
+def test_a_late_display_delays_sound_and_force_equally(theatre):
     """At the wire: the picture is painted so much before the force is sent."""
     notes = played(theatre, display_s=0.08)
     painted = {pts: t for t, pts in notes.pictures()}
@@ -180,7 +180,7 @@ def test_outputs_without_a_wire_are_told_by_their_name(name, expected):
     assert is_wireless(name) is expected
 
 
-def test_the_log_tells_the_latencies_and_has_the_times_of_the_person(theatre, tmp_path):
+def test_the_log_has_the_latencies_and_perceived_times(theatre, tmp_path):
     path = tmp_path / "log.jsonl"
     player = theatre.player
     player.attach_log(PlaybackLog(path, {}))

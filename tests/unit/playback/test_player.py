@@ -140,7 +140,7 @@ def test_late_pictures_are_dropped_not_shown_late(theatre):
     assert all(np.diff(later) > 0)
 
 
-def test_another_feedback_begins_a_new_epoch_and_the_picture_goes_on(theatre):
+def test_another_feedback_starts_a_new_epoch_and_video_continues(theatre):
     theatre.player.play()
     theatre.run(1.0)
     epoch, media_s = theatre.player._media.epoch, theatre.player.media_s()

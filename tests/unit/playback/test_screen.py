@@ -25,7 +25,7 @@ class Pictures:
         self.position_s = media_s
 
 
-def test_one_call_does_for_a_picture_and_for_the_heartbeat_at_30_hz() -> None:
+def test_one_call_serves_a_frame_and_the_heartbeat_at_30_hz() -> None:
     clock = ManualClock()
     screen = Screen(clock, NullSink(), lambda _shown_s, _pts_s: None)
     begin_s = clock.now_s()

@@ -146,9 +146,7 @@ def test_the_decoder_sleeps_until_60_ms_of_pictures_are_left(
     feeder._close()
 
 
-def test_nobody_sees_the_pictures_none_is_converted_and_all_else_is_the_same(
-    clip, counts, stage
-):
+def test_hidden_frames_are_not_converted(clip, counts, stage):
     runs = []
     for is_seen in (True, False):
         theatre = stage(clip)
@@ -195,7 +193,7 @@ def test_who_looks_again_sees_the_right_picture_at_once(clip, counts, stage):
 
 
 @pytest.mark.parametrize("way", ["paused", "ended"])
-def test_who_looks_again_at_a_clip_that_stands_sees_where_it_stands(clip, stage, way):
+def test_a_paused_clip_shown_again_shows_its_position(clip, stage, way):
     theatre = stage(clip)
     theatre.player.play()
     theatre.run(0.2)
@@ -242,9 +240,7 @@ def slides(tmp_path_factory):
     return path
 
 
-def test_a_picture_that_is_as_the_one_before_is_not_converted_again(
-    slides, counts, monkeypatch
-):
+def test_an_unchanged_frame_is_not_converted_again(slides, counts, monkeypatch):
     feeder = open_feeder(slides)
     pictures = pictures_of(feeder)
     feeder._close()
@@ -343,9 +339,7 @@ def test_pictures_that_were_dropped_are_not_taken_for_covered(clip):
     feeder._close()
 
 
-def test_a_seek_within_the_sound_that_is_here_does_not_decode_it_again(
-    clip, counts, stage
-):
+def test_a_seek_within_decoded_sound_decodes_nothing(clip, counts, stage):
     theatre = stage(clip)
     theatre.player.play()
     theatre.run(0.6)
@@ -365,9 +359,7 @@ def test_a_seek_within_the_sound_that_is_here_does_not_decode_it_again(
     assert counts.take()["AudioDecoder.seek"] == 1
 
 
-def test_a_seek_to_the_end_of_the_sound_that_is_here_wakes_the_decoder(
-    clip, stage, monkeypatch
-):
+def test_a_seek_to_the_end_of_decoded_sound_wakes_the_decoder(clip, stage, monkeypatch):
     """It looks for room five times a second, which would be waited for."""
     monkeypatch.setattr("hapticplayer.playback.feeders.ROOM_S", 1e6)
     monkeypatch.setattr("hapticplayer.playback.audio.STANDING_AHEAD_S", 0.5)
@@ -385,7 +377,7 @@ def test_a_seek_to_the_end_of_the_sound_that_is_here_wakes_the_decoder(
     assert ring.buffered_s() == pytest.approx(0.5, abs=0.001)
 
 
-def test_the_samples_after_a_small_seek_are_those_after_a_whole_one(clip, stage):
+def test_samples_after_a_small_seek_equal_those_after_a_full_one(clip, stage):
     played = []
     for is_kept in (True, False):
         theatre = stage(clip)
@@ -411,9 +403,7 @@ def test_another_clip_never_plays_the_sound_of_the_one_before(clip, counts, stag
     assert counts.take()["AudioDecoder.next_block"] >= 1
 
 
-def test_muted_without_a_window_decodes_no_sound_and_plays_the_same(
-    clip, counts, stage
-):
+def test_muted_without_a_window_decodes_no_sound(clip, counts, stage):
     found = []
     for with_sound in (True, False):
         theatre = stage(clip, with_sound=with_sound)

@@ -203,7 +203,7 @@ def test_an_output_that_comes_late_joins_what_plays(bench):
     assert len(bench.outputs) == 1
 
 
-def test_an_output_that_opens_slowly_is_waited_for_but_not_for_ever(bench):
+def test_the_wait_for_a_slow_output_is_limited(bench):
     bench.keeper.want(bench.clock.now_s())
     bench.outputs[0].state = OutputState.OPENING
     assert not bench.keeper.is_settled(bench.clock.now_s())
@@ -211,7 +211,7 @@ def test_an_output_that_opens_slowly_is_waited_for_but_not_for_ever(bench):
     assert bench.keeper.is_settled(bench.clock.now_s())
 
 
-def test_one_that_dies_again_and_again_is_not_started_all_the_time(bench):
+def test_restarts_of_a_dying_process_are_limited(bench):
     bench.keeper.want(bench.clock.now_s())
     for _ in range(round(60.0 / BLOCK_S)):
         bench.outputs[-1].state = OutputState.GONE
@@ -241,7 +241,7 @@ def test_another_output_is_used_at_once(bench):
     assert len(bench.outputs) == 1
 
 
-def test_a_window_that_hangs_for_2_s_stops_neither_sound_nor_clock(bench):
+def test_a_window_hanging_for_2_s_stops_neither_sound_nor_clock(bench):
     bench.start()
     bench.run(1.5)
     epoch = bench.media.epoch

@@ -70,7 +70,7 @@ def test_a_track_for_a_falcon_stays_the_same_object():
     assert adapted(track, device(axes=0)) is track
 
 
-def test_a_weaker_device_keeps_the_relations_and_an_axis_it_lacks_is_silent():
+def test_a_weaker_device_keeps_ratios_and_skips_missing_axes():
     track = ForceTrack([0.0, 1.0], [[1, 2, 3], [4.5, 0, 0]], provenance={"a": 1})
     weak = adapted(track, device(axes=2, peak_n=1.5))
     np.testing.assert_allclose(

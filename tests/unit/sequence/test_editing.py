@@ -33,7 +33,7 @@ def names(folder) -> list[str]:
     return sorted(path.name for path in folder.iterdir())
 
 
-def test_a_track_is_added_under_its_name_and_removed_with_its_file(folder, csv):
+def test_a_track_is_added_by_name_and_removed_with_its_file(folder, csv):
     before = names(folder)
     editing.add_track(folder, "push", csv)
     verify_sequence(folder)

@@ -161,7 +161,7 @@ def test_only_what_is_played_counts():
 # --- what is said ------------------------------------------------------------
 
 
-def test_a_gentle_track_needs_no_words_and_a_strong_one_a_sentence():
+def test_only_a_strong_track_gets_a_notice():
     assert excursion_texts(predict(quiet(), 60.0)) == []
     text, _heat = excursion_texts(predict(steady_push(4.5, 0, 4.0), 4.0))
     assert text.startswith("this track would reach 6")

@@ -32,7 +32,7 @@ def with_order(template, **changes):
 
 
 @given(st.integers(2, 30))
-def test_a_williams_design_has_every_pair_of_neighbours_equally_often(count):
+def test_a_williams_design_balances_neighbouring_pairs(count):
     rows = williams_design(count)
     times = 1 if count % 2 == 0 else 2
     assert len(rows) == count * times

@@ -297,7 +297,7 @@ def test_a_session_that_is_over_is_not_resumed(sitting):
 
 @pytest.mark.parametrize("call", ["write", "fsync"])
 @pytest.mark.parametrize("number", [errno.ENOSPC, errno.EROFS, errno.EIO])
-def test_a_full_disk_stops_the_participant_before_an_answer_counts(
+def test_a_full_disk_stops_the_session_before_an_answer_counts(
     sitting, monkeypatch, call, number
 ):
     sitting.to_trials()

@@ -66,7 +66,7 @@ def test_a_trial_plays_its_force_and_tells_what_was_sent(source):
         stage.player.close()
 
 
-def test_a_stop_is_a_fault_and_rearming_lets_the_next_trial_be_felt(source):
+def test_a_stop_is_a_fault_and_rearming_restores_the_force(source):
     stage, clock = stage_of(source, "simulated")
     player = stage.player
     try:
@@ -128,7 +128,7 @@ def test_a_shifted_and_scaled_force_is_the_same_force_later(reconstruction):
     assert altered(track, 0.0, 1.0) is track
 
 
-def test_the_demonstration_pushes_along_every_axis_as_strongly_as_ever():
+def test_the_demonstration_uses_every_axis_at_full_strength():
     track = demonstration.demonstration_force()
     cap_n = ForceLimits().force_cap_n
     assert track.force_n.max(axis=0) == pytest.approx([cap_n] * 3, rel=1e-3)

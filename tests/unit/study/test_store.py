@@ -82,9 +82,7 @@ def test_impossible_answers_are_missing(study, scripted):
     assert {r.value for r in read_answers(study.folder).ratings} == {None}
 
 
-def test_flipped_bytes_anywhere_in_a_session_lose_at_most_what_they_hit(
-    study, scripted
-):
+def test_flipped_bytes_lose_at_most_the_records_they_hit(study, scripted):
     code = scripted(study)
     folder = study.session_folder(code)
     truth = read_answers(study.folder)
@@ -120,9 +118,7 @@ def test_damage_to_the_record_of_playing_makes_the_trial_unsound(study, scripted
     assert all(r.value is not None for r in ratings)
 
 
-def test_a_session_without_any_intact_plan_is_named_and_the_others_are_read(
-    study, scripted
-):
+def test_a_session_without_an_intact_plan_is_named(study, scripted):
     broken, whole = scripted(study), scripted(study)
     folder = study.session_folder(broken)
     (folder / "session.json").write_text("{}")
@@ -170,7 +166,7 @@ def test_a_session_damaged_beyond_use_is_deleted_all_the_same(study, scripted):
     assert study.deleted_count() == 1
 
 
-def test_what_cannot_be_read_is_named_without_the_path_of_the_study(study, scripted):
+def test_unreadable_files_are_named_relative_to_the_study(study, scripted):
     code = scripted(study)
     (study.session_folder(code) / "answers.jsonl").unlink()
     (remark,) = read_answers(study.folder).remarks

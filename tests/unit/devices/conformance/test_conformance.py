@@ -61,7 +61,7 @@ def test_a_closed_device_refuses_and_closing_again_is_nothing(closed, name):
     closed.device.close()
 
 
-def test_before_the_first_answer_it_is_in_the_middle_and_not_homed(closed):
+def test_before_the_first_answer_it_is_centred_and_not_homed(closed):
     closed.device.open()
     now_s = closed.clock.now_s()
     reading = closed.device.exchange(ZERO, now_s)
@@ -118,7 +118,7 @@ def test_buttons_are_seen(world):
     assert world.until(lambda reading: reading.buttons != 0).is_homed
 
 
-def test_buttons_are_a_mask_of_sixteen_bits_whatever_the_other_side_says():
+def test_buttons_are_a_mask_of_sixteen_bits():
     """The loop's block has no room for more."""
     example = WORLDS["example"]()
     example.device.open()

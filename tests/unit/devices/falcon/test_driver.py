@@ -82,7 +82,7 @@ def test_it_goes_from_unplugged_to_ready_and_back(bench):
     device.close()
 
 
-def test_positions_are_those_of_the_reference_rows_from_the_centre(session, golden):
+def test_positions_match_the_reference_rows_from_the_centre(session, golden):
     for row in golden["kinematics"]:
         x, y, z = session.move_to(row["counts"]).position_m
         assert (x, y, z + 0.120) == pytest.approx(row["p"], abs=1e-9)

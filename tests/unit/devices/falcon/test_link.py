@@ -74,7 +74,7 @@ def wait_for(condition):
     raise AssertionError("it never happened")
 
 
-def test_of_the_frames_that_wait_for_a_stalled_write_only_the_last_is_sent(link, gate):
+def test_after_a_stalled_write_only_the_last_frame_is_sent(link, gate):
     link.post(b"first")
     assert gate.is_writing.acquire(timeout=LONG_S)
     for number in range(20):
@@ -99,7 +99,7 @@ def test_the_newest_answer_is_there_without_waiting(link, gate):
     assert link.newest().reply == REPLY
 
 
-def test_what_waited_in_the_chip_during_a_stall_is_no_answer_of_now(link, gate):
+def test_bytes_held_in_the_chip_during_a_stall_are_no_answer(link, gate):
     """The bus goes on after a second: a place of the hand that is a second old."""
     gate.to_read.put(encode_reply(OLD))  # of what happened before the link
     gate.to_read.put(encode_reply(REPLY))
@@ -148,7 +148,7 @@ class PacketTimer:
         return encode_reply(REPLY)
 
 
-def test_answers_are_read_early_in_the_period_whatever_the_chips_timer():
+def test_answers_are_read_early_whatever_the_latency_timer():
     """The phase in which a read returns; a tick is due at 0 and 1 ms."""
     clock = ManualClock(49.9999)
     chip = PacketTimer(clock, 50.00095)

@@ -39,7 +39,7 @@ class Lab:
         self.driver.close()
 
 
-def test_the_event_character_shortens_the_round_trip_to_what_the_line_takes():
+def test_the_event_character_shortens_the_round_trip():
     lab = Lab()
     ftdi = open_running(lab.open_transport, synthetic_image, lab.clock)
     slow = measuring.round_trips(ftdi, lab.clock, 200, event_character=False)
@@ -67,7 +67,7 @@ def test_the_time_until_the_motors_let_go_is_bracketed(hold_s, at_least_s, withi
     assert lab.simulation.commanded_n == (0.0, 0.0, 0.0)
 
 
-def test_a_silence_in_which_somebody_else_spoke_is_measured_again():
+def test_a_silence_broken_by_other_traffic_is_measured_again():
     told = iter([False, True] + [False] * 100)
     with Lab() as lab:
         began_s = lab.clock.now_s()

@@ -126,7 +126,7 @@ def test_any_chunking_gives_the_same_frames_and_the_same_count(parts, cuts):
     assert pieces.malformed == whole.malformed
 
 
-def test_a_million_random_bytes_add_nothing_and_cost_nothing_but_cut_frames():
+def test_a_million_random_bytes_make_no_frame():
     """Frames go in whole, or cut short; exactly the whole ones come out."""
     chance = random.Random(20)
     stream, expected, noise = bytearray(), [], 0

@@ -103,7 +103,7 @@ class World:
         return [step for step, _ in itertools.groupby(p.step for p in self.shown)]
 
 
-def test_a_falcon_is_brought_from_power_up_to_a_grip_that_is_shown():
+def test_a_falcon_is_set_up_from_power_up_to_a_shown_grip():
     world = World()
     with pytest.raises(Cancelled):
         world.run(lambda p: p.step is Step.READY and abs(p.position_m[2]) < 0.005)

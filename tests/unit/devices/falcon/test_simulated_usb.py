@@ -150,7 +150,7 @@ def test_a_simulated_hand_that_is_not_homed_says_so():
     assert (reply.is_homed, reply.buttons) == (False, 9)
 
 
-def test_an_owner_homes_the_grip_only_when_the_program_asks_for_it():
+def test_an_owner_homes_the_grip_only_when_asked():
     simulation = Simulation()
     mechanics = SimulatedMechanics(simulation)
     mechanics.homing = Homing()

@@ -44,9 +44,7 @@ def tick(bench, device, force_n, count=TICKS):
     return reading, len(bench.mechanics.commands) - before
 
 
-def test_zero_forces_need_no_torques_and_reach_the_motors_each_millisecond(
-    running, device, counts
-):
+def test_zero_forces_skip_torques_and_are_sent_each_period(running, device, counts):
     tick(running, device, ZERO)
     counts["words"] = 0
     _, sent = tick(running, device, ZERO)

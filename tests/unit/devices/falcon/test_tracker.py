@@ -39,7 +39,7 @@ def test_after_a_silence_the_hand_may_be_elsewhere(tracker):
     assert tracker.pose.position_m == pytest.approx(expected, abs=1e-12)
 
 
-def test_two_replies_in_one_packet_are_not_taken_for_infinitely_fast(tracker):
+def test_two_replies_in_one_packet_give_no_infinite_speed(tracker):
     tracker.take(shifted(20), 10.0)
     assert tracker.rejected == 0
 

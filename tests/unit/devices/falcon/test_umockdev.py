@@ -30,7 +30,7 @@ def missing() -> str:
 
 
 @pytest.mark.skipif(bool(missing()), reason=missing())
-def test_enumerate_detach_upload_exchange_guard_and_unplug_through_libusb():
+def test_the_whole_life_of_a_falcon_through_libusb():
     done = subprocess.run(
         [WRAPPER, sys.executable, str(SCENARIO)],
         capture_output=True,

@@ -72,7 +72,7 @@ def steady(rumble, force_n, seconds, begin_s=0.0):
     return levels
 
 
-def test_a_steady_force_turns_the_large_motor_and_soon_not_the_small_one():
+def test_a_steady_force_is_felt_in_the_large_motor():
     assert steady(Rumble(), lambda _: (0.0, 2.25, 0.0), 1.0) == (128, 0)
     assert steady(Rumble(), lambda _: (3.0, 3.0, 3.0), 1.0) == (255, 0)  # above full
     assert Rumble().levels((0.0, 4.5, 0.0), 0.0)[1] > 200  # a jolt

@@ -31,9 +31,7 @@ def means_by_hand(begin_s, end_s, values, edges):
 
 
 @pytest.mark.parametrize("frequency_hz", [1.0, 12.0, 29.0, 70.0])
-def test_an_average_is_the_integral_over_the_window_whose_middle_is_its_time(
-    make_log, frequency_hz
-):
+def test_an_average_is_the_integral_over_its_centred_window(make_log, frequency_hz):
     end = np.arange(1, 2101) / 210.0
     means = mean_of_sine(end - 1 / 210, end, frequency_hz)
     log = average(make_log(end, force=means[:, None]), 30.0)
@@ -124,7 +122,7 @@ def test_the_integral_over_the_whole_recording_is_kept(make_log, rng):
     assert np.allclose(angle, values.sum(axis=0) / 200.0, rtol=1e-12)
 
 
-def test_a_dropped_sample_is_covered_by_the_next_one_which_holds_longer(make_log):
+def test_a_dropped_sample_is_covered_by_the_next_one(make_log):
     end = np.delete(np.arange(1, 401) / 200.0, [7, 8, 100])
     held = np.cos(end)
     log = average(make_log(end, force=held[:, None]), 20.0)
@@ -212,7 +210,7 @@ def test_the_motion_keeps_its_equation_and_its_orientation(make_track):
     assert slow.valid.all()
 
 
-def test_a_track_of_averaged_samples_is_averaged_around_their_middles(make_track):
+def test_averaged_tracks_are_averaged_around_their_middles(make_track):
     time_s = (np.arange(300) + 0.5) / 30.0
     slow = average_motion(make_track(time_s, time_s), 10.0, sampling=Sampling.AVERAGED)
     assert np.allclose(slow.acceleration_mps2[:, 0], slow.time_s, atol=1e-12)

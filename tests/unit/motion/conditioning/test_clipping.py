@@ -90,7 +90,7 @@ def clipped_log(make_log, height=30.0):
     return make_log(t, force=np.clip(force, -19.545, 19.552)), wave
 
 
-def test_the_rail_is_found_short_knocks_return_and_a_long_one_is_marked(make_log):
+def test_short_clipping_is_repaired_and_long_is_marked(make_log):
     log, wave = clipped_log(make_log)
     out, report = repair_clipping(log)
     assert report.force.rails[0, 1] == pytest.approx(19.552, rel=2e-4)
@@ -125,7 +125,7 @@ def test_a_given_full_scale_is_used_and_a_gyro_saturates_too(make_log, rng):
     assert np.allclose(np.abs(found.rate.rails), 5.24, rtol=2e-4)
 
 
-def test_a_run_beside_a_gap_an_invalid_sample_or_the_end_is_only_marked(make_log):
+def test_clipping_beside_a_gap_or_the_end_is_only_marked(make_log):
     t = np.arange(200) / 200.0
     wave = 22.0 * np.sin(2 * np.pi * 8.0 * t)
     cut = np.clip(wave, -20.0, 20.0)

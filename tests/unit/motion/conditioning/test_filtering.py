@@ -28,7 +28,7 @@ def test_the_measured_response_is_the_formula(order, cutoff_hz):
 
 
 @pytest.mark.parametrize("order", [1, 2, 5])
-def test_the_formula_is_twice_scipys_butterworth_with_a_cutoff_that_is_moved(order):
+def test_the_filter_is_twice_scipys_butterworth(order):
     f = np.linspace(0.5, 90.0, 50)
     edge = np.tan(np.pi * 10.0 / 200.0) / (np.sqrt(2.0) - 1.0) ** (0.5 / order)
     b, a = signal.butter(order, np.arctan(edge) * 200.0 / np.pi, fs=200.0)
@@ -77,7 +77,7 @@ def test_only_the_acceleration_of_a_track_changes(make_track):
         assert np.array_equal(getattr(out, name), getattr(track, name))
 
 
-def test_what_lies_behind_a_gap_or_an_invalid_span_has_no_influence(make_track, rng):
+def test_samples_beyond_a_gap_or_invalid_span_have_no_effect(make_track, rng):
     time_s = np.arange(2000) / 200.0
     time_s[1000:] += 0.5
     valid = ~((time_s > 2.0) & (time_s < 2.5))

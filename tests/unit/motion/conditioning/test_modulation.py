@@ -9,7 +9,7 @@ from hapticplayer.errors import InputError
 from hapticplayer.motion.conditioning import GainSpan, gain_at, modulate
 
 
-def test_the_gain_is_a_raised_cosine_inside_the_span_and_one_outside():
+def test_the_gain_is_a_raised_cosine_in_the_span_else_one():
     span = GainSpan(2.0, 8.0, 3.0, fade_in_s=1.0, fade_out_s=2.0)
     times = np.array([-5.0, 1.999, 2.25, 2.5, 3.0, 5.0, 6.0, 7.0, 7.5, 8.0, 9.0])
     quarter = 0.5 - 0.5 * np.cos(np.pi / 4)

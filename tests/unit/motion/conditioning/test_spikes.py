@@ -50,7 +50,7 @@ def test_a_clean_recording_comes_out_bit_for_bit(ride):
     assert not report.kept.any()
 
 
-def test_single_sample_glitches_go_and_a_second_pass_finds_nothing(ride):
+def test_glitches_are_removed_and_a_second_pass_finds_none(ride):
     spoilt = changed(
         ride,
         specific_force_mps2=[(100, 0, 30.0), (400, 2, -25.0), (900, 1, 8.0)],
@@ -98,7 +98,7 @@ def test_a_first_or_last_reading_of_zero_goes(ride):
     assert log.specific_force_mps2[0, 2] == log.specific_force_mps2[1, 2]
 
 
-def test_an_impact_on_several_axes_stays_though_it_lasts_one_sample(ride):
+def test_an_impact_of_one_sample_on_several_axes_stays(ride):
     impact = changed(
         ride,
         specific_force_mps2=[(500, 2, 40.0), (500, 0, -12.0)],
@@ -194,7 +194,7 @@ def test_short_recordings_are_left_alone(make_log, count):
     assert report.removed_samples == 0
 
 
-def test_quantised_readings_without_noise_hold_no_spikes_and_lose_one():
+def test_quantised_readings_hold_no_spikes_and_lose_one():
     time_s = np.arange(400) / 90.0
     values = np.round(9.8 + 0.2 * np.sin(time_s), 1)[:, None]
     floors = np.array([2.0])

@@ -119,7 +119,7 @@ def test_the_middle_of_a_window_is_found_to_third_order():
     assert errors[0] / errors[1] > 7.0
 
 
-def test_a_fixed_force_is_recovered_to_second_order_from_any_turn():
+def test_a_fixed_force_is_recovered_to_second_order():
     fixed = Motion(WOBBLE.attitude)
     errors = []
     for width in (0.02, 0.01):
@@ -174,7 +174,7 @@ def test_a_short_last_window_of_a_steady_turn_is_like_the_others(count, per_wind
         assert apart(inside_of(windows, k), exact) < 1e-12
 
 
-def test_no_sample_of_a_long_recording_is_worse_than_its_neighbours():
+def test_no_sample_of_a_long_recording_stands_out():
     # 100 Hz for 3 minutes: several of the chunks that long recordings are taken in
     width_s, per_window = 0.01, 3
     samples, windows = averaged_windows(width_s, 180.0, per_window)

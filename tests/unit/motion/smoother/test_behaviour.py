@@ -75,7 +75,7 @@ def test_how_the_numbers_are_kept_does_not_matter(convert):
     assert np.abs(got.acceleration_mps2 - plain.acceleration_mps2).max() < 2e-5
 
 
-def test_the_same_log_gives_the_same_motion_twice_and_stays_as_it_was():
+def test_the_same_log_gives_the_same_motion_and_stays_unchanged():
     log = usual()
     force, rate = log.specific_force_mps2.copy(), log.angular_rate_radps.copy()
     first, again = remove_gravity(log), remove_gravity(log)
@@ -376,7 +376,7 @@ def test_a_gyro_that_reads_nothing_leaves_the_mean_direction(rng):
     assert rms(miss(log, up)) < 0.05
 
 
-def test_the_uncertainty_is_never_larger_than_gravity_can_be_wrong():
+def test_the_uncertainty_never_exceeds_the_possible_error():
     # a force fixed to a spinning sensor contradicts the gyro; the model has no answer
     count = 3000
     log = ImuLog(np.arange(count) / 100.0, [[0, 0, 9.8]] * count, [[3.0, 0, 0]] * count)

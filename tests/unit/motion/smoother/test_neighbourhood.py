@@ -51,7 +51,7 @@ def test_the_rough_vertical_is_that_of_the_mean_force_around(count, rng):
 
 
 @pytest.mark.usefixtures("_way")
-def test_where_nothing_pulls_the_rough_vertical_is_the_one_beside():
+def test_without_specific_force_the_vertical_is_the_neighbours():
     force = np.zeros((600, 3))
     force[200:220] = 0.0, 0.0, 9.0
     force[400:420] = 0.0, -9.0, 0.0

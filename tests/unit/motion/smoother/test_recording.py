@@ -127,7 +127,7 @@ def test_blocks_may_be_shorter_than_their_margins():
     assert moved(remove_gravity(wobbling(), parameters=parameters), alone()) < 0.05
 
 
-def test_a_rate_that_changes_between_blocks_blends_only_what_was_found():
+def test_a_rate_change_between_blocks_blends_found_samples():
     # a logger that speeds up for a while: the border is at 100 s
     rates_hz = {90.0: 100.0, 10.0: 1000.0, 100.0: 100.0}
     steps = [np.full(round(s * hz), 1.0 / hz) for s, hz in rates_hz.items()]

@@ -34,7 +34,7 @@ def test_intervals_that_were_solved_need_no_interpolation(found, solved_s):
     assert seeming_acceleration(found, solved_s, solved_s.copy()) == pytest.approx(same)
 
 
-def test_half_of_an_interval_at_a_steady_acceleration_has_all_of_it(solved_s):
+def test_half_an_interval_of_steady_acceleration_has_all_of_it(solved_s):
     time_s = np.concatenate([[0.0], np.cumsum(solved_s)])
     steady = solution(np.stack([3.0 * time_s, -4.0 * time_s]))
     halves_s = np.repeat(0.5 * solved_s, 2)

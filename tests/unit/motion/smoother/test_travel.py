@@ -278,7 +278,7 @@ def test_a_vehicle_may_have_any_velocity_and_other_things_less():
     assert Travel(going=1.0, driven=1.0).expected_mps == pytest.approx(80.0)
 
 
-def test_the_bound_of_what_goes_follows_only_what_is_faster_than_usual():
+def test_the_speed_bound_follows_only_unusual_speeds():
     found = np.array([0.5, 4.6, 9.2, 23.0])
     assert Travel().bound_mps(found) == pytest.approx(found)
     walked = Travel(going=1.0).bound_mps(found)

@@ -81,7 +81,7 @@ def exact_variance(problem):
 
 
 @pytest.mark.parametrize("bound_mps", [0.3, 1.0, 3.0])
-def test_in_the_middle_of_a_block_the_variance_is_that_of_the_inverse(bound_mps):
+def test_inside_a_block_the_variance_is_that_of_the_inverse(bound_mps):
     problem = steady_problem(240, bound_mps)
     ratio = noise_variance(problem, holes_of(problem)) / exact_variance(problem)
     assert np.abs(ratio[80:-80] - 1.0).max() < 0.15
@@ -114,7 +114,7 @@ def test_both_ways_to_the_dense_inverse_agree():
 
 
 @pytest.mark.parametrize("intervals", [100, 30])
-def test_the_calibration_makes_both_tilts_as_uncertain_as_it_should(intervals):
+def test_the_calibration_adds_the_right_tilt_uncertainty(intervals):
     problem = steady_problem(intervals, 1.0)
     solution = minimise(problem)
     rows = solution.tilt_per_calibration
@@ -127,7 +127,7 @@ def test_the_calibration_makes_both_tilts_as_uncertain_as_it_should(intervals):
 
 
 @pytest.mark.parametrize("intervals", [100, 30])
-def test_the_accelerometers_bias_moves_the_tilt_by_as_much_as_is_said(intervals):
+def test_the_accelerometer_bias_moves_the_tilt_as_stated(intervals):
     """Expected a deviation elsewhere on one axis after the other."""
     problem = steady_problem(intervals, 1.0)
     solution = minimise(problem)
@@ -151,7 +151,7 @@ def tilt_sigma(problem, gyro_bias_radps=0.0):
     return np.sqrt(found)
 
 
-def test_a_gyro_that_nobody_calibrated_makes_the_accelerometer_doubtful():
+def test_an_uncalibrated_gyro_widens_the_accelerometer_prior():
     problem = steady_problem(30, 1.0)
     sigma = [tilt_sigma(problem, bias) for bias in (0.0, 0.005, 0.05)]
     assert (sigma[1] > sigma[0]).all()

@@ -63,7 +63,7 @@ def test_a_hole_is_forgotten_ten_seconds_later(start, stop):
 
 @pytest.mark.parametrize("stop", [2060, 2100, 2400, 3000])
 @pytest.mark.parametrize("start", [2000, 2020])
-def test_what_is_valid_beside_a_hole_is_right_or_known_to_be_uncertain(start, stop):
+def test_valid_samples_beside_a_gap_are_right_or_uncertain(start, stop):
     holed, up = with_hole(start, stop)
     track = remove_gravity(holed)
     error = np.linalg.norm(track.gravity_mps2 - G * up, axis=1)

@@ -177,9 +177,7 @@ def test_the_analysis_stops_when_asked(answers, choices):
         analyse(answers, choices, stop)
 
 
-def test_those_who_used_the_device_before_are_compared_with_the_others(
-    answers, choices
-):
+def test_experienced_participants_are_compared_with_the_others(answers, choices):
     one = analyse(answers, choices).measures["qoe"].mann_whitney["none"]
     used = [person.used_device_before for person in answers.participants]
     assert (one.n_before, one.n_new) == (used.count(True), used.count(False))

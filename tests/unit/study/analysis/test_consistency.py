@@ -88,7 +88,7 @@ def test_intervals_hold_the_true_criteria_as_often_as_they_say():
     assert 0.87 <= np.mean(held) <= 1.0
 
 
-def test_the_criteria_of_many_people_are_recovered_for_shifts_and_gains():
+def test_criteria_are_recovered_for_shifts_and_gains():
     found = analyse_consistency(judged(1, people=100), quick())
     curve = found.axes["delay_s"].curves[ALL]
     assert curve.values["lower"] == pytest.approx(LOWER_S, abs=0.02)

@@ -35,7 +35,7 @@ def found(request, quick):
     return summary(analyse(answers, Choices(resampling=quick)))
 
 
-def test_a_simulated_sample_has_the_papers_means_and_sds_as_printed(found):
+def test_a_simulated_sample_has_the_papers_means_and_sds(found):
     for name, (mean, sd) in QOE.items():
         assert round(found["qoe"][name]["mean"], 1) == mean
         assert round(found["qoe"][name]["sd"], 1) == sd
@@ -113,7 +113,7 @@ def test_simulated_sessions_reach_a_store_whole():
     }
 
 
-def test_without_an_effect_the_power_is_alpha_and_no_number_suffices():
+def test_without_an_effect_the_power_is_alpha():
     """2000 studies: the standard error of 0.05 is 0.005."""
     draw = draw_effect(effect_named("none"), "qoe", 4)
     found = find_power(draw, NAMES, Goal(largest=25))
@@ -122,7 +122,7 @@ def test_without_an_effect_the_power_is_alpha_and_no_number_suffices():
 
 
 @pytest.mark.parametrize("d", [0.55, 0.8])
-def test_a_normal_shift_needs_what_the_t_test_needs_over_its_efficiency(d):
+def test_a_normal_shift_needs_the_t_tests_n_over_efficiency(d):
     """Differences N(d, 1): 3 / pi is Pitman's efficiency of the signed-rank test."""
     by_t = TTestPower().solve_power(effect_size=d, alpha=0.05, power=0.8)
     expected = by_t * np.pi / 3.0
