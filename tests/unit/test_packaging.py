@@ -13,7 +13,7 @@ from hapticplayer import doctor
 
 ROOT = doctor.ROOT
 LOCKS = ("requirements.lock", "requirements-dev.lock")
-SCRIPTS = ("run", "test", ".ci/run", "packaging/setup.sh", "packaging/lock.sh")
+SCRIPTS = ("run", "test", ".ci/run", "packaging/setup.sh", "tools/lock.sh")
 # Written so that this line does not match itself.
 MACHINE_PATH = re.compile(rb"/(wor[k]|roo[t]|tm[p]/[a-z]+|hom[e]/[a-z]+)/")
 

@@ -11,8 +11,8 @@ from PySide6.QtGui import QPixmap
 from PySide6.QtWidgets import QApplication, QWidget
 
 from app.bridge.settings import Settings
-from benchmarks.page_material import Material
 from hapticplayer.playback.source import Source
+from tools.pages.material import Material
 
 SETTLE_MS = 60  # layouts, fonts, one turn of every timer
 PATIENCE_S = 30.0

@@ -11,13 +11,13 @@ from app.experimenter.study_editor import StudyEditor
 from app.participant.application import StudySession
 from app.participant.pages import QuestionsPage
 from app.widgets.room import resize_within_screen
-from benchmarks.page_stage import Pictures, Stage
 from hapticplayer.clock import SystemClock
 from hapticplayer.study.creation import change_definition, create_study
 from hapticplayer.study.page_maker import PageMaker
 from hapticplayer.study.pages import PageKind
 from hapticplayer.study.session_setup import load_material
 from hapticplayer.study.study_folder import Study
+from tools.pages.stage import Pictures, Stage
 
 KEYS = ("bike", "horse", "car-turning", "car-braking")
 PAGES = (
@@ -100,7 +100,7 @@ def _pages(stage: Stage, session: StudySession, pages, more: str) -> Pictures:
     plan = replace(runner.plan, language=stage.language)
     runner.maker = maker = PageMaker(runner.definition, plan)
     for step, kind in pages:
-        window._show_page(maker.page(PageKind(kind), step, 99))  # noqa: SLF001
+        window._show_page(maker.page(PageKind(kind), step, 99))
         yield f"study-{step}-{kind}{more}", stage.picture(window, 150)
         if kind == "questions" and isinstance(window.content, QuestionsPage):
             row = window.content.rows[0]
@@ -126,9 +126,9 @@ def _while_it_runs(stage: Stage, session: StudySession) -> Pictures:
     yield "study-playing", session.participant.grab()
     runner.pause()
     yield "operator-paused", stage.picture(control, 200)
-    yield "operator-skip", stage.asked(lambda: control._skip(runner))  # noqa: SLF001
-    yield "operator-end", stage.asked(lambda: control._end(runner))  # noqa: SLF001
-    yield "operator-close", stage.asked(control._is_sure)  # noqa: SLF001
+    yield "operator-skip", stage.asked(lambda: control._skip(runner))
+    yield "operator-end", stage.asked(lambda: control._end(runner))
+    yield "operator-close", stage.asked(control._is_sure)
     control.show_message("study: answers.jsonl cannot be written (disk full)")
     resize_within_screen(control, control.width(), control.height())
     yield "operator-error", stage.picture(control)

@@ -1,17 +1,17 @@
 """Draws the pictures of docs/recording.md, from simulated recordings.
 
-python -m benchmarks.recording_pictures
+python -m tools.recording_figures
 """
 
 import sys
 from pathlib import Path
 
-from benchmarks.common import ROOT
 from hapticplayer.capture.sync import synchronize
 from hapticplayer.capture.sync.clips import simulate_pats
 from hapticplayer.capture.sync.synchronize import Sound
 from hapticplayer.cli.sync_plot import draw_sync
 
+DOCS = Path(__file__).parents[1] / "docs"
 PICTURES = {
     "recording-good.png": (False, 200, 100_003, "still, 200 Hz: the pats stand out"),
     "recording-30hz.png": (False, 30, 100_003, "the same pats, averaged to 30 Hz"),
@@ -25,7 +25,7 @@ def main() -> int:
         clip = simulate_pats(seed, hard=hard, rate_hz=rate_hz)
         found = synchronize(clip.imu, clip.audio, clip.audio_rate_hz)
         confidence = f"confidence {found.clock_map.confidence:.2f}"
-        path = Path(ROOT) / "docs" / name
+        path = DOCS / name
         path.unlink(missing_ok=True)
         sound = Sound(clip.audio, clip.audio_rate_hz)
         draw_sync(path, sound, clip.imu, found, f"{title}; {confidence}")

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Write both requirement locks from pyproject.toml; needs uv on the PATH.
-# Versions that are locked stay; `packaging/lock.sh --upgrade` takes the newest ones.
+# Versions that are locked stay; `tools/lock.sh --upgrade` takes the newest ones.
 set -euo pipefail
 cd -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/.."
 

@@ -1,6 +1,6 @@
 """A picture of every page in every language, look and scale, without a screen.
 
-    python -m benchmarks.screenshots -o FOLDER [--languages en de] [--looks dark light]
+    python -m tools.screenshots -o FOLDER [--languages en de] [--looks dark light]
         [--scales 1 2 3] [--only player study] [--sheets] [--docs docs]
 
 Pages are shown as a person meets them: empty, at work, doubtful, wrong, and with names
@@ -62,7 +62,7 @@ def _options() -> argparse.Namespace:
 
 
 def _in_process(options: argparse.Namespace, scale: float, group: str) -> int:
-    command = [sys.executable, "-m", "benchmarks.screenshots", "-o", options.output]
+    command = [sys.executable, "-m", "tools.screenshots", "-o", options.output]
     for name in ("languages", "looks"):
         command += [f"--{name}", *getattr(options, name)]
     command += ["--only", group, "--scales", str(scale)]
@@ -80,16 +80,16 @@ def _make(options: argparse.Namespace, folder: Path) -> None:
     from app.player.application import make_application
     from app.player.look_menus import LANGUAGE, LOOK
     from app.player.remake import dress
-    from benchmarks import page_device, page_library, page_player, page_study
-    from benchmarks.page_material import make_material
-    from benchmarks.page_stage import Stage
     from hapticplayer.playback.source import open_source
+    from tools.pages import device, library, player, study
+    from tools.pages.material import make_material
+    from tools.pages.stage import Stage
 
     makers = {
-        "player": page_player.pictures,
-        "device": page_device.pictures,
-        "library": page_library.pictures,
-        "study": page_study.pictures,
+        "player": player.pictures,
+        "device": device.pictures,
+        "library": library.pictures,
+        "study": study.pictures,
     }
     application = make_application()
     collector = Collector()  # else windows that are gone are freed in any thread

@@ -7,7 +7,6 @@ from app.player.latency_page import LatencyPage
 from app.player.plugged import Plugged
 from app.player.setup_page import SetupPage
 from app.player.video_surface import SurfaceSink
-from benchmarks.page_stage import Pictures, Stage
 from hapticplayer.clock import Clock, SystemClock
 from hapticplayer.devices.falcon.firmware import FirmwareMissingError, find_image
 from hapticplayer.devices.falcon.homing import Advice, Guidance
@@ -22,6 +21,7 @@ from hapticplayer.devices.falcon.transport import (
 )
 from hapticplayer.errors import DeviceError
 from hapticplayer.playback.player import Player
+from tools.pages.stage import Pictures, Stage
 
 _TROUBLES: dict[str, type[DeviceError]] = {
     "unplugged": FalconGoneError,

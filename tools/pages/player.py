@@ -14,11 +14,11 @@ from app.player.video_surface import SurfaceSink, VideoSurface
 from app.player.window import PlayerWindow
 from app.plots.playhead_plot import PlayheadPlot
 from app.widgets.room import resize_within_screen
-from benchmarks.page_stage import Pictures, Stage
 from hapticplayer.clock import SystemClock
 from hapticplayer.haptics.contract import Mode
 from hapticplayer.haptics.injection import Fault
 from hapticplayer.playback.player import Player
+from tools.pages.stage import Pictures, Stage
 
 WIDTH_PX, HEIGHT_PX = 1280, 800
 AT_S, PLAYED_MS = 4.0, 2500  # of the demo: the plots have something to show

@@ -7,10 +7,10 @@ from app.experimenter.analysis_page import AnalysisPage
 from app.experimenter.import_wizard import FILES, MOUNTING, SYNC, ImportWizard
 from app.experimenter.library_page import LibraryPage
 from app.widgets.room import resize_within_screen
-from benchmarks.page_stage import Pictures, Stage
 from hapticplayer.clock import SystemClock
 from hapticplayer.errors import InputError
 from hapticplayer.study.analysis.simulation import simulated_answers
+from tools.pages.stage import Pictures, Stage
 
 PARTICIPANTS = 12
 SHOWN = "Videos/hapticplayer"  # in place of a folder that is gone afterwards
@@ -36,13 +36,13 @@ def _import(stage: Stage) -> Pictures:
         wizard.files.show_problem(InputError("holds no motion", where="log.csv"))
         yield "import-error", stage.picture(wizard)
         for name, recognised in (("doubt", found.doubtful), ("sure", found.certain)):
-            wizard._on_found(recognised)  # noqa: SLF001
+            wizard._on_found(recognised)
             wizard.recognised = recognised
-            wizard._go(SYNC)  # noqa: SLF001
+            wizard._go(SYNC)
             yield f"import-sync-{name}", stage.picture(wizard, 500)
-        wizard._go(FILES)  # noqa: SLF001
+        wizard._go(FILES)
         yield "import-found", stage.picture(wizard)
-        wizard._go(MOUNTING)  # noqa: SLF001
+        wizard._go(MOUNTING)
         yield "import-mounting", stage.picture(wizard)
         is_over: list[bool] = []
         wizard.jobs.run(
@@ -50,13 +50,13 @@ def _import(stage: Stage) -> Pictures:
             lambda progress: _go_on(progress, is_over),
             lambda _none: None,
         )
-        wizard._show_buttons()  # noqa: SLF001
+        wizard._show_buttons()
         yield "import-busy", stage.picture(wizard, 200)
         is_over.append(True)
         stage.wait_until(lambda: not wizard.jobs.is_busy)
         wizard.problem.setText(str(InputError("is full", where="/media/disk")))
         yield "import-failed", stage.picture(wizard)
-        wizard._on_made(found.made)  # noqa: SLF001
+        wizard._on_made(found.made)
         yield "import-report", stage.picture(wizard)
 
 
@@ -75,7 +75,7 @@ def _library(stage: Stage) -> Pictures:
     page = LibraryPage(stage.material.library)
     page.place.set_text(SHOWN)
     with stage.shown(page):
-        stage.wait_until(lambda: len(page._pictures) >= 3)  # noqa: SLF001
+        stage.wait_until(lambda: len(page._pictures) >= 3)
         for row in range(page.list.count()):
             page.list.setCurrentRow(row)
             yield f"library-{row + 1}", stage.picture(page)
@@ -84,9 +84,9 @@ def _library(stage: Stage) -> Pictures:
         stage.wait_until(lambda: ";" in page.details.preview.text())
         yield "library-gain", page.grab()
         entry = page.chosen()
-        yield "library-delete", stage.asked(lambda: page._is_sure(entry))  # noqa: SLF001
-        yield "library-rename", stage.asked(page._rename)  # noqa: SLF001
-        page._tell(page.tr("{title} is in the bin.").format(title=entry.title))  # noqa: SLF001
+        yield "library-delete", stage.asked(lambda: page._is_sure(entry))
+        yield "library-rename", stage.asked(page._rename)
+        page._tell(page.tr("{title} is in the bin.").format(title=entry.title))
         page.undo.show()
         page.search.setText("nothing is called so")
         yield "library-nothing-found", stage.picture(page)
