@@ -24,7 +24,6 @@ from app.player.video_surface import SurfaceSink, VideoSurface
 from app.player.window import PlayerWindow
 from hapticplayer.clock import SystemClock
 from hapticplayer.haptics.process import HapticsProcess
-from hapticplayer.playback import haptic_link
 from hapticplayer.playback.player import Player
 from hapticplayer.playback.source import open_source
 
@@ -36,14 +35,18 @@ class Victim:
 
     def __init__(self, clip: Path, force: Path, record: int, control: int) -> None:
         options = ["--hand", "firm", "--record", str(record), "--control", str(control)]
-        haptic_link.HapticsProcess = functools.partial(
+        haptics = functools.partial(
             HapticsProcess,
             device_options=options,
             device_descriptors=[record, control],
         )
         self.clock, surface = SystemClock(), VideoSurface()
         self.player = Player(
-            self.clock, SurfaceSink(surface), device="simulated", audio=None
+            self.clock,
+            SurfaceSink(surface),
+            device="simulated",
+            audio=None,
+            haptics=haptics,
         )
         settings = Settings(clip.parent / "settings.json")
         self.window = PlayerWindow(self.player, surface, self.clock, settings)
@@ -60,11 +63,11 @@ class Victim:
         if self.window.session.is_stopped:  # until it is known here, and done there
             self.window.session.rearm()
             self.player.play()
-        latest = self.player.link.history.latest()
+        latest = self.player.snapshot().tick
         if latest is None or abs(complex(*latest["force_n"][:2])) < READY_FORCE_N:
             return
         self._timer.stop()
-        self._say(ready=True, loop=self.player.link.pid)
+        self._say(ready=True, loop=self.player.snapshot().loop_pid)
 
     def _obey(self) -> None:
         said = os.read(0, 4096)

@@ -54,7 +54,7 @@ class Participant:
             say(f"ack {self.given[1]}")
             self.given = None
         if page.kind is PageKind.PLAYING:
-            self.session.player.end_s = CLIP_S
+            self.session.player.set_end(CLIP_S)
         elif page.kind in (PageKind.THANKS, PageKind.STOPPED):
             say("end")
             self.timer.stop()

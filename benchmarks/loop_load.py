@@ -80,10 +80,10 @@ def main() -> int:
     load, seen, seconds, *arguments = sys.argv[1:]
     sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
     from app.__main__ import main as play
+    from hapticplayer.devices.simulated import read_record
     from hapticplayer.haptics.contract import Cause, Mode
     from hapticplayer.haptics.process import HapticsProcess
-    from hapticplayer.playback import haptic_link
-    from hapticplayer.simulation.falcon.record_reader import read_record
+    from hapticplayer.playback import player as player_module
 
     withheld = 0
     ages_s: list[Any] = []
@@ -111,7 +111,7 @@ def main() -> int:
             return ticks, lost
 
     descriptor = os.memfd_create("device")
-    haptic_link.HapticsProcess = functools.partial(  # type: ignore[assignment,misc]
+    player_module.HapticsProcess = functools.partial(  # type: ignore[assignment,misc]
         Counted,
         device_options=["--record", str(descriptor)],
         device_descriptors=[descriptor],

@@ -158,11 +158,11 @@ class Script(QObject):
         if text and text not in self.told:
             self.told.append(text)
         is_ours = self.doing in ("pause", "stop_and_rearm", "change_device")
-        if is_ours or player.source is None:
+        if is_ours or player.snapshot().source is None:
             return
         if window.session.is_stopped:
             window.session.rearm()
-        if not player.is_playing:
+        if not player.snapshot().is_playing:
             player.play()
 
     def _expect(self, name: str, *causes: Cause) -> None:
@@ -368,7 +368,7 @@ class Script(QObject):
                 self._watch.look()
                 self._expect("device", Cause.CLOSING)
             yield self._haste
-        while self._window.player.link.history.latest() is None:
+        while self._window.player.snapshot().tick is None:
             yield 0.1
 
     def _pause(self) -> Steps:

@@ -78,7 +78,7 @@ class Watch:
         self._begin()
 
     def _begin(self) -> None:
-        self._link = self.player.link
+        self._loop_pid = self.player.snapshot().loop_pid
         self._seen_s = float("-inf")
         self._mode, self._cause = Mode.IDLE, Cause.NONE
         self._has_begun = False
@@ -90,12 +90,12 @@ class Watch:
 
     def look(self) -> None:
         """Judge what has come since the last call."""
-        if self.player.link is not self._link:
+        if self.player.snapshot().loop_pid != self._loop_pid:
             self._begin()
-        history = self._link.history
-        self.lost += history.lost - self._lost
-        self._lost = history.lost
-        ticks = history.since(self._seen_s)
+        lost = self.player.measurements().ticks_lost
+        self.lost += lost - self._lost
+        self._lost = lost
+        ticks = self.player.ticks_since(self._seen_s)
         ticks = ticks[ticks["monotonic_s"] > self._seen_s]
         if not len(ticks):
             return
@@ -132,7 +132,7 @@ class Watch:
         for since_s, name, causes in reversed(self.expected):
             if since_s <= at_s <= since_s + self.grace_s and cause in causes:
                 return name
-        source = self.player.source
+        source = self.player.snapshot().source
         end_s = source.clip.duration_s if source else float("inf")
         return "end" if cause in AT_THE_END and media_s > end_s - END_S else ""
 

@@ -165,7 +165,7 @@ def _play_again_and_again(arguments: list[str]) -> int:
 
     def looped(qt: QApplication, window: PlayerWindow, options: Any) -> int:
         def loop() -> None:
-            window.player.loop_s = (0.0, window.player.end_s - LOOP_END_S)
+            window.player.set_loop((0.0, window.player.snapshot().end_s - LOOP_END_S))
 
         QTimer.singleShot(0, loop)
         return begin(qt, window, options)

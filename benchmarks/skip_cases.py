@@ -35,6 +35,7 @@ from hapticplayer.playback.audio import AudioRing
 from hapticplayer.playback.feeders import VideoFeeder
 from hapticplayer.playback.meters import TickHistory
 from hapticplayer.playback.player import Player
+from hapticplayer.playback.snapshot import Snapshot
 from hapticplayer.playback.sound_process import SilentOut
 from hapticplayer.playback.source import Source, open_source
 
@@ -203,7 +204,8 @@ def unseen_plots(source: Source, stack: ExitStack) -> Case:
             show(panel)
         for number in range(PICTURES):
             if is_seen(panel):
-                panel.follow(number / 30.0, "realistic", history)
+                now = Snapshot(media_s=number / 30.0, feedback="realistic")
+                panel.follow(now, history.since)
             QApplication.processEvents()
         return PICTURES
 

@@ -23,7 +23,6 @@ from app.player.video_surface import SurfaceSink, VideoSurface
 from app.player.window import PlayerWindow
 from hapticplayer.clock import SystemClock
 from hapticplayer.haptics.process import HapticsProcess
-from hapticplayer.playback import haptic_link
 from hapticplayer.playback.player import Player
 from hapticplayer.playback.source import open_source
 
@@ -93,14 +92,14 @@ def _keep_the_interpreter() -> None:
 def main() -> None:
     """Play to the end."""
     clip, force, record, case, seconds = sys.argv[1:]
-    haptic_link.HapticsProcess = functools.partial(  # type: ignore[assignment,misc]
+    haptics = functools.partial(
         HapticsProcess,
         device_options=["--hand", "firm", "--record", record],
         device_descriptors=[int(record)],
     )
     application = make_application()
     clock, surface = SystemClock(), VideoSurface()
-    player = Player(clock, SurfaceSink(surface))
+    player = Player(clock, SurfaceSink(surface), haptics=haptics)
     settings = Settings(Path(clip).parent / "settings.json")
     window = PlayerWindow(player, surface, clock, settings, plots=False)
     player.set_device("simulated")
@@ -125,7 +124,11 @@ def main() -> None:
     timer.start(1500)
     QTimer.singleShot(round(1e3 * (float(seconds) + HELD_S)), end)
     application.exec()
-    summary = {**player.summary(), "told": player.told, "hung": deeds.done}
+    summary = {
+        **player.summary(),
+        "told": player.snapshot().notices,
+        "hung": deeds.done,
+    }
     sys.stdout.write(json.dumps(summary) + "\n")
 
 

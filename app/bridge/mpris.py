@@ -80,12 +80,14 @@ class Mpris(QObject):
         """Tell the desktop what has changed since the last call."""
         if not self.is_on or self._bus is None:
             return
+        player = self.player.snapshot()
+        has_clip = player.source is not None
         now = {
             "PlaybackStatus": self.status(),
-            "Rate": self.player.speed,
-            "CanSeek": self.player.source is not None,
-            "CanPlay": self.player.source is not None,
-            "CanPause": self.player.source is not None,
+            "Rate": player.speed,
+            "CanSeek": has_clip,
+            "CanPlay": has_clip,
+            "CanPause": has_clip,
             "Metadata": self.metadata(),
         }
         key = {name: str(value) for name, value in now.items()}
@@ -100,13 +102,14 @@ class Mpris(QObject):
 
     def status(self) -> str:
         """Return the state in the words of the protocol."""
-        if self.player.source is None:
+        now = self.player.snapshot()
+        if now.source is None:
             return "Stopped"
-        return "Playing" if self.player.is_playing else "Paused"
+        return "Playing" if now.is_playing else "Paused"
 
     def metadata(self) -> dict[str, Any]:
         """Return what the clip is."""
-        source = self.player.source
+        source = self.player.snapshot().source
         if source is None:
             return {"mpris:trackid": QDBusObjectPath(_NO_TRACK)}
         return {
@@ -160,13 +163,13 @@ class _Player(QDBusAbstractAdaptor):
         self._mpris, self._player = mpris, mpris.player
 
     def _has_clip(self) -> bool:
-        return self._player.source is not None
+        return self._player.snapshot().source is not None
 
     def _position_us(self) -> int:
-        return round(_US * self._player.media_s())
+        return round(_US * self._player.snapshot().media_s)
 
     def _speed(self) -> float:
-        return self._player.speed
+        return self._player.snapshot().speed
 
     PlaybackStatus = _property(str, lambda self: self._mpris.status())
     Metadata = _property("QVariantMap", lambda self: sent(self._mpris.metadata()))
@@ -212,11 +215,11 @@ class _Player(QDBusAbstractAdaptor):
     @Slot("qlonglong")
     def Seek(self, by_us: int) -> None:  # noqa: N802
         """Go some microseconds forwards or backwards."""
-        self._player.seek(self._player.media_s() + by_us / _US)
+        self._player.seek(self._player.snapshot().media_s + by_us / _US)
 
     @Slot(QDBusObjectPath, "qlonglong")
     def SetPosition(self, _track: QDBusObjectPath, to_us: int) -> None:  # noqa: N802
         """Go to a position."""
-        source = self._player.source
+        source = self._player.snapshot().source
         if source is not None and 0 <= to_us <= _US * source.clip.duration_s:
             self._player.seek(to_us / _US)

@@ -146,7 +146,7 @@ class StudySession:
     def _play_sound(self) -> None:
         source = next(iter(self.material.sources.values()))
         self.player.open(source, "none")
-        self.player.end_s = min(SOUND_CHECK_S, source.clip.duration_s)
+        self.player.set_end(min(SOUND_CHECK_S, source.clip.duration_s))
         self.player.play()
 
     def begin(self) -> None:
@@ -173,7 +173,7 @@ class StudySession:
             )
         record = next_record(session.folder) if self.device != "none" else None
         self.player.set_device(self.device, record)
-        self.player.link.wait_ready()
+        self.player.wait_ready()
         name = record.name if record else ""
         stage = make_stage(self.study, self.material, self.player, self._clock, name)
         stage.opening = self._on_opening
@@ -205,9 +205,11 @@ class StudySession:
             self.control.mirror.follow(now_s, is_clip=page is PageKind.PLAYING)
             if self.runner is not None and is_seen(self.control.plots):
                 plots, player = self.control.plots, self.player
-                plots.follow(player.media_s(), player.feedback, player.link.history)
+                plots.follow(player.snapshot(), player.ticks_since)
         if self._slow_turn.is_due(now_s) and is_seen(self.control):
-            self.control.health.show_snapshot(self.player.snapshot())
+            self.control.health.show_readings(
+                self.player.snapshot(), self.player.measurements()
+            )
             if self.runner is None:
                 self.start_panel.show_checks(self.look())
 
@@ -215,7 +217,7 @@ class StudySession:
         """Hand the forces since the last look to whoever watches."""
         if self._observer is None:
             return
-        ticks = self.player.link.history.since(self._told_s)
+        ticks = self.player.ticks_since(self._told_s)
         ticks = ticks[ticks["monotonic_s"] > self._told_s]
         if len(ticks):
             self._told_s = float(ticks["monotonic_s"][-1])

@@ -74,7 +74,7 @@ def run(options: argparse.Namespace) -> int:
         # only now: the haptics process wants to hear from us within a second
         player.set_device(device, record)
         if source and is_hardware(device):
-            player.link.wait_ready()  # it may not be there: nothing is shown then
+            player.wait_ready()  # it may not be there: nothing is shown then
         _show(window, options, source, feedback)
         if source and feedback:
             _wait_ready(application, player)
@@ -87,7 +87,8 @@ def run(options: argparse.Namespace) -> int:
         window.extras.controls.begin_muted()
     if speed != 1.0:
         window.extras.controls.set_speed(speed)
-    player.end_s = min(player.end_s, end_s) if source else player.end_s
+    if source:
+        player.set_end(min(player.snapshot().end_s, end_s))
     return _run_until_closed(application, window, options)
 
 
@@ -125,11 +126,12 @@ def _show(
 def _wait_ready(application: QApplication, player: Player) -> None:
     """Wait for the device; the window is painted, what a person does comes after it."""
     flags = QEventLoop.ProcessEventsFlag
-    while player.link.health is Health.STARTING:  # the pump beats, and looks
+    # the pump beats meanwhile
+    while player.snapshot().device_health is Health.STARTING:
         application.processEvents(
             flags.WaitForMoreEvents | flags.ExcludeUserInputEvents
         )
-    player.link.wait_ready()
+    player.wait_ready()
 
 
 def _begin(
@@ -166,7 +168,7 @@ def _run_until_closed(
     window = shown.window
     if options.json:
         say(json.dumps(window.player.summary()))
-    problem = window.player.link.record_problem
+    problem = window.player.snapshot().record_problem
     if options.close_at_end:
         problem = window.session.told or problem
     if problem:

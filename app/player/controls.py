@@ -99,29 +99,33 @@ class Controls(QObject):
 
     def change_speed(self, steps: int) -> None:
         """Play faster (+) or slower (-), in steps of a tenth; 0 for normal speed."""
-        speed = self._player.speed * SPEED_STEP**steps if steps else 1.0
+        now = self._player.snapshot().speed
+        speed = now * SPEED_STEP**steps if steps else 1.0
         self.set_speed(1.0 if abs(speed - 1.0) < 0.01 else speed)
 
     def set_speed(self, speed: float) -> None:
         """Play at a speed, within what the player can do."""
         self._player.set_speed(min(max(speed, SLOWEST), FASTEST))
-        self.told.emit(local(self.tr("Speed {x:.2f}").format(x=self._player.speed)))
+        speed = self._player.snapshot().speed
+        self.told.emit(local(self.tr("Speed {x:.2f}").format(x=speed)))
         self.changed.emit()
 
     def loop(self) -> None:
         """Begin a loop here, end it here, or play on: one after the other."""
-        player, here_s = self._player, self._player.media_s()
-        if player.loop_s is not None:
-            player.loop_s, self._loop_from_s = None, None
+        player, now = self._player, self._player.snapshot()
+        here_s = now.media_s
+        if now.loop_s is not None:
+            player.set_loop(None)
+            self._loop_from_s = None
             self.told.emit(self.tr("Loop off"))
         elif self._loop_from_s is None or here_s <= self._loop_from_s:
             self._loop_from_s = here_s
             text = self.tr("Loop from {a}")
             self.told.emit(text.format(a=time_text(here_s)))
         else:
-            player.loop_s = (self._loop_from_s, here_s)
+            player.set_loop((self._loop_from_s, here_s))
             text = self.tr("Loop from {a} to {b}")
-            a, b = (time_text(value) for value in player.loop_s)
+            a, b = time_text(self._loop_from_s), time_text(here_s)
             self.told.emit(text.format(a=a, b=b))
         self.changed.emit()
 
@@ -133,14 +137,15 @@ class Controls(QObject):
     @property
     def marks_s(self) -> tuple[float, ...]:
         """Where the loop begins and ends, as far as that is known."""
-        if self._player.loop_s is not None:
-            return self._player.loop_s
+        loop_s = self._player.snapshot().loop_s
+        if loop_s is not None:
+            return loop_s
         return () if self._loop_from_s is None else (self._loop_from_s,)
 
     def step(self, pictures: int) -> None:
         """Show the next picture (+1) or the one before (-1), standing still."""
         self._player.step(pictures)
-        self.told.emit(time_text(self._player.media_s(), digits=3))
+        self.told.emit(time_text(self._player.snapshot().media_s, digits=3))
 
 
 def _sound_outputs(progress: Progress) -> list[str]:

@@ -141,7 +141,7 @@ class Dialogs(QObject):
         """Choose a device, and bring it to where it can be used."""
         from app.player.setup_page import SetupPage
 
-        before = self._session.player.link.device
+        before = self._session.player.snapshot().device
         self._release()
         page = SetupPage(clock, before, self.plugged, self._window)
         wanted, shown = [before], list[str]()
@@ -167,7 +167,7 @@ class Dialogs(QObject):
     def get_to_know(self, clock: Clock) -> None:
         """Demonstrate the forces of the chosen device; nothing plays meanwhile."""
         player = self._session.player
-        device = player.link.device
+        device = player.snapshot().device
         if device == NO_DEVICE:
             problem = self.tr("Choose a device first, then get to know its forces")
             self._session.gateway.report(HapticPlayerError(problem))
@@ -193,7 +193,7 @@ class Dialogs(QObject):
         """Measure how late picture, sound and force reach the person."""
         from app.player.latency_page import LatencyPage
 
-        device = self._session.player.link.device
+        device = self._session.player.snapshot().device
         self._release()
         page = LatencyPage(
             clock, device, self._settings, self._own_player, self._window

@@ -48,22 +48,22 @@ class Display:
         if not is_any or not is_seen(self._window):
             return
         now_s = self._clock.now_s()
-        player = self._session.player
+        player, now = self._session.player, self._session.player.snapshot()
         if has_transport and self._transport_turn.is_due(now_s):
-            self._transport.follow(player.media_s())
-        if has_plots and self._is_plots_turn(now_s):
-            self._plots.follow(player.media_s(), player.feedback, player.link.history)
+            self._transport.follow(now.media_s)
+        if has_plots and self._is_plots_turn(now_s, is_playing=now.is_playing):
+            self._plots.follow(now, player.ticks_since)
         if has_plots and self._grip_turn.is_due(now_s):
-            self._plots.follow_grip(player.link, player.feedback)
+            self._plots.follow_grip(now, player.ticks_since)
         if has_health and self._health_turn.is_due(now_s):
-            self._health.show_snapshot(player.snapshot())
+            self._health.show_readings(now, player.measurements())
 
     def refresh_soon(self) -> None:
         """Draw everything at the next opportunity: something has changed."""
         for turn in (self._transport_turn, self._still_plots_turn, self._health_turn):
             turn.reset()
 
-    def _is_plots_turn(self, now_s: float) -> bool:
-        if self._session.player.is_playing:
+    def _is_plots_turn(self, now_s: float, *, is_playing: bool) -> bool:
+        if is_playing:
             return self._plots_turn.is_due(now_s)
         return self._still_plots_turn.is_due(now_s)

@@ -104,8 +104,8 @@ class Extras(QObject):
 
     def show_force(self) -> None:
         """Show the force of the feedback that plays under the seek bar."""
-        source = self._player.source
-        track = source.tracks.get(self._player.feedback) if source else None
+        source = self._player.snapshot().source
+        track = source.tracks.get(self._player.snapshot().feedback) if source else None
         if track is self._heat_of:
             return
         self._heat_of = track
@@ -148,7 +148,7 @@ class Extras(QObject):
         self._actions.mute.setChecked(controls.is_muted)
         self._actions.mute.blockSignals(False)
         self._transport.show_volume(controls.volume_percent, is_muted=controls.is_muted)
-        self._transport.show_speed(self._player.speed)
+        self._transport.show_speed(self._player.snapshot().speed)
         self._transport.slider.set_marks(controls.marks_s)
 
     def _on_opening(self, _source: Source) -> None:

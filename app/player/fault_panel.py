@@ -25,9 +25,10 @@ from hapticplayer.clock import Clock
 from hapticplayer.devices import find_device
 from hapticplayer.errors import HapticPlayerError
 from hapticplayer.haptics.contract import Mode
+from hapticplayer.haptics.injection import Fault, outcome_of
 from hapticplayer.haptics.process import Health
 from hapticplayer.playback.haptic_link import NO_DEVICE
-from hapticplayer.simulation.faults import Fault, outcome_of
+from hapticplayer.playback.snapshot import Snapshot
 
 POLL_MS = 100
 FOLLOWED_S = 3.0
@@ -70,8 +71,7 @@ class FaultPanel(QDialog):
 
     def start(self) -> None:
         """Take the simulated device anew, so that it takes faults."""
-        player = self._session.player
-        device = player.link.device
+        player, device = self._session.player, self._session.player.snapshot().device
         if device != NO_DEVICE and find_device(device).server:
             player.set_device(device, takes_faults=True)
             self._session.changed.emit()
@@ -79,7 +79,6 @@ class FaultPanel(QDialog):
 
     def inject(self, name: str) -> None:
         """Make one thing happen."""
-        link = self._session.player.link
         self._note(name)
         if name in HANGS:
             now_s = self._clock.now_s()
@@ -87,16 +86,16 @@ class FaultPanel(QDialog):
             self._clock.sleep_until(now_s + HANGS[name][0])  # this is the fault
             return
         try:
-            self._follow(link.inject(Fault(name)))
+            self._follow(self._session.player.inject(Fault(name)))
         except HapticPlayerError as problem:
             self._session.gateway.report(problem)
 
     def done(self, result: int) -> None:
         """Give the window a device back that takes no faults."""
         self._timer.stop()
-        player = self._session.player
-        if player.link.takes_faults:
-            player.set_device(player.link.device)
+        player, now = self._session.player, self._session.player.snapshot()
+        if now.takes_faults:
+            player.set_device(now.device)
             self._session.changed.emit()
         super().done(result)
 
@@ -162,28 +161,25 @@ class FaultPanel(QDialog):
         self._followed = (self.table.rowCount(), at_s)
 
     def _poll(self) -> None:
-        player = self._session.player
-        link, latest = player.link, player.link.history.latest()
-        mode = Mode(int(latest["mode"])) if latest is not None else Mode.IDLE
-        self.state.setText(health.device(player.snapshot()).text)
-        self.hint.setText(self._hint(is_acting=mode in (Mode.ENTERING, Mode.FOLLOWING)))
+        now = self._session.player.snapshot()
+        self.state.setText(health.device(now).text)
+        self.hint.setText(self._hint(now))
         for button in self.buttons.values():
-            button.setEnabled(link.takes_faults)
-        is_stopped = mode is Mode.TRIPPED and link.health not in _DEAD
+            button.setEnabled(now.takes_faults)
+        is_stopped = now.mode is Mode.TRIPPED and now.device_health not in _DEAD
         self.rearm.setEnabled(is_stopped)
         set_role(self.rearm, "rearm" if is_stopped else "")
         self._show_outcome()
 
-    def _hint(self, *, is_acting: bool) -> str:
-        link = self._session.player.link
-        if not link.takes_faults:
+    def _hint(self, now: Snapshot) -> str:
+        if not now.takes_faults:
             return self.tr(
                 "Only a simulated device takes faults, and only while this panel is "
                 "open: choose it in the window, then press Device anew."
             )
-        if link.health in _DEAD:
+        if now.device_health in _DEAD:
             return self.tr("The device has failed: press Device anew.")
-        if not is_acting:
+        if now.mode not in (Mode.ENTERING, Mode.FOLLOWING):
             return self.tr("Play a clip with force, so that there is one to take away.")
         return self.tr("There is a force. Press a fault and watch what takes it away.")
 
@@ -192,7 +188,7 @@ class FaultPanel(QDialog):
         if self._followed is None:
             return
         rows, at_s = self._followed
-        ticks = self._session.player.link.history.since(at_s - _BEFORE_S)
+        ticks = self._session.player.ticks_since(at_s - _BEFORE_S)
         found = outcome_of(ticks, at_s) if len(ticks) else None
         if found is not None:
             zero = "\u2013" if found.zero_s is None else f"{1e3 * found.zero_s:.0f}"

@@ -1,7 +1,5 @@
 """What the view of the grip shows, from what the haptic link knows."""
 
-from typing import Any
-
 from PySide6.QtCore import QCoreApplication
 
 from app.player.health import device_name, mode_text, stop_reason
@@ -17,7 +15,8 @@ from hapticplayer.devices import find_device
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.process import Health
 from hapticplayer.model import Feedback
-from hapticplayer.playback.haptic_link import NO_DEVICE, HapticLink
+from hapticplayer.playback.haptic_link import NO_DEVICE
+from hapticplayer.playback.snapshot import Snapshot, TicksSince
 
 translate = QCoreApplication.translate
 
@@ -29,39 +28,38 @@ _ACTIVITIES = {
 }
 
 
-def grip_of(link: HapticLink, feedback: str) -> Grip:
+def grip_of(now: Snapshot, ticks_since: TicksSince) -> Grip:
     """Return what there is to see of a device that tells where its grip is.
 
     Args:
-        link: with the newest ticks.
-        feedback: the track that plays.
+        now: of the player.
+        ticks_since: `Player.ticks_since`.
     """
-    title = _title(link.device)
-    if link.device == NO_DEVICE:
+    title = _title(now.device)
+    if now.device == NO_DEVICE:
         text = translate(
             "GripView", "No device: choose {name} to see what would be felt"
         )
         return Grip(title, text.format(name=device_name(SIMULATED)))
-    if link.health is Health.FAILED:
+    if now.device_health is Health.FAILED:
         text = translate("GripView", "The device has failed")
         return Grip(title, text, Activity.STOPPED)
-    if link.health is Health.GONE:
+    if now.device_health is Health.GONE:
         text = translate("GripView", "The haptics process has ended")
         return Grip(title, text, Activity.STOPPED)
-    latest = link.history.latest()
-    if latest is None:
+    if now.tick is None:
         return Grip(title, translate("GripView", "Starting"), Activity.CHANGING)
-    return _moving(title, link, latest, feedback)
+    return _moving(title, now, ticks_since)
 
 
-def _moving(title: str, link: HapticLink, latest: Any, feedback: str) -> Grip:
-    capabilities = find_device(link.device).capabilities
+def _moving(title: str, now: Snapshot, ticks_since: TicksSince) -> Grip:
+    capabilities = find_device(now.device).capabilities
+    latest, mode, feedback = now.tick, now.mode, now.feedback
     position_m = position_of(latest)
-    mode = Mode(int(latest["mode"]))
-    ticks = link.history.since(float(latest["monotonic_s"]) - TRAIL_S)
+    ticks = ticks_since(float(latest["monotonic_s"]) - TRAIL_S)
     return Grip(
         title,
-        _state(mode, Cause(int(latest["cause"])), feedback)
+        _state(mode, now.cause, feedback)
         if position_m
         else translate("GripView", "The position is not known"),
         _activity(mode, feedback),

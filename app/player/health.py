@@ -10,9 +10,9 @@ from app.widgets.texts import titled
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.process import Health
 from hapticplayer.haptics.scheduling import Scheduling
-from hapticplayer.model import SyncStats
+from hapticplayer.model import LoopStats, SyncStats
 from hapticplayer.playback.haptic_link import NO_DEVICE
-from hapticplayer.playback.snapshot import Phase, Snapshot
+from hapticplayer.playback.snapshot import Measurements, Phase, Snapshot
 from hapticplayer.playback.sync_alarm import EARLY_MS, LATE_MS
 
 translate = QCoreApplication.translate
@@ -41,14 +41,14 @@ class Reading(NamedTuple):
     text: str
 
 
-def readings(snapshot: Snapshot) -> tuple[Reading, ...]:
+def readings(snapshot: Snapshot, measured: Measurements) -> tuple[Reading, ...]:
     """Return the entries in the order of the line."""
     return (
         device(snapshot),
         scheduling(snapshot),
-        lateness(snapshot),
-        sync(snapshot.force_minus_video),
-        sync(snapshot.force_minus_audio if is_heard(snapshot) else None),
+        lateness(snapshot, measured.loop),
+        sync(measured.force_minus_video),
+        sync(measured.force_minus_audio if is_heard(snapshot) else None),
         pictures(snapshot),
         clock(snapshot),
     )
@@ -59,7 +59,7 @@ def device(snapshot: Snapshot) -> Reading:
     if snapshot.device == NO_DEVICE:
         return Reading(Level.NEUTRAL, translate("Health", "none"))
     name = device_name(snapshot.device)
-    if snapshot.device_health == Health.STARTING:
+    if snapshot.device_health is Health.STARTING:
         return Reading(Level.WATCH, _with(name, translate("Health", "starting")))
     ends: dict[str, str] = {
         Health.FAILED: translate("Health", "failed"),
@@ -137,9 +137,8 @@ def scheduling(snapshot: Snapshot) -> Reading:
     return Reading(level, text)
 
 
-def lateness(snapshot: Snapshot) -> Reading:
+def lateness(snapshot: Snapshot, loop: LoopStats | None) -> Reading:
     """Return how punctual the 1 kHz loop has been in the last 10 s."""
-    loop = snapshot.loop
     if loop is None or is_dead(snapshot):
         return Reading(Level.NEUTRAL, "\u2013")
     p99_us = loop.lateness_p99_us

@@ -9,7 +9,7 @@ from app.player.health import Level, Reading, level_word, readings
 from app.widgets import theme
 from app.widgets.labels import ElidedLabel
 from app.widgets.texts import titled
-from hapticplayer.playback.snapshot import Snapshot
+from hapticplayer.playback.snapshot import Measurements, Snapshot
 
 _SIGN_ROOM_PX = 20
 _APART_PX = 4
@@ -99,9 +99,10 @@ class HealthLine(QFrame):
         self._needed_px = [0] * len(self.entries)
         self._letters = 0
 
-    def show_snapshot(self, snapshot: Snapshot) -> None:
+    def show_readings(self, snapshot: Snapshot, measured: Measurements) -> None:
         """Show what the player reports."""
-        for entry, reading in zip(self.entries, readings(snapshot), strict=True):
+        found = readings(snapshot, measured)
+        for entry, reading in zip(self.entries, found, strict=True):
             entry.show_reading(reading)
         # why the force has stopped is not cut off while there is room
         self._rooms_px[0] = max(self._rooms_px[0], self.entries[0].needed_px())

@@ -37,12 +37,13 @@ class History:
 
     def note_position(self, player: Player) -> None:
         """Remember where the clip is; not at its ends."""
-        if player.source is None:
+        now = player.snapshot()
+        if now.source is None:
             return
-        place, kept = str(player.source.path.absolute()), self._positions()
+        place, kept = str(now.source.path.absolute()), self._positions()
         kept.pop(place, None)
-        media_s = player.media_s()
-        if is_worth_keeping(media_s, player.source.clip.duration_s):
+        media_s = now.media_s
+        if is_worth_keeping(media_s, now.duration_s):
             kept[place] = round(media_s, 3)
         newest = list(kept.items())[-MOST_POSITIONS:]
         self._settings.keep(POSITIONS, dict(newest))

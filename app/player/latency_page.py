@@ -38,7 +38,7 @@ from app.widgets.labels import ElidedLabel
 from app.widgets.room import framed, indent
 from hapticplayer.clock import Clock
 from hapticplayer.errors import HapticPlayerError
-from hapticplayer.haptics.contract import Cause, Mode
+from hapticplayer.haptics.contract import Mode
 from hapticplayer.model import Feedback
 from hapticplayer.playback.beats import (
     COUNT,
@@ -52,6 +52,7 @@ from hapticplayer.playback.haptic_link import NO_DEVICE
 from hapticplayer.playback.latency import MOST_S, Latencies
 from hapticplayer.playback.player import Player
 from hapticplayer.playback.screen import NullSink
+from hapticplayer.playback.snapshot import Snapshot
 from hapticplayer.playback.source import Source
 
 TOGETHER = "together"
@@ -136,7 +137,7 @@ class LatencyPage(QDialog):
         player, self.player = self.player, None
         if player is None:
             return
-        player.link.stop_force()
+        player.stop_force()
         self._look_timer.stop()
         if self._pump is not None:
             self._pump.stop()
@@ -157,9 +158,10 @@ class LatencyPage(QDialog):
     def tap(self) -> None:
         """A person taps to what is played alone."""
         player = self.player
-        if player is None or not player.is_playing or self.mode not in self.meters:
+        now = player.snapshot() if player else Snapshot()
+        if not now.is_playing or self.mode not in self.meters:
             return
-        self.meters[self.mode].tap(player.media_s())
+        self.meters[self.mode].tap(now.media_s)
         self._show_taps()
         self._propose()
 
@@ -211,12 +213,11 @@ class LatencyPage(QDialog):
         if player is None:
             return
         self._name_rows()
-        latest = player.link.history.latest()
-        if latest is not None and int(latest["mode"]) == Mode.TRIPPED:
-            cause = Cause(int(latest["cause"]))
+        now = player.snapshot()
+        if now.mode is Mode.TRIPPED:
             self.stop()
-            self.told.setText(stop_reason(cause))
-        elif problem := player.problem or player.link.problem:
+            self.told.setText(stop_reason(now.cause))
+        elif problem := now.problem or now.device_problem:
             self.stop()
             self.told.setText(translated(problem))
 
@@ -233,7 +234,7 @@ class LatencyPage(QDialog):
             return
         self.surface.set_clip_size(source.clip.width, source.clip.height)
         player.open(source)
-        player.loop_s = (0.0, COUNT * PERIOD_S)
+        player.set_loop((0.0, COUNT * PERIOD_S))
         self._pump = Pump(player.poll, self._clock, lambda: None, self)
         self._apply()
         player.play()
@@ -244,7 +245,7 @@ class LatencyPage(QDialog):
     def _apply(self) -> None:
         """Let the player do what is chosen; alone, nothing is compensated."""
         player = self.player
-        if player is None or player.source is None:
+        if player is None or player.snapshot().source is None:
             return
         shown = {DISPLAY: True, SOUND: True, DEVICE: True}
         latencies = self._latencies()
@@ -284,7 +285,7 @@ class LatencyPage(QDialog):
         self._settled.start()
 
     def _names(self) -> dict[str, str]:
-        sound = self.player.sound.name if self.player else self._sound_name
+        sound = self.player.snapshot().sound_output if self.player else ""
         self._sound_name = sound or self._sound_name
         device = "" if self._device == NO_DEVICE else self._device
         return {DISPLAY: screen_name(self), SOUND: self._sound_name, DEVICE: device}

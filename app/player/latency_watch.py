@@ -44,12 +44,12 @@ class LatencyWatch(QObject):
             return
         if screen_name(self._surface) != self._screen:
             self.take()
-        sound = self._session.player.sound
-        name, reported_s = sound.name, sound.reported_latency_s
+        now = self._session.player.snapshot()
+        name, reported_s = now.sound_output, now.reported_latency_s
         is_late = reported_s > LARGE_S or is_wireless(name)
         if not (name and is_late) or name in self._warned:
             return
-        if reported_s == 0.0 and self._session.player.is_playing:
+        if reported_s == 0.0 and now.is_playing:
             return  # the number comes with the first seconds of sound
         self._warned.add(name)
         if not is_known(self._settings, SOUND, name):

@@ -8,8 +8,7 @@ from PySide6.QtWidgets import QFrame, QVBoxLayout
 
 from app.player.grip_feed import grip_of
 from app.widgets import theme
-from hapticplayer.playback.haptic_link import HapticLink
-from hapticplayer.playback.meters import TickHistory
+from hapticplayer.playback.snapshot import Snapshot, TicksSince
 from hapticplayer.playback.source import Source
 
 if TYPE_CHECKING:
@@ -64,15 +63,15 @@ class PlotsPlace(QFrame):
             self._column.addWidget(panel)
             self.panel = panel
 
-    def follow(self, media_s: float, feedback: str, history: TickHistory) -> None:
+    def follow(self, now: Snapshot, ticks_since: TicksSince) -> None:
         """Draw what lies around a media time."""
         if self.panel is not None:
-            self.panel.follow(media_s, feedback, history)
+            self.panel.follow(now, ticks_since)
 
-    def follow_grip(self, link: HapticLink, feedback: str) -> None:
+    def follow_grip(self, now: Snapshot, ticks_since: TicksSince) -> None:
         """Show the grip and what acts on it; nothing is read where it is hidden."""
         if self.panel is not None and self.panel.grip.isVisible():
-            self.panel.show_grip(grip_of(link, feedback))
+            self.panel.show_grip(grip_of(now, ticks_since))
 
     def show_grip(self, *, is_wanted: bool) -> None:
         """Show or hide the grip beside the plots."""

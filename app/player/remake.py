@@ -110,7 +110,7 @@ class OpenWindow(QObject):
         yield from _until_idle(old)
         old.hold_still(is_wanted=True)
         yield from dress_in_steps(_application(), old.settings)
-        surface, source = VideoSurface(), old.player.source
+        surface, source = VideoSurface(), old.player.snapshot().source
         made = self._next = PlayerWindow(
             old.player, surface, old.clock, old.settings, plots=False, waits=True
         )
@@ -126,8 +126,8 @@ class OpenWindow(QObject):
                 yield
         yield from _until_idle(old)  # something may have been opened
         self._exchange(old, made)
-        if old.player.source is not source:
-            made.session.opening.emit(old.player.source)
+        if (current := old.player.snapshot().source) is not source:
+            made.session.opening.emit(current)
             made.session.opened.emit()
         yield
         old.deleteLater()

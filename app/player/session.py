@@ -16,7 +16,7 @@ from hapticplayer.haptics.process import Health
 from hapticplayer.playback.haptic_link import NO_DEVICE
 from hapticplayer.playback.player import Player
 from hapticplayer.playback.replay import with_log
-from hapticplayer.playback.snapshot import Phase
+from hapticplayer.playback.snapshot import Phase, Snapshot
 from hapticplayer.playback.source import Source, open_source
 
 SKIP_S = 5.0
@@ -59,7 +59,7 @@ class Session(QObject):
 
     def open_log(self, path: Path) -> None:
         """Play what a log says was sent, with the clip that is open."""
-        source = self.player.source
+        source = self.player.snapshot().source
         if source is not None:
             self._run(
                 self.tr("Opening {name}").format(name=path.name),
@@ -68,7 +68,7 @@ class Session(QObject):
 
     def open_demo(self) -> None:
         """Open the built-in demo; it is made on first use."""
-        from hapticplayer.simulation.demo import demo_folder
+        from hapticplayer.sequence.demo import demo_folder
 
         def work(progress: Progress) -> Source:
             return open_source(in_child(demo_folder, progress=progress))
@@ -103,7 +103,7 @@ class Session(QObject):
             return
         from hapticplayer.sequence.excursion import stored_texts
 
-        for text in stored_texts(source.path, self.player.feedback):
+        for text in stored_texts(source.path, self.player.snapshot().feedback):
             self.gateway.report(HapticPlayerError(text))
 
     # --- controls ------------------------------------------------------------
@@ -111,8 +111,7 @@ class Session(QObject):
     @property
     def is_stopped(self) -> bool:
         """Whether the force was stopped and waits for a person."""
-        latest = self.player.link.history.latest()
-        return latest is not None and int(latest["mode"]) == Mode.TRIPPED
+        return self.player.snapshot().mode is Mode.TRIPPED
 
     def stop_or_rearm(self) -> None:
         """Press the big button."""
@@ -129,11 +128,9 @@ class Session(QObject):
         """Let the force come back after a stop; the grip has to be near the middle."""
         if not self.is_stopped:
             return
-        latest = self.player.link.history.latest()
-        device = find_device(self.player.link.device)
-        if not is_near_middle(
-            latest["position_m"].tolist(), limits_of(device.capabilities)
-        ):
+        now = self.player.snapshot()
+        limits = limits_of(find_device(now.device).capabilities)
+        if not is_near_middle(now.tick["position_m"].tolist(), limits):
             self.gateway.report(
                 HapticPlayerError(
                     self.tr("Bring the grip to the middle first, then re-arm again")
@@ -143,22 +140,22 @@ class Session(QObject):
 
     def skip(self, by_s: float) -> None:
         """Go some seconds forwards or backwards."""
-        self.player.seek(self.player.media_s() + by_s)
+        self.player.seek(self.player.snapshot().media_s + by_s)
 
     def go_to_end(self) -> None:
         """Go to the last picture."""
-        if self.player.source is not None:
-            self.player.seek(self.player.source.clip.duration_s)
+        self.player.seek(self.player.snapshot().duration_s)
 
     def refresh_picture(self) -> None:
         """Decode the picture anew for another size, where the clip stands still."""
-        if self.player.phase is Phase.PAUSED:
-            self.player.seek(self.player.media_s())
+        now = self.player.snapshot()
+        if now.phase is Phase.PAUSED:
+            self.player.seek(now.media_s)
 
     def choose_device(self, name: str) -> None:
         """Take another device; none where that fails."""
-        link = self.player.link
-        if name == link.device and link.health not in _DEAD:
+        now = self.player.snapshot()
+        if name == now.device and now.device_health not in _DEAD:
             return
         self.told = ""
         try:
@@ -175,7 +172,7 @@ class Session(QObject):
 
     def halt(self) -> None:
         """Stop force and clip whatever else is broken."""
-        for action in (self.player.link.stop_force, self.player.pause):
+        for action in (self.player.stop_force, self.player.pause):
             try:
                 action()
             except Exception as problem:  # noqa: BLE001 - the gateway's last resort
@@ -187,41 +184,39 @@ class Session(QObject):
         """Look for what has changed since the last call, and tell."""
         self.gateway.poll()
         self.jobs.poll()
-        self._tell_problem()
-        player, phase_before = self.player, self._state[:1]
+        now, phase_before = self.player.snapshot(), self._state[:1]
+        self._tell_problem(now)
         state = (
-            player.phase,
-            self.is_stopped,
-            player.link.health,
-            player.feedback,
+            now.phase,
+            now.mode is Mode.TRIPPED,
+            now.device_health,
+            now.feedback,
             self.jobs.is_busy,
         )
         if state != self._state:
             self._state = state
             self.changed.emit()
-            if player.phase is Phase.ENDED and phase_before != (Phase.ENDED,):
+            if now.phase is Phase.ENDED and phase_before != (Phase.ENDED,):
                 self._on_ended()
 
     def _on_ended(self) -> None:
         """Tell; the next time the clip plays to its own end."""
-        if self.player.source is not None:
-            self.player.end_s = self.player.source.clip.duration_s
+        self.player.set_end(self.player.snapshot().duration_s)
         self.ended.emit()
 
-    def _tell_problem(self) -> None:
+    def _tell_problem(self, now: Snapshot) -> None:
         """Report once what the player or the device complains about."""
-        text = self.player.problem or self._device_problem()
+        text = now.problem or self._device_problem(now)
         if text and text != self.told:
             self.told = text
             self.gateway.report(HapticPlayerError(text))
 
-    def _device_problem(self) -> str:
-        link = self.player.link
-        if link.health not in _DEAD:
+    def _device_problem(self, now: Snapshot) -> str:
+        if now.device_health not in _DEAD:
             return ""
-        if link.health is Health.GONE:
+        if now.device_health is Health.GONE:
             return self.tr("The haptics process has ended; choose the device again")
-        return link.problem
+        return now.device_problem
 
     def close(self) -> None:
         """Stop what runs, bring the hand to rest and finish the log."""

@@ -14,6 +14,7 @@ from app.widgets.numbers import local
 from app.widgets.toast import OnPicture
 from hapticplayer.model import SyncStats
 from hapticplayer.playback.player import Player
+from hapticplayer.playback.snapshot import Snapshot
 
 translate = QCoreApplication.translate
 
@@ -54,8 +55,9 @@ class Statistics(OnPicture):
 
 def figures(player: Player) -> list[tuple[str, str]]:
     """Return (name, value) of everything that is known."""
-    snapshot, clip = player.snapshot(), player.source.clip if player.source else None
-    loop = snapshot.loop
+    snapshot, measured = player.snapshot(), player.measurements()
+    clip = snapshot.source.clip if snapshot.source else None
+    loop = measured.loop
     rows = [
         (
             translate("Statistics", "Clip"),
@@ -67,7 +69,7 @@ def figures(player: Player) -> list[tuple[str, str]]:
             translate("Statistics", "Position"),
             position_text(snapshot.media_s, snapshot.duration_s),
         ),
-        (translate("Statistics", "Speed"), local(f"{player.speed:.2f}")),
+        (translate("Statistics", "Speed"), local(f"{snapshot.speed:.2f}")),
         (
             translate("Statistics", "Pictures"),
             translate("Statistics", "{shown} shown, {dropped} dropped").format(
@@ -97,15 +99,15 @@ def figures(player: Player) -> list[tuple[str, str]]:
         ),
         (
             translate("Statistics", "Force \u2212 picture, ms"),
-            _sync(snapshot.force_minus_video),
+            _sync(measured.force_minus_video),
         ),
         (
             translate("Statistics", "Force \u2212 sound, ms"),
-            _sync(snapshot.force_minus_audio),
+            _sync(measured.force_minus_audio),
         ),
-        (translate("Statistics", "Latency, ms"), _latency(player)),
+        (translate("Statistics", "Latency, ms"), _latency(snapshot)),
     ]
-    return rows + _tick(player.link.history.latest())
+    return rows + _tick(snapshot.tick)
 
 
 def _tick(latest: Any) -> list[tuple[str, str]]:
@@ -127,9 +129,9 @@ def _vector(values: list[float]) -> str:
     return local(f"{parts}  |{math.hypot(*values):6.2f}|")
 
 
-def _latency(player: Player) -> str:
+def _latency(snapshot: Snapshot) -> str:
     """Return what is compensated, and what the sound output says of itself."""
-    known, reported_s = player.latency, player.sound.reported_latency_s
+    known, reported_s = snapshot.latency, snapshot.reported_latency_s
     values = (known.display_s, known.sound_s, known.device_s, reported_s)
     text = translate(
         "Statistics", "picture {0:.0f}  sound {1:.0f}  force {2:.0f}  output {3:.0f}"

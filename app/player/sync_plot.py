@@ -1,5 +1,6 @@
 """How much later than its picture and its sound the force came: the last half minute."""
 
+from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
@@ -13,7 +14,7 @@ from app.widgets import theme
 from app.widgets.numbers import local
 from app.widgets.room import is_seen
 from app.widgets.texts import titled
-from hapticplayer.playback.haptic_link import HapticLink
+from hapticplayer.playback.snapshot import SyncTraces
 from hapticplayer.playback.sync_alarm import EARLY_MS, LATE_MS
 
 SPAN_S = 30.0
@@ -76,11 +77,12 @@ class SyncPlot(QWidget):
         """Return how low it can be."""
         return QSize(160, _LEAST_HEIGHT_PX)
 
-    def follow(self, now_s: float, link: HapticLink) -> None:
+    def follow(self, now_s: float, sync_traces: Callable[[], SyncTraces]) -> None:
         """Show what the meters know, a few times a second and only where it is seen."""
         if is_seen(self) and self._turn.is_due(now_s):
-            self.picture = trace_of(link.video_sync.trace(), now_s)
-            self.sound = trace_of(link.audio_sync.trace(), now_s)
+            traces = sync_traces()
+            self.picture = trace_of(traces.video, now_s)
+            self.sound = trace_of(traces.audio, now_s)
             self.update()
 
     def paintEvent(self, _event: QPaintEvent) -> None:

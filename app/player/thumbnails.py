@@ -121,7 +121,7 @@ class Thumbnails(QObject):
         return self._made[max(0, row)][1] if self._made else None
 
     def _begin(self) -> None:
-        source = self._player.source
+        source = self._player.snapshot().source
         if source is None or self._path == source.clip.path or self._is_felt():
             return
         self._path = path = source.clip.path
@@ -137,8 +137,8 @@ class Thumbnails(QObject):
         self._job.start()
 
     def _is_felt(self) -> bool:
-        is_real = self._player.link.device not in (NO_DEVICE, "simulated")
-        return is_real and self._player.is_playing
+        now = self._player.snapshot()
+        return now.is_playing and now.device not in (NO_DEVICE, "simulated")
 
 
 def _pixmap(made: Thumbnail) -> QPixmap:

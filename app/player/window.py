@@ -109,8 +109,8 @@ class PlayerWindow(QMainWindow):
         self._offer_devices()
         room_px = self.screen().availableGeometry().height()
         self.show_plots(are_wanted=plots and room_px >= LEAST_SCREEN_PX)
-        if player.source is not None:
-            self._on_opening(player.source)
+        if (source := player.snapshot().source) is not None:
+            self._on_opening(source)
         self._on_opened()
         self._on_changed()
         self.stage.setFocus()
@@ -221,7 +221,7 @@ class PlayerWindow(QMainWindow):
         """Show the clip and nothing else, or everything again."""
         if self.fullscreen.is_on:
             self.fullscreen.leave()
-        elif self.player.source is not None:
+        elif self.player.snapshot().source is not None:
             self.enter_fullscreen()
 
     def enter_fullscreen(self) -> None:
@@ -249,11 +249,11 @@ class PlayerWindow(QMainWindow):
     def _on_device_chosen(self, name: str) -> None:
         self.messages.hide()
         self.session.choose_device(name)
-        self.settings.keep(DEVICE, self.player.link.device)
+        self.settings.keep(DEVICE, self.player.snapshot().device)
 
     def _release_device(self) -> str:
         """Leave sound and device to a session; return which device it was."""
-        name = self.player.link.device
+        name = self.player.snapshot().device
         self.player.pause()
         self.session.choose_device(NO_DEVICE)
         self.player.wait_released()
@@ -291,7 +291,7 @@ class PlayerWindow(QMainWindow):
             self.extras.refresh(now_s)
         if self._draw_turn.is_due(now_s):
             self._display.refresh()
-            self.sync_plot.follow(now_s, self.player.link)
+            self.sync_plot.follow(now_s, self.player.sync_traces)
 
     def _on_opening(self, source: Source) -> None:
         self.messages.hide()
@@ -300,7 +300,7 @@ class PlayerWindow(QMainWindow):
         self.surface.set_clip_size(source.clip.width, source.clip.height)
 
     def _on_opened(self) -> None:
-        source = self.player.source
+        source = self.player.snapshot().source
         title = self.tr("hapticplayer")
         if source is not None:
             shown = self.fontMetrics().elidedText(
@@ -312,20 +312,21 @@ class PlayerWindow(QMainWindow):
         self.transport.set_duration(source.clip.duration_s if source else 0.0)
         names = source.tracks if source else ()
         self.transport.set_feedbacks(choices.feedbacks(names))
-        self.transport.select_feedback(self.player.feedback)
+        self.transport.select_feedback(self.player.snapshot().feedback)
 
     def _on_changed(self) -> None:
-        is_busy, has_clip = self.session.jobs.is_busy, self.player.source is not None
+        now, is_busy = self.player.snapshot(), self.session.jobs.is_busy
+        has_clip = now.source is not None
         self.empty_page.set_busy(is_busy=is_busy)
         for action in self.commands.opening:
             action.setEnabled(not is_busy)
         for action in self.commands.playing:
             action.setEnabled(has_clip)
         self.commands.rearm.setEnabled(self.session.is_stopped)
-        self.transport.show_playing(is_playing=self.player.is_playing)
+        self.transport.show_playing(is_playing=now.is_playing)
         self.transport.show_stopped(is_stopped=self.session.is_stopped)
-        self.transport.select_feedback(self.player.feedback)
-        self._show_device(self.player.link.device)
+        self.transport.select_feedback(now.feedback)
+        self._show_device(now.device)
         self.extras.show_force()
         self.desktop.follow()
         self._display.refresh_soon()
@@ -336,7 +337,7 @@ class PlayerWindow(QMainWindow):
         self.transport.select_device(name)
 
     def _offer_devices(self) -> None:
-        name, falcons = self.player.link.device, self.dialogs.plugged.falcons()
+        name, falcons = self.player.snapshot().device, self.dialogs.plugged.falcons()
         self.transport.set_devices(choices.devices(name, falcons))
         self.transport.select_device(name)
 

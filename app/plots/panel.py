@@ -20,7 +20,7 @@ from app.plots.save_view import SaveButton
 from app.plots.series import EMPTY, Page, Trail, cut, half_range, sampled, thin
 from app.plots.view_span import ViewSpan
 from app.widgets import theme
-from hapticplayer.playback.meters import TickHistory
+from hapticplayer.playback.snapshot import Snapshot, TicksSince
 from hapticplayer.playback.source import Source
 
 translate = QCoreApplication.translate
@@ -76,7 +76,7 @@ class ForcePlot(PlayheadPlot):
         self._source: Source | None = None
         self._feedback = ""
         self._trail = Trail()
-        self._history: TickHistory | None = None
+        self._loop_pid: int | None = None
 
     def set_source(self, source: Source | None) -> None:
         """Show another clip's force."""
@@ -89,21 +89,21 @@ class ForcePlot(PlayheadPlot):
         )
         self.set_half_range(half_range(peak, LEAST_FORCE_N))
 
-    def follow(self, media_s: float, feedback: str, history: TickHistory) -> None:
+    def follow(self, now: Snapshot, ticks_since: TicksSince) -> None:
         """Draw what lies around a media time."""
-        if feedback != self._feedback:
-            self._feedback = feedback
+        if now.feedback != self._feedback:
+            self._feedback = now.feedback
             self.forget_page()
-        span_s = self.new_page(media_s)
+        span_s = self.new_page(now.media_s)
         if span_s:
             self.set_lines(_PLANNED, self._planned(*span_s))
-        is_other = history is not self._history
+        is_other = now.loop_pid != self._loop_pid
         if is_other:
-            self._history, self._trail = history, Trail()
-        has_more = self._trail.add(history.since(self._trail.last_tick_s))
+            self._loop_pid, self._trail = now.loop_pid, Trail()
+        has_more = self._trail.add(ticks_since(self._trail.last_tick_s))
         if has_more or is_other or span_s:  # ticks are read less often than drawn
             self.set_lines(_SENT, thin(cut(*self._trail.page(), *self.page_s)))
-        self.set_playhead(media_s)
+        self.set_playhead(now.media_s)
 
     def _planned(self, first_s: float, last_s: float) -> Page:
         source = self._source
@@ -138,7 +138,7 @@ class PlotPanel(QWidget):
         self.force = force or ForcePlot(self.span)
         self.acceleration.sought.connect(self.sought)
         self.force.sought.connect(self.sought)
-        self._last: tuple[float, str, TickHistory] | None = None
+        self._last: tuple[Snapshot, TicksSince] | None = None
         self.span.changed.connect(self._on_span)
         self.grip = GripView()
         self._grip_title = _headline(headline(self.grip.grip))
@@ -186,11 +186,11 @@ class PlotPanel(QWidget):
         self.acceleration.set_source(source)
         self.force.set_source(source)
 
-    def follow(self, media_s: float, feedback: str, history: TickHistory) -> None:
+    def follow(self, now: Snapshot, ticks_since: TicksSince) -> None:
         """Draw what lies around a media time."""
-        self._last = (media_s, feedback, history)
-        self.acceleration.follow(media_s)
-        self.force.follow(media_s, feedback, history)
+        self._last = (now, ticks_since)
+        self.acceleration.follow(now.media_s)
+        self.force.follow(now, ticks_since)
 
     def _on_span(self) -> None:
         """Draw again: other seconds are wanted."""

@@ -38,7 +38,7 @@ def play(options: argparse.Namespace) -> int:
     try:
         with interruptible():
             player.set_device(options.device, record)
-            player.link.wait_ready()
+            player.wait_ready()
             attach_log(player, options.log, source, feedback)
             player.open(source, feedback)
             if speed != 1.0:
@@ -49,16 +49,18 @@ def play(options: argparse.Namespace) -> int:
                 start_s=options.start,
                 until_s=end_s,
             )
-        problem = player.problem or player.link.problem
+        now = player.snapshot()
+        problem = now.problem or now.device_problem
     finally:
         player.close()
     report = player.summary()
     say(json.dumps(report) if options.json else _summary_text(source, feedback, report))
-    for sentence in player.told:
+    now = player.snapshot()
+    for sentence in now.notices:
         if sentence != problem:
             say_aside(sentence)
-    problem = problem or player.link.record_problem
-    problem = problem or (player.log_problem if options.log else "")
+    problem = problem or now.record_problem
+    problem = problem or now.log_problem
     if problem:
         complain(problem)
         return 1
@@ -125,14 +127,15 @@ def attach_log(player: Player, path: str | None, source: Source, feedback: str) 
     """Let the player write a log, if one was asked for."""
     if path is None:
         return
+    now = player.snapshot()
     header = {
         "program": f"hapticplayer {__version__}",
         "clip": source.clip.path.name,
         "title": source.title,
         "duration_s": source.clip.duration_s,
         "feedback": feedback,
-        "device": player.link.device,
-        "scheduling": player.link.scheduling,
+        "device": now.device,
+        "scheduling": now.scheduling,
         "time": "seconds of CLOCK_MONOTONIC",
     }
     player.attach_log(PlaybackLog(Path(path), header))

@@ -1,6 +1,6 @@
 """The player's side of the haptics process: tracks, clock, health, records."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -11,12 +11,14 @@ from hapticplayer.clock import Clock
 from hapticplayer.devices import find_device
 from hapticplayer.errors import UsageError
 from hapticplayer.haptics.contract import Cause, Mode
+from hapticplayer.haptics.injection import Fault
 from hapticplayer.haptics.process import HapticsProcess, Health
 from hapticplayer.haptics.residence import Residence
 from hapticplayer.haptics.scheduling import Scheduling
 from hapticplayer.model import ForceTrack, PlaybackClock, SyncStats
 from hapticplayer.playback.log import PlaybackLog
 from hapticplayer.playback.meters import SyncMeter, TickHistory
+from hapticplayer.playback.snapshot import Measurements
 from hapticplayer.playback.sync_alarm import SyncAlarm
 from hapticplayer.rendering import adapted
 
@@ -37,6 +39,7 @@ class HapticLink:
         scheduling: None for the best there is.
         record: a new file for every tick of the loop; None records nothing.
         takes_faults: whether `inject` may be called; for simulated devices only.
+        make: starts the processes.
 
     Raises:
         UsageError: when a real device shall take faults.
@@ -51,6 +54,7 @@ class HapticLink:
         record: Path | None = None,
         *,
         takes_faults: bool = False,
+        make: Callable[..., HapticsProcess] = HapticsProcess,
     ) -> None:
         self.device = device
         self.history = TickHistory()
@@ -69,7 +73,7 @@ class HapticLink:
         self._process: HapticsProcess | None = None
         if device != NO_DEVICE:
             self._capabilities = find_device(device).capabilities
-            self._process = HapticsProcess(
+            self._process = make(
                 clock,
                 device,
                 scheduling=scheduling,
@@ -83,9 +87,9 @@ class HapticLink:
         return self._process.scheduling.value if self._process else ""
 
     @property
-    def health(self) -> Health | None:
-        """State of the process, None without a device."""
-        return self._process.health if self._process else None
+    def health(self) -> Health:
+        """State of the process."""
+        return self._process.health if self._process else Health.NONE
 
     @property
     def problem(self) -> str:
@@ -142,7 +146,7 @@ class HapticLink:
         """Whether `inject` may be called."""
         return self._process is not None and self._process.takes_faults
 
-    def inject(self, fault: str) -> float:
+    def inject(self, fault: Fault) -> float:
         """Make a fault happen; see `HapticsProcess.inject`."""
         if self._process is None:
             raise UsageError("there is no device that could have a fault")
@@ -173,6 +177,19 @@ class HapticLink:
     def restart_meters(self) -> None:
         """Measure the force against picture and sound from here on."""
         self.video_sync, self.audio_sync = SyncMeter(), SyncMeter()
+
+    def measurements(self, audio_underrun_s: float) -> Measurements:
+        """Return what was measured so far."""
+        return Measurements(
+            self.history.recent_stats(),
+            self.history.total_stats(),
+            self.video_sync.recent(),
+            self.audio_sync.recent(),
+            self.video_sync.total(),
+            self.audio_sync.total(),
+            self.history.lost,
+            audio_underrun_s,
+        )
 
     def summary(self) -> dict[str, Any]:
         """Return what the loop measured, for the end of a log."""

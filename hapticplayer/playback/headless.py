@@ -11,11 +11,11 @@ def run(player: Player, clock: Clock, *, start_s: float, until_s: float) -> None
     Raises:
         KeyboardInterrupt: from the user; the caller closes the player.
     """
-    player.end_s = min(until_s, player.end_s)
+    player.set_end(min(until_s, player.snapshot().end_s))
     if start_s > 0.0:
         player.seek(start_s)
     player.play()
-    while player.phase is not Phase.ENDED:
+    while player.snapshot().phase is not Phase.ENDED:
         clock.sleep_until(player.poll())
     # a little longer, so that the record shows the force at rest
     deadline_s = clock.now_s() + 0.1

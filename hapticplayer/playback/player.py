@@ -6,12 +6,17 @@ process of their own. A front end that stops polling stops the heartbeat, and th
 force with it.
 """
 
+from collections.abc import Callable
 from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
+from numpy.typing import NDArray
+
 from hapticplayer.clock import Clock
 from hapticplayer.haptics.contract import Cause, Mode
+from hapticplayer.haptics.injection import Fault
+from hapticplayer.haptics.process import HapticsProcess
 from hapticplayer.haptics.scheduling import Scheduling
 from hapticplayer.playback.clock import AudioReport, MediaClock
 from hapticplayer.playback.clock import Source as ClockSource
@@ -21,7 +26,7 @@ from hapticplayer.playback.haptic_link import NO_DEVICE, HapticLink
 from hapticplayer.playback.latency import Latencies, Latency
 from hapticplayer.playback.log import PlaybackLog
 from hapticplayer.playback.screen import POLL_S, FrameSink, NullSink, Screen
-from hapticplayer.playback.snapshot import Phase, Snapshot
+from hapticplayer.playback.snapshot import Measurements, Phase, Snapshot, SyncTraces
 from hapticplayer.playback.sound import NO_OUTPUT, AudioFactory, Sound
 from hapticplayer.playback.sound_process import SoundProcess
 from hapticplayer.playback.source import Source
@@ -43,6 +48,7 @@ class Player:
         device: name of the haptic device, or "none".
         audio: makes the sound output, see `SoundKeeper`; None plays without sound.
         scheduling: of the haptics process; None for the best there is.
+        haptics: makes the owner of the haptics processes; None for the usual one.
     """
 
     def __init__(
@@ -53,15 +59,16 @@ class Player:
         device: str = NO_DEVICE,
         audio: AudioFactory | None = SoundProcess,
         scheduling: Scheduling | None = None,
+        haptics: Callable[..., HapticsProcess] | None = None,
     ) -> None:
-        self.source: Source | None = None
-        self.phase = Phase.EMPTY
-        self.feedback = ""
-        self.problem = ""
-        self.told: list[str] = []  # remarks for people, in order
-        self.log_problem = ""
-        self.end_s = 0.0
-        self.loop_s: tuple[float, float] | None = None  # played again and again
+        self._source: Source | None = None
+        self._phase = Phase.EMPTY
+        self._feedback = ""
+        self._problem = ""
+        self._notices: list[str] = []  # remarks for people, in order
+        self._log_problem = ""
+        self._end_s = 0.0
+        self._loop_s: tuple[float, float] | None = None  # played again and again
         self._clock = clock
         self._screen = Screen(clock, sink or NullSink(), self._note_picture)
         self._scheduling = scheduling
@@ -69,8 +76,9 @@ class Player:
         self._sound = Sound(clock, self._media, audio)
         self._video_feeder: VideoFeeder | None = None
         self._log: PlaybackLog | None = None
-        self._link = HapticLink(clock, device, scheduling)
-        self._latencies, self.latency = Latencies(), Latency()
+        self._make_haptics = haptics or HapticsProcess
+        self._link = HapticLink(clock, device, scheduling, make=self._make_haptics)
+        self._latencies, self._latency = Latencies(), Latency()
         self._farewells = Farewells()
         self._size, self._is_seen = (0, 0, False), sink is not None
         self._first_sound_by_s = self._pictured_s = 0.0
@@ -80,44 +88,20 @@ class Player:
         self._leaving: list[VideoFeeder] = []  # told to end, and not waited for
         self._damaged = self._dropped_before = 0
 
-    # --- what a front end asks for ------------------------------------------
-
-    @property
-    def link(self) -> HapticLink:
-        """The haptics process and its records."""
-        return self._link
-
-    @property
-    def sound(self) -> Sound:
-        """The sound of the clip and its output."""
-        return self._sound
-
-    @property
-    def is_playing(self) -> bool:
-        """Whether the clip plays or is about to."""
-        return self.phase in (Phase.BUFFERING, Phase.STARTING, Phase.PLAYING)
-
-    def media_s(self) -> float:
-        """Return the position, s."""
-        return self._media.media_s(self._clock.now_s())
-
-    @property
-    def speed(self) -> float:
-        """Media seconds in one second of the person's time."""
-        return self._media.speed
+    # --- commands -------------------------------------------------------------
 
     def open(self, source: Source, feedback: str | None = None) -> None:
         """Load a source and show its first picture; it does not play yet."""
-        self.unload()
-        self.source = source
-        self.feedback = feedback or source.feedback
-        self.end_s = source.clip.duration_s
+        self._unload()
+        self._source = source
+        self._feedback = feedback or source.feedback
+        self._end_s = source.clip.duration_s
         self._link.load(source.tracks)
         self._video_feeder = VideoFeeder(source.clip.path)
         self._video_feeder.set_size(*self._size)
         self._video_feeder.set_seen(is_seen=self._is_seen)
         self._sound.open(source.clip.path, has_sound=source.clip.has_audio)
-        self.phase = Phase.PAUSED
+        self._phase = Phase.PAUSED
         self._go_to(0.0)
         self._video_feeder.start()
 
@@ -125,7 +109,7 @@ class Player:
         """Open the sound output already: a clip with sound is about to be opened."""
         self._sound.prepare()
 
-    def unload(self) -> None:
+    def _unload(self) -> None:
         """Stop playing and forget the source."""
         self._sound.forget()
         if self._video_feeder is not None:
@@ -134,41 +118,41 @@ class Player:
             self._leaving.append(self._video_feeder)
             self._dropped_before += self._video_feeder.dropped
             self._video_feeder = None
-        self.source, self.loop_s = None, None
+        self._source, self._loop_s = None, None
         self._screen.forget()
-        self.phase, self.problem, self._damaged = Phase.EMPTY, "", 0
+        self._phase, self._problem, self._damaged = Phase.EMPTY, "", 0
         self._media.seek(0.0)
 
     def play(self) -> None:
         """Play from here; from the beginning when the clip has ended."""
-        if self.phase is Phase.ENDED:
+        if self._phase is Phase.ENDED:
             self._go_to(0.0)
-        if self.phase in (Phase.PAUSED, Phase.ENDED):
-            self.phase = Phase.BUFFERING
+        if self._phase in (Phase.PAUSED, Phase.ENDED):
+            self._phase = Phase.BUFFERING
             self._event("play")
 
     def pause(self) -> None:
         """Stand still; the force ramps to zero."""
-        if self.is_playing:
+        if self._is_playing:
             self._hold(Phase.PAUSED)
             self._event("pause")
 
     def toggle(self) -> None:
         """Play or pause."""
-        (self.pause if self.is_playing else self.play)()
+        (self.pause if self._is_playing else self.play)()
 
     def seek(self, media_s: float) -> None:
         """Go to a position and go on as before."""
-        if self.source is None:
+        if self._source is None:
             return
-        was_playing = self.is_playing
-        self._go_to(min(max(0.0, media_s), self.source.clip.duration_s))
-        self.phase = Phase.BUFFERING if was_playing else Phase.PAUSED
+        was_playing = self._is_playing
+        self._go_to(min(max(0.0, media_s), self._source.clip.duration_s))
+        self._phase = Phase.BUFFERING if was_playing else Phase.PAUSED
         self._event("seek", to_s=self._media.media_s(self._clock.now_s()))
 
     def step(self, frames: int) -> None:
         """Stand still one picture farther (+1) or one picture back (-1)."""
-        feeder, source = self._video_feeder, self.source
+        feeder, source = self._video_feeder, self._source
         if feeder is None or source is None:
             return
         self.pause()
@@ -184,17 +168,25 @@ class Player:
 
     def set_speed(self, speed: float) -> None:
         """Play faster or slower from here on; the sound keeps its pitch."""
-        position_s = self.media_s()
+        position_s = self._media_s()
         self._media.speed = min(max(speed, SLOWEST), FASTEST)
         self._event("speed", speed=self._media.speed)
         self.seek(position_s)
+
+    def set_end(self, media_s: float) -> None:
+        """Stop the clip at a position; opening a clip resets it to the clip's end."""
+        self._end_s = media_s
+
+    def set_loop(self, span_s: tuple[float, float] | None) -> None:
+        """Repeat a part of the clip, or nothing."""
+        self._loop_s = span_s
 
     def set_sink(self, sink: FrameSink) -> None:
         """Present the pictures somewhere else, at a standstill the present one too."""
         self._screen.sink = sink
         self.set_seen(is_seen=True)
-        if not self.is_playing:  # else the next picture comes soon enough
-            self.seek(self.media_s())
+        if not self._is_playing:  # else the next picture comes soon enough
+            self.seek(self._media_s())
 
     def set_volume(self, share: float) -> None:
         """Set the loudness: 0 is silent, 1 as recorded; its cube is the amplitude."""
@@ -204,19 +196,19 @@ class Player:
         """Begin earlier from here on what reaches the person later."""
         self._latencies = latencies
         if self._note_latency():
-            self.seek(self.media_s())
+            self.seek(self._media_s())
 
     def set_sound_output(self, make: AudioFactory) -> None:
         """Play through another output from here on."""
         self._sound.use(make)
-        self.seek(self.media_s())
+        self.seek(self._media_s())
 
     def set_feedback(self, name: str) -> None:
         """Change the force track; the force ramps down and fades in again."""
-        if self.source is None or name not in self.source.tracks:
+        if self._source is None or name not in self._source.tracks:
             return
-        if name != self.feedback:
-            self.feedback = name
+        if name != self._feedback:
+            self._feedback = name
             self._event("feedback", feedback=name)
             self._media.renew()
             self._sound.ring.follow(self._media.epoch)
@@ -232,12 +224,26 @@ class Player:
         if is_hardware(name):
             self.wait_released()
         self._link = HapticLink(
-            self._clock, name, self._scheduling, record, takes_faults=takes_faults
+            self._clock,
+            name,
+            self._scheduling,
+            record,
+            takes_faults=takes_faults,
+            make=self._make_haptics,
         )
-        if self.source is not None:
-            self._link.load(self.source.tracks)
+        if self._source is not None:
+            self._link.load(self._source.tracks)
         self._event("device", device=name)
         self._note_latency()
+
+    def wait_ready(self) -> None:
+        """Wait for the device.
+
+        Raises:
+            DeviceError: with the device's own reason.
+            HapticsError: when the haptics process died or said nothing in time.
+        """
+        self._link.wait_ready()
 
     def wait_released(self) -> None:
         """Wait until other programs can have the hardware that was let go of."""
@@ -256,8 +262,8 @@ class Player:
         self._is_seen = is_seen
         if self._video_feeder is not None:
             self._video_feeder.set_seen(is_seen=is_seen)
-            if is_seen and not self.is_playing:
-                self._go_to(self.media_s())  # what was shown meanwhile has no pixels
+            if is_seen and not self._is_playing:
+                self._go_to(self._media_s())  # what was shown meanwhile has no pixels
 
     def stop_force(self) -> None:
         """Take the force away at once and stand still; `rearm` brings it back."""
@@ -270,15 +276,23 @@ class Player:
         self._link.rearm()
         self._event("rearm")
 
+    def inject(self, fault: Fault) -> float:
+        """Make a fault happen; see `HapticsProcess.inject`."""
+        return self._link.inject(fault)
+
+    def restart_meters(self) -> None:
+        """Measure the force against picture and sound from here on."""
+        self._link.restart_meters()
+
     def attach_log(self, log: PlaybackLog) -> None:
         """Write everything from now on into a log, until `close`."""
         self._log = log
-        self._event("latency", **asdict(self.latency))
+        self._event("latency", **asdict(self._latency))
 
     def close(self) -> None:
         """Bring the hand to rest, end all threads and finish the log."""
         self._link.stop_force()  # before anything that takes its time
-        self.unload()
+        self._unload()
         self._sound.close()
         self._link.close()
         self._farewells.wait()
@@ -287,35 +301,60 @@ class Player:
         self._link.poll(self._log)
         if self._log is not None:
             self._log.close(self.summary())
-            self.log_problem = self._log.problem
+            self._log_problem = self._log.problem
             self._log = None
 
+    # --- what a front end shows -----------------------------------------------
+
     def snapshot(self) -> Snapshot:
-        """Return what there is to show."""
-        latest = self._link.history.latest()
+        """Return the state of clip and device."""
+        link, latest = self._link, self._link.history.latest()
         return Snapshot(
-            phase=self.phase,
-            media_s=self.media_s(),
-            duration_s=self.source.clip.duration_s if self.source else 0.0,
-            feedback=self.feedback,
+            phase=self._phase,
+            source=self._source,
+            media_s=self._media_s(),
+            end_s=self._end_s,
+            loop_s=self._loop_s,
+            speed=self._media.speed,
+            epoch=self._media.epoch,
+            feedback=self._feedback,
             clock=self._media.source.value,
             audio=self._sound.output,
-            device=self._link.device,
-            device_health=str(self._link.health or ""),
-            scheduling=self._link.scheduling,
+            sound_output=self._sound.name,
+            reported_latency_s=self._sound.reported_latency_s,
+            latency=self._latency,
+            device=link.device,
+            device_health=link.health,
+            device_problem=link.problem,
+            takes_faults=link.takes_faults,
+            loop_pid=link.pid,
+            scheduling=link.scheduling,
+            record_problem=link.record_problem,
             mode=Mode(int(latest["mode"])) if latest is not None else Mode.IDLE,
             cause=Cause(int(latest["cause"])) if latest is not None else Cause.NONE,
-            loop=self._link.history.recent_stats(),
-            force_minus_video=self._link.video_sync.recent(),
-            force_minus_audio=self._link.audio_sync.recent(),
+            tick=latest,
             frames_shown=self._screen.shown,
-            frames_dropped=self.frames_dropped,
+            frames_dropped=self._frames_dropped,
             frames_damaged=self._damaged,
-            problem=self.problem,
+            problem=self._problem,
+            notices=tuple(self._notices),
+            log_problem=self._log_problem,
         )
 
+    def measurements(self) -> Measurements:
+        """Return lateness and synchronisation so far."""
+        return self._link.measurements(self._sound.underrun_s)
+
+    def ticks_since(self, monotonic_s: float) -> NDArray[Any]:
+        """Return the ticks after a time, of the last 12 s, oldest first; see `TICK`."""
+        return self._link.history.since(monotonic_s)
+
+    def sync_traces(self) -> SyncTraces:
+        """Return the last differences between force, picture and sound."""
+        return SyncTraces(self._link.video_sync.trace(), self._link.audio_sync.trace())
+
     @property
-    def frames_dropped(self) -> int:
+    def _frames_dropped(self) -> int:
         """Pictures that came too late to be shown."""
         fed = self._video_feeder.dropped if self._video_feeder else 0
         return self._dropped_before + self._screen.dropped + fed
@@ -326,7 +365,7 @@ class Player:
             **self._link.summary(),
             "frames": {
                 "shown": self._screen.shown,
-                "dropped": self.frames_dropped,
+                "dropped": self._frames_dropped,
                 "damaged": self._damaged,
             },
             "audio_underrun_s": round(self._sound.underrun_s, 4),
@@ -335,28 +374,35 @@ class Player:
 
     # --- what happens by itself ---------------------------------------------
 
+    @property
+    def _is_playing(self) -> bool:
+        return self._phase in (Phase.BUFFERING, Phase.STARTING, Phase.PLAYING)
+
+    def _media_s(self) -> float:
+        return self._media.media_s(self._clock.now_s())
+
     def poll(self) -> float:
         """Do what is due and return the monotonic time of the next call, s."""
         now_s = self._clock.now_s()
         if not self._link.poll(self._log):
             self._event("device_lost", problem=self._link.problem)
-            self.told.append(self._link.problem)
-        self.told += self._link.told
+            self._notices.append(self._link.problem)
+        self._notices += self._link.told
         self._link.told.clear()
         self._hear()
         self._media.check(now_s)
         self._advance(now_s)
         next_s = self._present(self._clock.now_s())
-        feedback = NO_TRACK if self._has_picture_stopped(now_s) else self.feedback
+        feedback = NO_TRACK if self._has_picture_stopped(now_s) else self._feedback
         clock = self._media.snapshot(self._clock.now_s())
-        self._link.publish(clock.ahead(self.latency.device_s), feedback)
+        self._link.publish(clock.ahead(self._latency.device_s), feedback)
         return min(next_s, now_s + POLL_S)
 
     def _has_picture_stopped(self, now_s: float) -> bool:
         """Whether the decoder does not keep up; nobody shall feel what nobody sees."""
         feeder = self._video_feeder
         is_fed = feeder is None or feeder.is_at_end or feeder.peek() is not None
-        if is_fed or self.phase is not Phase.PLAYING:
+        if is_fed or self._phase is not Phase.PLAYING:
             self._pictured_s = now_s
         has_stopped = now_s > self._pictured_s + PICTURE_STOPS_S
         if has_stopped is not self._is_blind:
@@ -367,9 +413,9 @@ class Player:
     def _hear(self) -> None:
         """Follow what the sound output reports."""
         for report in self._sound.reports():
-            if self.phase is Phase.STARTING and report.epoch == self._media.epoch:
+            if self._phase is Phase.STARTING and report.epoch == self._media.epoch:
                 self._media.start_with(report)
-                self.phase = Phase.PLAYING
+                self._phase = Phase.PLAYING
             elif not self._media.report(report, self._clock.now_s()):
                 # too far off to be caught up with: seek to where the sound is
                 self._event("resync", to_s=report.media_s)
@@ -383,7 +429,7 @@ class Player:
         if report.monotonic_s < self._logged_audio_s + AUDIO_LOG_PERIOD_S:
             return
         self._logged_audio_s = report.monotonic_s
-        commanded_s = report.monotonic_s - self.latency.device_s
+        commanded_s = report.monotonic_s - self._latency.device_s
         self._link.audio_sync.event(commanded_s, report.media_s)
         if self._log:
             at = {"monotonic_s": report.monotonic_s, "media_s": report.media_s}
@@ -396,18 +442,18 @@ class Player:
             return
         self._keep_sound(now_s)
         self._note_damage(feeder)
-        if self.phase is Phase.BUFFERING and self._is_ready(feeder, now_s):
+        if self._phase is Phase.BUFFERING and self._is_ready(feeder, now_s):
             self._start(now_s)
-        elif self.phase is Phase.STARTING and now_s > self._first_sound_by_s:
+        elif self._phase is Phase.STARTING and now_s > self._first_sound_by_s:
             self._media.start(now_s)
-            self.phase = Phase.PLAYING
+            self._phase = Phase.PLAYING
             self._event("no_sound")
-        elif self.phase is Phase.PLAYING:
+        elif self._phase is Phase.PLAYING:
             if self._media.source is not self._led_by:  # another clock leads now
                 self._led_by = self._media.source
                 self._event("clock", source=self._led_by.value)
-            if self.loop_s is not None and self.media_s() >= self.loop_s[1]:
-                self.seek(self.loop_s[0])
+            if self._loop_s is not None and self._media_s() >= self._loop_s[1]:
+                self.seek(self._loop_s[0])
             elif self._is_over(feeder, now_s):
                 self._hold(Phase.ENDED)
                 self._event("end")
@@ -415,12 +461,12 @@ class Player:
     def _note_damage(self, feeder: VideoFeeder) -> None:
         if feeder.damaged > self._damaged:
             if not self._damaged:
-                self.told.append(DAMAGED)
+                self._notices.append(DAMAGED)
             self._damaged = feeder.damaged
             self._event("damaged_pictures", count=feeder.damaged)
-        if feeder.problem is not None and not self.problem:
-            self.problem = str(feeder.problem)
-            self._event("damaged", problem=self.problem)
+        if feeder.problem is not None and not self._problem:
+            self._problem = str(feeder.problem)
+            self._event("damaged", problem=self._problem)
 
     def _is_ready(self, feeder: VideoFeeder, now_s: float) -> bool:
         has_picture = feeder.peek(1) is not None or feeder.is_at_end
@@ -428,49 +474,49 @@ class Player:
 
     def _keep_sound(self, now_s: float) -> None:
         """Notice that the output is lost, and use the next one."""
-        happened = self._sound.look(now_s, is_playing=self.phase is Phase.PLAYING)
+        happened = self._sound.look(now_s, is_playing=self._phase is Phase.PLAYING)
         if happened == "no_sound_output":
             self._event(happened, reason=self._sound.problem)
-            self.told.append(NO_OUTPUT)
+            self._notices.append(NO_OUTPUT)
         elif happened:
             self._event(happened)
             self._note_latency()
             if happened == "sound_lost":
-                self.told.append("the sound was lost; picture and force go on")
-            if self.phase is Phase.STARTING:
-                self.phase = Phase.BUFFERING  # what was begun is not heard
+                self._notices.append("the sound was lost; picture and force go on")
+            if self._phase is Phase.STARTING:
+                self._phase = Phase.BUFFERING  # what was begun is not heard
 
     def _note_latency(self) -> bool:
         """Follow outputs that are others now; return whether a latency is another."""
-        before = self.latency
-        self.latency = self._latencies.of(self._sound.name, self._link.device)
-        self._sound.ring.latency_s = self.latency.sound_s
-        if self.latency == before:
+        before = self._latency
+        self._latency = self._latencies.of(self._sound.name, self._link.device)
+        self._sound.ring.latency_s = self._latency.sound_s
+        if self._latency == before:
             return False
-        self._event("latency", **asdict(self.latency))
+        self._event("latency", **asdict(self._latency))
         return True
 
     def _start(self, now_s: float) -> None:
         if not self._sound.is_open:
-            self._media.start(now_s + self.latency.lead_s)
-            self.phase = Phase.PLAYING
+            self._media.start(now_s + self._latency.lead_s)
+            self._phase = Phase.PLAYING
         else:
             # the clock starts with the first sound: its delay is never assumed
             self._sound.ring.play()
             self._first_sound_by_s = now_s + FIRST_SOUND_TIMEOUT_S
-            self.phase = Phase.STARTING
+            self._phase = Phase.STARTING
 
     def _is_over(self, feeder: VideoFeeder, now_s: float) -> bool:
         media_s = self._media.media_s(now_s)
         is_dry = feeder.problem is not None and feeder.peek() is None
-        return media_s >= self.end_s or is_dry
+        return media_s >= self._end_s or is_dry
 
     def _hold(self, phase: Phase) -> None:
         """Stand still; the sound that is on its way stays in the ring."""
         now_s = self._clock.now_s()
         self._media.pause(now_s)
         self._sound.hold(self._media.media_s(now_s))
-        self.phase = phase
+        self._phase = phase
 
     def _go_to(self, media_s: float) -> None:
         self._media.seek(media_s)
@@ -485,12 +531,12 @@ class Player:
         if feeder is None:
             return now_s + POLL_S
         clock = self._media.snapshot(now_s) if self._media.is_running else None
-        clock = clock.ahead(self.latency.display_s) if clock else None
+        clock = clock.ahead(self._latency.display_s) if clock else None
         return self._screen.present(now_s, feeder, clock)
 
     def _note_picture(self, shown_s: float, pts_s: float) -> None:
-        seen_s = shown_s + self.latency.display_s
-        self._link.video_sync.event(seen_s - self.latency.device_s, pts_s)
+        seen_s = shown_s + self._latency.display_s
+        self._link.video_sync.event(seen_s - self._latency.device_s, pts_s)
         if self._log:
             self._log.line("frame", monotonic_s=seen_s, media_s=pts_s)
 

@@ -1,10 +1,18 @@
 """What a front end shows of the player: values, taken when asked for."""
 
 import enum
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
 
 from hapticplayer.haptics.contract import Cause, Mode
+from hapticplayer.haptics.process import Health
 from hapticplayer.model import LoopStats, SyncStats
+from hapticplayer.playback.latency import Latency
+from hapticplayer.playback.source import Source
 
 
 class Phase(enum.StrEnum):
@@ -18,25 +26,108 @@ class Phase(enum.StrEnum):
     ENDED = "ended"
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class Snapshot:
-    """What a front end shows; a value, taken when asked for."""
+    """The player's state; without arguments: no clip and no device.
 
-    phase: Phase
-    media_s: float
-    duration_s: float
-    feedback: str
-    clock: str
-    audio: str
-    device: str
-    device_health: str
-    scheduling: str
-    mode: Mode
-    cause: Cause
-    loop: LoopStats | None
-    force_minus_video: SyncStats | None
-    force_minus_audio: SyncStats | None
-    frames_shown: int
-    frames_dropped: int
-    frames_damaged: int
-    problem: str
+    Attributes:
+        source: what is open.
+        media_s: position in the clip.
+        end_s: where the clip stops.
+        loop_s: begin and end of the part that is repeated, None without one.
+        speed: media seconds per second.
+        epoch: of the playback clock; a new one interrupts the force.
+        feedback: name of the force track.
+        clock: what leads, "audio" or "monotonic".
+        audio: sound output, "lost" when it has gone, "" for none.
+        sound_output: name of the output that plays, "" for none.
+        reported_latency_s: what the sound output says of itself; 0 before it does.
+        latency: what is compensated.
+        device: name, "none" without a device.
+        device_problem: what is wrong with device or process, "" for nothing.
+        takes_faults: whether the device accepts injected faults.
+        loop_pid: process id of the haptic loop.
+        scheduling: class of the haptic loop, "" without a device.
+        record_problem: why the record of the ticks is not complete.
+        mode, cause: of the newest tick.
+        tick: the newest tick, see `TICK`; None before the first.
+        problem: what is wrong with the clip, "" for nothing.
+        notices: sentences for people so far, in order.
+        log_problem: why the log is not complete, once it is closed.
+    """
+
+    phase: Phase = Phase.EMPTY
+    source: Source | None = None
+    media_s: float = 0.0
+    end_s: float = 0.0
+    loop_s: tuple[float, float] | None = None
+    speed: float = 1.0
+    epoch: int = 0
+    feedback: str = ""
+    clock: str = "monotonic"
+    audio: str = ""
+    sound_output: str = ""
+    reported_latency_s: float = 0.0
+    latency: Latency = field(default_factory=Latency)
+    device: str = "none"
+    device_health: Health = Health.NONE
+    device_problem: str = ""
+    takes_faults: bool = False
+    loop_pid: int | None = None
+    scheduling: str = ""
+    record_problem: str = ""
+    mode: Mode = Mode.IDLE
+    cause: Cause = Cause.NONE
+    tick: Any = None
+    frames_shown: int = 0
+    frames_dropped: int = 0
+    frames_damaged: int = 0
+    problem: str = ""
+    notices: tuple[str, ...] = ()
+    log_problem: str = ""
+
+    @property
+    def duration_s(self) -> float:
+        """Length of the clip."""
+        return self.source.clip.duration_s if self.source else 0.0
+
+    @property
+    def is_playing(self) -> bool:
+        """Whether the clip plays or is about to."""
+        return self.phase in (Phase.BUFFERING, Phase.STARTING, Phase.PLAYING)
+
+
+@dataclass(frozen=True, slots=True)
+class Measurements:
+    """Lateness and synchronisation.
+
+    Attributes:
+        loop: of the last 10 s.
+        loop_total: since the device was chosen.
+        force_minus_video: how much later than its frame the force came, the last
+            600 events.
+        force_minus_audio: the same for the sound.
+        force_minus_video_total, force_minus_audio_total: since `restart_meters`.
+        ticks_lost: that were overwritten before they were read.
+        audio_underrun_s: silence in place of sound that was not there in time.
+    """
+
+    loop: LoopStats | None = None
+    loop_total: LoopStats | None = None
+    force_minus_video: SyncStats | None = None
+    force_minus_audio: SyncStats | None = None
+    force_minus_video_total: SyncStats | None = None
+    force_minus_audio_total: SyncStats | None = None
+    ticks_lost: int = 0
+    audio_underrun_s: float = 0.0
+
+
+TicksSince = Callable[[float], NDArray[Any]]
+"""`Player.ticks_since`."""
+
+
+class SyncTraces(NamedTuple):
+    """Rows of (monotonic s, ms by which the force came later), oldest first, (n, 2)."""
+
+    video: NDArray[np.float64]
+    audio: NDArray[np.float64]

@@ -10,6 +10,7 @@ from hapticplayer.haptics.contract import Cause
 from hapticplayer.haptics.process import Health
 from hapticplayer.playback.haptic_link import NO_DEVICE
 from hapticplayer.playback.player import Player
+from hapticplayer.playback.snapshot import Snapshot
 from hapticplayer.study.definition import Checks
 
 DEVICE, HOMED, SCHEDULING, SOUND, VOLUME, SCREEN, DISK = (
@@ -59,10 +60,11 @@ def look(
         is_sound_heard: as a person has confirmed.
         volume_percent: of the player, the same for the whole session.
     """
+    now = player.snapshot()
     return (
-        _device(player, checks),
-        _homed(player, checks),
-        _scheduling(player, checks),
+        _device(now, checks),
+        _homed(now, checks),
+        _scheduling(now, checks),
         Check(
             SOUND,
             is_sound_heard or not checks.sound,
@@ -97,29 +99,27 @@ def volume_of(checks: object) -> int | None:
     return min(int(number), 100) if number.isdecimal() else None
 
 
-def _device(player: Player, checks: Checks) -> Check:
-    link = player.link
-    if link.device == NO_DEVICE:
+def _device(now: Snapshot, checks: Checks) -> Check:
+    if now.device == NO_DEVICE:
         return Check(DEVICE, not checks.device, "none")
-    is_real = SIMULATED not in link.device or not checks.device
-    is_good = is_real and link.health is Health.READY
-    return Check(DEVICE, is_good, f"{link.device}, {link.health}")
+    is_real = SIMULATED not in now.device or not checks.device
+    is_good = is_real and now.device_health is Health.READY
+    return Check(DEVICE, is_good, f"{now.device}, {now.device_health}")
 
 
-def _homed(player: Player, checks: Checks) -> Check:
-    if player.link.device == NO_DEVICE:
+def _homed(now: Snapshot, checks: Checks) -> Check:
+    if now.device == NO_DEVICE:
         return Check(HOMED, not checks.device, "no device")
-    latest = player.link.history.latest()
-    if latest is None:
+    if now.tick is None:
         return Check(HOMED, False, "the device has said nothing yet")
-    is_homed = Cause(int(latest["cause"])) is not Cause.NOT_HOMED
+    is_homed = now.cause is not Cause.NOT_HOMED
     return Check(HOMED, is_homed, "yes" if is_homed else "not yet")
 
 
-def _scheduling(player: Player, checks: Checks) -> Check:
-    if player.link.device == NO_DEVICE:
+def _scheduling(now: Snapshot, checks: Checks) -> Check:
+    if now.device == NO_DEVICE:
         return Check(SCHEDULING, not checks.device, "no device")
-    found = player.link.scheduling
+    found = now.scheduling
     return Check(SCHEDULING, found in checks.scheduling, found)
 
 

@@ -13,7 +13,7 @@ from hapticplayer.haptics.process import Health
 from hapticplayer.model import ForceTrack, SyncStats
 from hapticplayer.playback.haptic_link import NO_DEVICE
 from hapticplayer.playback.player import Player
-from hapticplayer.playback.snapshot import Phase
+from hapticplayer.playback.snapshot import Measurements, Phase, Snapshot
 from hapticplayer.playback.source import Source
 from hapticplayer.study.definition import Checks, Condition, Limits
 
@@ -118,16 +118,16 @@ class PlayerStage:
 
     def begin(self) -> None:
         """Play from the beginning."""
-        if self.player.media_s() > 0.0:
+        if self.player.snapshot().media_s > 0.0:
             self.player.seek(0.0)
-        self.player.link.restart_meters()
+        self.player.restart_meters()
         self._watch = _Watch(self.player, self._clock.now_s())
         self.player.play()
 
     def is_over(self) -> bool:
         """Whether the clip has ended; looks for faults meanwhile."""
         self._watch.look()
-        return self.player.phase in (Phase.ENDED, Phase.EMPTY)
+        return self.player.snapshot().phase in (Phase.ENDED, Phase.EMPTY)
 
     def halt(self) -> None:
         """Take the force away at once and stand still."""
@@ -173,21 +173,17 @@ class _Watch:
         self._player = player
         self._begun_s = self._seen_s = now_s
         self._before = player.snapshot()
-        self._silence_before_s = self._silence_s()
-        self._lost_before = player.link.history.lost
+        self._measured_before = player.measurements()
         self._was_acting = False
         self._faults: list[dict[str, Any]] = []
         self._ticks = self._missed = 0
         self._squares_n2 = np.zeros(3)
         self._led_by_sound = False
 
-    def _silence_s(self) -> float:
-        return float(self._player.summary()["audio_underrun_s"])
-
     def look(self) -> None:
         """Take in what the loop did since the last look."""
         self._led_by_sound |= self._player.snapshot().clock == "audio"
-        ticks = self._player.link.history.since(self._seen_s)
+        ticks = self._player.ticks_since(self._seen_s)
         if not len(ticks):
             return
         self._seen_s = float(ticks["monotonic_s"][-1])
@@ -209,7 +205,9 @@ class _Watch:
 
     def figures(self, now_s: float) -> dict[str, Any]:
         """Return what the record keeps of the playback."""
-        after, player = self._player.snapshot(), self._player
+        after, measured = self._player.snapshot(), self._player.measurements()
+        before = self._measured_before
+        silence_s = measured.audio_underrun_s - before.audio_underrun_s
         rms_n = np.sqrt(self._squares_n2 / max(1, self._ticks))
         return {
             "begun_mono_s": round(self._begun_s, 6),
@@ -218,13 +216,13 @@ class _Watch:
             "duration_s": round(after.duration_s, 3),
             "pictures_shown": after.frames_shown - self._before.frames_shown,
             "pictures_dropped": after.frames_dropped - self._before.frames_dropped,
-            "silence_s": round(self._silence_s() - self._silence_before_s, 4),
+            "silence_s": round(silence_s, 4),
             "clock": "audio" if self._led_by_sound else "monotonic",
-            "force_minus_picture_ms": _described(player.link.video_sync.total()),
-            "force_minus_sound_ms": _described(player.link.audio_sync.total()),
+            "force_minus_picture_ms": _described(measured.force_minus_video_total),
+            "force_minus_sound_ms": _described(measured.force_minus_audio_total),
             "ticks": self._ticks,
             "missed": self._missed,
-            "lost": player.link.history.lost - self._lost_before,
+            "lost": measured.ticks_lost - before.ticks_lost,
             "force_rms_n": [round(float(value), 4) for value in rms_n],
             "faults": self._faults,
             "device": after.device,
@@ -234,42 +232,48 @@ class _Watch:
     def reasons(self, limits: Limits, checks: Checks) -> list[str]:
         """Return why this playback was not sound."""
         found = [f"fault:{fault['cause']}" for fault in self._faults]
-        after, link = self._player.snapshot(), self._player.link
+        after, measured = self._player.snapshot(), self._player.measurements()
         shown = after.frames_shown - self._before.frames_shown
         dropped = after.frames_dropped - self._before.frames_dropped
-        if self._player.problem:
+        if after.problem:
             found.append("clip_damaged")
         if not shown or dropped > limits.dropped_share * (shown + dropped):
             found.append("pictures_dropped")
-        found += self._sound_reasons(limits, checks)
+        if checks.sound:
+            found += self._sound_reasons(limits, after, measured)
         if after.device != NO_DEVICE:
-            found += self._force_reasons(limits)
+            found += self._force_reasons(limits, after)
         elif checks.device:
             found.append("no_device")
-        for name, stats in (("picture", link.video_sync), ("sound", link.audio_sync)):
-            total = stats.total()
+        totals = {
+            "picture": measured.force_minus_video_total,
+            "sound": measured.force_minus_audio_total,
+        }
+        for name, total in totals.items():
             if total is not None and abs(total.p50_ms) > limits.sync_ms:
                 found.append(f"sync:{name}")
         return found
 
-    def _sound_reasons(self, limits: Limits, checks: Checks) -> list[str]:
-        source = self._player.source
-        if source is None or not source.clip.has_audio or not checks.sound:
+    def _sound_reasons(
+        self, limits: Limits, after: Snapshot, measured: Measurements
+    ) -> list[str]:
+        if after.source is None or not after.source.clip.has_audio:
             return []
         if not self._led_by_sound:
             return ["no_sound"]
-        missing_s = self._silence_s() - self._silence_before_s
+        before_s = self._measured_before.audio_underrun_s
+        missing_s = measured.audio_underrun_s - before_s
         return ["sound_missing"] if missing_s > limits.silence_s else []
 
-    def _force_reasons(self, limits: Limits) -> list[str]:
+    def _force_reasons(self, limits: Limits, after: Snapshot) -> list[str]:
         found = []
-        if self._player.link.health in (Health.FAILED, Health.GONE):
+        if after.device_health in (Health.FAILED, Health.GONE):
             found.append("device_lost")
         if self._missed > limits.missed_share * max(1, self._ticks):
             found.append("periods_missed")
         if not self._ticks:
             found.append("no_ticks")
-        if self._player.link.record_problem:
+        if after.record_problem:
             found.append("record_incomplete")
         return found
 

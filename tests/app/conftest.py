@@ -141,5 +141,5 @@ def playing(window, source, wait_for) -> PlayerWindow:
     """A window in which the clip plays, without a device."""
     window.session.show_source(source)
     window.player.play()
-    wait_for(lambda: window.player.media_s() > 0.1)
+    wait_for(lambda: window.player.snapshot().media_s > 0.1)
     return window

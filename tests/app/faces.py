@@ -115,14 +115,14 @@ def _import_at(step: int, window: PlayerWindow, folder) -> ImportWizard:
     """Return the wizard at a step that a person has come to."""
     wizard = ImportWizard("", folder, window)
     if step == REPORT:
-        wizard._on_made(window.player.source.path)
+        wizard._on_made(window.player.snapshot().source.path)
     else:
         wizard._go(step)
     return wizard
 
 
 def _library(window: PlayerWindow):
-    return window.player.source.path.parent
+    return window.player.snapshot().source.path.parent
 
 
 def _library_with_gain(window: PlayerWindow) -> LibraryPage:

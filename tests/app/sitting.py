@@ -116,7 +116,7 @@ class Person:
         self.wait_page(PageKind.READY)
         self.key(Qt.Key.Key_Enter)
         self.wait_page(PageKind.PLAYING)
-        self.session.player.end_s = min(end_s, self.session.player.end_s)
+        self.session.player.set_end(min(end_s, self.session.player.snapshot().end_s))
         self.wait_page(PageKind.QUESTIONS)
         for digit in digits:
             self.key(Qt.Key(Qt.Key.Key_0 + digit))

@@ -32,7 +32,7 @@ def when_playing(application):
     def arrange(action) -> None:
         def look() -> None:
             for window in open_windows():
-                if window.player.phase is Phase.PLAYING:
+                if window.player.snapshot().phase is Phase.PLAYING:
                     timer.stop()
                     action(window)
 
@@ -120,7 +120,7 @@ def test_without_a_source_the_demo_is_played(
     opened = []
 
     def look(window):
-        opened.append(window.player.source.path)
+        opened.append(window.player.snapshot().source.path)
         window.close()
 
     when_playing(look)
@@ -145,7 +145,7 @@ def test_the_speed_of_the_command_line(when_playing, sequence, capsys):
     seen = []
 
     def look(window) -> None:
-        seen.append((window.player.speed, window.transport.speed.text()))
+        seen.append((window.player.snapshot().speed, window.transport.speed.text()))
         window.close()
 
     when_playing(look)

@@ -23,16 +23,16 @@ def key(window, code) -> None:
 
 def test_brackets_change_the_speed_and_backspace_resets_it(playing):
     key(playing, Qt.Key.Key_BracketRight)
-    assert playing.player.speed == pytest.approx(1.1)
+    assert playing.player.snapshot().speed == pytest.approx(1.1)
     assert playing.transport.speed.isVisible()
     assert "1.10" in playing.extras.toast.text()
     key(playing, Qt.Key.Key_BracketLeft)
-    assert playing.player.speed == 1.0
+    assert playing.player.snapshot().speed == 1.0
     for _ in range(20):
         key(playing, Qt.Key.Key_BracketLeft)
-    assert playing.player.speed == 0.5
+    assert playing.player.snapshot().speed == 0.5
     key(playing, Qt.Key.Key_Backspace)
-    assert playing.player.speed == 1.0
+    assert playing.player.snapshot().speed == 1.0
     assert not playing.transport.speed.isVisible()
 
 
@@ -68,10 +68,10 @@ def test_the_loop_key_marks_a_then_b_then_forgets(playing):
     assert playing.transport.slider._marks_s == pytest.approx((0.4,))
     playing.player.seek(1.2)
     key(playing, Qt.Key.Key_L)
-    assert playing.player.loop_s == pytest.approx((0.4, 1.2))
+    assert playing.player.snapshot().loop_s == pytest.approx((0.4, 1.2))
     assert playing.transport.slider._marks_s == pytest.approx((0.4, 1.2))
     key(playing, Qt.Key.Key_L)
-    assert playing.player.loop_s is None
+    assert playing.player.snapshot().loop_s is None
     assert playing.transport.slider._marks_s == ()
 
 
@@ -83,7 +83,7 @@ def test_the_dot_shows_the_next_picture(playing, wait_for):
     wait_for(lambda: playing.player._video_feeder.peek() is not None)
     key(playing, Qt.Key.Key_Period)
     assert playing.player._screen.picture_s == pytest.approx(1.04, abs=1e-6)
-    assert playing.player.phase is Phase.PAUSED
+    assert playing.player.snapshot().phase is Phase.PAUSED
 
 
 def test_every_line_of_the_statistics_is_on_a_low_picture_too(playing):
@@ -156,7 +156,7 @@ def test_what_was_opened_is_listed_and_goes_on_where_it_was_left(
     monkeypatch.setattr(history, "FROM_END_S", 0.1)
     first = make_window()
     first.session.open_path(sequence)
-    wait_for(lambda: first.player.phase is Phase.PLAYING)
+    wait_for(lambda: first.player.snapshot().phase is Phase.PLAYING)
     first.player.pause()
     first.player.seek(1.0)
     first.close()
@@ -165,8 +165,8 @@ def test_what_was_opened_is_listed_and_goes_on_where_it_was_left(
     menu.fill()
     assert menu._menu.actions()[0].text() == sequence.name
     menu._menu.actions()[0].trigger()
-    wait_for(lambda: second.player.phase is Phase.PLAYING)
-    assert second.player.media_s() >= 1.0
+    wait_for(lambda: second.player.snapshot().phase is Phase.PLAYING)
+    assert second.player.snapshot().media_s >= 1.0
     assert "Home" in second.extras.toast.text()
 
 
@@ -237,9 +237,9 @@ def test_a_log_of_the_open_clip_is_felt_again(playing, source, tmp_path, wait_fo
     path = tmp_path / "log.jsonl"
     path.write_text("\n".join(json.dumps(row) for row in [header, *rows]))
     playing.session.open_log(path)
-    wait_for(lambda: playing.player.feedback == "log")
+    wait_for(lambda: playing.player.snapshot().feedback == "log")
     assert playing.transport.feedback.currentText() == "From a log"
-    track = playing.player.source.tracks["log"]
+    track = playing.player.snapshot().source.tracks["log"]
     assert track.at(np.array([1.0]))[0] == pytest.approx([0.0, 1.5, 0.0])
     playing.session.open_log(tmp_path / "missing")
     wait_for(lambda: "not a file" in playing.messages.text())

@@ -61,7 +61,7 @@ def test_the_window_holds_the_screen_while_it_plays(
     window = make_window()
     window.desktop.idle = IdleInhibitor(address, window)
     window.session.show_source(source)
-    wait_for(lambda: window.player.phase is Phase.PAUSED)
+    wait_for(lambda: window.player.snapshot().phase is Phase.PAUSED)
     assert not saver.holders
     window.player.play()
     wait_for(lambda: bool(saver.holders))
@@ -120,12 +120,12 @@ def test_media_keys_play_and_pause_over_mpris(mpris, playing, ask, wait_for):
     get = ("org.freedesktop.DBus.Properties.Get", f"string:{PLAYER}")
     assert "Playing" in ask(*get, "string:PlaybackStatus")
     ask(f"{PLAYER}.Pause")
-    assert playing.player.phase is Phase.PAUSED
+    assert playing.player.snapshot().phase is Phase.PAUSED
     assert "Paused" in ask(*get, "string:PlaybackStatus")
     ask(f"{PLAYER}.PlayPause")
-    wait_for(lambda: playing.player.is_playing)
+    wait_for(lambda: playing.player.snapshot().is_playing)
     ask(f"{PLAYER}.Stop")
-    assert playing.player.phase is Phase.PAUSED
+    assert playing.player.snapshot().phase is Phase.PAUSED
 
 
 def test_other_programs_see_what_plays_and_can_seek(mpris, playing, ask):
@@ -136,11 +136,11 @@ def test_other_programs_see_what_plays_and_can_seek(mpris, playing, ask):
     assert 'object path "/org/hapticplayer/clip"' in everything
     playing.player.seek(0.5)
     ask(f"{PLAYER}.Seek", "int64:250000")
-    assert playing.player.media_s() == pytest.approx(0.75)
+    assert playing.player.snapshot().media_s == pytest.approx(0.75)
     ask(f"{PLAYER}.SetPosition", "objpath:/org/hapticplayer/clip", "int64:1000000")
-    assert playing.player.media_s() == pytest.approx(1.0)
+    assert playing.player.snapshot().media_s == pytest.approx(1.0)
     ask(f"{PLAYER}.SetPosition", "objpath:/org/hapticplayer/clip", "int64:99000000")
-    assert playing.player.media_s() == pytest.approx(1.0)  # beyond: ignored
+    assert playing.player.snapshot().media_s == pytest.approx(1.0)  # beyond: ignored
 
 
 def test_every_property_of_both_interfaces_can_be_read(mpris, ask):

@@ -13,7 +13,7 @@ def window(make_window, source, wait_for):
     """The clip plays again and again on the simulated device, without faults."""
     made = make_window("simulated")
     made.session.show_source(source)
-    made.player.loop_s = (0.0, 1.5)
+    made.player.set_loop((0.0, 1.5))
     made.player.play()
     return made
 
@@ -27,7 +27,7 @@ def panel(window, wait_for):
 
 
 def is_acting(window):
-    latest = window.player.link.history.latest()
+    latest = window.player.snapshot().tick
     return latest is not None and latest["mode"] in (Mode.ENTERING, Mode.FOLLOWING)
 
 
@@ -71,17 +71,17 @@ def test_the_force_comes_back_after_re_arming(panel, window, wait_for):
 
 def test_an_unplugged_device_is_started_anew(panel, window, wait_for):
     panel.buttons["unplug"].click()
-    wait_for(lambda: window.player.link.health is Health.FAILED)
+    wait_for(lambda: window.player.snapshot().device_health is Health.FAILED)
     panel.again.click()
-    wait_for(lambda: window.player.link.health is Health.READY)
-    assert window.player.link.takes_faults
+    wait_for(lambda: window.player.snapshot().device_health is Health.READY)
+    assert window.player.snapshot().takes_faults
 
 
 def test_faults_are_over_when_the_panel_closes(panel, window, wait_for):
-    assert window.player.link.takes_faults
+    assert window.player.snapshot().takes_faults
     panel.reject()
-    assert window.player.link.device == "simulated"
-    assert not window.player.link.takes_faults
+    assert window.player.snapshot().device == "simulated"
+    assert not window.player.snapshot().takes_faults
 
 
 def test_without_a_simulated_device_no_fault_can_be_pressed(make_window, wait_for):

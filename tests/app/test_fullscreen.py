@@ -56,7 +56,7 @@ def test_leaving_brings_everything_back(playing, wait_for):
 def test_escape_leaves_fullscreen_and_pauses(full, wait_for):
     key(full, Qt.Key.Key_Escape)
     assert not full.isFullScreen()
-    assert full.player.phase is Phase.PAUSED
+    assert full.player.snapshot().phase is Phase.PAUSED
 
 
 def test_a_double_click_toggles(playing, qtbot):

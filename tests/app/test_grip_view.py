@@ -30,6 +30,7 @@ from hapticplayer.haptics.process import Health
 from hapticplayer.haptics.shared import TICK
 from hapticplayer.model.device import DeviceCapabilities
 from hapticplayer.playback.meters import TickHistory
+from hapticplayer.playback.snapshot import Snapshot
 
 RADIUS_M, SIDE_PX = 0.040, 320.0
 FRONT = Camera(0.0, 0.0)
@@ -65,14 +66,19 @@ def test_a_grip_at_rest_leaves_no_trail():
     assert trail_of(ticks(0)) == ()
 
 
-# --- what the link knows ------------------------------------------------------
+# --- from ticks to a grip -----------------------------------------------------
 
 
-def link(records=None, device="simulated", health=Health.READY) -> SimpleNamespace:
-    history = TickHistory()
+def grip(
+    records=None, feedback="realistic", device="simulated", health=Health.READY
+) -> Grip:
+    history, last = TickHistory(), {}
     if records is not None:
         history.add(records, 0)
-    return SimpleNamespace(device=device, health=health, history=history)
+        tick = history.latest()
+        last = {"tick": tick, "mode": Mode(tick["mode"]), "cause": Cause(tick["cause"])}
+    now = Snapshot(device=device, device_health=health, feedback=feedback, **last)
+    return grip_of(now, history.since)
 
 
 def test_a_tick_becomes_what_is_shown():
@@ -82,13 +88,13 @@ def test_a_tick_becomes_what_is_shown():
         "planned_n": (1.5, 2.0, 2.0),
         "centring_n": (-0.5, 0.0, 0.0),
     }
-    grip = grip_of(link(ticks(50, **last)), "realistic")
+    made = grip(ticks(50, **last))
     for name, value in last.items():
-        assert getattr(grip, name) == pytest.approx(value, abs=1e-6), name
-    assert grip.activity is Activity.ACTIVE
-    assert grip.radius_m == RADIUS_M
-    assert force_text(grip) == "3.0 N"
-    assert excursion_text(grip) == "13 mm of 40"
+        assert getattr(made, name) == pytest.approx(value, abs=1e-6), name
+    assert made.activity is Activity.ACTIVE
+    assert made.radius_m == RADIUS_M
+    assert force_text(made) == "3.0 N"
+    assert excursion_text(made) == "13 mm of 40"
 
 
 @pytest.mark.parametrize(
@@ -103,40 +109,39 @@ def test_a_tick_becomes_what_is_shown():
 )
 def test_every_mode_has_its_words_and_its_colour(state, activity):
     mode, cause, feedback = state
-    grip = grip_of(link(ticks(50, mode=mode, cause=cause)), feedback)
-    assert grip.activity is activity
+    made = grip(ticks(50, mode=mode, cause=cause), feedback)
+    assert made.activity is activity
     wanted = {
         Activity.OFF: "off",
         Activity.CHANGING: "fading",
         Activity.STOPPED: "STOP",
     }
-    assert wanted[activity] in grip.state
+    assert wanted[activity] in made.state
 
 
 @pytest.mark.parametrize(
     ("made", "said"),
     [
-        (link(device="none", health=None), "No device"),
-        (link(health=Health.STARTING), "Starting"),
-        (link(ticks(9), health=Health.FAILED), "failed"),
-        (link(ticks(9), health=Health.GONE), "ended"),
-        (link(ticks(9, position_m=math.nan)), "not known"),
+        (grip(device="none", health=Health.NONE), "No device"),
+        (grip(health=Health.STARTING), "Starting"),
+        (grip(ticks(9), health=Health.FAILED), "failed"),
+        (grip(ticks(9), health=Health.GONE), "ended"),
+        (grip(ticks(9, position_m=math.nan)), "not known"),
     ],
 )
 def test_without_a_position_it_says_why_and_shows_no_grip(made, said):
-    grip = grip_of(made, "realistic")
-    assert grip.position_m is None
-    assert said in grip.state
+    assert made.position_m is None
+    assert said in made.state
 
 
 def test_only_a_simulated_grip_is_called_simulated(monkeypatch):
-    assert grip_of(link(ticks(9)), "realistic").title == "Simulated grip"
+    assert grip(ticks(9)).title == "Simulated grip"
     large = DeviceCapabilities(3, 20.0, 8.0, 0.080, 1000.0, 0.001)
     entry = SimpleNamespace(capabilities=large)
     monkeypatch.setitem(DEVICES, "other", entry)
-    grip = grip_of(link(ticks(9), device="other"), "realistic")
-    assert grip.title == "Grip"
-    assert (grip.radius_m, grip.full_force_n) == (0.080, 8.0)
+    made = grip(ticks(9), device="other")
+    assert made.title == "Grip"
+    assert (made.radius_m, made.full_force_n) == (0.080, 8.0)
 
 
 # --- painting -----------------------------------------------------------------
@@ -338,8 +343,7 @@ def test_what_looks_the_same_is_not_painted_again(view):
 def test_ticks_of_a_grip_at_rest_make_equal_values():
     trembling = ticks(600, position_m=(0.01, 0, 0), force_n=(1.0, 0, 0))
     trembling["position_m"] += 1e-6 * np.sin(np.arange(600.0))[:, None]
-    first = grip_of(link(trembling[:400]), "realistic")
-    assert first == grip_of(link(trembling), "realistic")
+    assert grip(trembling[:400]) == grip(trembling)
 
 
 def test_a_hidden_view_is_not_painted(view):
@@ -438,12 +442,12 @@ def test_the_arrow_keys_turn_it_only_while_it_has_the_keyboard(playing):
     view, window = playing.plots.panel.grip, playing.windowHandle()
     playing.player.pause()
     view.setFocus(Qt.FocusReason.TabFocusReason)
-    media_s, camera = playing.player.media_s(), view.camera
+    media_s, camera = playing.player.snapshot().media_s, view.camera
     QTest.keyClick(window, Qt.Key.Key_Right)
     assert view.camera != camera
-    assert playing.player.media_s() == media_s
+    assert playing.player.snapshot().media_s == media_s
     camera = view.camera
     playing.stage.setFocus()
     QTest.keyClick(window, Qt.Key.Key_Right)
     assert view.camera == camera
-    assert playing.player.media_s() > media_s
+    assert playing.player.snapshot().media_s > media_s

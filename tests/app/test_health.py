@@ -6,33 +6,44 @@ from app.bridge import languages
 from app.player.health import Level, readings
 from app.player.health_line import HealthLine
 from hapticplayer.haptics.contract import Cause, Mode
+from hapticplayer.haptics.process import Health
 from hapticplayer.model import LoopStats, SyncStats
-from hapticplayer.playback.snapshot import Phase, Snapshot
+from hapticplayer.playback.snapshot import Measurements, Phase, Snapshot
 
 GOOD = Snapshot(
     phase=Phase.PLAYING,
     media_s=1.0,
-    duration_s=10.0,
     feedback="realistic",
     clock="audio",
     audio="default",
     device="simulated",
-    device_health="ready",
+    device_health=Health.READY,
     scheduling="fifo",
     mode=Mode.FOLLOWING,
-    cause=Cause.NONE,
+    frames_shown=300,
+)
+MEASURED = Measurements(
     loop=LoopStats(10_000, 0, 20.0, 53.0, 200.0, 900.0),
     force_minus_video=SyncStats(100, -1.0, -0.25, 0.5),
     force_minus_audio=SyncStats(100, 0.0, 0.2, 0.4),
-    frames_shown=300,
-    frames_dropped=0,
-    frames_damaged=0,
-    problem="",
 )
 
 
+def with_changes(changes) -> tuple[Snapshot, Measurements]:
+    names = {field.name for field in dataclasses.fields(Measurements)}
+    measured = {name: changes.pop(name) for name in names & set(changes)}
+    return (
+        dataclasses.replace(GOOD, **changes),
+        dataclasses.replace(MEASURED, **measured),
+    )
+
+
 def shown(**changes) -> list[tuple[Level, str]]:
-    return [tuple(r) for r in readings(dataclasses.replace(GOOD, **changes))]
+    return [tuple(reading) for reading in readings(*with_changes(changes))]
+
+
+def show(line, **changes):
+    line.show_readings(*with_changes(changes))
 
 
 def test_all_is_well():
@@ -57,16 +68,16 @@ def test_all_is_well():
             Level.BAD,
             "the window hung",
         ),
-        ({"device_health": "gone"}, 0, Level.BAD, "gone"),
-        ({"device_health": "failed"}, 0, Level.BAD, "failed"),
+        ({"device_health": Health.GONE}, 0, Level.BAD, "gone"),
+        ({"device_health": Health.FAILED}, 0, Level.BAD, "failed"),
         (
             {"mode": Mode.IDLE, "cause": Cause.NOT_HOMED},
             0,
             Level.WATCH,
             "pull the grip out, then push it in",
         ),
-        ({"device_health": "starting"}, 0, Level.WATCH, "starting"),
-        ({"device": "none", "device_health": ""}, 0, Level.NEUTRAL, "none"),
+        ({"device_health": Health.STARTING}, 0, Level.WATCH, "starting"),
+        ({"device": "none", "device_health": Health.NONE}, 0, Level.NEUTRAL, "none"),
         ({"scheduling": "normal"}, 1, Level.WATCH, "normal"),
         ({"scheduling": ""}, 1, Level.NEUTRAL, "\u2013"),
         ({"loop": LoopStats(10_000, 0, 20, 900, 2e3, 5e3)}, 2, Level.WATCH, "900"),
@@ -86,7 +97,7 @@ def test_all_is_well():
         ({"clock": "monotonic", "audio": ""}, 6, Level.NEUTRAL, "monotonic"),
         ({"clock": "monotonic"}, 6, Level.WATCH, "no sound"),
         ({"clock": "monotonic"}, 4, Level.NEUTRAL, "\u2013"),
-        ({"device_health": "gone"}, 2, Level.NEUTRAL, "\u2013"),
+        ({"device_health": Health.GONE}, 2, Level.NEUTRAL, "\u2013"),
     ],
 )
 def test_what_is_not_well_is_said(changes, entry, level, words):
@@ -98,7 +109,7 @@ def test_what_is_not_well_is_said(changes, entry, level, words):
 def test_the_line_tells_the_judgement_in_words(qtbot):
     line = HealthLine()
     qtbot.addWidget(line)
-    line.show_snapshot(dataclasses.replace(GOOD, scheduling="normal"))
+    show(line, scheduling="normal")
     assert line.entries[1].accessibleName() == "Scheduling: normal (watch)"
     assert line.entries[1].toolTip().startswith("Scheduling: normal (watch)")
 
@@ -109,10 +120,10 @@ def test_entries_keep_their_width_when_the_values_change(qtbot):
     line.resize(1400, 44)
     line.show()
     qtbot.waitExposed(line)
-    line.show_snapshot(GOOD)
+    show(line)
     before = [entry.geometry() for entry in line.entries]
     loop = LoopStats(10_000, 9999, 1e4, 1e6, 1e6, 1e6)
-    line.show_snapshot(dataclasses.replace(GOOD, loop=loop, frames_shown=10**9))
+    show(line, loop=loop, frames_shown=10**9)
     line.layout().activate()
     assert [entry.geometry() for entry in line.entries] == before
 
@@ -124,7 +135,7 @@ def test_what_is_long_takes_its_room_from_what_says_little(qtbot, more_px):
     line.show()
     qtbot.waitExposed(line)
     loop = LoopStats(10_000, 88, 1.0, 188.0, 1e3, 1e3)
-    line.show_snapshot(dataclasses.replace(GOOD, loop=loop, force_minus_audio=None))
+    show(line, loop=loop, force_minus_audio=None)
     margins = line.layout().contentsMargins()
     needed_px = sum(entry.needed_px() for entry in line.entries)
     needed_px += (len(line.entries) - 1) * line.layout().spacing()
@@ -140,9 +151,9 @@ def test_why_the_force_has_stopped_is_not_cut_off(qtbot):
     line.resize(1280, 44)
     line.show()
     qtbot.waitExposed(line)
-    line.show_snapshot(GOOD)
+    show(line)
     stopped = {"mode": Mode.TRIPPED, "cause": Cause.MALFORMED}
-    line.show_snapshot(dataclasses.replace(GOOD, **stopped))
+    show(line, **stopped)
     line.layout().activate()
     assert "answers nonsense" in line.entries[0].text()
     assert [e.text() for e in line.entries if e.width() < e.needed_px()] == []
@@ -158,7 +169,7 @@ def test_hundreds_of_missed_periods_are_not_shortened(application, qtbot, code):
         line.show()
         qtbot.waitExposed(line)
         loop = LoopStats(7476, 186, 9.0, 346.0, 6446.0, 34826.0)
-        line.show_snapshot(dataclasses.replace(GOOD, loop=loop))
+        show(line, loop=loop)
         assert "186" in line.entries[2].text()
         assert [e.text() for e in line.entries if e.width() < e.needed_px()] == []
     finally:
@@ -169,10 +180,10 @@ def test_new_values_are_not_drawn_in_the_old_room(qtbot):
     line = HealthLine()
     qtbot.addWidget(line)
     line.resize(936, 44)
-    line.show_snapshot(dataclasses.replace(GOOD, device="none", loop=None))
+    show(line, device="none", loop=None)
     line.show()
     qtbot.waitExposed(line)
-    line.show_snapshot(dataclasses.replace(GOOD, force_minus_audio=None))
+    show(line, force_minus_audio=None)
     assert [e.text() for e in line.entries if e.width() < e.needed_px()] == []
 
 
@@ -181,11 +192,9 @@ def test_letters_are_smaller_where_what_is_said_needs_it(qtbot):
     qtbot.addWidget(line)
     line.show()
     qtbot.waitExposed(line)
-    stopped = dataclasses.replace(
-        GOOD, mode=Mode.TRIPPED, cause=Cause.HEARTBEAT_LOST, frames_shown=12345
-    )
+    stopped = {"mode": Mode.TRIPPED, "cause": Cause.HEARTBEAT_LOST}
     line.resize(2000, 44)
-    line.show_snapshot(stopped)
+    show(line, **stopped, frames_shown=12345)
     usual_px = [entry.needed_px() for entry in line.entries]
     margins = line.layout().contentsMargins()
     around_px = margins.left() + margins.right()

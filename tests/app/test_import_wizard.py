@@ -14,12 +14,12 @@ from app.experimenter.import_wizard import FILES, MOUNTING, REPORT, SYNC, Import
 from app.experimenter.sync_strip import SyncStrip, columns, tick_step_s
 from app.experimenter.triad import Triad
 from hapticplayer.capture import read_recording, write_imu_csv
+from hapticplayer.capture.gpmf_writer import write_payloads
+from hapticplayer.capture.sync.clips import simulate_pats
 from hapticplayer.media import TelemetryPacket, add_telemetry, write_clip
 from hapticplayer.playback.snapshot import Phase
 from hapticplayer.sequence import open_sequence
 from hapticplayer.sequence.synchronizing import stored_skews
-from hapticplayer.simulation.rides.gpmf_writer import write_payloads
-from hapticplayer.simulation.rides.sync_clips import simulate_pats
 
 SECONDS = 20
 
@@ -334,8 +334,8 @@ def test_files_that_are_dropped_on_the_window_are_imported(
         wizard.next.click()
     wait_for(lambda: wizard.stack.currentIndex() == REPORT)
     wizard.next.click()
-    wait_for(lambda: window.player.phase is Phase.PLAYING)
-    assert window.player.source.path == tmp_path / "lib" / "ride"
+    wait_for(lambda: window.player.snapshot().phase is Phase.PLAYING)
+    assert window.player.snapshot().source.path == tmp_path / "lib" / "ride"
 
 
 def test_the_window_may_close_while_an_import_looks(window, ride):

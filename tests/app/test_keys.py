@@ -165,4 +165,4 @@ def test_export_and_import_that_fail_are_told(window, tmp_path):
     assert "cannot be written" in window.messages.text()
     window.dialogs._take(str(tmp_path / "missing.json"))
     assert "no settings" in window.messages.text()
-    assert window.player.phase is Phase.EMPTY
+    assert window.player.snapshot().phase is Phase.EMPTY

@@ -36,7 +36,7 @@ from hapticplayer.playback.beats import (
 )
 from hapticplayer.playback.latency import Latency
 from hapticplayer.playback.player import Player
-from hapticplayer.playback.snapshot import Phase
+from hapticplayer.playback.snapshot import Phase, Snapshot
 
 SCREEN_S, SPREAD_S = 0.070, 0.015
 HUMAN_S = -0.030  # people tap before the beat
@@ -68,7 +68,7 @@ def tap_along(page, clock, rng, late_s, taps):
     player = page.player
     for beat_s in beat_times_s()[5 : 5 + taps]:
         at_s = beat_s + late_s + rng.normal(0.0, SPREAD_S)
-        clock.advance(at_s - player.media_s())
+        clock.advance(at_s - player.snapshot().media_s)
         QTest.keyClick(page.focusWidget() or page, Qt.Key.Key_Space)
 
 
@@ -76,14 +76,18 @@ def test_taps_to_frame_and_force_give_the_latency_between(make_page, wait_for):
     clock = ManualClock(100.0)
     page, rng = make_page(clock), np.random.default_rng(7)
     page.begin()
-    wait_for(lambda: page.player is not None and page.player.phase is Phase.PLAYING)
+    wait_for(
+        lambda: (
+            page.player is not None and page.player.snapshot().phase is Phase.PLAYING
+        )
+    )
     page._pump.stop()  # from here on time stands still but for `tap_along`
     taps = 24
     for mode, late_s in ((DISPLAY, SCREEN_S), (SOUND, 0.0), (DEVICE, 0.110)):
         page.player.seek(0.0)
         page.choose(mode)
         page.rows[DISPLAY].choice.setFocus()  # as after a click of the mouse
-        while page.player.phase is not Phase.PLAYING:
+        while page.player.snapshot().phase is not Phase.PLAYING:
             page.player.poll()
             QTest.qWait(1)
         tap_along(page, clock, rng, late_s + HUMAN_S, taps)
@@ -138,20 +142,19 @@ def test_on_a_device_the_force_is_gentle_and_escape_ends_it(make_page, wait_for)
     def felt():
         if page.player is None:
             return np.zeros(1)
-        ticks = page.player.link.history.read_since(-math.inf)
+        ticks = page.player.ticks_since(-math.inf)
         return np.linalg.norm(ticks["force_n"], axis=1) if len(ticks) else np.zeros(1)
 
     wait_for(lambda: felt().max() > 0.7 * PULSE_N)
-    wait_for(lambda: page.player.media_s() > 2.7)
+    wait_for(lambda: page.player.snapshot().media_s > 2.7)
     assert felt().max() < 1.0
-    link = page.player.link
+    player = page.player
     QTest.keyClick(page, Qt.Key.Key_Escape)
     assert page.player is None
     assert not page.isVisible()
-    link.poll(None)
-    latest = link.history.latest()
-    assert int(latest["mode"]) == Mode.TRIPPED
-    assert latest["force_n"].tolist() == [0.0, 0.0, 0.0]
+    last = player.snapshot()  # of the closed player
+    assert last.mode is Mode.TRIPPED
+    assert last.tick["force_n"].tolist() == [0.0, 0.0, 0.0]
 
 
 def test_what_is_used_is_kept_for_its_output_and_played_with(
@@ -165,7 +168,7 @@ def test_what_is_used_is_kept_for_its_output_and_played_with(
     screen = screen_name(window)
     assert latencies_of(settings, screen).display_s == pytest.approx(0.045)
     assert latencies_of(settings, "another screen").display_s == 0.0
-    assert window.player.latency == Latency(display_s=0.045)
+    assert window.player.snapshot().latency == Latency(display_s=0.045)
     window.commands.statistics.setChecked(True)
     assert "picture 45 " in window.extras.statistics.text()
 
@@ -198,13 +201,6 @@ def test_each_output_has_its_latency_and_bad_files_are_ignored(tmp_path):
     assert dict(latencies_of(Settings(path), "x").sound_s) == {"e": 0.005}
 
 
-class _LateSound:
-    name, reported_latency_s = "", 0.0
-
-    def __init__(self, name, reported_s):
-        self.name, self.reported_latency_s = name, reported_s
-
-
 @pytest.mark.parametrize(
     ("name", "reported_s", "is_told"),
     [
@@ -218,9 +214,10 @@ def test_a_late_output_is_warned_of_once(
     window, settings, monkeypatch, name, reported_s, is_told
 ):
     watch, told = window.extras.latency_watch, []
-    monkeypatch.setattr(type(window.player), "sound", _LateSound(name, reported_s))
     monkeypatch.setattr(window.session.gateway, "report", told.append)
     window.pump.stop()
+    late = Snapshot(sound_output=name, reported_latency_s=reported_s)
+    monkeypatch.setattr(window.player, "snapshot", lambda: late)
     for now_s in (1e6, 1e6 + 10.0):
         watch.look(now_s)
     assert [str(problem) for problem in told] == [warning(name, reported_s)] * is_told

@@ -172,8 +172,8 @@ def test_a_sequence_is_opened_from_the_window(window, library, settings, wait_fo
     page = window.findChild(LibraryPage)
     page.list.setCurrentRow(2)
     page.buttons["open"].click()
-    wait_for(lambda: window.player.phase is Phase.PLAYING)
-    assert window.player.source.path == library / "b"
+    wait_for(lambda: window.player.snapshot().phase is Phase.PLAYING)
+    assert window.player.snapshot().source.path == library / "b"
 
 
 def test_what_cannot_be_played_is_not_called_doubtful(page):

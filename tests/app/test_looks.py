@@ -68,11 +68,11 @@ def test_another_language_keeps_clip_and_place(shown, wait_for):
     wait_for(lambda: not shown.is_remaking)
     assert shown.window is not before
     assert shown.window.player is player
-    assert player.media_s() == pytest.approx(1.0)
+    assert player.snapshot().media_s == pytest.approx(1.0)
     assert shown.window.transport.play.accessibleName() == "Abspielen"
     wait_for(lambda: shown.window.surface._picture is not None)
     shown.window.transport.play.click()
-    wait_for(lambda: player.phase is Phase.PLAYING)
+    wait_for(lambda: player.snapshot().phase is Phase.PLAYING)
 
 
 def test_a_session_is_watched_by_the_window_that_takes_the_place(
@@ -138,17 +138,17 @@ def test_the_clip_plays_on_into_the_new_window(shown, wait_for):
     player, before = shown.window.player, shown.window
     player.set_speed(0.5)  # else a busy machine sees the end of this short clip
     player.play()
-    wait_for(lambda: player.phase is Phase.PLAYING)
-    epoch, begun_s = player._media.epoch, player.media_s()
+    wait_for(lambda: player.snapshot().phase is Phase.PLAYING)
+    epoch, begun_s = player.snapshot().epoch, player.snapshot().media_s
     shown.window.settings.keep("look", theme.LIGHT)
     shown.remake()
     wait_for(lambda: not shown.is_remaking)
     after = shown.window
     assert after.surface.image is not None  # what the old one showed, at once
     assert after.stage.currentWidget() is after.surface
-    assert player.phase is Phase.PLAYING
-    assert player._media.epoch == epoch
-    assert player.media_s() > begun_s
+    assert player.snapshot().phase is Phase.PLAYING
+    assert player.snapshot().epoch == epoch
+    assert player.snapshot().media_s > begun_s
     wait_for(lambda: not isValid(before))  # with all of its widgets
 
 
@@ -169,7 +169,7 @@ def test_what_was_opened_meanwhile_is_in_the_new_window(shown, clip, wait_for):
     shown.remake()
     shown.window.session.open_path(clip)
     wait_for(lambda: not shown.is_remaking)
-    wait_for(lambda: shown.window.player.source.path == clip)
+    wait_for(lambda: shown.window.player.snapshot().source.path == clip)
     assert clip.stem in shown.window.windowTitle()
 
 

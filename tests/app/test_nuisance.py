@@ -6,15 +6,17 @@ hour. Here a busy machine is no fault: what it can bring about is not counted.
 
 import sys
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 from app.player.video_surface import VideoSurface
-from hapticplayer.clock import ManualClock, SystemClock
+from hapticplayer.clock import SystemClock
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.shared import TICK
-from hapticplayer.playback.player import Player
+from hapticplayer.playback.meters import TickHistory
+from hapticplayer.playback.snapshot import Measurements, Snapshot
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "benchmarks"))
 from nuisance_script import Places, Script
@@ -42,7 +44,7 @@ def test_using_the_window_causes_no_unintended_reaction(
     make_window, source, sequence, clip, tmp_path, wait_for, qtbot
 ):
     window = make_window("simulated")
-    wait_for(lambda: window.player.link.history.latest() is not None)
+    wait_for(lambda: window.player.snapshot().tick is not None)
     window.session.show_source(source)
     window.player.play()
     watch = Watch(window.player, PATIENT_S)
@@ -59,18 +61,20 @@ def test_using_the_window_causes_no_unintended_reaction(
 @pytest.fixture
 def judge():
     """Return a judge and a way to show it ticks: (time, mode, cause)."""
-    player = Player(ManualClock(), audio=None)
+    history = TickHistory()
+    player = SimpleNamespace(
+        ticks_since=history.since, snapshot=Snapshot, measurements=Measurements
+    )
     watch = Watch(player, grace_s=0.3)
 
     def show(*rows) -> None:
         ticks = np.zeros(len(rows), dtype=TICK)
         for tick, (at_s, mode, cause) in zip(ticks, rows, strict=True):
             tick["monotonic_s"], tick["mode"], tick["cause"] = at_s, mode, cause
-        player.link.history.add(ticks, 0)
+        history.add(ticks, 0)
         watch.look()
 
-    yield watch, show
-    player.close()
+    return watch, show
 
 
 def test_a_ramp_that_nobody_has_asked_for_is_a_nuisance(judge):

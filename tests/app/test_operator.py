@@ -31,7 +31,7 @@ def test_the_operator_sees_the_picture_of_the_clip_but_no_page(
     assert middle_of(mirror) == 0  # the words lie around it at most
     play(session, wait_for)
     session.player.seek(1.5)
-    wait_for(lambda: session.player.media_s() > 1.5)
+    wait_for(lambda: session.player.snapshot().media_s > 1.5)
     wait_for(lambda: middle_of(mirror) > 100)
     theirs = middle_of(session.participant.surface)
     assert abs(middle_of(mirror) - theirs) < 20  # the clip grows brighter meanwhile

@@ -76,7 +76,7 @@ def test_by_mouse_alone(make_study, sit, wait_for, qtbot):
     person.wait_page(PageKind.READY)
     click(person.page.buttons["start"])
     person.wait_page(PageKind.PLAYING)
-    session.player.end_s = 0.2
+    session.player.set_end(0.2)
     person.wait_page(PageKind.QUESTIONS)
     for row in person.page.rows:
         click(row.group.button(4))
@@ -91,7 +91,7 @@ def test_an_unanswered_question_is_named_and_nothing_goes_on(make_study, sit, wa
     person.to_trials()
     person.key(Qt.Key.Key_Enter)
     person.wait_page(PageKind.PLAYING)
-    person.session.player.end_s = 0.2
+    person.session.player.set_end(0.2)
     person.wait_page(PageKind.QUESTIONS)
     person.key(Qt.Key.Key_4)
     person.key(Qt.Key.Key_Enter)
@@ -226,7 +226,7 @@ def test_a_missing_disk_stops_the_participant_until_it_is_back(
     person.to_trials()
     person.key(Qt.Key.Key_Enter)
     person.wait_page(PageKind.PLAYING)
-    session.player.end_s = 0.2
+    session.player.set_end(0.2)
     person.wait_page(PageKind.QUESTIONS)
     folder = session.study.folder
     folder.rename(folder.with_name("unplugged"))

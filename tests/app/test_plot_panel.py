@@ -6,6 +6,7 @@ import pytest
 from app.plots.panel import PlotPanel
 from app.plots.playhead_plot import clock_text
 from hapticplayer.playback.meters import TickHistory
+from hapticplayer.playback.snapshot import Snapshot
 
 
 @pytest.fixture
@@ -18,13 +19,17 @@ def panel(qtbot, application) -> PlotPanel:
     return made
 
 
+def follow(panel, media_s, feedback):
+    panel.follow(Snapshot(media_s=media_s, feedback=feedback), TickHistory().since)
+
+
 def curves(plot, group: int = 0) -> list:
     return plot._groups[group]
 
 
 def test_the_acceleration_is_the_motion_of_the_source(panel, source):
     panel.set_source(source)
-    panel.follow(1.0, source.feedback, TickHistory())
+    follow(panel, 1.0, source.feedback)
     time_s, up = curves(panel.acceleration)[2].getData()
     motion = source.motion
     assert len(time_s) == len(motion.time_s)
@@ -33,17 +38,17 @@ def test_the_acceleration_is_the_motion_of_the_source(panel, source):
 
 def test_the_planned_force_follows_the_feedback(panel, source):
     panel.set_source(source)
-    panel.follow(1.0, "realistic", TickHistory())
+    follow(panel, 1.0, "realistic")
     _, up = curves(panel.force)[1].getData()
     assert np.abs(up).max() > 0.5
-    panel.follow(1.0, "none", TickHistory())
+    follow(panel, 1.0, "none")
     _, up = curves(panel.force)[1].getData()
     assert not up.any()
 
 
 def test_the_planned_force_ends_with_the_clip(panel, source):
     panel.set_source(source)
-    panel.follow(1.0, "realistic", TickHistory())
+    follow(panel, 1.0, "realistic")
     time_s, _ = curves(panel.force)[0].getData()
     assert time_s[-1] <= source.clip.duration_s + 0.01
 
@@ -51,24 +56,24 @@ def test_the_planned_force_ends_with_the_clip(panel, source):
 def test_the_playhead_stays_in_the_middle(panel, source):
     panel.set_source(source)
     for media_s in (0.0, 0.7, 1.9):
-        panel.follow(media_s, "realistic", TickHistory())
+        follow(panel, media_s, "realistic")
         left, right = panel.force._view.viewRange()[0]
         assert (left + right) / 2 == pytest.approx(media_s)
 
 
 def test_a_page_is_drawn_once_and_then_only_moved(panel, source, monkeypatch):
     panel.set_source(source)
-    panel.follow(0.5, "realistic", TickHistory())
+    follow(panel, 0.5, "realistic")
     drawn = []
     monkeypatch.setattr(panel.acceleration, "set_lines", lambda *_: drawn.append(1))
     for step in range(10):
-        panel.follow(0.5 + 0.1 * step, "realistic", TickHistory())
+        follow(panel, 0.5 + 0.1 * step, "realistic")
     assert not drawn
 
 
 def test_a_clip_without_motion_says_so(panel, source):
     panel.set_source(dataclasses.replace(source, motion=None))
-    panel.follow(0.0, "realistic", TickHistory())
+    follow(panel, 0.0, "realistic")
     assert "no motion" in panel.acceleration._notice
     panel.set_source(source)
     assert not panel.acceleration._notice

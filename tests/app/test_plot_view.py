@@ -13,6 +13,7 @@ from PySide6.QtWidgets import QApplication
 from app.plots.panel import PlotPanel
 from app.plots.save_view import SaveButton, save_view
 from hapticplayer.playback.meters import TickHistory
+from hapticplayer.playback.snapshot import Snapshot
 
 
 @pytest.fixture
@@ -23,7 +24,7 @@ def panel(qtbot, application, source) -> PlotPanel:
     made.show()
     qtbot.waitExposed(made)
     made.set_source(source)
-    made.follow(1.0, "realistic", TickHistory())
+    made.follow(Snapshot(media_s=1.0, feedback="realistic"), TickHistory().since)
     return made
 
 
@@ -159,4 +160,4 @@ def test_each_plot_has_a_button_to_save_it(panel):
 def test_a_click_on_a_plot_of_the_window_seeks(playing):
     playing.player.pause()
     playing.plots.panel.force.sought.emit(1.5)
-    assert playing.player.media_s() == pytest.approx(1.5)
+    assert playing.player.snapshot().media_s == pytest.approx(1.5)

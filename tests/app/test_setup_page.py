@@ -19,11 +19,11 @@ from hapticplayer.devices.falcon.firmware import find_image
 from hapticplayer.devices.falcon.homing import WAY_COUNTS, Advice, Guidance
 from hapticplayer.devices.falcon.reach import Reach
 from hapticplayer.devices.falcon.setting_up import Progress, Step
+from hapticplayer.devices.falcon.simulated_usb import Stage
+from hapticplayer.devices.falcon.simulated_usb.board import synthetic_image
+from hapticplayer.devices.falcon.simulated_usb.mechanics import Homing
+from hapticplayer.devices.falcon.simulated_usb.whole import make_set
 from hapticplayer.devices.falcon.transport import open_falcon
-from hapticplayer.simulation.usb import Stage
-from hapticplayer.simulation.usb.board import synthetic_image
-from hapticplayer.simulation.usb.mechanics import Homing
-from hapticplayer.simulation.usb.whole import make_set
 
 
 @pytest.fixture
@@ -211,7 +211,7 @@ def test_the_first_page_leads_here_and_the_choice_is_taken(make_window, wait_for
     page.begin()
     wait_for(page.use.isEnabled)
     page.use.click()
-    wait_for(lambda: window.player.link.device == "simulated")
+    wait_for(lambda: window.player.snapshot().device == "simulated")
     assert window.settings.text("device") == "simulated"
 
 
@@ -219,9 +219,9 @@ def test_closing_it_gives_the_device_from_before_back(make_window, wait_for):
     window = make_window("simulated")
     window.commands.set_up_device.trigger()
     page = window.findChild(SetupPage)
-    assert window.player.link.device == "none"
+    assert window.player.snapshot().device == "none"
     page.close_button.click()
-    wait_for(lambda: window.player.link.device == "simulated")
+    wait_for(lambda: window.player.snapshot().device == "simulated")
 
 
 def test_it_leads_on_to_the_forces(make_window, wait_for):
@@ -230,7 +230,7 @@ def test_it_leads_on_to_the_forces(make_window, wait_for):
     window.findChild(SetupPage).forces.click()
     wait_for(lambda: window.findChild(DevicePage) is not None)
     window.findChild(DevicePage).reject()
-    wait_for(lambda: window.player.link.device == "simulated")
+    wait_for(lambda: window.player.snapshot().device == "simulated")
 
 
 def test_the_travel_of_a_leg_is_shown_from_end_to_end():

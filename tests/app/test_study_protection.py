@@ -99,7 +99,7 @@ def test_a_session_takes_the_device_of_the_window(
     monkeypatch.setattr("app.experimenter.study_process.sys.executable", str(program))
     monkeypatch.setattr(window.study_menu, "_ask", lambda: study.folder)
     window.study_menu.run()
-    assert window.player.link.device == "none"
+    assert window.player.snapshot().device == "none"
     wait_for(lambda: not window.study_menu.process.is_running)
     said = seen.read_text().split()
     assert said[:4] == ["-m", "app", "study", "run"]
@@ -131,7 +131,7 @@ def test_a_study_without_clips_is_refused_before_any_change(
     window.session.choose_device("simulated")
     window.study_menu.run()
     assert "'bike' has no folder with a sequence" in str(told[0])
-    assert window.player.link.device == "simulated"
+    assert window.player.snapshot().device == "simulated"
     assert not window.study_menu.process.is_running
 
 
@@ -146,7 +146,7 @@ def test_a_media_key_changes_nothing_on_the_participants_screen(
     window, page = session.participant, session.runner.page.number
     for key in MEDIA_KEYS:
         QTest.keyClick(window.windowHandle(), key)
-        assert session.player.is_playing
+        assert session.player.snapshot().is_playing
         assert session.runner.page.number == page
 
 
@@ -160,7 +160,7 @@ def test_another_program_in_front_takes_the_force_away(
     person.wait_page(PageKind.PLAYING)
     application.applicationStateChanged.emit(Qt.ApplicationState.ApplicationInactive)
     person.wait_page(PageKind.PAUSED)
-    assert not session.player.is_playing
+    assert not session.player.snapshot().is_playing
     assert session.runner.last_trial.reasons[0] == "focus_lost"
     application.applicationStateChanged.emit(Qt.ApplicationState.ApplicationActive)
 

@@ -29,7 +29,7 @@ def test_by_touch_alone(make_study, sit, wait_for, qapp):
     person.wait_page(PageKind.READY)
     tap(person.page.buttons["start"])
     person.wait_page(PageKind.PLAYING)
-    session.player.end_s = 0.2
+    session.player.set_end(0.2)
     person.wait_page(PageKind.QUESTIONS)
     for row, answer in zip(person.page.rows, (1, 2, 4, 5), strict=True):
         tap(row.group.button(answer - 1))

@@ -9,6 +9,7 @@ from app.widgets import theme
 from hapticplayer.haptics.contract import Mode
 from hapticplayer.haptics.shared import TICK
 from hapticplayer.playback.meters import TRACE_EVENTS, SyncMeter
+from hapticplayer.playback.snapshot import SyncTraces
 
 NOW_S = 1000.0
 
@@ -26,9 +27,8 @@ def measured(late_ms, count=200, rate_hz=30.0):
     return meter
 
 
-class Link:
-    def __init__(self, video, audio):
-        self.video_sync, self.audio_sync = video, audio
+def traces_of(video, audio):
+    return lambda: SyncTraces(video.trace(), audio.trace())
 
 
 @pytest.fixture
@@ -70,7 +70,7 @@ def test_a_trace_holds_times_and_differences_of_the_last_events():
 
 
 def test_points_lie_where_the_differences_are(plot, qtbot):
-    shown(plot, qtbot).follow(NOW_S, Link(measured(20.0), measured(-10.0)))
+    shown(plot, qtbot).follow(NOW_S, traces_of(measured(20.0), measured(-10.0)))
     image, area = plot.grab().toImage(), plot._area()
     for later_ms, colour in zip((20.0, -10.0), theme.AXIS_COLOURS, strict=False):
         # at the newest end, and not at a time before anything was measured
@@ -81,7 +81,7 @@ def test_points_lie_where_the_differences_are(plot, qtbot):
 
 
 def test_what_lies_beyond_is_held_on_the_edge(plot, qtbot):
-    shown(plot, qtbot).follow(NOW_S, Link(measured(400.0), SyncMeter()))
+    shown(plot, qtbot).follow(NOW_S, traces_of(measured(400.0), SyncMeter()))
     image, area = plot.grab().toImage(), plot._area()
     place = round(area.right()) - 2, round(area.top())
     assert near(image, *place, theme.AXIS_COLOURS[0])
@@ -90,21 +90,19 @@ def test_what_lies_beyond_is_held_on_the_edge(plot, qtbot):
 def test_nothing_is_read_or_drawn_while_it_is_hidden(plot, qtbot):
     asked = []
 
-    class Meter:
-        def trace(self):
-            asked.append(1)
-            return np.empty((0, 2))
+    def traces():
+        asked.append(1)
+        return traces_of(SyncMeter(), SyncMeter())()
 
-    link = Link(Meter(), Meter())
-    plot.follow(NOW_S, link)
+    plot.follow(NOW_S, traces)
     assert asked == []
-    shown(plot, qtbot).follow(NOW_S, link)
-    assert len(asked) == 2
-    plot.follow(NOW_S + 0.01, link)  # a few times a second are enough
-    assert len(asked) == 2
+    shown(plot, qtbot).follow(NOW_S, traces)
+    assert len(asked) == 1
+    plot.follow(NOW_S + 0.01, traces)  # a few times a second are enough
+    assert len(asked) == 1
     plot.hide()
-    plot.follow(NOW_S + 10.0, link)
-    assert len(asked) == 2
+    plot.follow(NOW_S + 10.0, traces)
+    assert len(asked) == 1
 
 
 def test_the_key_shows_and_hides_it_also_around_fullscreen(playing, qtbot):

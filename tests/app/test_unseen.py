@@ -62,15 +62,20 @@ def test_a_window_that_nobody_sees_paints_nothing_and_plays_on(
     window.session.show_source(source)
     player = window.player
     player.play()
-    wait_for(lambda: player.media_s() > 0.3)
+    wait_for(lambda: player.snapshot().media_s > 0.3)
     seen = take(counts)
     assert all(seen.values()), seen
     with monkeypatch.context() as patch:
         put_away(window, way, patch)
         play_unseen(window, wait_for, counts)
     window.showNormal()
-    at_s = player.media_s()
-    wait_for(lambda: player.phase is Phase.ENDED or player.media_s() > at_s + 0.3)
+    at_s = player.snapshot().media_s
+    wait_for(
+        lambda: (
+            player.snapshot().phase is Phase.ENDED
+            or player.snapshot().media_s > at_s + 0.3
+        )
+    )
     back = take(counts)
     assert back["convert"] >= 3
     assert back["paint"] >= 3
@@ -81,14 +86,17 @@ def play_unseen(window, wait_for, counts):
     player = window.player
     window.surface.look()
     wait_for(lambda: not is_seen(window.surface))
-    at_s, shown = player.media_s(), player.snapshot().frames_shown
+    at_s, shown = player.snapshot().media_s, player.snapshot().frames_shown
     take(counts)
-    wait_for(lambda: player.media_s() > at_s + 0.4)
+    wait_for(lambda: player.snapshot().media_s > at_s + 0.4)
     unseen = take(counts)
     assert unseen["convert"] <= 1, "one may have been on its way"
     assert unseen["plots"] == unseen["statistics"] == unseen["paint"] == 0
     assert player.snapshot().frames_shown >= shown + 8
-    assert player.snapshot().frames_dropped == 0 or player.phase is Phase.PLAYING
+    assert (
+        player.snapshot().frames_dropped == 0
+        or player.snapshot().phase is Phase.PLAYING
+    )
 
 
 def test_a_window_restored_while_paused_shows_the_position(
@@ -98,24 +106,24 @@ def test_a_window_restored_while_paused_shows_the_position(
     window.session.show_source(source)
     player, surface = window.player, window.surface
     player.play()
-    wait_for(lambda: player.media_s() > 0.2)
+    wait_for(lambda: player.snapshot().media_s > 0.2)
     window.showMinimized()
-    wait_for(lambda: player.media_s() > 0.8)
+    wait_for(lambda: player.snapshot().media_s > 0.8)
     player.pause()
     before_s = surface._picture.pts_s
     assert before_s < 0.6, "what nobody saw was converted"
     window.showNormal()
     wait_for(lambda: surface._picture.pts_s > before_s)
-    media_s = player.media_s()
+    media_s = player.snapshot().media_s
     assert surface._picture.pts_s <= media_s < surface._picture.pts_s + 0.04 + 1e-6
-    assert player.phase is Phase.PAUSED
+    assert player.snapshot().phase is Phase.PAUSED
 
 
 def test_hidden_plots_cost_nothing_and_the_rest_is_drawn(playing, wait_for, counts):
     playing.show_plots(are_wanted=False)
     take(counts)
-    at_s = playing.player.media_s()
-    wait_for(lambda: playing.player.media_s() > at_s + 0.3)
+    at_s = playing.player.snapshot().media_s
+    wait_for(lambda: playing.player.snapshot().media_s > at_s + 0.3)
     done = take(counts)
     assert done["plots"] == 0
     assert done["paint"] >= 3

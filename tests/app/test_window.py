@@ -98,7 +98,7 @@ def test_help_is_the_last_menu(window):
 
 def test_nothing_is_open_at_first(window):
     assert window.stage.currentWidget() is window.empty_page
-    assert window.player.phase is Phase.EMPTY
+    assert window.player.snapshot().phase is Phase.EMPTY
     assert not window.transport.play.isEnabled()
     assert not window.commands.fullscreen.isEnabled()
     assert window.windowTitle() == "hapticplayer"
@@ -108,7 +108,7 @@ def test_a_sequence_that_is_opened_plays(window, sequence, wait_for):
     window.session.open_path(sequence)
     wait_for(lambda: window.player.snapshot().frames_shown > 3)
     assert window.stage.currentWidget() is window.surface
-    assert window.player.phase is Phase.PLAYING
+    assert window.player.snapshot().phase is Phase.PLAYING
     assert window.transport.feedback.currentData() == "realistic"
     assert not window.surface.grab().toImage().isNull()
 
@@ -125,7 +125,7 @@ def test_a_video_that_is_dropped_plays_without_force(window, clip, wait_for):
             Qt.KeyboardModifier.NoModifier,
         )
     )
-    wait_for(lambda: window.player.phase is Phase.PLAYING)
+    wait_for(lambda: window.player.snapshot().phase is Phase.PLAYING)
     assert window.transport.feedback.currentData() == "none"
 
 
@@ -137,23 +137,29 @@ def test_pictures_are_decoded_at_the_size_of_the_surface(playing, wait_for):
 
 def test_space_pauses_and_plays(playing, wait_for):
     key(playing, Qt.Key.Key_Space)
-    wait_for(lambda: playing.player.phase is Phase.PAUSED)
+    wait_for(lambda: playing.player.snapshot().phase is Phase.PAUSED)
     wait_for(lambda: playing.transport.play.accessibleName() == "Play")
     key(playing, Qt.Key.Key_Space)
-    wait_for(lambda: playing.player.phase is Phase.PLAYING)
+    wait_for(lambda: playing.player.snapshot().phase is Phase.PLAYING)
     wait_for(lambda: playing.transport.play.accessibleName() == "Pause")
 
 
 def test_the_arrows_and_home_and_end_seek(playing, wait_for):
     playing.player.pause()
     key(playing, Qt.Key.Key_End)
-    assert playing.player.media_s() == playing.player.source.clip.duration_s
+    assert (
+        playing.player.snapshot().media_s
+        == playing.player.snapshot().source.clip.duration_s
+    )
     key(playing, Qt.Key.Key_Left)
-    assert playing.player.media_s() == 0.0  # the clip is shorter than a step
+    assert playing.player.snapshot().media_s == 0.0  # the clip is shorter than a step
     key(playing, Qt.Key.Key_Right)
-    assert playing.player.media_s() == playing.player.source.clip.duration_s
+    assert (
+        playing.player.snapshot().media_s
+        == playing.player.snapshot().source.clip.duration_s
+    )
     key(playing, Qt.Key.Key_Home)
-    assert playing.player.media_s() == 0.0
+    assert playing.player.snapshot().media_s == 0.0
     wait_for(lambda: playing.transport.slider.value() == 0)
 
 
@@ -162,8 +168,8 @@ def test_a_click_on_the_slider_jumps_there(playing, wait_for, qtbot):
     slider = playing.transport.slider
     middle = slider.rect().center()
     qtbot.mouseClick(slider, Qt.MouseButton.LeftButton, pos=middle)
-    half_s = playing.player.source.clip.duration_s / 2
-    assert playing.player.media_s() == pytest.approx(half_s, abs=0.02)
+    half_s = playing.player.snapshot().source.clip.duration_s / 2
+    assert playing.player.snapshot().media_s == pytest.approx(half_s, abs=0.02)
 
 
 def test_the_slider_and_the_time_follow_the_clip(playing, wait_for):
@@ -173,19 +179,22 @@ def test_the_slider_and_the_time_follow_the_clip(playing, wait_for):
 
 
 def test_the_clip_ends_and_can_be_played_again(playing, wait_for):
-    wait_for(lambda: playing.player.phase is Phase.ENDED)
+    wait_for(lambda: playing.player.snapshot().phase is Phase.ENDED)
     wait_for(lambda: playing.transport.play.accessibleName() == "Play")
     playing.transport.play.click()
-    wait_for(lambda: playing.player.phase is Phase.PLAYING)
-    assert playing.player.media_s() < playing.player.source.clip.duration_s
+    wait_for(lambda: playing.player.snapshot().phase is Phase.PLAYING)
+    assert (
+        playing.player.snapshot().media_s
+        < playing.player.snapshot().source.clip.duration_s
+    )
 
 
 def test_a_missing_file_is_told_and_what_was_open_stays(playing, wait_for, tmp_path):
-    before = playing.player.source
+    before = playing.player.snapshot().source
     playing.session.open_path(tmp_path / "missing.mp4")
     wait_for(lambda: "missing.mp4" in playing.messages.text())
-    assert playing.player.source is before
-    assert playing.player.phase in (Phase.PLAYING, Phase.ENDED)
+    assert playing.player.snapshot().source is before
+    assert playing.player.snapshot().phase in (Phase.PLAYING, Phase.ENDED)
 
 
 def test_a_broken_file_is_told_and_the_next_good_one_clears_it(
@@ -197,7 +206,7 @@ def test_a_broken_file_is_told_and_the_next_good_one_clears_it(
     wait_for(lambda: "broken.mp4" in window.messages.text())
     assert window.stage.currentWidget() is window.empty_page
     window.session.open_path(sequence)
-    wait_for(lambda: window.player.phase is Phase.PLAYING)
+    wait_for(lambda: window.player.snapshot().phase is Phase.PLAYING)
     assert not window.messages.text()
 
 
@@ -212,7 +221,7 @@ def test_a_long_name_does_not_widen_the_window(playing, wait_for, tmp_path):
 
 def test_a_fault_in_a_slot_halts_and_is_told(playing, capsys):
     playing.session.gateway.report(ValueError("a fault of ours"))
-    assert playing.player.phase is Phase.PAUSED
+    assert playing.player.snapshot().phase is Phase.PAUSED
     assert "a fault of ours" in playing.messages.text()
     assert "ValueError" in capsys.readouterr().err
 
@@ -245,7 +254,7 @@ def test_space_on_a_focused_button_presses_it(playing, wait_for):
     playing.activateWindow()
     playing.transport.stop.setFocus(Qt.FocusReason.TabFocusReason)
     QTest.keyClick(playing.transport.stop, Qt.Key.Key_Space)
-    wait_for(lambda: playing.player.phase is Phase.PAUSED)
+    wait_for(lambda: playing.player.snapshot().phase is Phase.PAUSED)
 
 
 def test_a_falcon_is_offered_and_what_is_for_developers_is_not(window):
@@ -258,20 +267,19 @@ def test_a_falcon_is_offered_and_what_is_for_developers_is_not(window):
 def test_a_missing_falcon_leaves_the_window_without_a_device(window, wait_for):
     window.session.choose_device("falcon:NOWHERE0")  # nobody has one of that number
     wait_for(lambda: "Falcon" in window.messages.text())
-    assert not window.player.link.history.latest()
+    assert not window.player.snapshot().tick
 
 
 def test_stop_trips_and_rearm_lets_the_force_back(make_window, source, wait_for):
     window = make_window("simulated")
     window.session.show_source(source)
     window.player.play()
-    history = window.player.link.history
     wait_for(lambda: window.player.snapshot().mode is Mode.FOLLOWING)
     window.transport.stop.click()
     wait_for(lambda: window.session.is_stopped)
     wait_for(lambda: window.transport.stop.text() == "Re-arm")
-    assert window.player.phase is Phase.PAUSED
-    assert not history.latest()["force_n"].any()
+    assert window.player.snapshot().phase is Phase.PAUSED
+    assert not window.player.snapshot().tick["force_n"].any()
     wait_for(lambda: "STOPPED" in window.health.entries[0].text())
     window.transport.stop.click()
     wait_for(lambda: not window.session.is_stopped)
@@ -286,7 +294,7 @@ def test_escape_stops_also_while_a_dialog_is_open(make_window, source, wait_for)
     window.session.show_source(source)
     window.dialogs.import_recording()
     dialog = window.findChild(ImportWizard)
-    wait_for(lambda: window.player.link.history.latest() is not None)
+    wait_for(lambda: window.player.snapshot().tick is not None)
     key(dialog, Qt.Key.Key_Escape)
     wait_for(lambda: window.session.is_stopped)
     assert not any(w.isVisible() for w in window.findChildren(ImportWizard))
@@ -298,10 +306,10 @@ def test_changing_feedback_and_device_while_it_plays(make_window, source, wait_f
     window.player.play()
     wait_for(lambda: window.player.snapshot().mode is Mode.FOLLOWING)
     window.transport.feedback_chosen.emit("none")
-    assert window.player.feedback == "none"
-    first = window.player.link.pid
+    assert window.player.snapshot().feedback == "none"
+    first = window.player.snapshot().loop_pid
     window.transport.device_chosen.emit("none")
-    assert window.player.link.pid is None
+    assert window.player.snapshot().loop_pid is None
     wait_for(lambda: not is_alive(first))  # it ends beside the window
     wait_for(lambda: window.health.entries[0].text() == "none")
 
@@ -329,10 +337,11 @@ def test_a_device_is_let_go_of_without_holding_the_window_up(
     window = make_window("simulated")
     window.session.show_source(source)
     wait_for(lambda: window.player.snapshot().device_health == "ready")
-    first = window.player.link.pid
+    first = window.player.snapshot().loop_pid
     monkeypatch.setattr(HapticLink, "close", close_slowly)
     window.transport.device_chosen.emit("none")
-    assert window.player.link.device == "none"  # we are back although it still leaves
+    # back already, although the old device is still being closed
+    assert window.player.snapshot().device == "none"
     assert is_alive(first)
     window.player.wait_released()  # nothing that only one process can have
     may_end.set()
@@ -344,14 +353,13 @@ def test_a_dead_haptics_process_is_shown_and_can_be_restarted(
 ):
     window = make_window("simulated")
     window.session.show_source(source)
-    link = window.player.link
-    wait_for(lambda: link.history.latest() is not None)
-    os.kill(link.pid, signal.SIGKILL)
+    wait_for(lambda: window.player.snapshot().tick is not None)
+    os.kill(window.player.snapshot().loop_pid, signal.SIGKILL)
     wait_for(lambda: "choose the device again" in window.messages.text())
     wait_for(lambda: "gone" in window.health.entries[0].text())
     window.transport.device_chosen.emit("simulated")
-    wait_for(lambda: window.player.link.history.latest() is not None)
-    assert window.player.source is source
+    wait_for(lambda: window.player.snapshot().tick is not None)
+    assert window.player.snapshot().source is source
 
 
 def test_a_second_piece_of_work_is_refused_while_one_runs(window, sequence, wait_for):
@@ -368,7 +376,7 @@ def test_a_second_piece_of_work_is_refused_while_one_runs(window, sequence, wait
     assert "wait for it" in window.messages.text()
     is_enough.set()
     wait_for(window.commands.open_video.isEnabled)
-    assert window.player.source is None
+    assert window.player.snapshot().source is None
 
 
 def test_hidden_plots_are_not_drawn(playing, wait_for, monkeypatch):
@@ -406,7 +414,7 @@ def test_closing_leaves_nothing_running(make_window, source, wait_for):
     wait_for(lambda: window.player.snapshot().device_health == "ready")
     window.player.play()
     wait_for(lambda: window.player.snapshot().mode is Mode.FOLLOWING)
-    process = window.player.link.pid
+    process = window.player.snapshot().loop_pid
     assert len(programs_we_started() - before) >= 3  # loop, guard, simulated device
     window.close()
     assert programs_we_started() <= before

@@ -12,7 +12,7 @@ from pathlib import Path
 
 import pytest
 
-from hapticplayer.simulation.demo import demo_folder
+from hapticplayer.sequence.demo import demo_folder
 
 pytestmark = pytest.mark.skipif(
     shutil.which("strace") is None, reason="the program strace is not installed"
@@ -83,7 +83,7 @@ for name in sys.argv[2:]:
         while window.session.jobs.is_busy:
             application.processEvents()
             window.session.watch()
-        assert player.source is None, name
+        assert player.snapshot().source is None, name
 window.close()
 """
 

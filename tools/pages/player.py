@@ -16,8 +16,8 @@ from app.plots.playhead_plot import PlayheadPlot
 from app.widgets.room import resize_within_screen
 from hapticplayer.clock import SystemClock
 from hapticplayer.haptics.contract import Mode
+from hapticplayer.haptics.injection import Fault
 from hapticplayer.playback.player import Player
-from hapticplayer.simulation.faults import Fault
 from tools.pages.stage import Pictures, Stage
 
 WIDTH_PX, HEIGHT_PX = 1280, 800
@@ -105,9 +105,9 @@ def _with_force(stage: Stage, window: PlayerWindow) -> QPixmap:
     player, felt = window.player, [False]
 
     def is_steady() -> bool:
-        if player.media_s() > LATEST_S:
+        if player.snapshot().media_s > LATEST_S:
             player.seek(AT_S)
-        latest = player.link.history.latest()
+        latest = player.snapshot().tick
         felt.append(latest is not None and int(latest["mode"]) == Mode.FOLLOWING)
         return all(felt[-STEADY:]) or len(felt) > PATIENCE
 

@@ -23,7 +23,7 @@ class Notes:
     def __init__(self, theatre):
         self.theatre = theatre
         self.sound, self.force = {}, []
-        theatre.player.link.publish = self.on_force
+        theatre.player._link.publish = self.on_force
 
     def on_force(self, clock, _feedback):
         now_s = self.theatre.clock.now_s()
@@ -80,7 +80,7 @@ def test_picture_sound_and_force_of_a_moment_meet_at_the_person(
     # by more than the millisecond that it is aimed to be early
     assert picture[0] - sound[0] > -STEP_S - 5e-4
     assert picture[1] - sound[1] < 1.5e-3
-    assert theatre.player.frames_dropped == 0
+    assert theatre.player.snapshot().frames_dropped == 0
 
 
 def test_a_late_display_delays_sound_and_force_equally(theatre):
@@ -100,7 +100,7 @@ def test_a_late_device_is_told_earlier(silent_theatre):
     gaps = [painted[p] - np.interp(p, media, times) for p in painted if p < media[-1]]
     assert np.median(gaps) == pytest.approx(0.04, abs=STEP_S)
     assert media[0] < 0.02  # nothing of the beginning was left out
-    assert silent_theatre.player.frames_dropped == 0
+    assert silent_theatre.player.snapshot().frames_dropped == 0
 
 
 def test_another_latency_while_playing_begins_a_new_epoch(theatre):
@@ -111,9 +111,9 @@ def test_another_latency_while_playing_begins_a_new_epoch(theatre):
     notes.run(0.6)
     assert notes.force[-1][2] > before[2]
     assert notes.force[-1][1] > before[1]
-    epoch = theatre.player._media.epoch
+    epoch = theatre.player.snapshot().epoch
     theatre.player.set_latencies(Latencies(device_s={DEVICE: 0.05, "falcon": 0.1}))
-    assert theatre.player._media.epoch == epoch  # of another device: nothing to do
+    assert theatre.player.snapshot().epoch == epoch  # of another device: nothing to do
 
 
 def test_latencies_belong_to_outputs():
@@ -130,9 +130,9 @@ def test_what_is_no_latency_is_refused(bad):
 
 
 def test_the_delay_that_the_output_reports_is_known(theatre):
-    assert theatre.player.sound.reported_latency_s == 0.0
+    assert theatre.player.snapshot().reported_latency_s == 0.0
     played(theatre, 1.0, sound_s={OUTPUT: 0.3})
-    reported_s = theatre.player.sound.reported_latency_s
+    reported_s = theatre.player.snapshot().reported_latency_s
     assert reported_s == pytest.approx(
         0.12, abs=1.5 * STEP_S
     )  # its own, not what we know
@@ -155,7 +155,7 @@ def test_sound_that_joins_a_running_clock_is_heard_on_it():
 
 def test_the_meters_compare_what_the_person_meets(theatre):
     noted = {"video": [], "audio": []}
-    link = theatre.player.link
+    link = theatre.player._link
     link.video_sync.event = lambda *event: noted["video"].append(event)
     link.audio_sync.event = lambda *event: noted["audio"].append(event)
     notes = played(theatre, 1.0, display_s=0.05, device_s={DEVICE: 0.02})

@@ -17,8 +17,8 @@ LATENCY_S = 0.12
 def test_opening_shows_the_first_picture_and_does_not_play(theatre):
     theatre.run(0.2)
     assert [pts for _, pts in theatre.sink.shown] == [0.0]
-    assert theatre.player.phase is Phase.PAUSED
-    assert theatre.player.media_s() == 0.0
+    assert theatre.player.snapshot().phase is Phase.PAUSED
+    assert theatre.player.snapshot().media_s == 0.0
 
 
 def test_pictures_come_when_the_sound_says_so(theatre):
@@ -32,15 +32,15 @@ def test_pictures_come_when_the_sound_says_so(theatre):
     assert lateness_s.max() < 0.0045
     assert np.allclose(np.diff(shown[:, 1]), FRAME_S, atol=1e-6)
     assert theatre.player.snapshot().clock == "audio"
-    assert theatre.player.frames_dropped == 0
+    assert theatre.player.snapshot().frames_dropped == 0
 
 
 def test_the_clock_starts_with_the_first_sound_not_before(theatre):
     theatre.player.play()
     theatre.run(LATENCY_S - 0.02)
-    assert theatre.player.media_s() == 0.0
+    assert theatre.player.snapshot().media_s == 0.0
     theatre.run(0.5)
-    assert theatre.player.media_s() == pytest.approx(0.48, abs=0.02)
+    assert theatre.player.snapshot().media_s == pytest.approx(0.48, abs=0.02)
 
 
 def test_without_sound_the_monotonic_clock_leads(silent_theatre):
@@ -48,19 +48,19 @@ def test_without_sound_the_monotonic_clock_leads(silent_theatre):
     silent_theatre.run(1.0)
     assert silent_theatre.out is None
     assert silent_theatre.player.snapshot().clock == "monotonic"
-    assert silent_theatre.player.media_s() == pytest.approx(1.0, abs=0.01)
+    assert silent_theatre.player.snapshot().media_s == pytest.approx(1.0, abs=0.01)
 
 
 def test_pause_stands_and_play_goes_on_from_there(theatre):
     theatre.player.play()
     theatre.run(1.0)
     theatre.player.pause()
-    position_s = theatre.player.media_s()
+    position_s = theatre.player.snapshot().media_s
     theatre.run(1.0)
-    assert theatre.player.media_s() == position_s
+    assert theatre.player.snapshot().media_s == position_s
     theatre.player.play()
     theatre.run(0.5)
-    gained = theatre.player.media_s() - position_s
+    gained = theatre.player.snapshot().media_s - position_s
     assert gained == pytest.approx(0.5 - LATENCY_S, abs=0.02)
 
 
@@ -70,8 +70,8 @@ def test_a_seek_shows_the_picture_that_covers_it(theatre):
     theatre.run(0.1)
     pts_s = theatre.sink.shown[-1][1]
     assert pts_s <= 1.53 < pts_s + FRAME_S
-    assert theatre.player.media_s() == pytest.approx(1.53)
-    assert theatre.player.phase is Phase.PAUSED
+    assert theatre.player.snapshot().media_s == pytest.approx(1.53)
+    assert theatre.player.snapshot().phase is Phase.PAUSED
 
 
 def test_many_seeks_while_playing_leave_it_playing_in_time(theatre, rng):
@@ -80,41 +80,44 @@ def test_many_seeks_while_playing_leave_it_playing_in_time(theatre, rng):
         theatre.run(0.1)
         theatre.player.seek(float(target_s))
     theatre.run(0.6)
-    assert theatre.player.phase is Phase.PLAYING
+    assert theatre.player.snapshot().phase is Phase.PLAYING
     now_s, pts_s = theatre.sink.shown[-1]
     theatre.clock.advance(0.0)
-    media_s = theatre.player.media_s()
+    media_s = theatre.player.snapshot().media_s
     assert 0.0 <= media_s - pts_s < FRAME_S + 0.008
     assert now_s <= theatre.clock.now_s()
 
 
 def test_seeks_outside_the_clip_are_brought_inside(theatre):
     theatre.player.seek(-5.0)
-    assert theatre.player.media_s() == 0.0
+    assert theatre.player.snapshot().media_s == 0.0
     theatre.player.seek(99.0)
-    assert theatre.player.media_s() == theatre.player.source.clip.duration_s
+    assert (
+        theatre.player.snapshot().media_s
+        == theatre.player.snapshot().source.clip.duration_s
+    )
 
 
 def test_at_the_end_it_stops_and_plays_again_from_the_start(theatre):
     theatre.player.seek(2.5)
     theatre.player.play()
     theatre.run(1.0)
-    assert theatre.player.phase is Phase.ENDED
-    assert not theatre.player.is_playing
+    assert theatre.player.snapshot().phase is Phase.ENDED
+    assert not theatre.player.snapshot().is_playing
     theatre.player.play()
     theatre.run(0.5)
-    assert theatre.player.phase is Phase.PLAYING
-    assert theatre.player.media_s() < 0.6
+    assert theatre.player.snapshot().phase is Phase.PLAYING
+    assert theatre.player.snapshot().media_s < 0.6
 
 
 def test_when_the_sound_dies_the_picture_goes_on(theatre):
     theatre.player.play()
     theatre.run(1.0)
-    before_s = theatre.player.media_s()
+    before_s = theatre.player.snapshot().media_s
     theatre.out.is_alive = False
     theatre.run(1.0)
     assert theatre.player.snapshot().clock == "monotonic"
-    assert theatre.player.media_s() - before_s == pytest.approx(1.0, abs=0.01)
+    assert theatre.player.snapshot().media_s - before_s == pytest.approx(1.0, abs=0.01)
 
 
 def test_a_sound_that_never_starts_is_not_waited_for_for_ever(theatre):
@@ -122,7 +125,7 @@ def test_a_sound_that_never_starts_is_not_waited_for_for_ever(theatre):
     theatre.player.play()
     theatre.run(4.0)
     assert theatre.player.snapshot().clock == "monotonic"
-    assert 0.5 < theatre.player.media_s() < 1.5
+    assert 0.5 < theatre.player.snapshot().media_s < 1.5
 
 
 def test_late_pictures_are_dropped_not_shown_late(theatre):
@@ -134,7 +137,7 @@ def test_late_pictures_are_dropped_not_shown_late(theatre):
         theatre.clock.advance(0.01)
     shown_before = len(theatre.sink.shown)
     theatre.player.poll()
-    assert theatre.player.frames_dropped >= 3
+    assert theatre.player.snapshot().frames_dropped >= 3
     theatre.run(0.5)
     later = [pts for _, pts in theatre.sink.shown[shown_before:]]
     assert all(np.diff(later) > 0)
@@ -143,18 +146,18 @@ def test_late_pictures_are_dropped_not_shown_late(theatre):
 def test_another_feedback_starts_a_new_epoch_and_video_continues(theatre):
     theatre.player.play()
     theatre.run(1.0)
-    epoch, media_s = theatre.player._media.epoch, theatre.player.media_s()
+    epoch, media_s = theatre.player.snapshot().epoch, theatre.player.snapshot().media_s
     theatre.player.set_feedback("other")
-    assert theatre.player._media.epoch == epoch + 1
-    assert theatre.player.media_s() == pytest.approx(media_s)
+    assert theatre.player.snapshot().epoch == epoch + 1
+    assert theatre.player.snapshot().media_s == pytest.approx(media_s)
     theatre.run(0.5)
-    assert theatre.player.media_s() == pytest.approx(media_s + 0.5, abs=0.01)
+    assert theatre.player.snapshot().media_s == pytest.approx(media_s + 0.5, abs=0.01)
     assert theatre.player.snapshot().clock == "audio"
 
 
 def test_a_feedback_that_is_not_there_changes_nothing(theatre):
     theatre.player.set_feedback("strong")
-    assert theatre.player.feedback == "realistic"
+    assert theatre.player.snapshot().feedback == "realistic"
 
 
 def test_closing_ends_all_threads(clip):
@@ -182,13 +185,13 @@ def test_a_clip_that_breaks_ends_with_a_sentence(theatre, monkeypatch):
     reading = threading.Event()  # never set: gives the reading thread a moment
     for _ in range(4000):
         theatre.player.poll()
-        if theatre.player.phase is Phase.ENDED:
+        if theatre.player.snapshot().phase is Phase.ENDED:
             break
         theatre.out.advance(192)
         theatre.clock.advance(0.004)
         reading.wait(0.002)
-    assert "damaged" in theatre.player.problem
-    assert theatre.player.phase is Phase.ENDED
+    assert "damaged" in theatre.player.snapshot().problem
+    assert theatre.player.snapshot().phase is Phase.ENDED
 
 
 def test_a_seek_in_a_clip_that_has_broken_does_not_wait_for_ever(theatre, monkeypatch):
@@ -210,12 +213,12 @@ def test_a_seek_in_a_clip_that_has_broken_does_not_wait_for_ever(theatre, monkey
     reading = threading.Event()
     for _ in range(500):
         player.poll()
-        if player.phase is Phase.ENDED:
+        if player.snapshot().phase is Phase.ENDED:
             break
         theatre.out.advance(192)
         theatre.clock.advance(0.004)
         reading.wait(0.001)
-    assert player.phase is Phase.ENDED
+    assert player.snapshot().phase is Phase.ENDED
 
 
 def test_a_sound_output_that_was_lost_comes_back_without_a_jump(theatre, monkeypatch):
@@ -225,18 +228,18 @@ def test_a_sound_output_that_was_lost_comes_back_without_a_jump(theatre, monkeyp
     player, first = theatre.player, theatre.out
     player.play()
     theatre.run(0.6)
-    epoch, first.is_alive = player._media.epoch, False
+    epoch, first.is_alive = player.snapshot().epoch, False
     offsets = []
     pause = SystemClock()  # for the thread that opens the new output
     while theatre.out is first or player._media.source is not Source.AUDIO:
         theatre.run(theatre.STEP_S)
-        offsets.append(player.media_s() - theatre.clock.now_s())
+        offsets.append(player.snapshot().media_s - theatre.clock.now_s())
         pause.sleep_until(pause.now_s() + 0.001)
-        assert player.phase is Phase.PLAYING, "the clip was over before"
+        assert player.snapshot().phase is Phase.PLAYING, "the clip was over before"
     theatre.run(0.3)
     assert player._media.source is Source.AUDIO
-    assert player._media.epoch == epoch, "the force was interrupted"
-    offsets.append(player.media_s() - theatre.clock.now_s())
+    assert player.snapshot().epoch == epoch, "the force was interrupted"
+    offsets.append(player.snapshot().media_s - theatre.clock.now_s())
     assert max(offsets) - min(offsets) < 0.001
     assert abs(player._media.error_s) < 0.001
 
@@ -260,4 +263,4 @@ def test_when_the_picture_stops_the_force_does_until_it_is_back(theatre, monkeyp
         feeder._wake.notify_all()
     theatre.run(0.1)
     assert published[-1] == "realistic"
-    assert player.phase is Phase.PLAYING
+    assert player.snapshot().phase is Phase.PLAYING

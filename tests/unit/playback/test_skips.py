@@ -201,14 +201,17 @@ def test_a_paused_clip_shown_again_shows_its_position(clip, stage, way):
     theatre.run(0.4 if way == "paused" else 3.5)
     if way == "paused":
         theatre.player.pause()
-    phase, media_s = theatre.player.phase, theatre.player.media_s()
+    phase, media_s = theatre.player.snapshot().phase, theatre.player.snapshot().media_s
     assert phase is {"paused": Phase.PAUSED, "ended": Phase.ENDED}[way]
     theatre.player.set_seen(is_seen=True)
     theatre.run(0.1)
     _, pts_s, digest = theatre.sink.shown[-1]
     assert digest
     assert pts_s <= media_s <= pts_s + FRAME_S + 1e-6
-    assert (theatre.player.phase, theatre.player.media_s()) == (phase, media_s)
+    assert (theatre.player.snapshot().phase, theatre.player.snapshot().media_s) == (
+        phase,
+        media_s,
+    )
 
 
 def test_without_a_screen_no_picture_is_converted(clip, counts):
@@ -343,13 +346,15 @@ def test_a_seek_within_decoded_sound_decodes_nothing(clip, counts, stage):
     theatre = stage(clip)
     theatre.player.play()
     theatre.run(0.6)
-    heard_s = theatre.player.media_s()
+    heard_s = theatre.player.snapshot().media_s
     counts.take()
     theatre.player.seek(heard_s + 0.4)
     theatre.run(0.5)
     assert counts.take()["AudioDecoder.seek"] == 0
     assert theatre.player._media.error_s == pytest.approx(0.0, abs=1e-4)
-    assert theatre.player.media_s() == pytest.approx(heard_s + 0.4 + 0.38, abs=0.02)
+    assert theatre.player.snapshot().media_s == pytest.approx(
+        heard_s + 0.4 + 0.38, abs=0.02
+    )
     theatre.player.seek(heard_s + 0.1)  # behind: half a second is kept
     theatre.run(0.2)
     assert counts.take()["AudioDecoder.seek"] == 0
@@ -364,7 +369,7 @@ def test_a_seek_to_the_end_of_decoded_sound_wakes_the_decoder(clip, stage, monke
     monkeypatch.setattr("hapticplayer.playback.feeders.ROOM_S", 1e6)
     monkeypatch.setattr("hapticplayer.playback.audio.STANDING_AHEAD_S", 0.5)
     theatre = stage(clip)
-    ring = theatre.player.sound.ring
+    ring = theatre.player._sound.ring
     for _ in range(1000):
         if ring.buffered_s() >= 0.5:
             break
@@ -381,7 +386,7 @@ def test_samples_after_a_small_seek_equal_those_after_a_full_one(clip, stage):
     played = []
     for is_kept in (True, False):
         theatre = stage(clip)
-        ring = theatre.player.sound.ring
+        ring = theatre.player._sound.ring
         if not is_kept:
             ring.resume_from = lambda _epoch, _media_s: False
         theatre.player.play()
@@ -398,7 +403,7 @@ def test_another_clip_never_plays_the_sound_of_the_one_before(clip, counts, stag
     theatre = stage(clip)
     theatre.run(0.1)
     counts.take()
-    theatre.player.open(theatre.player.source)
+    theatre.player.open(theatre.player.snapshot().source)
     theatre.run(0.1)
     assert counts.take()["AudioDecoder.next_block"] >= 1
 
@@ -410,7 +415,7 @@ def test_muted_without_a_window_decodes_no_sound(clip, counts, stage):
         theatre.player.play()
         theatre.run(1.5)
         shown = dict.fromkeys(one[1:] for one in theatre.sink.shown)
-        feeder = theatre.player.sound.feeder
+        feeder = theatre.player._sound.feeder
         theatre.player.close()  # its threads would count for the next one
         found.append((feeder, counts.take(), list(shown)))
     (_, heard, loud_shown), (no_feeder, silent, muted_shown) = found

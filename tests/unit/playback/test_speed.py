@@ -103,25 +103,25 @@ def test_at_another_speed_pictures_and_sound_agree(theatre, speed):
     assert slope == pytest.approx(speed, rel=0.02)
     assert theatre.player.snapshot().clock == "audio"
     assert theatre.player._media.error_s == pytest.approx(0.0, abs=0.002)
-    assert theatre.player.frames_dropped == 0
+    assert theatre.player.snapshot().frames_dropped == 0
     assert theatre.player._sound.ring.underrun_samples == 0
 
 
 def test_a_change_of_speed_while_it_plays_stays_where_it_is(theatre):
     theatre.player.play()
     theatre.run(0.8)
-    before_s = theatre.player.media_s()
-    epoch = theatre.player._media.epoch
+    before_s = theatre.player.snapshot().media_s
+    epoch = theatre.player.snapshot().epoch
     theatre.player.set_speed(2.0)
-    assert theatre.player.media_s() == pytest.approx(before_s, abs=1e-9)
-    assert theatre.player._media.epoch > epoch  # the force fades out and in
-    assert theatre.player.is_playing
+    assert theatre.player.snapshot().media_s == pytest.approx(before_s, abs=1e-9)
+    assert theatre.player.snapshot().epoch > epoch  # the force fades out and in
+    assert theatre.player.snapshot().is_playing
 
 
 @pytest.mark.parametrize(("asked", "got"), [(0.01, 0.5), (1.5, 1.5), (99.0, 4.0)])
 def test_the_speed_has_limits(theatre, asked, got):
     theatre.player.set_speed(asked)
-    assert theatre.player.speed == got
+    assert theatre.player.snapshot().speed == got
 
 
 def test_single_steps_go_one_picture_forth_and_back(theatre):
@@ -132,7 +132,7 @@ def test_single_steps_go_one_picture_forth_and_back(theatre):
         theatre.run(0.02)
         seen.append(round(theatre.sink.shown[-1][1] / FRAME_S))
     assert seen == [1, 2, 3, 2, 1]
-    assert theatre.player.phase is Phase.PAUSED
+    assert theatre.player.snapshot().phase is Phase.PAUSED
 
 
 def test_a_step_pauses_what_plays(theatre):
@@ -140,31 +140,31 @@ def test_a_step_pauses_what_plays(theatre):
     theatre.run(0.6)
     last_s = theatre.sink.shown[-1][1]
     theatre.player.step(1)
-    assert theatre.player.phase is Phase.PAUSED
+    assert theatre.player.snapshot().phase is Phase.PAUSED
     assert theatre.sink.shown[-1][1] == pytest.approx(last_s + FRAME_S, abs=1e-6)
-    assert theatre.player.media_s() == theatre.sink.shown[-1][1]
+    assert theatre.player.snapshot().media_s == theatre.sink.shown[-1][1]
 
 
 def test_a_loop_returns_to_its_beginning(theatre):
-    theatre.player.loop_s = (1.0, 1.4)
+    theatre.player.set_loop((1.0, 1.4))
     theatre.player.seek(1.0)
     theatre.player.play()
     theatre.run(2.0)
     media_s = np.array([pts for _, pts in theatre.sink.shown[1:]])
     assert media_s.max() < 1.4 + FRAME_S
     assert (np.diff(media_s) < -0.3).sum() >= 2
-    assert theatre.player.is_playing
+    assert theatre.player.snapshot().is_playing
 
 
 def test_another_output_takes_over_where_the_sound_is(theatre):
     theatre.player.play()
     theatre.run(1.0)
-    first, before_s = theatre.out, theatre.player.media_s()
+    first, before_s = theatre.out, theatre.player.snapshot().media_s
     theatre.player.set_sound_output(theatre._make_audio)
     assert theatre.out is not first
-    assert theatre.player.media_s() == pytest.approx(before_s, abs=1e-9)
+    assert theatre.player.snapshot().media_s == pytest.approx(before_s, abs=1e-9)
     theatre.run(0.5)
-    assert theatre.player.phase is Phase.PLAYING
+    assert theatre.player.snapshot().phase is Phase.PLAYING
     assert theatre.player.snapshot().clock == "audio"
 
 

@@ -47,13 +47,13 @@ def run(stage, clock, until=lambda stage: stage.is_over()):
 def test_a_trial_plays_its_force_and_tells_what_was_sent(source):
     stage, clock = stage_of(source, "simulated")
     try:
-        stage.player.link.wait_ready()
+        stage.player.wait_ready()
         for feedback, force_n in (("realistic", 1.0), ("none", 0.0)):
             stage.prepare(Condition("clip", feedback))
             stage.begin()
             run(stage, clock)
             played = stage.played()
-            assert list(stage.player.source.tracks) == [feedback]
+            assert list(stage.player.snapshot().source.tracks) == [feedback]
             assert not any(reason.startswith("clip") for reason in played.reasons)
             figures = played.playback
             assert figures["media_s"] == pytest.approx(SECONDS, abs=0.1)
@@ -70,7 +70,7 @@ def test_a_stop_is_a_fault_and_rearming_restores_the_force(source):
     stage, clock = stage_of(source, "simulated")
     player = stage.player
     try:
-        player.link.wait_ready()
+        player.wait_ready()
         stage.prepare(Condition("clip", "realistic"))
         stage.begin()
         run(stage, clock, lambda _s: player.snapshot().mode is Mode.FOLLOWING)
@@ -91,13 +91,13 @@ def test_a_stop_is_a_fault_and_rearming_restores_the_force(source):
 def test_a_trial_whose_ticks_could_not_be_recorded_is_not_sound(source, monkeypatch):
     stage, clock = stage_of(source, "simulated")
     try:
-        stage.player.link.wait_ready()
+        stage.player.wait_ready()
         stage.prepare(Condition("clip", "none"))
         stage.begin()
         run(stage, clock)
         assert "record_incomplete" not in stage.played().reasons
-        full = property(lambda _link: "No space left on device")
-        monkeypatch.setattr(type(stage.player.link), "record_problem", full)
+        full = replace(stage.player.snapshot(), record_problem="No space left")
+        monkeypatch.setattr(stage.player, "snapshot", lambda: full)
         assert "record_incomplete" in stage.played().reasons
     finally:
         stage.player.close()

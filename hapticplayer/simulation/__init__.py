@@ -1,4 +1,0 @@
-"""Everything that pretends: rides, devices, faults and participants.
-
-The rooms below import nothing from here; they load it by name when a person chooses it.
-"""

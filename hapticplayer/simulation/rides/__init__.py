@@ -1,1 +1,0 @@
-"""Rides whose true motion is known: trajectories, and the sensors that record them."""
