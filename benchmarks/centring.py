@@ -31,7 +31,7 @@ from hand_boundary import (
 from hand_cases import SMOOTH, Trial, swing_m
 from hand_tracks import TRACKS, hostile, shaken, steady_push, track
 
-from hapticplayer.devices.simulated import HANDS, RELAXED, Mechanism
+from hapticplayer.devices.dynamics import HANDS, RELAXED, Mechanism
 from hapticplayer.haptics.centring import Centring
 from hapticplayer.haptics.limiter import PERIOD_S, Limits
 from hapticplayer.sequence.excursion import HANDS as PREDICTED

@@ -28,14 +28,14 @@ from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline, make_interp_spline
 
 sys.path.insert(0, str(ROOT))
-from hapticplayer.capture.board import PAPER, Board, record
-from hapticplayer.capture.rides import RIDES
-from hapticplayer.capture.scenes import Scene
-from hapticplayer.capture.sensor_model import CAMERA, SensorErrors, SensorModel
 from hapticplayer.devices.falcon import kinematics
 from hapticplayer.model import ImuLog, Mapping, MotionTrack, Sampling
 from hapticplayer.motion import METHODS, remove_gravity
 from hapticplayer.rendering import render_force
+from hapticplayer.simulation.rides.board import PAPER, Board, record
+from hapticplayer.simulation.rides.catalogue import RIDES
+from hapticplayer.simulation.rides.scenes import Scene
+from hapticplayer.simulation.rides.sensors import CAMERA, SensorErrors, SensorModel
 
 Floats = NDArray[np.float64]
 SCENARIOS = ("bike", "horse", "car-turning", "car-braking")

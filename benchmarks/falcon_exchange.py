@@ -25,9 +25,9 @@ from common import save, table
 from hapticplayer.clock import SystemClock
 from hapticplayer.devices import DEVICES
 from hapticplayer.devices.falcon.driver import FalconDriver, Options
-from hapticplayer.devices.falcon.simulated_usb import remote
 from hapticplayer.haptics.scheduling import DEVICE_PRIORITY, acquire, grant
 from hapticplayer.haptics.wakefulness import Wakefulness
+from hapticplayer.simulation.usb import remote
 
 PERIOD_S = 0.001
 SETTLING_TICKS = 200

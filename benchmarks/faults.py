@@ -31,10 +31,11 @@ import numpy as np
 from common import ROOT, save, table
 from sentinel import Sentinel, sentinel
 
-from hapticplayer.devices.simulated import Controls, read_record
 from hapticplayer.haptics.contract import Cause
 from hapticplayer.haptics.shared import SharedBlock
 from hapticplayer.media import write_clip
+from hapticplayer.simulation.falcon.record_reader import read_record
+from hapticplayer.simulation.falcon.remote import Controls
 
 FORCE_N, TURN_RADPS, CLIP_S = 4.0, 2.0, 600
 ROW_S = 0.01

@@ -80,10 +80,10 @@ def main() -> int:
     load, seen, seconds, *arguments = sys.argv[1:]
     sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
     from app.__main__ import main as play
-    from hapticplayer.devices.simulated import read_record
     from hapticplayer.haptics.contract import Cause, Mode
     from hapticplayer.haptics.process import HapticsProcess
     from hapticplayer.playback import player as player_module
+    from hapticplayer.simulation.falcon.record_reader import read_record
 
     withheld = 0
     ages_s: list[Any] = []

@@ -14,10 +14,10 @@ from pathlib import Path
 import numpy as np
 from common import save, table
 
-from hapticplayer.capture import simulate_motion
 from hapticplayer.model import ImuLog
 from hapticplayer.sequence.motion_cache import MotionCache
 from hapticplayer.sequence.processing import Processed, Processing, process_motion
+from hapticplayer.simulation.rides.motion_scenes import simulate_motion
 
 ROUNDS = 5
 

@@ -12,8 +12,8 @@ from recordings import (
     load_simulated,
 )
 
-from hapticplayer.capture import MOTION_SCENES
 from hapticplayer.model import Sampling
+from hapticplayer.simulation.rides.motion_scenes import MOTION_SCENES
 
 ORIENTATION, COMMA = DATA / "orientation", DATA / "capture" / "comma2k19"
 OPTICAL = ("broad", "tumvi", "tyrex")

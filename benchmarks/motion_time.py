@@ -21,7 +21,6 @@ from motion_accuracy import REFERENCE
 from motion_data import AVERAGED, NATIVE, Family
 from motion_document import Document
 
-from hapticplayer.capture import simulate_motion
 from hapticplayer.model import ImuLog
 from hapticplayer.motion import (
     DEFAULT_METHOD,
@@ -29,6 +28,7 @@ from hapticplayer.motion import (
     estimate_orientation,
     remove_gravity,
 )
+from hapticplayer.simulation.rides.motion_scenes import simulate_motion
 
 ROUNDS = 5
 LIMITS_RATIO = {NATIVE: 0.3, AVERAGED: 1.0}

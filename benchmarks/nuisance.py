@@ -63,7 +63,7 @@ def use(options: argparse.Namespace) -> int:
     from hapticplayer.playback.player import Player
     from hapticplayer.playback.sound_process import SoundProcess
     from hapticplayer.playback.source import open_source
-    from hapticplayer.sequence.demo import demo_folder
+    from hapticplayer.simulation.demo import demo_folder
 
     folder, demo = Path(options.folder), demo_folder()
     beats = Beats()

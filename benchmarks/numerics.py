@@ -31,9 +31,9 @@ from numerics_smoother import (
     where_it_breaks,
 )
 
-from hapticplayer.capture import simulate_motion
 from hapticplayer.model import ImuLog
 from hapticplayer.motion import EkfParameters, remove_gravity
+from hapticplayer.simulation.rides.motion_scenes import simulate_motion
 
 sys.path.insert(0, str(ROOT / "tests" / "faults"))
 from motion_scoring import inclination_deg, vertical

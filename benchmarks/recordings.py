@@ -14,8 +14,9 @@ from comma import car_imu, car_truth, print_agreement
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
-from hapticplayer.capture import MOTION_SCENES, SensorModel, simulate_motion
 from hapticplayer.model import ImuLog, Sampling
+from hapticplayer.simulation.rides.motion_scenes import MOTION_SCENES, simulate_motion
+from hapticplayer.simulation.rides.sensors import SensorModel
 
 Floats = NDArray[np.float64]
 

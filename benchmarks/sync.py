@@ -139,7 +139,7 @@ def _follow(
     player: "subprocess.Popen[bytes]", record: int, patience_s: float
 ) -> tuple[bytes, Floats]:
     """Wait for the player; return what it printed, and when it pushed."""
-    from hapticplayer.devices.simulated import read_record
+    from hapticplayer.simulation.falcon.record_reader import read_record
 
     until_s, pushes, printed = time.monotonic() + patience_s, [np.empty(0)], b""
     while player.returncode is None and time.monotonic() < until_s:

@@ -2,7 +2,7 @@
 
     OMP_NUM_THREADS=1 python -m benchmarks.sync_pats [--clips 200] [--long 50]
 
-Clips: `hapticplayer.capture.sync.clips`. What the method decides by was chosen on the
+Clips: `hapticplayer.simulation.rides.sync_clips`. What the method decides by was chosen on the
 seeds 5000 to 9059; the default seeds here are others. Every clip is also synchronised
 with the log of another one: then any confident answer is a wrong one. Run time is the
 fastest of three calls of `synchronize`, CPU time on one thread.
@@ -21,8 +21,8 @@ import numpy as np
 
 from benchmarks.common import RESULTS, save, table
 from hapticplayer.capture.sync import synchronize
-from hapticplayer.capture.sync.clips import PatClip, simulate_pats
 from hapticplayer.capture.sync.variance import FIRST_10_S, WHOLE, variance_shift
+from hapticplayer.simulation.rides.sync_clips import PatClip, simulate_pats
 
 HALF_FRAME_S, GROSS_S = 0.0167, 0.1
 # kind, rate in Hz -> share within half a frame, share of right ones flagged

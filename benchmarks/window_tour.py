@@ -28,7 +28,7 @@ from hapticplayer.clock import SystemClock
 from hapticplayer.playback.player import Player
 from hapticplayer.playback.sound_process import SoundProcess
 from hapticplayer.playback.source import open_source
-from hapticplayer.sequence.demo import demo_folder
+from hapticplayer.simulation.demo import demo_folder
 from hapticplayer.study.creation import create_study
 from hapticplayer.study.study_folder import open_study
 

@@ -7,9 +7,9 @@ import sys
 from pathlib import Path
 
 from hapticplayer.capture.sync import synchronize
-from hapticplayer.capture.sync.clips import simulate_pats
 from hapticplayer.capture.sync.synchronize import Sound
 from hapticplayer.cli.sync_plot import draw_sync
+from hapticplayer.simulation.rides.sync_clips import simulate_pats
 
 DOCS = Path(__file__).parents[1] / "docs"
 PICTURES = {

@@ -25,10 +25,10 @@ from hapticplayer.clock import Clock
 from hapticplayer.devices import find_device
 from hapticplayer.errors import HapticPlayerError
 from hapticplayer.haptics.contract import Mode
-from hapticplayer.haptics.injection import Fault, outcome_of
 from hapticplayer.haptics.process import Health
 from hapticplayer.playback.haptic_link import NO_DEVICE
 from hapticplayer.playback.snapshot import Snapshot
+from hapticplayer.simulation.faults import Fault, outcome_of
 
 POLL_MS = 100
 FOLLOWED_S = 3.0

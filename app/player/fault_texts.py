@@ -3,7 +3,7 @@
 from PySide6.QtCore import QCoreApplication
 
 from hapticplayer.haptics.contract import RULES, Cause, Reaction
-from hapticplayer.haptics.injection import RULES_OF, Fault
+from hapticplayer.simulation.faults import RULES_OF, Fault
 
 translate = QCoreApplication.translate
 

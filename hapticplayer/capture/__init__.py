@@ -1,4 +1,4 @@
-"""Recordings in: camera telemetry, motion logs, and the recording simulator.
+"""Recordings in: camera telemetry, motion logs, synchronisation.
 
 Times are media time (0 is the first picture) where the clocks are one; frame A is
 x right, y front, z up. Each module is loaded when its first name is used.
@@ -20,35 +20,14 @@ if TYPE_CHECKING:
         parse_choices,
         write_template,
     )
-    from hapticplayer.capture.motion_scenes import (
-        MOTION_SCENES,
-        SimulatedMotion,
-        simulate_motion,
-    )
     from hapticplayer.capture.recording import Recording, read_recording
-    from hapticplayer.capture.rides import RIDES, SCENES
-    from hapticplayer.capture.sensor_model import SENSORS, SensorErrors, SensorModel
-    from hapticplayer.capture.simulator import (
-        SimulatedRecording,
-        simulate,
-        write_gopro_clip,
-        write_simulated_clip,
-    )
     from hapticplayer.capture.sync import Synchronisation, read_sound, synchronize
 
 _HOMES = {
-    "MOTION_SCENES": "motion_scenes",
-    "RIDES": "rides",
-    "SCENES": "rides",
-    "SENSORS": "sensor_model",
     "GoProTelemetry": "gopro",
     "LogChoices": "logs",
     "LogQuestion": "logs",
     "Recording": "recording",
-    "SensorErrors": "sensor_model",
-    "SensorModel": "sensor_model",
-    "SimulatedMotion": "motion_scenes",
-    "SimulatedRecording": "simulator",
     "Synchronisation": "sync",
     "parse_choices": "logs",
     "read_force_csv": "csv_log",
@@ -57,28 +36,16 @@ _HOMES = {
     "read_raw_gopro": "gopro",
     "read_recording": "recording",
     "read_sound": "sync",
-    "simulate": "simulator",
-    "simulate_motion": "motion_scenes",
     "synchronize": "sync",
-    "write_gopro_clip": "simulator",
     "write_imu_csv": "csv_log",
-    "write_simulated_clip": "simulator",
     "write_template": "logs",
 }
 
 __all__ = [
-    "MOTION_SCENES",
-    "RIDES",
-    "SCENES",
-    "SENSORS",
     "GoProTelemetry",
     "LogChoices",
     "LogQuestion",
     "Recording",
-    "SensorErrors",
-    "SensorModel",
-    "SimulatedMotion",
-    "SimulatedRecording",
     "Synchronisation",
     "parse_choices",
     "read_force_csv",
@@ -87,12 +54,8 @@ __all__ = [
     "read_raw_gopro",
     "read_recording",
     "read_sound",
-    "simulate",
-    "simulate_motion",
     "synchronize",
-    "write_gopro_clip",
     "write_imu_csv",
-    "write_simulated_clip",
     "write_template",
 ]
 

@@ -14,19 +14,19 @@ from hapticplayer.errors import UsageError
 from hapticplayer.model import Mapping
 from hapticplayer.sequence import build_sequence, files, open_sequence
 from hapticplayer.sequence.build import Choices
-from hapticplayer.sequence.demo import DEMO_SEED, write_simulated_sequence
-from hapticplayer.sequence.demo import demo_folder as make_demo_folder
 from hapticplayer.sequence.processing import Processing
-from hapticplayer.sequence.simulated import (
-    CLIP,
-    LOG,
-    READ_AS,
-    write_simulated_recording,
-)
 from hapticplayer.sequence.synchronizing import (
     SyncChoices,
     checked_skew,
     stored_skews,
+)
+from hapticplayer.simulation.demo import DEMO_SEED, write_simulated_sequence
+from hapticplayer.simulation.demo import demo_folder as make_demo_folder
+from hapticplayer.simulation.recordings import (
+    CLIP,
+    LOG,
+    READ_AS,
+    write_simulated_recording,
 )
 
 
@@ -142,7 +142,8 @@ def _say_imported(folder: Path, description: Dict[str, Any]) -> None:
 def simulate(options: argparse.Namespace) -> int:
     """Write a simulated ride: a recording, a sequence, or motion and truth only."""
     # the simulator brings half of scipy along, which playing does not need
-    from hapticplayer.capture import MOTION_SCENES, RIDES, SCENES
+    from hapticplayer.simulation.rides.catalogue import RIDES, SCENES
+    from hapticplayer.simulation.rides.motion_scenes import MOTION_SCENES
 
     seed = DEMO_SEED if options.seed is None else options.seed
     if options.scenario in RIDES:
@@ -183,7 +184,8 @@ def _simulate_ride(options: argparse.Namespace, seed: int) -> int:
 
 def _simulate_motion(name: str, seed: int, target: Path) -> int:
     """Write imu.csv and truth.npz of a scene without a clip."""
-    from hapticplayer.capture import simulate_motion, write_imu_csv
+    from hapticplayer.capture import write_imu_csv
+    from hapticplayer.simulation.rides.motion_scenes import simulate_motion
 
     with (
         interruptible(),

@@ -9,6 +9,11 @@ from typing import Any, Protocol
 from hapticplayer.console.speech import interruptible, say, shown_progress
 from hapticplayer.errors import UsageError
 from hapticplayer.sequence import files
+from hapticplayer.simulation.participants import (
+    WriteSession,
+    simulated_answers,
+    write_simulated,
+)
 from hapticplayer.study.analysis import Analysis, Choices, MissingPolicy, Resampling
 from hapticplayer.study.analysis.consistency import ConsistencyAnalysis
 from hapticplayer.study.analysis.contents import number, p_value
@@ -25,11 +30,6 @@ from hapticplayer.study.analysis.power import (
 )
 from hapticplayer.study.analysis.report import write_report
 from hapticplayer.study.analysis.scores import by_feedback, scores_of
-from hapticplayer.study.analysis.simulation import (
-    WriteSession,
-    simulated_answers,
-    write_simulated,
-)
 from hapticplayer.study.answers import Answers
 
 _MOST_SEQUENCES = 20

@@ -5,10 +5,10 @@ from pathlib import Path
 from typing import Any
 
 from hapticplayer.clock import SystemClock
-from hapticplayer.study.analysis.simulation import Rate, WriteSession
+from hapticplayer.simulation.participants import Rate, WriteSession
+from hapticplayer.simulation.sessions import write_scripted_session
 from hapticplayer.study.answers import Answers, Participant, collect_answers
 from hapticplayer.study.creation import create_study
-from hapticplayer.study.scripted import write_scripted_session
 from hapticplayer.study.study_folder import open_study
 
 

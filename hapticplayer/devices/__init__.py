@@ -1,22 +1,25 @@
 """Haptic devices behind one protocol: open, exchange at 1 kHz, close.
 
-A driver is loaded by the process that makes the device, and by no other.
+A driver is loaded by the process that makes the device, and by no other. Packages that
+are installed beside this one add devices through the entry-point group
+`hapticplayer.devices`, each entry point naming a `DeviceEntry` (docs/devices.md).
 """
 
+import importlib
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from functools import partial
-from typing import Protocol
+from typing import Any, Protocol
 
-from hapticplayer.devices.falcon.capabilities import CAPABILITIES as _FALCON
-from hapticplayer.devices.gamepad.capabilities import CAPABILITIES as _GAMEPAD
-from hapticplayer.devices.simulated.capabilities import FALCON
+from hapticplayer.devices.capabilities import FALCON, GAMEPAD
 from hapticplayer.errors import DeviceError
 from hapticplayer.model.device import DeviceCapabilities, DeviceReading, Vector
 
+NO_DEVICE = "none"
+ENTRY_POINTS = "hapticplayer.devices"
+
 
 class HapticDevice(Protocol):
-    """Something that pushes a hand and knows where it is.
+    """Something that exerts a force on a hand and measures where it is.
 
     All vectors are in frame D: x right, y up, z towards the user.
     """
@@ -44,135 +47,147 @@ class HapticDevice(Protocol):
 
 @dataclass(frozen=True, slots=True)
 class DeviceEntry:
-    """A device that can be chosen by name.
+    """A device that can be chosen by name. Functions are named "module:function".
 
     Attributes:
         name: for command lines and files.
         title: for people.
         capabilities: what it can do.
-        make: returns the device, not yet open, for a descriptor, and for a serial
-            number where there may be several.
-        silence: returns what writes one zero command, for the guard, for a descriptor;
-            False from it means that there is nothing left to silence.
+        driver: called with a descriptor, and with a serial number where there may be
+            several, returns the `HapticDevice`, not yet open.
+        silencer: called with a descriptor by the guard, returns what writes one zero
+            command; False from it means that there is nothing left to silence.
         server: module that is run as a process of its own; loop and guard both hold
             the other end of its line. "" for real hardware: then they hold the two
             ends of one line, along which the loop may pass what the guard needs.
+        faults: module of the faults that developers can inject; "" for none.
+        direct: called with the line of a loop, or -1 for none, returns how tools
+            reach a Falcon without the haptics process (`falcon.reach`).
         has_serials: whether it can be chosen as `name:serial`.
         is_for_developers: whether windows leave it out.
         patience_s: longest time that opening it may take.
+        serial: the one that was chosen.
     """
 
     name: str
     title: str
     capabilities: DeviceCapabilities
-    make: Callable[..., HapticDevice]
-    silence: Callable[[int], Callable[[], bool]]
+    driver: str
+    silencer: str
     server: str = ""
+    faults: str = ""
+    direct: str = ""
     has_serials: bool = False
     is_for_developers: bool = False
     patience_s: float = 10.0
+    serial: str = ""
+
+    def make(self, descriptor: int) -> HapticDevice:
+        """Return the device, not yet open."""
+        more = (self.serial,) if self.serial else ()
+        made: HapticDevice = load(self.driver)(descriptor, *more)
+        return made
+
+    def silence(self, descriptor: int) -> Callable[[], bool]:
+        """Return what writes one zero command."""
+        silencer: Callable[[], bool] = load(self.silencer)(descriptor)
+        return silencer
 
 
-def _simulated(descriptor: int) -> HapticDevice:
-    from hapticplayer.devices.simulated.remote import RemoteFalcon
-
-    return RemoteFalcon(descriptor)
-
-
-def _silence_simulated(descriptor: int) -> Callable[[], bool]:
-    from hapticplayer.devices.simulated.remote import silence
-
-    return silence(descriptor)
-
-
-def _falcon(descriptor: int, serial: str = "") -> HapticDevice:
-    from hapticplayer.devices.falcon import driver
-
-    return driver.make(descriptor, serial)
-
-
-def _silence_falcon(descriptor: int) -> Callable[[], bool]:
-    from hapticplayer.devices.falcon.silence import silence
-
-    return silence(descriptor)
-
-
-def _gamepad(descriptor: int) -> HapticDevice:
-    from hapticplayer.devices.gamepad import driver
-
-    return driver.make(descriptor)
-
-
-def _silence_gamepad(descriptor: int) -> Callable[[], bool]:
-    from hapticplayer.devices.gamepad import driver
-
-    return driver.silence(descriptor)
-
-
-def _falcon_simulated(descriptor: int) -> HapticDevice:
-    from hapticplayer.devices.falcon.simulated_usb import remote
-
-    return remote.make(descriptor)
-
-
-def _silence_falcon_simulated(descriptor: int) -> Callable[[], bool]:
-    from hapticplayer.devices.falcon.simulated_usb import remote
-
-    return remote.silence(descriptor)
-
-
-_ENTRIES = (
+_SIMULATED = "hapticplayer.simulation"
+_BUILT_IN = (
     DeviceEntry(
         "simulated",
         "simulated Falcon, held by a relaxed hand",
         FALCON,
-        _simulated,
-        _silence_simulated,
-        server="hapticplayer.devices.simulated",
+        f"{_SIMULATED}.falcon.remote:RemoteFalcon",
+        f"{_SIMULATED}.falcon.remote:silence",
+        server=f"{_SIMULATED}.falcon",
+        faults=f"{_SIMULATED}.faults",
     ),
     DeviceEntry(
         "falcon",
         "Novint Falcon on USB",
-        _FALCON,
-        _falcon,
-        _silence_falcon,
+        FALCON,
+        "hapticplayer.devices.falcon.driver:make",
+        "hapticplayer.devices.falcon.silence:silence",
+        direct="hapticplayer.devices.falcon.reach:real",
         has_serials=True,
         patience_s=45.0,  # ten uploads, should the first nine fail
     ),
     DeviceEntry(
         "falcon-simulated",
         "the Falcon's own driver on simulated USB, for developers",
-        _FALCON,
-        _falcon_simulated,
-        _silence_falcon_simulated,
-        server="hapticplayer.devices.falcon.simulated_usb",
+        FALCON,
+        f"{_SIMULATED}.usb.remote:make",
+        f"{_SIMULATED}.usb.remote:silence",
+        server=f"{_SIMULATED}.usb",
+        faults=f"{_SIMULATED}.faults",
+        direct=f"{_SIMULATED}.usb.reach:simulated",
         is_for_developers=True,
         patience_s=45.0,
     ),
     DeviceEntry(
         "gamepad",
         "DualSense or DualShock 4 on USB: vibration only",
-        _GAMEPAD,
-        _gamepad,
-        _silence_gamepad,
+        GAMEPAD,
+        "hapticplayer.devices.gamepad.driver:make",
+        "hapticplayer.devices.gamepad.driver:silence",
     ),
 )
-DEVICES: dict[str, DeviceEntry] = {entry.name: entry for entry in _ENTRIES}
+DEVICES: dict[str, DeviceEntry] = {entry.name: entry for entry in _BUILT_IN}
+"""Those of this package; `installed_devices` has also those of others."""
+
+
+def installed_devices() -> dict[str, DeviceEntry]:
+    """Return all devices by name, ours first; no package replaces one of ours.
+
+    Raises:
+        DeviceError: when an entry point of the group `hapticplayer.devices` is none.
+    """
+    from importlib import metadata  # 30 ms, which the haptics process does not need
+
+    found = dict(DEVICES)
+    for point in metadata.entry_points(group=ENTRY_POINTS):
+        try:
+            entry = point.load()
+        except (ImportError, AttributeError) as problem:
+            raise _not_an_entry(point.value, str(problem)) from problem
+        if not isinstance(entry, DeviceEntry):
+            raise _not_an_entry(point.value, "it is not a DeviceEntry")
+        found.setdefault(entry.name, entry)
+    return found
+
+
+def device_names() -> list[str]:
+    """Return what `--device` takes: all devices, and none."""
+    return [*installed_devices(), NO_DEVICE]
 
 
 def find_device(name: str) -> DeviceEntry:
     """Return the device of that name, or of that name and serial number.
 
     Raises:
-        DeviceError: when this version has no driver for it.
+        DeviceError: when there is no driver for it.
     """
     kind, _, serial = name.partition(":")
-    entry = DEVICES.get(kind)
+    entry = DEVICES.get(kind) or installed_devices().get(kind)
     if entry is None or (serial and not entry.has_serials):
         raise DeviceError(
             f"device {name!r}: this version has no driver for it; "
-            f"use {' or '.join(DEVICES)}"
+            f"use {' or '.join(installed_devices())}"
         )
-    if serial:
-        return replace(entry, name=name, make=partial(entry.make, serial=serial))
-    return entry
+    return replace(entry, name=name, serial=serial) if serial else entry
+
+
+def load(where: str) -> Any:
+    """Return what "module:name" says; its module is imported now."""
+    module, _, name = where.partition(":")
+    return getattr(importlib.import_module(module), name)
+
+
+def _not_an_entry(value: str, why: str) -> DeviceError:
+    return DeviceError(
+        f"the installed device {value!r} cannot be loaded: {why}; "
+        "update or uninstall its package"
+    )

@@ -6,7 +6,7 @@ import socket
 import sys
 
 from hapticplayer.clock import SystemClock
-from hapticplayer.devices import find_device
+from hapticplayer.devices import find_device, load
 from hapticplayer.errors import DeviceError
 from hapticplayer.haptics.block import LoopBlock
 from hapticplayer.haptics.centring import centring_of
@@ -31,7 +31,7 @@ def main(argv: list[str] | None = None) -> int:
     parser.add_argument("--faults", action="store_true", help="take faults")
     parser.add_argument("--scheduling", choices=[s.value for s in Scheduling])
     options = parser.parse_args(argv)
-    if options.faults and not find_device(options.device).server:
+    if options.faults and not find_device(options.device).faults:
         parser.error("a real device takes no faults")
 
     # Ctrl-C and a hang-up reach the whole group: the player decides, its alarm tells
@@ -72,9 +72,8 @@ def main(argv: list[str] | None = None) -> int:
 def _kind(options: argparse.Namespace) -> type[Loop]:
     if not options.faults:
         return Loop
-    from hapticplayer.haptics.faulty_loop import FaultyLoop
-
-    return FaultyLoop
+    kind: type[Loop] = load(f"{find_device(options.device).faults}.loop:FaultyLoop")
+    return kind
 
 
 if __name__ == "__main__":

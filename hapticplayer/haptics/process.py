@@ -10,11 +10,9 @@ from typing import Any
 from numpy.typing import NDArray
 
 from hapticplayer.clock import Clock
-from hapticplayer.devices import find_device
-from hapticplayer.devices.simulated.remote import Controls
+from hapticplayer.devices import find_device, load
 from hapticplayer.errors import DeviceError, HapticsError, InputError, UsageError
 from hapticplayer.haptics.crew import Crew
-from hapticplayer.haptics.injection import DEVICE_ACTS, Fault
 from hapticplayer.haptics.messages import Line, Word
 from hapticplayer.haptics.recorder import Recording
 from hapticplayer.haptics.scheduling import Scheduling
@@ -66,7 +64,7 @@ class HapticsProcess:
         takes_faults: bool = False,
     ) -> None:
         self.device = device
-        self._controls: Controls | None = None
+        self._device_faults: Any = None
         self.health = Health.STARTING
         self.scheduling = Scheduling.NORMAL
         self.problem = ""
@@ -75,7 +73,7 @@ class HapticsProcess:
         self._next_track_id = 1
         self._is_loop_ready = False
         entry = find_device(device)
-        if takes_faults and not entry.server:
+        if takes_faults and not entry.faults:
             raise UsageError(f"{device} is a real device and takes no faults")
         self._patience_s = entry.patience_s
         descriptor = anonymous_memory("hapticplayer-loop", BLOCK_BYTES)
@@ -91,7 +89,7 @@ class HapticsProcess:
         if takes_faults:
             device_options = [*device_options, "--control", str(acted_on.fileno())]
             device_descriptors = [*device_descriptors, acted_on.fileno()]
-            self._controls = Controls(act.detach())
+            self._device_faults = load(f"{entry.faults}:DeviceFaults")(act.detach())
         self._crew = Crew(
             entry,
             scheduling,
@@ -207,25 +205,22 @@ class HapticsProcess:
     @property
     def takes_faults(self) -> bool:
         """Whether `inject` may be called."""
-        return self._controls is not None
+        return self._device_faults is not None
 
-    def inject(self, fault: Fault) -> float:
+    def inject(self, fault: str) -> float:
         """Make a fault happen, and return the monotonic time.
 
         Raises:
             UsageError: when this process was not started to take faults.
             DeviceError: when the simulated device is gone.
         """
-        if self._controls is None:
+        if self._device_faults is None:
             raise UsageError(
                 "faults are only for simulated devices that were chosen with them"
             )
         now_s = self._clock.now_s()
-        act = DEVICE_ACTS.get(fault)
-        if act is None:
-            self._line.send(Word.FAULT, fault.value)
-        else:
-            act(self._controls)
+        if not self._device_faults.inject(fault):
+            self._line.send(Word.FAULT, fault)
         return now_s
 
     def read_ticks(self) -> tuple[NDArray[Any], int]:
@@ -240,8 +235,8 @@ class HapticsProcess:
         if self._recording:
             self._recording.finish()
         self._line.close()
-        if self._controls is not None:
-            self._controls.close()
+        if self._device_faults is not None:
+            self._device_faults.close()
         if self.health is not Health.FAILED:
             self.health = Health.GONE
 

@@ -14,8 +14,7 @@ from hapticplayer import __version__
 from hapticplayer.media import probe, write_clip
 from hapticplayer.model import Feedback, ForceTrack
 from hapticplayer.playback.source import Source, no_feedback_for
-from hapticplayer.sequence.demo import cache_root
-from hapticplayer.sequence.files import Progress, no_progress
+from hapticplayer.sequence.files import Progress, cache_root, no_progress
 
 PERIOD_S, FIRST_S, COUNT = 1.0, 0.4, 40
 LENGTH_S = 0.080  # of flash, beep and force

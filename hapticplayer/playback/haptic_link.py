@@ -11,7 +11,6 @@ from hapticplayer.clock import Clock
 from hapticplayer.devices import find_device
 from hapticplayer.errors import UsageError
 from hapticplayer.haptics.contract import Cause, Mode
-from hapticplayer.haptics.injection import Fault
 from hapticplayer.haptics.process import HapticsProcess, Health
 from hapticplayer.haptics.residence import Residence
 from hapticplayer.haptics.scheduling import Scheduling
@@ -146,7 +145,7 @@ class HapticLink:
         """Whether `inject` may be called."""
         return self._process is not None and self._process.takes_faults
 
-    def inject(self, fault: Fault) -> float:
+    def inject(self, fault: str) -> float:
         """Make a fault happen; see `HapticsProcess.inject`."""
         if self._process is None:
             raise UsageError("there is no device that could have a fault")

@@ -15,7 +15,6 @@ from numpy.typing import NDArray
 
 from hapticplayer.clock import Clock
 from hapticplayer.haptics.contract import Cause, Mode
-from hapticplayer.haptics.injection import Fault
 from hapticplayer.haptics.process import HapticsProcess
 from hapticplayer.haptics.scheduling import Scheduling
 from hapticplayer.playback.clock import AudioReport, MediaClock
@@ -276,7 +275,7 @@ class Player:
         self._link.rearm()
         self._event("rearm")
 
-    def inject(self, fault: Fault) -> float:
+    def inject(self, fault: str) -> float:
         """Make a fault happen; see `HapticsProcess.inject`."""
         return self._link.inject(fault)
 

@@ -16,7 +16,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from hapticplayer.devices.simulated import FALCON, FIRM, NORMAL, RELAXED
+from hapticplayer.devices.capabilities import FALCON
+from hapticplayer.devices.dynamics import FIRM, NORMAL, RELAXED
 from hapticplayer.errors import InputError
 from hapticplayer.haptics.centring import centring_of
 from hapticplayer.haptics.limiter import limits_of

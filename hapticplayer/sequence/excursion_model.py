@@ -5,11 +5,12 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from hapticplayer.devices.simulated import Geometry, Hand, Mechanism
-from hapticplayer.devices.simulated.kinematics import Kinematics
+from hapticplayer.devices.dynamics import Hand, Mechanism
+from hapticplayer.devices.falcon.geometry import FALCON_GEOMETRY
+from hapticplayer.devices.falcon.kinematics import Kinematics
 from hapticplayer.haptics.centring import Centring
 from hapticplayer.haptics.contract import OUTWARD_N
-from hapticplayer.haptics.limiter import ZERO, Limits
+from hapticplayer.haptics.limiter import Limits
 from hapticplayer.model.arrays import Floats
 
 RATE_HZ = 500.0
@@ -98,7 +99,8 @@ def pull_n(radius_m: Floats, centring: Centring) -> Floats:
 
 def _felt(mechanism: Mechanism) -> tuple[Floats, Floats, NDArray[np.float64]]:
     """Return the grip's mass, friction and dry friction per axis in the middle."""
-    rows = np.array(Kinematics(Geometry()).inverse(ZERO).rates)
+    centre = (0.0, 0.0, FALCON_GEOMETRY.centre_z_m)
+    rows = np.linalg.inv(np.array(Kinematics().jacobian(centre)))  # dtheta/dp, 1/m
     square = np.square(rows).sum(axis=0)
     dry = mechanism.coulomb_nm * np.abs(rows).sum(axis=0)
     return (

@@ -1,5 +1,6 @@
 """Reading and writing the files of a sequence: whole or not at all, and checked."""
 
+import atexit
 import hashlib
 import json
 import math
@@ -288,3 +289,14 @@ def _finite_float(text: str) -> float:
     if not math.isfinite(value):
         raise ValueError(f"{text} is out of range")
     return value
+
+
+def cache_root() -> Path:
+    """Return a folder for what can be made again; one of this process at worst."""
+    root = cache_home()
+    try:
+        root.mkdir(parents=True, exist_ok=True)
+    except OSError:  # a home that cannot be written: make it anew every time
+        root = Path(tempfile.mkdtemp(prefix="hapticplayer-"))
+        atexit.register(shutil.rmtree, root, ignore_errors=True)
+    return root

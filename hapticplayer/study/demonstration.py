@@ -10,7 +10,7 @@ from hapticplayer.haptics.limiter import Limits
 from hapticplayer.media import probe, write_clip
 from hapticplayer.model import ForceTrack
 from hapticplayer.playback.source import Source
-from hapticplayer.sequence.demo import cache_root
+from hapticplayer.sequence.files import cache_root
 
 NAME = "demonstration"
 RATE_HZ, WIDTH, HEIGHT = 25, 640, 360

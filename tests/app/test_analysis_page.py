@@ -7,7 +7,7 @@ from app.experimenter.analysis_window import AnalysisWindow
 from hapticplayer import cli
 from hapticplayer.clock import SystemClock
 from hapticplayer.errors import InputError
-from hapticplayer.study.analysis.simulation import simulated_answers
+from hapticplayer.simulation.participants import simulated_answers
 from hapticplayer.study.creation import create_study
 
 

@@ -14,12 +14,12 @@ from app.experimenter.import_wizard import FILES, MOUNTING, REPORT, SYNC, Import
 from app.experimenter.sync_strip import SyncStrip, columns, tick_step_s
 from app.experimenter.triad import Triad
 from hapticplayer.capture import read_recording, write_imu_csv
-from hapticplayer.capture.gpmf_writer import write_payloads
-from hapticplayer.capture.sync.clips import simulate_pats
 from hapticplayer.media import TelemetryPacket, add_telemetry, write_clip
 from hapticplayer.playback.snapshot import Phase
 from hapticplayer.sequence import open_sequence
 from hapticplayer.sequence.synchronizing import stored_skews
+from hapticplayer.simulation.rides.gpmf_writer import write_payloads
+from hapticplayer.simulation.rides.sync_clips import simulate_pats
 
 SECONDS = 20
 

@@ -19,11 +19,11 @@ from hapticplayer.devices.falcon.firmware import find_image
 from hapticplayer.devices.falcon.homing import WAY_COUNTS, Advice, Guidance
 from hapticplayer.devices.falcon.reach import Reach
 from hapticplayer.devices.falcon.setting_up import Progress, Step
-from hapticplayer.devices.falcon.simulated_usb import Stage
-from hapticplayer.devices.falcon.simulated_usb.board import synthetic_image
-from hapticplayer.devices.falcon.simulated_usb.mechanics import Homing
-from hapticplayer.devices.falcon.simulated_usb.whole import make_set
 from hapticplayer.devices.falcon.transport import open_falcon
+from hapticplayer.simulation.usb import Stage
+from hapticplayer.simulation.usb.board import synthetic_image
+from hapticplayer.simulation.usb.mechanics import Homing
+from hapticplayer.simulation.usb.whole import make_set
 
 
 @pytest.fixture

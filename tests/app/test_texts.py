@@ -11,8 +11,8 @@ from app.widgets.texts import job_text, step_text
 
 ENGINE = Path(__file__).resolve().parents[2] / "hapticplayer"
 WORKING = (  # where the steps of work come from that the window shows
-    "sequence/simulated.py",
-    "sequence/demo.py",
+    "simulation/recordings.py",
+    "simulation/demo.py",
     "sequence/recognising.py",
     "sequence/quality.py",
     "sequence/build.py",

@@ -10,9 +10,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from hapticplayer.capture import read_imu_csv, simulate_motion, write_imu_csv
+from hapticplayer.capture import read_imu_csv, write_imu_csv
 from hapticplayer.media import write_clip
 from hapticplayer.model import ImuLog
+from hapticplayer.simulation.rides.motion_scenes import simulate_motion
 
 ROOT = Path(__file__).resolve().parents[2]
 

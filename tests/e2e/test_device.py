@@ -9,8 +9,8 @@ import sys
 import pytest
 
 from hapticplayer.clock import SystemClock
-from hapticplayer.devices.falcon.simulated_usb.board import synthetic_image
 from hapticplayer.doctor import ROOT
+from hapticplayer.simulation.usb.board import synthetic_image
 
 FALCON = ("--device", "falcon-simulated")
 

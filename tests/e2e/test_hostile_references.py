@@ -12,7 +12,7 @@ from pathlib import Path
 
 import pytest
 
-from hapticplayer.sequence.demo import demo_folder
+from hapticplayer.simulation.demo import demo_folder
 
 pytestmark = pytest.mark.skipif(
     shutil.which("strace") is None, reason="the program strace is not installed"

@@ -12,9 +12,10 @@ import numpy as np
 import pytest
 
 from hapticplayer import motion
-from hapticplayer.capture import read_imu_csv, simulate_motion, write_imu_csv
+from hapticplayer.capture import read_imu_csv, write_imu_csv
 from hapticplayer.media import write_clip
 from hapticplayer.sequence.store import read_recorded
+from hapticplayer.simulation.rides.motion_scenes import simulate_motion
 from tests.e2e.test_command_line import ROOT, hapticplayer, refused
 
 

@@ -11,12 +11,9 @@ from hapticplayer.devices.falcon.driver import FalconDriver
 from hapticplayer.devices.falcon.kinematics import Kinematics, OutOfReachError
 from hapticplayer.devices.falcon.link import NO_ANSWER, Freshness, updated
 from hapticplayer.devices.falcon.protocol import ReplyParser
-from hapticplayer.devices.falcon.simulated_usb import BenchMechanics, Board, Chip, Stage
-from hapticplayer.devices.falcon.simulated_usb.backend import (
-    SimulatedBus,
-    SimulatedPort,
-)
 from hapticplayer.devices.falcon.transport import open_falcon
+from hapticplayer.simulation.usb import BenchMechanics, Board, Chip, Stage
+from hapticplayer.simulation.usb.backend import SimulatedBus, SimulatedPort
 
 ALWAYS = 10**9
 PERIOD_S = 0.001

@@ -5,11 +5,12 @@ import math
 import numpy as np
 from hand_cases import SMOOTH
 
-from hapticplayer.devices.simulated import Electronics, Geometry, Simulation
-from hapticplayer.devices.simulated.kinematics import Kinematics
 from hapticplayer.haptics.centring import Centring, ahead_of
 from hapticplayer.haptics.hand import SMOOTHING_S, Hand, observe
 from hapticplayer.haptics.limiter import PERIOD_S, ZERO, Limits
+from hapticplayer.simulation.falcon.kinematics import Kinematics
+from hapticplayer.simulation.falcon.parameters import Electronics, Geometry
+from hapticplayer.simulation.falcon.simulation import Simulation
 
 PIPELINE_S = PERIOD_S  # a command is made of the reading that came a period before
 _PLUCKED_M, _STEPS = 0.004, 14

@@ -10,13 +10,15 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from hapticplayer.devices.simulated import RELAXED, Electronics, Mechanism, Simulation
+from hapticplayer.devices.dynamics import RELAXED, Mechanism
 from hapticplayer.haptics.centring import Centring
 from hapticplayer.haptics.contract import Cause, Mode, State, Supervision
 from hapticplayer.haptics.limiter import PERIOD_S, ZERO, Limits
 from hapticplayer.haptics.step import step
 from hapticplayer.haptics.track import LoadedTrack, map_track, to_shared_memory
 from hapticplayer.model import PlaybackClock
+from hapticplayer.simulation.falcon.parameters import Electronics
+from hapticplayer.simulation.falcon.simulation import Simulation
 
 START_S = 100.0
 SMOOTH = Mechanism(coulomb_nm=0.0)  # the worst: without dry friction nothing stops

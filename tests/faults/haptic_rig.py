@@ -5,7 +5,7 @@ import os
 import socket
 
 from hapticplayer.clock import ManualClock
-from hapticplayer.devices.simulated import FALCON
+from hapticplayer.devices.capabilities import FALCON
 from hapticplayer.errors import DeviceError
 from hapticplayer.haptics.contract import Mode
 from hapticplayer.haptics.limiter import PERIOD_S, ZERO, limits_of

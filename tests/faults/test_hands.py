@@ -13,7 +13,7 @@ from hand_boundary import PIPELINE_S, growth, sideways
 from hand_cases import SMOOTH, Trial, swing_m
 from hand_tracks import excerpt, hostile, shaken, steady_push, track
 
-from hapticplayer.devices.simulated import HANDS, RELAXED, Mechanism
+from hapticplayer.devices.dynamics import HANDS, RELAXED, Mechanism
 from hapticplayer.haptics.contract import Mode
 from hapticplayer.haptics.limiter import PERIOD_S, Limits
 

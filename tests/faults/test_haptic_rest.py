@@ -8,11 +8,11 @@ import pytest
 from haptic_rig import Rig, swaying
 
 from hapticplayer.clock import SystemClock
-from hapticplayer.devices.simulated import SimulatedFalcon
-from hapticplayer.devices.simulated.parameters import FIRM, Mechanism
+from hapticplayer.devices.dynamics import FIRM, Mechanism
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.limiter import ZERO
 from hapticplayer.model import ForceTrack
+from hapticplayer.simulation.falcon.device import SimulatedFalcon
 
 
 def test_a_jump_of_the_wall_clock_changes_nothing(monkeypatch):

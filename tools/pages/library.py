@@ -9,7 +9,7 @@ from app.experimenter.library_page import LibraryPage
 from app.widgets.room import resize_within_screen
 from hapticplayer.clock import SystemClock
 from hapticplayer.errors import InputError
-from hapticplayer.study.analysis.simulation import simulated_answers
+from hapticplayer.simulation.participants import simulated_answers
 from tools.pages.stage import Pictures, Stage
 
 PARTICIPANTS = 12

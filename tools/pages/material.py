@@ -9,12 +9,12 @@ import numpy as np
 from scipy.signal import resample_poly
 
 from hapticplayer.capture import LogQuestion, write_imu_csv
-from hapticplayer.capture.sync.clips import simulate_pats
 from hapticplayer.media import write_clip
 from hapticplayer.sequence import build_sequence
-from hapticplayer.sequence.demo import demo_folder
 from hapticplayer.sequence.editing import rename_sequence
 from hapticplayer.sequence.recognising import Recognised, recognise
+from hapticplayer.simulation.demo import demo_folder
+from hapticplayer.simulation.rides.sync_clips import simulate_pats
 
 SECONDS, RATE_HZ, WIDE, HIGH = 20, 25, 320, 180
 SEED = 41_001

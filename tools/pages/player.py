@@ -16,8 +16,8 @@ from app.plots.playhead_plot import PlayheadPlot
 from app.widgets.room import resize_within_screen
 from hapticplayer.clock import SystemClock
 from hapticplayer.haptics.contract import Mode
-from hapticplayer.haptics.injection import Fault
 from hapticplayer.playback.player import Player
+from hapticplayer.simulation.faults import Fault
 from tools.pages.stage import Pictures, Stage
 
 WIDTH_PX, HEIGHT_PX = 1280, 800

@@ -6,8 +6,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from hapticplayer.clock import Clock, SystemClock
+from hapticplayer.devices.capabilities import FALCON
 from hapticplayer.devices.falcon import usbfs
-from hapticplayer.devices.falcon.capabilities import CAPABILITIES
 from hapticplayer.devices.falcon.firmware import (
     PATIENCE,
     FirmwareImage,
@@ -105,7 +105,7 @@ class FalconDriver:
     """
 
     name = "falcon"
-    capabilities = CAPABILITIES
+    capabilities = FALCON
 
     def __init__(
         self,

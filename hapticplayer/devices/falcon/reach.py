@@ -8,12 +8,13 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from hapticplayer.clock import Clock
+from hapticplayer.devices import DEVICES, find_device, load
 from hapticplayer.devices.falcon.driver import FalconDriver, opening
 from hapticplayer.devices.falcon.firmware import FirmwareImage, find_image
 from hapticplayer.devices.falcon.ftdi import Ftdi
 from hapticplayer.devices.falcon.link import DirectLink, Link
 from hapticplayer.devices.falcon.silence import NO_LINE
-from hapticplayer.devices.falcon.transport import OpenTransport, open_falcon
+from hapticplayer.devices.falcon.transport import OpenTransport
 from hapticplayer.errors import UsageError
 
 
@@ -43,32 +44,19 @@ def reach_of(name: str, line: int = NO_LINE) -> Reach:
 
     Args:
         name: of the device.
-        line: what a loop gets of its `Crew`, where a guard watches: for a simulated
-            Falcon the way to its process, whose owner it becomes.
+        line: what a loop gets from the owner of its processes, where a guard watches:
+            for a simulated Falcon the way to its process, whose owner it becomes.
 
     Raises:
-        UsageError: when it is no Falcon's.
+        UsageError: when it is not the name of a Falcon.
     """
-    kind, _, serial = name.partition(":")
-    if kind == "falcon":
-        return Reach(opening(line, serial), find_image)
-    if name == "falcon-simulated":
-        return _simulated() if line == NO_LINE else _simulated_elsewhere(line)
-    raise UsageError(f"{name!r} is no Falcon; use falcon, or falcon:SERIAL")
+    entry = DEVICES.get(name.partition(":")[0])
+    if entry is None or not entry.direct:
+        raise UsageError(f"{name!r} is no Falcon; use falcon, or falcon:SERIAL")
+    found: Reach = load(entry.direct)(line, find_device(name).serial)
+    return found
 
 
-def _simulated_elsewhere(line: int) -> Reach:
-    from hapticplayer.devices.falcon.simulated_usb import remote
-    from hapticplayer.devices.falcon.simulated_usb.board import synthetic_image
-
-    return Reach(remote.opening(line), synthetic_image)
-
-
-def _simulated() -> Reach:
-    from hapticplayer.devices.falcon.simulated_usb import Stage
-    from hapticplayer.devices.falcon.simulated_usb.board import synthetic_image
-    from hapticplayer.devices.falcon.simulated_usb.mechanics import Homing
-    from hapticplayer.devices.falcon.simulated_usb.whole import make_set
-
-    bus = make_set(stage=Stage.DARK, homing=Homing()).bus
-    return Reach(lambda: open_falcon(backend=bus), synthetic_image)
+def real(line: int, serial: str) -> Reach:
+    """Return how to get at a Falcon on USB."""
+    return Reach(opening(line, serial), find_image)

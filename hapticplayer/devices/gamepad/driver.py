@@ -6,7 +6,7 @@ import threading
 from collections.abc import Callable
 from typing import Protocol
 
-from hapticplayer.devices.gamepad.capabilities import CAPABILITIES
+from hapticplayer.devices.capabilities import GAMEPAD
 from hapticplayer.devices.gamepad.ports import Port, open_pad
 from hapticplayer.devices.gamepad.reports import buttons_of, motors_report
 from hapticplayer.devices.gamepad.rumble import Rumble
@@ -102,7 +102,7 @@ class GamepadDriver:
     """
 
     name = "gamepad"
-    capabilities = CAPABILITIES
+    capabilities = GAMEPAD
 
     def __init__(
         self,

@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 from hapticplayer.capture import read_recording
-from hapticplayer.capture.gpmf_writer import write_payloads
 from hapticplayer.errors import InputError, MediaError, TelemetryError
 from hapticplayer.media import TelemetryPacket, add_telemetry, write_clip
 from hapticplayer.model import ClockMap, ImuLog
+from hapticplayer.simulation.rides.gpmf_writer import write_payloads
 from tests.unit.capture.conftest import device, recorded, sensor
 
 

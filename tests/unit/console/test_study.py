@@ -7,8 +7,8 @@ import pytest
 
 from hapticplayer import cli
 from hapticplayer.clock import SystemClock
+from hapticplayer.simulation.sessions import write_scripted_session
 from hapticplayer.study.journal import Journal
-from hapticplayer.study.scripted import write_scripted_session
 from hapticplayer.study.study_folder import begin_session, open_study
 
 VALUES = {"realism": 3, "sensory": 2, "comfort": 5, "satisfaction": 1}

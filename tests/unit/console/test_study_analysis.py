@@ -6,7 +6,7 @@ import pytest
 
 from hapticplayer.cli.study_analysis import add_analysis_commands
 from hapticplayer.errors import SequenceError, UsageError
-from hapticplayer.study.analysis.simulation import simulated_answers
+from hapticplayer.simulation.participants import simulated_answers
 
 
 class MemoryStore:

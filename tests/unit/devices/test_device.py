@@ -3,12 +3,10 @@
 import pytest
 
 from hapticplayer.devices import DEVICES, find_device
-from hapticplayer.devices.simulated import (
-    FALCON,
-    Electronics,
-    SimulatedFalcon,
-)
+from hapticplayer.devices.capabilities import FALCON
 from hapticplayer.errors import DeviceError
+from hapticplayer.simulation.falcon.device import SimulatedFalcon
+from hapticplayer.simulation.falcon.parameters import Electronics
 
 ZERO = (0.0, 0.0, 0.0)
 PUSH = (2.0, 0.0, 0.0)
@@ -31,7 +29,7 @@ class Bench:
 
 def test_it_is_a_falcon_by_name():
     assert find_device("simulated").capabilities is FALCON
-    assert DEVICES["simulated"].server == "hapticplayer.devices.simulated"
+    assert DEVICES["simulated"].server == "hapticplayer.simulation.falcon"
     assert (FALCON.axes, FALCON.peak_force_n, FALCON.continuous_force_n) == (
         3,
         9.0,

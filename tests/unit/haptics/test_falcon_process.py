@@ -9,10 +9,11 @@ import numpy as np
 import pytest
 
 from hapticplayer.clock import SystemClock
-from hapticplayer.devices.simulated import Controls, read_record
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.process import HapticsProcess, Health
 from hapticplayer.model import ForceTrack, PlaybackClock
+from hapticplayer.simulation.falcon.record_reader import read_record
+from hapticplayer.simulation.falcon.remote import Controls
 
 PATIENCE_S = 30.0
 PUSH_N = 2.8

@@ -7,7 +7,6 @@ import numpy as np
 import pytest
 
 from hapticplayer.clock import ManualClock
-from hapticplayer.devices.simulated import SimulatedFalcon
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.limiter import PERIOD_S, ZERO
 from hapticplayer.haptics.loop import ZERO_TICKS_BEFORE_CLOSING, Loop
@@ -16,6 +15,7 @@ from hapticplayer.haptics.shared import BLOCK_BYTES, SharedBlock
 from hapticplayer.haptics.track import anonymous_memory, to_shared_memory
 from hapticplayer.haptics.wakefulness import Wakefulness
 from hapticplayer.model import ForceTrack, PlaybackClock
+from hapticplayer.simulation.falcon.device import SimulatedFalcon
 
 
 class StallingClock(ManualClock):

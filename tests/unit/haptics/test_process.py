@@ -12,13 +12,13 @@ import numpy as np
 import pytest
 
 from hapticplayer.clock import SystemClock
-from hapticplayer.devices.simulated import read_record
 from hapticplayer.errors import DeviceError
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.process import GUARD_LATE_S, HapticsProcess, Health
 from hapticplayer.haptics.scheduling import Scheduling
 from hapticplayer.haptics.shared import SharedBlock
 from hapticplayer.model import ForceTrack, PlaybackClock
+from hapticplayer.simulation.falcon.record_reader import read_record
 
 HERE = Path(__file__).parent
 
@@ -195,7 +195,7 @@ def test_a_simulated_device_that_is_unplugged_is_told():
 
 @pytest.mark.parametrize(
     "module",
-    ["haptics.__main__", "haptics.guard", "devices.simulated.__main__"],
+    ["haptics.__main__", "haptics.guard", "simulation.falcon.__main__"],
 )
 def test_processes_of_the_force_import_nothing_heavy(module: str) -> None:
     code = (

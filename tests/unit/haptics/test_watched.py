@@ -11,7 +11,7 @@ import pytest
 
 from hapticplayer.clock import SystemClock
 from hapticplayer.devices.falcon.measuring import PUSH_N
-from hapticplayer.devices.simulated import read_record
+from hapticplayer.simulation.falcon.record_reader import read_record
 
 PATIENCE_S = 30.0
 OWNER = Path(__file__).with_name("measuring_owner.py")

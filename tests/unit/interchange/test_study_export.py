@@ -20,11 +20,11 @@ from hapticplayer.haptics.records import RecordWriter
 from hapticplayer.haptics.shared import TICK
 from hapticplayer.interchange.study_export import export_study
 from hapticplayer.interchange.xdf import XdfWriter
+from hapticplayer.simulation.sessions import write_scripted_session
 from hapticplayer.study.creation import create_study
 from hapticplayer.study.journal import Journal
 from hapticplayer.study.plan import describe_condition
 from hapticplayer.study.reviews import keep_reviewed, text_digest
-from hapticplayer.study.scripted import write_scripted_session
 from hapticplayer.study.study_folder import begin_session, open_study
 
 VALUES = {"realism": 3, "sensory": 2, "comfort": 5, "satisfaction": 1}

@@ -393,21 +393,6 @@ def test_a_dip_beyond_the_vertical_is_refused():
 # --- real recordings
 
 
-def recording(folder, name, seconds):
-    """Return the end of a cut that holds the still start and `seconds` of motion."""
-    with np.load(folder / "orientation" / "native" / f"{name}.npz") as data:
-        moving = np.flatnonzero(data["mov"])
-        last = moving[0] + int(seconds * data["rate"])
-        truth = data["quat"][:last].astype(np.float64)
-        # the optical truth is 0.65 samples late
-        earlier = np.maximum(np.arange(last) - 1, 0)
-        sign = np.sign(np.sum(truth * truth[earlier], axis=1, keepdims=True))
-        truth = quat.normalized(0.35 * truth + 0.65 * sign * truth[earlier])
-        counted = data["mov"][:last] & np.isfinite(truth[:, 0])
-        samples = (data[key][:last] for key in ("acc", "gyr", "mag"))
-        return *samples, 1.0 / float(data["rate"]), truth, counted
-
-
 @pytest.mark.parametrize(
     "name",
     [
@@ -415,13 +400,17 @@ def recording(folder, name, seconds):
         "broad_10_undisturbed_slow_translation_A",
     ],
 )
-def test_a_hand_held_sensor_agrees_with_optics(shared_data, name):
-    force, rate, field, interval_s, truth, counted = recording(shared_data, name, 30.0)
-    result = run_ekf(force, rate, None, interval_s)
-    difference = quat.vertical(result.quaternion_wxyz) - quat.vertical(truth)
+def test_a_hand_held_sensor_agrees_with_optics(optical, name):
+    (one,) = (one for one in optical("broad native") if one.name == name)
+    log, first = one.log, np.flatnonzero(one.counted)[0]
+    cut = slice(first + round(30.0 * log.rate_hz))  # the still start and 30 s of motion
+    counted, attitude = one.counted[cut], one.attitude[cut]
+    samples = log.specific_force_mps2[cut], log.angular_rate_radps[cut]
+    result = run_ekf(*samples, None, 1.0 / log.rate_hz)
+    difference = quat.vertical(result.quaternion_wxyz) - one.up[cut]
     # such filters were measured to leave 0.64 m/s^2 on average over harder recordings
     assert G * np.sqrt(np.mean(np.sum(difference[counted] ** 2, axis=1))) < 0.15
     assert result.still_s > 20.0
-    with_field = run_ekf(force, rate, field, interval_s)
-    error = total_deg(with_field.quaternion_wxyz, truth)[counted]
+    with_field = run_ekf(*samples, log.magnetic_field_ut[cut], 1.0 / log.rate_hz)
+    error = total_deg(with_field.quaternion_wxyz, attitude)[counted]
     assert np.sqrt(np.mean(error**2)) < 3.0

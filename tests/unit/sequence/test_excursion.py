@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from hapticplayer.console.quality_text import quality_text
-from hapticplayer.devices.simulated import RELAXED
+from hapticplayer.devices.dynamics import RELAXED
 from hapticplayer.haptics.centring import Centring, centring_force
 from hapticplayer.haptics.limiter import Limits
 from hapticplayer.model import ForceTrack, Reconstruction

@@ -240,7 +240,7 @@ def test_the_gain_is_estimated_once(tmp_path, tiny_clip, recording, monkeypatch)
 
 def test_playing_loads_neither_scipy_nor_the_motion_room():
     code = (
-        "import sys, hapticplayer.console as c, hapticplayer.sequence.demo;"
+        "import sys, hapticplayer.console as c, hapticplayer.simulation.demo;"
         "c.play; c.attach_log;"
         "print([m for m in ('scipy', 'numba', 'llvmlite', 'vqf', 'matplotlib',"
         " 'hapticplayer.motion')"

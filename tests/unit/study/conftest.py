@@ -5,8 +5,8 @@ from pathlib import Path
 
 import pytest
 
+from hapticplayer.simulation.sessions import write_scripted_session
 from hapticplayer.study.creation import TEMPLATES, create_study
-from hapticplayer.study.scripted import write_scripted_session
 
 VALUES = {"realism": 3, "sensory": 2, "comfort": 5, "satisfaction": 1}
 SHEET = {

@@ -5,9 +5,9 @@ import pytest
 from scipy.integrate import quad
 
 from hapticplayer.capture.sync import events, fit, synchronize
-from hapticplayer.capture.sync.clips import simulate_pats
 from hapticplayer.errors import InputError, UsageError
 from hapticplayer.model import ClockMap, ImuLog, Sampling
+from hapticplayer.simulation.rides.sync_clips import simulate_pats
 
 
 def error_s(clip, clock, media_s=30.0):

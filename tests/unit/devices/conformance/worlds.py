@@ -18,7 +18,8 @@ from hapticplayer.clock import ManualClock, SystemClock
 from hapticplayer.devices import DEVICES, find_device
 from hapticplayer.devices.falcon.silence import Silencer
 from hapticplayer.devices.gamepad import driver as gamepad
-from hapticplayer.devices.simulated import Controls, read_record
+from hapticplayer.simulation.falcon.record_reader import read_record
+from hapticplayer.simulation.falcon.remote import Controls
 
 ROOT = Path(__file__).parents[4]
 ZERO = (0.0, 0.0, 0.0)

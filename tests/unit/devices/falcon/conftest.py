@@ -11,17 +11,9 @@ from hapticplayer.devices.falcon.driver import FalconDriver, Options
 from hapticplayer.devices.falcon.firmware import Block, build_image, parse_image
 from hapticplayer.devices.falcon.ftdi import Ftdi
 from hapticplayer.devices.falcon.link import DirectLink
-from hapticplayer.devices.falcon.simulated_usb import (
-    BenchMechanics,
-    Board,
-    Chip,
-    Stage,
-)
-from hapticplayer.devices.falcon.simulated_usb.backend import (
-    SimulatedBus,
-    SimulatedPort,
-)
 from hapticplayer.devices.falcon.transport import open_falcon
+from hapticplayer.simulation.usb import BenchMechanics, Board, Chip, Stage
+from hapticplayer.simulation.usb.backend import SimulatedBus, SimulatedPort
 
 
 @pytest.fixture(scope="session")

@@ -4,8 +4,9 @@ import math
 
 import pytest
 
+from hapticplayer.devices.capabilities import FALCON
+from hapticplayer.devices.dynamics import Mechanism
 from hapticplayer.devices.falcon import kinematics
-from hapticplayer.devices.falcon.capabilities import CAPABILITIES
 from hapticplayer.devices.falcon.driver import (
     STALE_S,
     ZEROS_AT_THE_END,
@@ -14,9 +15,9 @@ from hapticplayer.devices.falcon.driver import (
 )
 from hapticplayer.devices.falcon.link import DirectLink
 from hapticplayer.devices.falcon.protocol import Lights
-from hapticplayer.devices.falcon.simulated_usb import SimulatedMechanics, Stage
-from hapticplayer.devices.simulated import Mechanism, Simulation
 from hapticplayer.errors import DeviceError
+from hapticplayer.simulation.falcon.simulation import Simulation
+from hapticplayer.simulation.usb import SimulatedMechanics, Stage
 
 ZERO = (0.0, 0.0, 0.0)
 PUSH = (1.0, 2.0, -3.0)
@@ -343,10 +344,10 @@ def test_capabilities_are_what_the_motors_can_do_everywhere(rng):
     """The continuous force is possible in every direction of the workspace."""
     for _ in range(300):
         place = rng.normal(size=3)
-        place *= CAPABILITIES.workspace_radius_m * rng.uniform() / math.hypot(*place)
+        place *= FALCON.workspace_radius_m * rng.uniform() / math.hypot(*place)
         jacobian = kinematics.jacobian((place[0], place[1], place[2] + 0.12))
         force = rng.normal(size=3)
-        force *= CAPABILITIES.continuous_force_n / math.hypot(*force)
+        force *= FALCON.continuous_force_n / math.hypot(*force)
         torques = kinematics.joint_torques(jacobian, tuple(force))
         assert max(map(abs, torques)) * 10_000 <= 4096
 

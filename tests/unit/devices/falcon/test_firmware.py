@@ -11,8 +11,8 @@ from hypothesis import strategies as st
 from hapticplayer.devices.falcon import firmware
 from hapticplayer.devices.falcon.firmware import Block, build_image, loader, parse_image
 from hapticplayer.devices.falcon.firmware import image as image_module
-from hapticplayer.devices.falcon.simulated_usb import Stage
 from hapticplayer.errors import Cancelled, DeviceError, UsageError
+from hapticplayer.simulation.usb import Stage
 
 QUICK = replace(firmware.PATIENCE, attempts=3)
 

@@ -9,9 +9,9 @@ from hapticplayer.clock import ManualClock, SystemClock
 from hapticplayer.devices.falcon.driver import FalconDriver, State
 from hapticplayer.devices.falcon.link import NO_ANSWER, OLD_S, ThreadedLink
 from hapticplayer.devices.falcon.protocol import Reply, encode_reply
-from hapticplayer.devices.falcon.simulated_usb import Stage
 from hapticplayer.devices.falcon.transport import FalconGoneError
 from hapticplayer.errors import DeviceError
+from hapticplayer.simulation.usb import Stage
 
 LONG_S = 20.0  # for what happens at once unless it is broken
 REPLY = Reply((1, -2, 3), 4, 7)

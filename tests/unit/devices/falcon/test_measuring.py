@@ -6,15 +6,17 @@ from dataclasses import replace
 import pytest
 
 from hapticplayer.clock import ManualClock
+from hapticplayer.devices.dynamics import RELAXED, Mechanism
 from hapticplayer.devices.falcon import measuring
 from hapticplayer.devices.falcon.driver import FalconDriver
 from hapticplayer.devices.falcon.firmware import open_running
 from hapticplayer.devices.falcon.link import DirectLink
-from hapticplayer.devices.falcon.simulated_usb.board import Stage, synthetic_image
-from hapticplayer.devices.falcon.simulated_usb.whole import make_set
 from hapticplayer.devices.falcon.transport import open_falcon
-from hapticplayer.devices.simulated import RELAXED, Electronics, Mechanism, Simulation
 from hapticplayer.errors import DeviceError
+from hapticplayer.simulation.falcon.parameters import Electronics
+from hapticplayer.simulation.falcon.simulation import Simulation
+from hapticplayer.simulation.usb.board import Stage, synthetic_image
+from hapticplayer.simulation.usb.whole import make_set
 
 
 class Lab:

@@ -10,12 +10,12 @@ from hapticplayer.devices.falcon.homing import Advice, Guide
 from hapticplayer.devices.falcon.protocol import Reply
 from hapticplayer.devices.falcon.reach import Reach
 from hapticplayer.devices.falcon.setting_up import Step, set_up
-from hapticplayer.devices.falcon.simulated_usb import Stage
-from hapticplayer.devices.falcon.simulated_usb.mechanics import Homing
-from hapticplayer.devices.falcon.simulated_usb.whole import make_set
 from hapticplayer.devices.falcon.transport import FalconGoneError, open_falcon
-from hapticplayer.devices.simulated import Simulation
 from hapticplayer.errors import Cancelled, DeviceError
+from hapticplayer.simulation.falcon.simulation import Simulation
+from hapticplayer.simulation.usb import Stage
+from hapticplayer.simulation.usb.mechanics import Homing
+from hapticplayer.simulation.usb.whole import make_set
 
 
 def told(*ways, homed_at_end=False):
@@ -88,7 +88,7 @@ class World:
         self.driver = self.set.driver
 
     def run(self, until):
-        from hapticplayer.devices.falcon.simulated_usb.board import synthetic_image
+        from hapticplayer.simulation.usb.board import synthetic_image
 
         def show(progress):
             self.shown.append(progress)

@@ -8,9 +8,9 @@ import usb.core
 from hapticplayer.devices.falcon import kinematics
 from hapticplayer.devices.falcon.ftdi import LOADER_BAUD, RUN_BAUD
 from hapticplayer.devices.falcon.protocol import Command, Lights
-from hapticplayer.devices.falcon.simulated_usb import SimulatedMechanics, Stage
-from hapticplayer.devices.falcon.simulated_usb.mechanics import Homing
-from hapticplayer.devices.simulated import Simulation
+from hapticplayer.simulation.falcon.simulation import Simulation
+from hapticplayer.simulation.usb import SimulatedMechanics, Stage
+from hapticplayer.simulation.usb.mechanics import Homing
 
 ZERO_FRAME = b"<AAAAAAAAAAAAAA>"
 BYTE_S = 10 / 1.5e6

@@ -8,22 +8,14 @@ import pytest
 import usb.core
 
 from hapticplayer.devices.falcon import transport
-from hapticplayer.devices.falcon.simulated_usb import (
-    BenchMechanics,
-    Board,
-    Chip,
-    Stage,
-)
-from hapticplayer.devices.falcon.simulated_usb.backend import (
-    SimulatedBus,
-    SimulatedPort,
-)
 from hapticplayer.devices.falcon.transport import (
     FalconGoneError,
     list_falcons,
     open_falcon,
 )
 from hapticplayer.errors import DeviceError
+from hapticplayer.simulation.usb import BenchMechanics, Board, Chip, Stage
+from hapticplayer.simulation.usb.backend import SimulatedBus, SimulatedPort
 
 
 def another_port(bench, serial):

@@ -25,15 +25,15 @@ from hapticplayer.clock import SystemClock
 from hapticplayer.devices.falcon import usbfs
 from hapticplayer.devices.falcon.driver import FalconDriver
 from hapticplayer.devices.falcon.protocol import encode_command
-from hapticplayer.devices.falcon.simulated_usb import BenchMechanics, Board, Chip
-from hapticplayer.devices.falcon.simulated_usb.board import synthetic_image
-from hapticplayer.devices.falcon.simulated_usb.chip import UsbFault
 from hapticplayer.devices.falcon.transport import (
     ENDPOINT_OUT,
     list_falcons,
     open_falcon,
 )
 from hapticplayer.errors import DeviceError
+from hapticplayer.simulation.usb import BenchMechanics, Board, Chip
+from hapticplayer.simulation.usb.board import synthetic_image
+from hapticplayer.simulation.usb.chip import UsbFault
 
 CONTROL, BULK = 0xC0185500, 0xC0185502
 SUBMIT, DISCARD, REAP, REAP_NOW = 0x8038550A, 0x550B, 0x4008550C, 0x4008550D

@@ -36,24 +36,3 @@ def make_track():
         )
 
     return build
-
-
-@pytest.fixture
-def recording(shared_data):
-    """Load a recording at its native rate by the beginning of its name."""
-
-    def load(name):
-        (path,) = (shared_data / "orientation" / "native").glob(f"{name}*.npz")
-        with np.load(path) as data:
-            count = len(data["acc"])
-            time_s = data["t"] if "t" in data else np.arange(count) / data["rate"]
-            field = data["mag"].astype(float) if "mag" in data else None
-            return ImuLog(
-                time_s,
-                data["acc"].astype(float),
-                data["gyr"].astype(float),
-                magnetic_field_ut=field,
-                source=name,
-            )
-
-    return load

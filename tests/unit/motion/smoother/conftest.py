@@ -4,7 +4,6 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
-import pytest
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
@@ -143,26 +142,3 @@ def miss(log: ImuLog, up, method="smoother", parameters=None) -> Floats:
     if method == "smoother":
         assert_sound(track)
     return track.gravity_mps2 - STANDARD_GRAVITY_MPS2 * up
-
-
-@pytest.fixture
-def recording(shared_data):
-    """Load a real recording at its native rate by the beginning of its name."""
-
-    def load(name: str, seconds: float | None = None) -> ImuLog:
-        (path,) = (shared_data / "orientation" / "native").glob(f"{name}*.npz")
-        with np.load(path) as held:
-            count = len(held["acc"])
-            time_s = held["t"] if "t" in held else np.arange(count) / held["rate"]
-            time_s = np.asarray(time_s, dtype=np.float64) - time_s[0]
-            stop = count if seconds is None else int(np.searchsorted(time_s, seconds))
-            field = held["mag"].astype(float)[:stop] if "mag" in held else None
-            return ImuLog(
-                time_s[:stop],
-                held["acc"].astype(float)[:stop],
-                held["gyr"].astype(float)[:stop],
-                magnetic_field_ut=field,
-                source=name,
-            )
-
-    return load

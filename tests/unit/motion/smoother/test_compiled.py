@@ -10,10 +10,10 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from hapticplayer.capture import simulate_motion
 from hapticplayer.model import ImuLog
 from hapticplayer.motion import SmootherParameters, analyse, estimate_orientation
 from hapticplayer.motion.smoother import compiled
+from hapticplayer.simulation.rides.motion_scenes import simulate_motion
 from tests.unit.motion.smoother.conftest import TIME_S, UP_1_G, WOBBLE, Motion
 
 pytest.importorskip("numba")

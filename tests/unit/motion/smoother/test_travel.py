@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from hapticplayer.capture import simulate_motion
 from hapticplayer.model import STANDARD_GRAVITY_MPS2 as G
 from hapticplayer.model import ImuLog
 from hapticplayer.motion import analyse, remove_gravity
@@ -16,6 +15,7 @@ from hapticplayer.motion.smoother.nodes import gather, level_frames
 from hapticplayer.motion.smoother.parameters import SmootherParameters
 from hapticplayer.motion.smoother.strapdown import integrate
 from hapticplayer.motion.smoother.travel import Travel, travel_of
+from hapticplayer.simulation.rides.motion_scenes import simulate_motion
 from tests.unit.motion.smoother.conftest import Motion, miss, rms, samples_of
 from tests.unit.motion.smoother.test_uncertainty import steady_problem
 

@@ -5,7 +5,6 @@ import dataclasses
 import numpy as np
 import pytest
 
-from hapticplayer.capture import MOTION_SCENES, simulate_motion
 from hapticplayer.model import STANDARD_GRAVITY_MPS2 as G
 from hapticplayer.motion import remove_gravity
 from hapticplayer.motion.smoother.calibrated import FORCE_BIAS, Problem, minimise
@@ -17,6 +16,7 @@ from hapticplayer.motion.smoother.uncertainty import (
     noise_variance,
     tilt_variance,
 )
+from hapticplayer.simulation.rides.motion_scenes import MOTION_SCENES, simulate_motion
 from tests.unit.motion.smoother.test_calibrated import Dense, packed
 
 STEP_S = 0.5

@@ -1,0 +1,106 @@
+"""The simulated Falcon in the caller's own process and time, for tests."""
+
+from hapticplayer.devices.capabilities import FALCON
+from hapticplayer.devices.dynamics import RELAXED, Hand, Mechanism
+from hapticplayer.errors import DeviceError
+from hapticplayer.model.device import DeviceReading, Vector
+from hapticplayer.simulation.falcon.packets import Act, Control
+from hapticplayer.simulation.falcon.parameters import Electronics
+from hapticplayer.simulation.falcon.plant import ZERO
+from hapticplayer.simulation.falcon.simulation import Simulation
+
+
+class SimulatedFalcon:
+    """A `HapticDevice` that answers at once, and whose faults are methods.
+
+    Args:
+        hand: that holds the grip; None for a free grip.
+        mechanism: inertia, friction, end stops.
+        electronics: packet hold time and delay.
+
+    Attributes:
+        simulation: the truth behind the readings.
+    """
+
+    name = "simulated"
+    capabilities = FALCON
+
+    def __init__(
+        self,
+        hand: Hand | None = RELAXED,
+        *,
+        mechanism: Mechanism | None = None,
+        electronics: Electronics | None = None,
+    ) -> None:
+        self.simulation = Simulation(hand, mechanism=mechanism, electronics=electronics)
+        self._last: DeviceReading | None = None
+        self._is_plugged = True
+        self._stall_s = 0.0
+        self._deaf_until_s = 0.0
+        self._corrupt = 0
+        self._malformed = 0
+
+    def open(self) -> None:
+        """Raises DeviceError when it was unplugged."""
+        self._check_plug()
+
+    def exchange(self, force_n: Vector, now_s: float) -> DeviceReading:
+        """Advance to `now_s` under the force so far, then take the new one.
+
+        Raises:
+            DeviceError: when it was unplugged.
+        """
+        self._check_plug()
+        self.simulation.advance(now_s)
+        if self._last is None:
+            self._last = DeviceReading(ZERO, 0, is_homed=False, replied_s=now_s)
+        if self._stall_s > 0.0:
+            self._deaf_until_s, self._stall_s = now_s + self._stall_s, 0.0
+        if now_s < self._deaf_until_s:
+            return self._last
+        self.simulation.command(force_n, now_s)
+        if self._corrupt > 0:
+            self._corrupt -= 1
+            self._malformed += 1
+            self._last = self._last._replace(malformed=self._malformed)
+        else:
+            self._malformed = 0
+            self._last = self.simulation.reading(now_s)
+        return self._last
+
+    def close(self) -> None:
+        """Nothing to let go of."""
+
+    def let_go(self) -> None:
+        """Take the hand away."""
+        self.simulation.let_go()
+
+    def grasp(self, hand: Hand | None = None) -> None:
+        """Put a hand on the grip, by default the one from before."""
+        self.simulation.grasp(hand)
+
+    def press(self, buttons: int) -> None:
+        """Press the buttons of this bit mask, and release the others."""
+        self.simulation.act(Control(Act.BUTTONS, buttons))
+
+    def unplug(self) -> None:
+        """From now on every exchange raises DeviceError."""
+        self._is_plugged = False
+
+    def stall(self, duration_s: float) -> None:
+        """Neither listen nor answer for so long, from the next exchange on."""
+        self._stall_s = duration_s
+
+    def corrupt(self, count: int) -> None:
+        """Falsify the next answers; the commands arrive."""
+        self._corrupt = count
+
+    def lose_homing(self) -> None:
+        """Say from now on that the position means nothing."""
+        self.simulation.is_homed = False
+
+    def _check_plug(self) -> None:
+        if not self._is_plugged:
+            raise DeviceError(
+                "the simulated Falcon was unplugged; choose the device again"
+            )

@@ -1,0 +1,100 @@
+"""Writes a simulated ride as a camera and a logger would have: a folder of files."""
+
+from dataclasses import asdict
+from pathlib import Path
+from typing import Any
+
+from hapticplayer.capture import write_imu_csv
+from hapticplayer.errors import UsageError
+from hapticplayer.sequence import files
+from hapticplayer.simulation.rides.board import EARTH_FIELD_UT, PAPER
+from hapticplayer.simulation.rides.catalogue import RIDES
+from hapticplayer.simulation.rides.recording import (
+    SimulatedRecording,
+    simulate,
+    write_gopro_clip,
+    write_simulated_clip,
+)
+
+CLIP, LOG, TRUTH, ABOUT, GOPRO = (
+    "clip.mp4",
+    "imu.csv",
+    "truth.npz",
+    "recording.json",
+    "gopro.mp4",
+)
+READ_AS = "sampling=averaged"
+"""What the log does not say of itself: its samples are means over windows."""
+
+_SCHEMA = 1
+
+
+def write_simulated_recording(
+    scenario: str,
+    target: Path,
+    *,
+    seed: int,
+    with_gopro: bool = False,
+    progress: files.Progress = files.no_progress,
+) -> Path:
+    """Simulate a ride and write what a camera and a board would have, and the truth.
+
+    Args:
+        scenario: a name in RIDES.
+        target: the folder; it must not exist.
+        seed: the same gives the same files, bit for bit.
+        with_gopro: also the clip with a telemetry track, as a GoPro writes it.
+        progress: of the work.
+
+    Raises:
+        UsageError: for a scenario that is no ride.
+        SequenceError: when the target exists or cannot be written.
+    """
+    if scenario not in RIDES:
+        raise UsageError(f"{scenario!r} is no ride; choose one of {', '.join(RIDES)}")
+    with files.written_aside(target) as aside:
+        progress(0.0, "riding")
+        recorded = simulate(scenario, seed)
+        assert recorded.board is not None
+        clip = aside / CLIP
+        write_simulated_clip(
+            recorded, clip, lambda f: progress(0.02 + 0.93 * f, "drawing the ride")
+        )
+        if with_gopro:
+            progress(0.95, "adding telemetry")
+            write_gopro_clip(recorded, clip, aside / GOPRO)
+        progress(0.97, "writing the logs")
+        write_imu_csv(aside / LOG, recorded.board.imu)
+        files.write_arrays(aside / TRUTH, **recorded.truth_arrays())
+        files.write_json(aside / ABOUT, describe(recorded))
+    return target
+
+
+def describe(recorded: SimulatedRecording) -> dict[str, Any]:
+    """Return the parameters of a ride and what is true of it, for `recording.json`."""
+    scene, board = recorded.scene, recorded.board
+    assert board is not None
+    return {
+        "schema": _SCHEMA,
+        "scenario": scene.name,
+        "title": scene.title,
+        "seed": recorded.seed,
+        "duration_s": scene.duration_s,
+        "clock": {
+            "media_s": "rate * imu_s + offset_s",
+            "rate": board.clock_map.rate,
+            "offset_s": board.clock_map.offset_s,
+        },
+        "pats": [asdict(pat) for pat in scene.pats],
+        "stalls_s": board.stalls_s.tolist(),
+        "log": {"file": LOG, "read_as": READ_AS, "rate_hz": board.imu.rate_hz},
+        "board": _plain(asdict(PAPER)),
+        "earth_field_ut": {"east_north_up": EARTH_FIELD_UT},
+    }
+
+
+def _plain(value: Any) -> Any:
+    """Return a value with None for what JSON has no number for."""
+    if isinstance(value, dict):
+        return {key: _plain(one) for key, one in value.items()}
+    return None if value == float("inf") else value

@@ -1,0 +1,1 @@
+"""Rides whose true motion is known: trajectories, and the sensors that record them."""

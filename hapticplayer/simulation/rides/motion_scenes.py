@@ -1,0 +1,219 @@
+"""Rides without picture and sound: motion and inertial log only, truth known.
+
+They are what gravity removal is judged on: cars that brake and corner for seconds,
+people who walk and run, cameras in hands that are almost still.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from hapticplayer.errors import UsageError
+from hapticplayer.model import ImuLog
+from hapticplayer.model.arrays import Floats
+from hapticplayer.simulation.rides import drives
+from hapticplayer.simulation.rides.people import (
+    RUN,
+    WALK,
+    go_on_foot,
+    hold_briskly,
+    hold_still,
+)
+from hapticplayer.simulation.rides.script import Drive
+from hapticplayer.simulation.rides.sensors import SENSORS, SensorModel, measure
+from hapticplayer.simulation.rides.trajectory import Motion, Trajectory
+from hapticplayer.simulation.rides.vehicles import (
+    BICYCLE,
+    MOUNTAIN_BIKE,
+    Car,
+    drive_car,
+    ride_bike,
+)
+
+Build = Callable[[np.random.Generator, float], Trajectory]
+
+LONGEST_S = 12 * 3600.0
+"""Beyond this the path is so long that float64 costs more than 1e-3 m/s^2."""
+
+
+@dataclass(frozen=True, slots=True)
+class MotionScene:
+    """A kind of ride.
+
+    Attributes:
+        name: key in MOTION_SCENES.
+        title: for people.
+        duration_s: when no other is asked for.
+        build: makes its trajectory from a generator and a duration.
+    """
+
+    name: str
+    title: str
+    duration_s: float
+    build: Build
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class SimulatedMotion:
+    """A ride's log with its truth.
+
+    Attributes:
+        name: of the scene.
+        title: for people.
+        seed: of everything random in it.
+        truth: exact motion at the log's times, which for window means are the
+            middles of the windows.
+        imu: the log, with the sensor's errors.
+        vertical: (N, 3) true up in the sensor frame for what each sample stands
+            for: at its time, or the mean over its window.
+        acceleration_mps2: (N, 3) true gravity-free motion, likewise.
+        trajectory: for the truth at other times.
+    """
+
+    name: str
+    title: str
+    seed: int
+    truth: Motion
+    imu: ImuLog
+    vertical: Floats
+    acceleration_mps2: Floats
+    trajectory: Trajectory
+
+    def truth_arrays(self) -> dict[str, Any]:
+        """Return the truth as arrays by name, for a `.npz`."""
+        names = (
+            "time_s",
+            "position_m",
+            "velocity_mps",
+            "specific_force_mps2",
+            "angular_rate_radps",
+            "quaternion_wxyz",
+        )
+        exact = {name: getattr(self.truth, name) for name in names}
+        return {
+            **exact,
+            "acceleration_mps2": self.acceleration_mps2,
+            "vertical": self.vertical,
+        }
+
+
+def simulate_motion(
+    name: str,
+    seed: int,
+    *,
+    duration_s: float | None = None,
+    sensor: str | SensorModel = "camera",
+) -> SimulatedMotion:
+    """Ride a scene with an inertial sensor only.
+
+    Args:
+        name: one of MOTION_SCENES.
+        seed: the same arguments give the same ride, bit for bit.
+        duration_s: of the log; None for the scene's own. Time and memory grow
+            linearly with it.
+        sensor: a name in SENSORS, or a model.
+
+    Raises:
+        UsageError: for a scene, sensor or duration that does not exist.
+    """
+    if name not in MOTION_SCENES:
+        known = ", ".join(MOTION_SCENES)
+        raise UsageError(f"there is no motion scene {name!r}; choose one of {known}")
+    scene = MOTION_SCENES[name]
+    length_s = scene.duration_s if duration_s is None else duration_s
+    if not 1.0 <= length_s <= LONGEST_S:
+        raise UsageError(
+            f"a duration of {length_s:g} s; give one from 1 to {LONGEST_S:g} s"
+        )
+    trajectory = scene.build(np.random.default_rng([seed, 0]), length_s)
+    measured = measure(trajectory, length_s, _sensor(sensor), seed)
+    return SimulatedMotion(
+        name=name,
+        title=scene.title,
+        seed=seed,
+        truth=measured.truth,
+        imu=replace(measured.imu, source=f"simulated: {scene.title}"),
+        vertical=measured.vertical,
+        acceleration_mps2=measured.acceleration_mps2,
+        trajectory=trajectory,
+    )
+
+
+def _sensor(sensor: str | SensorModel) -> SensorModel:
+    if isinstance(sensor, SensorModel):
+        return sensor
+    if sensor not in SENSORS:
+        known = ", ".join(SENSORS)
+        raise UsageError(f"there is no sensor {sensor!r}; choose one of {known}")
+    return SENSORS[sensor]
+
+
+def _car(
+    script: Callable[[np.random.Generator, float], Drive], road_mps2: float
+) -> Build:
+    def build(rng: np.random.Generator, duration_s: float) -> Trajectory:
+        drive = script(rng, duration_s)
+        return drive_car(drive, Car(road_mps2=road_mps2), rng, duration_s)
+
+    return build
+
+
+def _town(style: drives.Style, road_mps2: float) -> Build:
+    return _car(lambda rng, s: drives.town(rng, s, style), road_mps2)
+
+
+_SCENES = (
+    MotionScene(
+        "car-calm", "Car in town, 0.10 to 0.15 g", 180.0, _town(drives.CALM, 0.2)
+    ),
+    MotionScene(
+        "car-brisk", "Car in town, 0.25 to 0.35 g", 150.0, _town(drives.BRISK, 0.3)
+    ),
+    MotionScene(
+        "car-hard", "Car in town, 0.5 to 0.7 g", 120.0, _town(drives.HARD, 0.4)
+    ),
+    MotionScene(
+        "car-roundabouts", "Car, many roundabouts", 120.0, _car(drives.roundabouts, 0.3)
+    ),
+    MotionScene(
+        "car-motorway", "Car on a motorway", 180.0, _car(drives.motorway, 0.35)
+    ),
+    MotionScene(
+        "car-stop-and-go", "Car in a queue", 120.0, _car(drives.stop_and_go, 0.2)
+    ),
+    MotionScene(
+        "car-on-ramp", "Car on motorway ramps", 120.0, _car(drives.on_ramp, 0.3)
+    ),
+    MotionScene("car-hills", "Car in hills", 120.0, _car(drives.hills, 0.3)),
+    MotionScene(
+        "walk",
+        "Walking, camera on the chest",
+        90.0,
+        lambda rng, s: go_on_foot(drives.stroll(rng, s, WALK.speed_mps), WALK, rng, s),
+    ),
+    MotionScene(
+        "run",
+        "Running, camera on the arm",
+        90.0,
+        lambda rng, s: go_on_foot(drives.stroll(rng, s, RUN.speed_mps), RUN, rng, s),
+    ),
+    MotionScene("handheld-quiet", "Quiet hand-held footage", 120.0, hold_still),
+    MotionScene("handheld-brisk", "Brisk hand-held camera", 90.0, hold_briskly),
+    MotionScene(
+        "bicycle",
+        "Bicycle, longer than the demo",
+        120.0,
+        lambda rng, s: ride_bike(drives.bicycle(rng, s), BICYCLE, rng, s),
+    ),
+    MotionScene(
+        "mountain-bike",
+        "Downhill mountain bike, camera on the head",
+        90.0,
+        lambda rng, s: ride_bike(drives.downhill(rng, s), MOUNTAIN_BIKE, rng, s),
+    ),
+)
+
+MOTION_SCENES: dict[str, MotionScene] = {scene.name: scene for scene in _SCENES}
+"""Scenes of motion only, by name."""

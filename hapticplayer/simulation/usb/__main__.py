@@ -1,0 +1,53 @@
+"""Entry: `python -m hapticplayer.simulation.usb`."""
+
+import gc
+import os
+import socket
+import sys
+import threading
+
+from hapticplayer.clock import SystemClock
+from hapticplayer.simulation.falcon.options import (
+    device_parser,
+    outlive_the_player,
+    simulation_of,
+)
+from hapticplayer.simulation.falcon.record import Recorder
+from hapticplayer.simulation.usb.board import Board, Stage
+from hapticplayer.simulation.usb.chip import Chip
+from hapticplayer.simulation.usb.mechanics import (
+    Homing,
+    RecordedMechanics,
+    SimulatedMechanics,
+)
+from hapticplayer.simulation.usb.server import Server, serve_acts
+
+
+def main(argv: list[str] | None = None) -> int:
+    """Be a Falcon on USB until all others have closed their end of the line."""
+    parser = device_parser("hapticplayer.simulation.usb")
+    parser.add_argument("--running", action="store_true", help="with its firmware")
+    parser.add_argument("--unhomed", action="store_true", help="its owner will home it")
+    options = parser.parse_args(argv)
+
+    outlive_the_player()
+    simulation = simulation_of(options)
+    mechanics = SimulatedMechanics(simulation)
+    if options.record is not None:
+        mechanics = RecordedMechanics(simulation, Recorder(options.record))
+    mechanics.homing = Homing() if options.unhomed else None
+    clock = SystemClock()
+    board = Board(mechanics, Stage.RUNNING if options.running else Stage.DARK)
+    chip = Chip(board, clock)
+    if options.control is not None:
+        end = socket.socket(fileno=options.control)
+        acts = (end, chip, board, simulation, clock)
+        threading.Thread(target=serve_acts, args=acts, daemon=True).start()
+    gc.freeze()
+    gc.disable()  # no cycles are made here; a collection costs milliseconds
+    Server(chip, socket.socket(fileno=options.line)).run()
+    os._exit(0)  # not after threads that wait for somebody who has left
+
+
+if __name__ == "__main__":
+    sys.exit(main())

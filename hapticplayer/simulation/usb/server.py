@@ -1,0 +1,118 @@
+"""The process of a simulated Falcon: serves requests until nobody is left to ask."""
+
+import errno
+import socket
+import threading
+
+from hapticplayer.clock import Clock
+from hapticplayer.simulation.falcon.packets import Act, Control, unpack
+from hapticplayer.simulation.falcon.simulation import Simulation
+from hapticplayer.simulation.usb.board import Board
+from hapticplayer.simulation.usb.chip import Chip, UsbFault
+from hapticplayer.simulation.usb.wire import (
+    MAX_BYTES,
+    NO_ANSWER,
+    Answer,
+    Kind,
+    Request,
+    pack_answer,
+    unpack_request,
+)
+
+
+class Server:
+    """Hands requests to a chip, and answers.
+
+    Args:
+        chip: in real time.
+        line: line A.
+    """
+
+    def __init__(self, chip: Chip, line: socket.socket) -> None:
+        self._chip, self._line = chip, line
+
+    def run(self) -> None:
+        """Serve line A in this thread and each line B in one of its own."""
+        while self._chip.is_plugged:
+            try:
+                data, descriptors, _, _ = socket.recv_fds(self._line, MAX_BYTES, 1)
+            except ConnectionResetError:
+                continue  # they left without reading our answers; more may follow
+            if not data:
+                return
+            request = unpack_request(data)
+            if request is None:
+                continue
+            if request.kind is Kind.ATTACH:
+                for descriptor in descriptors:
+                    end = socket.socket(fileno=descriptor)
+                    threading.Thread(
+                        target=self._feed, args=(end,), daemon=True
+                    ).start()
+            else:
+                self._serve(self._line, request)
+
+    def _feed(self, end: socket.socket) -> None:
+        with end:
+            while data := _received(end):
+                request = unpack_request(data)
+                if request is not None:
+                    self._serve(end, request)
+
+    def _serve(self, end: socket.socket, request: Request) -> None:
+        answer = self._answer(request)
+        if request.serial == NO_ANSWER:
+            return
+        try:
+            end.send(pack_answer(answer))
+        except OSError:
+            return  # they have gone; reading will tell
+
+    def _answer(self, request: Request) -> Answer:
+        serial, chip = request.serial, self._chip
+        try:
+            if request.kind is Kind.CONTROL:
+                chip.control(*request.words)
+                return Answer(serial)
+            if request.kind is Kind.OUT:
+                taken = chip.write(request.data, request.timeout_s)
+                return Answer(serial, taken=taken)
+            packet = chip.read(request.timeout_s)
+        except UsbFault as fault:
+            return Answer(serial, fault.errno or errno.EIO)
+        if packet is None:
+            return Answer(serial, errno.ETIMEDOUT)
+        return Answer(serial, data=packet)
+
+
+def serve_acts(
+    end: socket.socket, chip: Chip, board: Board, simulation: Simulation, clock: Clock
+) -> None:
+    """Let a test make things happen, until it hangs up."""
+    while data := _received(end):
+        packet = unpack(data)
+        if isinstance(packet, Control):
+            act(packet, chip, board, simulation, clock)
+
+
+def act(
+    control: Control, chip: Chip, board: Board, simulation: Simulation, clock: Clock
+) -> None:
+    """Make one thing happen to the device."""
+    with chip.held():
+        if control.act is Act.UNPLUG:
+            chip.unplug()
+        elif control.act is Act.STALL:
+            chip.stalled_until_s = clock.now_s() + control.value
+        elif control.act is Act.CORRUPT:
+            board.faults.corrupt = int(control.value)
+        else:
+            simulation.advance(clock.now_s())
+            simulation.act(control)
+
+
+def _received(end: socket.socket) -> bytes:
+    try:
+        return end.recv(MAX_BYTES)
+    except OSError:
+        return b""

@@ -1,0 +1,80 @@
+"""Packets of the simulated device: what was packed comes back, or nothing."""
+
+import math
+import zlib
+
+import pytest
+
+from hapticplayer.model.device import DeviceReading
+from hapticplayer.simulation.falcon.packets import (
+    MAX_BYTES,
+    Act,
+    Command,
+    Control,
+    Reply,
+    command_bytes,
+    pack_control,
+    pack_reply,
+    read_reply,
+    unpack,
+)
+
+COMMAND = Command(7, 1234.5, (1.25, -2.5, 0.125))
+REPLY = Reply(8, 99.0, (0.01, -0.02, 0.03), 0b1010, is_homed=True)
+CONTROL = Control(Act.STALL, 0.25)
+PACKED = [command_bytes(*COMMAND), pack_reply(REPLY), pack_control(CONTROL)]
+
+
+@pytest.mark.parametrize(
+    ("packet", "data"), list(zip([COMMAND, REPLY, CONTROL], PACKED, strict=True))
+)
+def test_a_packet_comes_back_as_it_was(packet, data):
+    assert unpack(data) == packet
+    assert len(data) <= MAX_BYTES
+
+
+@pytest.mark.parametrize("data", PACKED)
+def test_no_single_flipped_bit_goes_unnoticed(data):
+    for bit in range(8 * len(data)):
+        broken = bytearray(data)
+        broken[bit // 8] ^= 1 << (bit % 8)
+        assert unpack(bytes(broken)) is None
+        assert read_reply(bytes(broken)) is None
+
+
+@pytest.mark.parametrize("data", PACKED)
+def test_no_other_length_is_taken(data):
+    for length in range(len(data)):
+        assert unpack(data[:length]) is None
+        assert read_reply(data[:length]) is None
+    for longer in (data + b"\0", data + data):
+        assert unpack(longer) is None
+        assert read_reply(longer) is None
+
+
+@pytest.mark.parametrize("bad", [math.nan, math.inf, -math.inf])
+def test_numbers_that_are_none_are_not_taken(bad):
+    for place in range(3):
+        vector = tuple(bad if place == axis else 0.0 for axis in range(3))
+        assert unpack(command_bytes(*COMMAND._replace(force_n=vector))) is None
+        reply = pack_reply(REPLY._replace(position_m=vector))
+        assert unpack(reply) is None
+        assert read_reply(reply) is None
+    assert unpack(command_bytes(*COMMAND._replace(stamp_s=bad))) is None
+    assert read_reply(pack_reply(REPLY._replace(stamp_s=bad))) is None
+    assert unpack(pack_control(Control(Act.STALL, bad))) is None
+
+
+def test_serial_numbers_wrap_around():
+    found = unpack(command_bytes(*COMMAND._replace(serial=(1 << 32) + 5)))
+    assert isinstance(found, Command)
+    assert found.serial == 5
+
+
+def test_a_reply_is_read_as_a_reading_and_nothing_else_is():
+    reading = DeviceReading(REPLY.position_m, REPLY.buttons, True, REPLY.stamp_s)
+    assert read_reply(PACKED[1]) == (REPLY.serial, reading)
+    assert read_reply(PACKED[0]) is None
+    assert read_reply(PACKED[2]) is None
+    other_kind = b"HPx1" + PACKED[1][4:-4]
+    assert read_reply(other_kind + zlib.crc32(other_kind).to_bytes(4, "little")) is None

@@ -1,0 +1,190 @@
+"""Faults for developers: through the real processes, and never into a real device."""
+
+import subprocess
+import sys
+from contextlib import contextmanager
+
+import numpy as np
+import pytest
+
+from hapticplayer.clock import SystemClock
+from hapticplayer.errors import UsageError
+from hapticplayer.haptics.contract import Cause, Mode
+from hapticplayer.haptics.messages import Word
+from hapticplayer.haptics.process import HapticsProcess, Health
+from hapticplayer.haptics.shared import TICK
+from hapticplayer.model import ForceTrack, PlaybackClock
+from hapticplayer.playback.haptic_link import HapticLink
+from hapticplayer.playback.player import Player
+from hapticplayer.simulation.faults import RULES_OF, Fault, outcome_of
+
+PATIENCE_S = 20.0
+TRIPS = {
+    Fault.UNPLUG,
+    Fault.LONG_STALL,
+    Fault.NONSENSE,
+    Fault.BUTTON,
+    Fault.POSITION_NAN,
+    Fault.FORCE_NAN,
+    Fault.LOOP_LOST,
+}
+
+
+class Bench:
+    """A player that plays 1 N for ever."""
+
+    def __init__(self, process):
+        self.clock, self.process = SystemClock(), process
+        self.start_s, self.ticks = self.clock.now_s(), np.empty(0, TICK)
+        process.wait_ready()
+        self._track_id = process.load_track(
+            ForceTrack([0.0, 1e4], [[0, 0, 1.0], [0, 0, 1.0]])
+        )
+
+    def play_until(self, condition):
+        end_s = self.clock.now_s() + PATIENCE_S
+        while (now_s := self.clock.now_s()) < end_s:
+            self.process.beat()
+            clock = PlaybackClock(1, self.start_s, 0.0, 1.0, now_s + 0.15)
+            self.process.publish(clock, self._track_id)
+            self.ticks = np.concatenate([self.ticks, self.process.read_ticks()[0]])
+            self.process.poll()
+            if len(self.ticks) and condition():
+                return
+            self.clock.sleep_until(now_s + 0.005)
+        raise AssertionError("it did not happen")
+
+    def pushes(self):
+        return self.ticks["force_n"][-1, 2] > 0.9
+
+    def outcome(self, fault):
+        wanted = RULES_OF[fault][-1] if fault in TRIPS else RULES_OF[fault][0]
+        at_s = np.inf
+
+        def is_over():
+            nonlocal at_s
+            found = outcome_of(self.ticks, at_s)
+            if found and found.zero_s is not None and found.cause is wanted:
+                return True
+            if self.has_tripped_by_a_stall():  # of the machine, before or after
+                at_s = np.inf
+                self.process.rearm()
+            elif at_s == np.inf and self.pushes():
+                at_s = self.process.inject(fault)
+            return False
+
+        self.play_until(is_over)
+        return outcome_of(self.ticks, at_s)
+
+    def has_tripped_by_a_stall(self):
+        last = self.ticks[-1]
+        stalls = (Cause.TICK_LOST, Cause.HEARTBEAT_LOST, Cause.REPLY_LOST)
+        return last["mode"] == Mode.TRIPPED and last["cause"] in stalls
+
+
+@contextmanager
+def bench(device="simulated", **more):
+    process = HapticsProcess(SystemClock(), device, takes_faults=True, **more)
+    try:
+        yield Bench(process)
+    finally:
+        process.close()
+
+
+@pytest.mark.parametrize("device", ["simulated", "falcon-simulated"])
+@pytest.mark.parametrize("fault", [f for f in Fault if f is not Fault.LET_GO])
+def test_each_fault_meets_its_rule_and_the_force_is_gone(device, fault):
+    with bench(device) as made:
+        found = made.outcome(fault)
+        assert found.cause in RULES_OF[fault]
+        assert found.is_trip is (fault in TRIPS)
+        assert found.zero_s >= found.reaction_s >= 0.0
+        if not found.is_trip and fault is not Fault.LOST_HOMING:
+            made.play_until(made.pushes)  # it comes back by itself
+
+
+def test_after_a_trip_a_person_re_arms():
+    with bench() as made:
+        assert made.outcome(Fault.POSITION_NAN).is_trip
+        count = len(made.ticks)
+        made.play_until(lambda: len(made.ticks) > count + 50)
+        assert not made.ticks["force_n"][count:].any()
+        made.process.rearm()
+        made.play_until(made.pushes)
+
+
+def test_a_fault_waits_until_there_is_a_force_to_take_away():
+    with bench() as made:
+        made.process.inject(Fault.FORCE_NAN)
+        made.play_until(lambda: made.ticks["mode"][-1] == Mode.TRIPPED)
+        assert Mode.ENTERING in made.ticks["mode"]
+        assert made.ticks["cause"][-1] == Cause.NOT_FINITE
+
+
+def test_without_leave_the_player_and_the_loop_refuse():
+    process = HapticsProcess(SystemClock(), "simulated")
+    try:
+        made = Bench(process)
+        made.play_until(made.pushes)
+        with pytest.raises(UsageError, match="only for simulated devices"):
+            process.inject(Fault.POSITION_NAN)
+        process._line.send(Word.FAULT, Fault.POSITION_NAN.value)  # all the same
+        made.play_until(lambda: bool(process.problem))
+        assert "refused" in process.problem
+        assert process.health is Health.READY
+        assert made.pushes()
+    finally:
+        process.close()
+
+
+def test_a_real_device_takes_none_at_any_level():
+    with pytest.raises(UsageError, match="real device"):
+        HapticsProcess(SystemClock(), "falcon", takes_faults=True)
+    options = ["--block", "0", "--line", "0", "--lifeline", "0", "--handle", "0"]
+    options += ["--alarm", "0", "--faults"]
+    done = subprocess.run(
+        [sys.executable, "-m", "hapticplayer.haptics", "--device", "falcon", *options],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == 2
+    assert "real device takes no faults" in done.stderr
+
+
+def test_faults_are_injected_only_on_request():
+    player = Player(SystemClock(), audio=None)
+    player.set_device("simulated")
+    try:
+        assert not player.snapshot().takes_faults
+        with pytest.raises(UsageError):
+            player.inject(Fault.UNPLUG)
+    finally:
+        player.close()
+    with pytest.raises(UsageError, match="no device"):
+        HapticLink(SystemClock(), "none").inject(Fault.UNPLUG)
+
+
+def ticks(*rows):
+    """Return ticks of (ms, mode, cause, force)."""
+    made = np.zeros(len(rows), TICK)
+    for tick, (ms, mode, cause, force_n) in zip(made, rows, strict=True):
+        tick["monotonic_s"], tick["mode"], tick["cause"] = 10 + ms / 1e3, mode, cause
+        tick["force_n"] = (0, force_n, 0)
+    return made
+
+
+def test_an_outcome_tells_the_trip_and_the_times_from_the_fault():
+    going = (0, Mode.FOLLOWING, Cause.NONE, 1.0)
+    assert outcome_of(ticks(going), 10.0) is None
+    ramp = (21, Mode.RAMPING, Cause.REPLY_LATE, 0.5)
+    found = outcome_of(ticks(going, ramp), 10.0)
+    assert found == (Cause.REPLY_LATE, False, pytest.approx(0.021), None)
+    zero, trip = (30, Mode.IDLE, 14, 0.0), (101, Mode.TRIPPED, Cause.REPLY_LOST, 0.0)
+    found = outcome_of(ticks(going, ramp, zero, trip), 10.0)
+    assert found.cause is Cause.REPLY_LOST
+    assert found.is_trip
+    assert found.reaction_s == pytest.approx(0.021)
+    assert found.zero_s == pytest.approx(0.030)
+    before = (-5, Mode.TRIPPED, Cause.STOPPED, 0.0)
+    assert outcome_of(ticks(before, going), 10.0) is None
