@@ -1,0 +1,68 @@
+"""Sessions that answer by themselves and die meanwhile; see test_study_kills.
+
+Each line `CODE ANSWERS DELAY_S` on stdin (code "-" for a new session) is run in a fork
+that the kernel kills so long after so many answers. It says its code, `ack STEP VALUES`
+for each answer that was accepted, and `end`.
+"""
+
+import json
+import os
+import signal
+import sys
+from pathlib import Path
+
+from hapticplayer.clock import SystemClock
+from hapticplayer.study.pages import PageKind
+from hapticplayer.study.study_folder import open_study
+from tests.unit.study.conftest import SHEET, VALUES
+from tests.unit.study.test_runner import Sitting
+
+
+def say(text: str) -> None:
+    os.write(1, f"{text}\n".encode())
+
+
+def answer(sitting: Sitting) -> None:
+    """Answer a page with values that tell which it is."""
+    page, runner = sitting.runner.page, sitting.runner
+    if runner.condition is not None:
+        values = {**VALUES, "comfort": 1 + page.position % 5}
+    else:
+        values = (
+            SHEET if "age" in {q.name for q in page.questions} else {"tiring": "no"}
+        )
+    answered = f"{runner.step} {json.dumps(values, sort_keys=True)}"
+    runner.answer(values)
+    say(f"ack {answered}")
+
+
+def run(folder: Path, code: str, answers: int, delay_s: float) -> None:
+    """Run or resume a session. The default action of SIGALRM ends a process at once."""
+    sitting, given = Sitting(open_study(folder), SystemClock(), code), 0
+    say(f"code {sitting.code}")
+    while sitting.kind is not PageKind.THANKS:
+        if given >= answers and not signal.getitimer(signal.ITIMER_REAL)[0]:
+            signal.setitimer(signal.ITIMER_REAL, delay_s)
+        if sitting.kind is PageKind.CONSENT:
+            sitting.runner.consent(given=True)
+        elif sitting.kind is PageKind.QUESTIONS:
+            answer(sitting)
+            given += 1
+        elif sitting.kind is PageKind.PLAYING:
+            sitting.stage.ended = True
+            sitting.runner.poll()
+        else:
+            sitting.runner.stage.rearm()
+            sitting.runner.go_on()
+    say("end")
+
+
+if __name__ == "__main__":
+    for line in sys.stdin:
+        code, answers, delay_s = line.split()
+        child = os.fork()
+        if not child:
+            run(Path(sys.argv[1]), code.strip("-"), int(answers), float(delay_s))
+            os._exit(0)
+        os.waitpid(child, 0)
+        say("gone")
