@@ -1,333 +1,190 @@
-"""What the benchmarks share: a screen, a sound server, a clip, CPU and results."""
+"""The command line, rounds, tables and results of every benchmark.
 
-import contextlib
+A folder of benchmarks has one command: `python -m benchmarks.FOLDER NAME [options]`
+runs one, `python -m benchmarks.FOLDER --quick` the short form of all. A benchmark is a
+module with a docstring, `options(parser)` and `run(options, report)`.
+"""
+
+import argparse
+import ast
+import importlib
 import json
 import os
 import platform
-import shutil
-import signal
+import shlex
+import statistics
 import subprocess
 import sys
-import tempfile
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
 
 ROOT = Path(__file__).resolve().parents[1]
-RESULTS = Path(__file__).resolve().parent / "results"
-WIDTH, HEIGHT, RATE_HZ = 1280, 720, 30
-SAMPLE_S, MEMORY_TURNS = 0.025, 8
-_TICKS_PER_S = os.sysconf("SC_CLK_TCK")
+RESULTS = ROOT / "benchmarks" / "results"
+DATA = ROOT.parent / "shared" / "data"
+_THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")
+T = TypeVar("T")
 
 
-def need(*programs: str) -> None:
-    """Stop with the names of the Debian packages that are missing."""
-    packages = {
-        "Xvfb": "xvfb",
-        "cyclictest": "rt-tests",
-        "ffmpeg": "ffmpeg",
-        "mpv": "mpv",
-        "pulseaudio": "pulseaudio",
-        "pactl": "pulseaudio-utils",
-    }
-    missing = [packages[name] for name in programs if shutil.which(name) is None]
-    if missing:
-        sys.exit(f"this benchmark needs: apt-get install {' '.join(missing)}")
-
-
-@contextlib.contextmanager
-def screen(
-    memory: Path | None = None, size: tuple[int, int] = (WIDTH, HEIGHT)
-) -> Iterator[dict[str, str]]:
-    """Run an X server of the clip's size and yield the environment for it.
+def command(folder: str, text: str, names: Sequence[str]) -> int:
+    """Run what the command line of a folder asks for; return the exit status.
 
     Args:
-        memory: folder in which its pixels are to be seen, as the file Xvfb_screen0.
-        size: width and height, px.
+        folder: its name below `benchmarks`.
+        text: what it is about.
+        names: of its benchmarks, which are modules of that folder.
     """
-    reader, writer = os.pipe()
-    command = ["Xvfb", "-displayfd", str(writer), "-nolisten", "tcp"]
-    command += ["-screen", "0", f"{size[0]}x{size[1]}x24"]
-    command += ["-fbdir", str(memory)] if memory else []
-    server = subprocess.Popen(
-        command, pass_fds=(writer,), stderr=subprocess.DEVNULL, start_new_session=True
+    package = f"benchmarks.{folder}"
+    summaries = {name: _summary(folder, name) for name in names}
+    if len(sys.argv) > 1 and sys.argv[1] in names:
+        return _run(package, sys.argv[1], sys.argv[2:])
+    listed = "\n".join(f"  {name:12} {line}" for name, line in summaries.items())
+    parser = argparse.ArgumentParser(
+        prog=f"python -m {package}",
+        usage=f"python -m {package} NAME [--help] [options]\n"
+        f"       python -m {package} --quick",
+        description=f"{text}\n\nbenchmarks:\n{listed}",
+        formatter_class=argparse.RawDescriptionHelpFormatter,
     )
-    os.close(writer)
-    with os.fdopen(reader) as answer:
-        display = answer.readline().strip()
-    try:
-        yield {"DISPLAY": f":{display}", "QT_QPA_PLATFORM": "xcb"}
-    finally:
-        server.terminate()
-        server.wait()
+    parser.add_argument("--quick", action="store_true", help="short form of all")
+    if len(sys.argv) == 1:
+        parser.print_help()
+        return 2
+    parser.parse_args()
+    failed = []
+    for name in names:
+        print(f"\n== {name}: {summaries[name]}", flush=True)
+        one = [sys.executable, "-m", package, name, "--quick"]
+        if subprocess.run(one, cwd=ROOT, check=False).returncode:
+            failed.append(name)
+    print(f"\n{len(names) - len(failed)} of {len(names)} done with all targets met")
+    if failed:
+        print(f"missed or failed: {', '.join(failed)}")
+    return int(bool(failed))
 
 
-class SoundServer:
-    """A PulseAudio null sink of its own.
+def _summary(folder: str, name: str) -> str:
+    source = ROOT / "benchmarks" / folder / f"{name}.py"
+    text = ast.get_docstring(ast.parse(source.read_text(encoding="utf-8"))) or ""
+    return text.partition("\n")[0]
+
+
+def _run(package: str, name: str, arguments: list[str]) -> int:
+    module = importlib.import_module(f"{package}.{name}")
+    parser = argparse.ArgumentParser(
+        prog=f"python -m {package} {name}",
+        description=module.__doc__,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    parser.add_argument("--quick", action="store_true", help="short form, not saved")
+    parser.add_argument(
+        "--output", type=Path, help="folder for the result (benchmarks/results)"
+    )
+    module.options(parser)
+    options = parser.parse_args(arguments)
+    report = Report(name, f"python -m {package} {shlex.join([name, *arguments])}")
+    module.run(options, report)
+    folder = options.output or (None if options.quick else RESULTS)
+    return report.finish(folder)
+
+
+@dataclass
+class Report:
+    """What a benchmark has found.
 
     Attributes:
-        environment: for the programs that shall use it.
+        name: of its result file.
+        command: that was typed.
+        figures: for the result file, next to the targets.
+        targets: what was asked of which figure, and whether it was met.
     """
 
-    def __init__(self, folder: str) -> None:
-        private = dict.fromkeys(
-            ("PULSE_RUNTIME_PATH", "PULSE_STATE_PATH", "XDG_RUNTIME_DIR"), folder
+    name: str
+    command: str = ""
+    figures: dict[str, Any] = field(default_factory=dict)
+    targets: list[dict[str, Any]] = field(default_factory=list)
+
+    def table(self, title: str, header: Sequence[str], rows: Sequence[Any]) -> None:
+        """Print a table."""
+        print(f"\n{title}\n{table(list(header), [list(row) for row in rows])}")
+        sys.stdout.flush()
+
+    def target(self, what: str, value: float, bound: tuple[str, float]) -> None:
+        """Note what is asked of a figure: `("<=", 0.9)` or `(">=", 3)`."""
+        sign, limit = bound
+        is_met = value <= limit if sign == "<=" else value >= limit
+        entry = {"what": what, "measured": value, "target": f"{sign} {limit:g}"}
+        self.targets.append({**entry, "met": bool(is_met)})
+
+    def finish(self, folder: Path | None) -> int:
+        """Print which targets are met and save the result; return the exit status."""
+        missed = [one for one in self.targets if not one["met"]]
+        shown = self.targets if len(self.targets) <= 20 else missed
+        if shown:
+            words = ("target missed", "target met")
+            self.table(
+                "Targets",
+                ["what", "measured", "target", ""],
+                [[*list(one.values())[:3], words[one["met"]]] for one in shown],
+            )
+        if self.targets:
+            print(f"{len(self.targets) - len(missed)} of {len(self.targets)} met")
+        if folder is not None:
+            print(f"saved {self.save(folder)}")
+        return int(bool(missed))
+
+    def save(self, folder: Path) -> Path:
+        """Write figures and targets with machine, date, command and commit."""
+        folder.mkdir(parents=True, exist_ok=True)
+        git = ["git", "rev-parse", "--short", "HEAD"]
+        done = subprocess.run(
+            git, cwd=ROOT, capture_output=True, text=True, check=False
         )
-        socket = f"{folder}/native"
-        self.environment = {**private, "PULSE_SERVER": f"unix:{socket}"}
-        self._private = {**private, "HOME": folder}
-        self._command = ["pulseaudio", "-n", "--daemonize=no", "--use-pid-file=no"]
-        self._command += ["--exit-idle-time=-1", "--disallow-exit=yes"]
-        self._command += ["--realtime=no", "--high-priority=no", "-L"]
-        self._command += [
-            f"module-native-protocol-unix socket={socket} auth-anonymous=1"
-        ]
-        self._command += ["-L", "module-null-sink sink_name=null rate=48000 channels=2"]
-        self.start()
-
-    def start(self) -> None:
-        """Start it, and wait until it answers."""
-        self._process = subprocess.Popen(
-            self._command,
-            env={**os.environ, **self._private},
-            stdout=subprocess.DEVNULL,
-            stderr=subprocess.DEVNULL,
-            start_new_session=True,
-        )
-        _wait_for_sound(self.environment)
-
-    @property
-    def pid(self) -> int:
-        """Process id."""
-        return self._process.pid
-
-    def stop(self) -> None:
-        """End it."""
-        self._process.terminate()
-        self._process.wait()
-
-    def restart(self, after_s: float) -> None:
-        """Kill it, and start it again after a while."""
-        self._process.kill()
-        self._process.wait()
-        time.sleep(after_s)
-        self.start()
-
-
-@contextlib.contextmanager
-def mortal_sound_server() -> Iterator[SoundServer]:
-    """Run a PulseAudio null sink that can be killed and started again."""
-    with tempfile.TemporaryDirectory(prefix="hp-sound-") as folder:
-        server = SoundServer(folder)
-        try:
-            yield server
-        finally:
-            server.stop()
-
-
-@contextlib.contextmanager
-def sound_server() -> Iterator[dict[str, str]]:
-    """Run a PulseAudio null sink and yield the environment for it."""
-    with mortal_sound_server() as server:
-        yield server.environment
-
-
-def _wait_for_sound(environment: dict[str, str]) -> None:
-    for _ in range(100):
-        answer = subprocess.run(
-            ["pactl", "info"],
-            env={**os.environ, **environment},
-            capture_output=True,
-            check=False,
-        )
-        if answer.returncode == 0:
-            return
-        time.sleep(0.1)
-    sys.exit("the sound server did not start")
-
-
-def moving_clip(folder: Path, seconds: float) -> Path:
-    """Write a 720p30 clip in which everything moves, with sound."""
-    from hapticplayer.media import write_clip
-
-    path = folder / f"moving-{seconds:.0f}s.mp4"
-    if path.exists():
+        content = {
+            "command": self.command,
+            "date": time.strftime("%Y-%m-%d"),
+            "commit": done.stdout.strip(),
+            "machine": machine(),
+            "targets": self.targets,
+            **self.figures,
+        }
+        path = folder / f"{self.name}.json"
+        path.write_text(json.dumps(plain(content), indent=1) + "\n", encoding="utf-8")
         return path
-    x, y = np.meshgrid(np.arange(WIDTH), np.arange(HEIGHT))
-    grain = np.random.default_rng(1).integers(0, 40, (HEIGHT, WIDTH), dtype=np.uint8)
-
-    def pictures() -> Iterator[Any]:
-        for k in range(round(seconds * RATE_HZ)):
-            waves = 90 + 80 * np.sin((x + 9 * k) / 60.0) * np.cos((y - 5 * k) / 45.0)
-            luma = waves.astype(np.uint8) + np.roll(grain, (3 * k, 7 * k), (0, 1))
-            yield np.stack([luma, np.roll(luma, 40, 1), 255 - luma], axis=2)
-
-    t = np.arange(round(seconds * 48_000)) / 48_000
-    tone = (0.1 * np.sin(2 * np.pi * 220 * t)).astype(np.float32)
-    write_clip(
-        path,
-        pictures(),
-        frame_rate_hz=RATE_HZ,
-        audio=np.stack([tone, tone], axis=1),
-    )
-    return path
 
 
-def scrolling_clip(folder: Path, seconds: float, size: str, rate_hz: int) -> Path:
-    """Write a clip of the usual bit rate that scrolls, with sound; e.g. "1920x1080"."""
-    path = folder / f"scrolling-{size}-{rate_hz}.mp4"
-    pictures = f"testsrc2=size={size}:rate={rate_hz},scroll=h=0.004:v=0.003"
-    command = ["ffmpeg", "-nostdin", "-loglevel", "error", "-y", "-f", "lavfi"]
-    command += ["-i", pictures, "-f", "lavfi", "-i", "sine=220:sample_rate=48000"]
-    command += ["-t", str(seconds), "-c:v", "libx264", "-preset", "veryfast"]
-    command += ["-pix_fmt", "yuv420p", "-g", str(2 * rate_hz), "-ac", "2", str(path)]
-    if not path.exists():
-        subprocess.run(command, check=True)
-    return path
-
-
-class Usage:
-    """CPU seconds and memory of a process tree, kept up to date while it lives.
-
-    Attributes:
-        peak_mb: the most that the tree had of its own at once (PSS).
-        parts_mb: of the processes at that time, by their command.
-    """
-
-    def __init__(self, pid: int) -> None:
-        self._pid = pid
-        self.by_pid: dict[int, tuple[str, float]] = {}
-        self.peak_mb = 0.0
-        self.parts_mb: dict[str, float] = {}
-
-    def sample(self) -> None:
-        """Read what the tree has used so far."""
-        self.sample_cpu()
-        parts_mb: dict[str, float] = {}
-        for pid in self._tree(self._pid):
-            with contextlib.suppress(OSError):
-                rollup = Path(f"/proc/{pid}/smaps_rollup").read_text()
-                part_mb = int(rollup.split("Pss:")[1].split()[0]) / 1024.0
-                name = self.by_pid[pid][0] if pid in self.by_pid else ""
-                parts_mb[name] = parts_mb.get(name, 0.0) + part_mb
-        if sum(parts_mb.values()) > self.peak_mb:
-            self.peak_mb, self.parts_mb = sum(parts_mb.values()), parts_mb
-
-    def sample_cpu(self) -> None:
-        """Read the seconds only, which takes a tenth of the time."""
-        for pid in self._tree(self._pid):
-            with contextlib.suppress(OSError):
-                text = Path(f"/proc/{pid}/stat").read_text()
-                fields = text.rsplit(")", 1)[1].split()
-                seconds = (int(fields[11]) + int(fields[12])) / _TICKS_PER_S
-                command = Path(f"/proc/{pid}/cmdline").read_bytes()
-                name = command.replace(b"\0", b" ").decode() or self._name_of(pid)
-                self.by_pid[pid] = (name, seconds)
-
-    def _name_of(self, pid: int) -> str:
-        """Return what a process was called before it ended and nobody had waited."""
-        return self.by_pid[pid][0] if pid in self.by_pid else ""
-
-    def written_mb(self) -> float:
-        """Return what the tree has now that is no file: only that can grow.
-
-        Its share of the libraries depends on who else has them loaded.
-        """
-        total_kb = 0
-        for pid in self._tree(self._pid):
-            with contextlib.suppress(OSError):
-                rollup = Path(f"/proc/{pid}/smaps_rollup").read_text()
-                for kind in ("Pss_Anon:", "Pss_Shmem:"):
-                    total_kb += int(rollup.split(kind)[1].split()[0])
-        return total_kb / 1024.0
-
-    def of(self, part: str) -> float:
-        """Return the seconds of the processes whose command holds `part`."""
-        return sum(s for command, s in self.by_pid.values() if part in command)
-
-    def memory_of(self, part: str) -> float:
-        """Return the MB of these processes when the tree had the most."""
-        return sum(mb for command, mb in self.parts_mb.items() if part in command)
-
-    def _tree(self, pid: int) -> list[int]:
-        found = [pid]
-        with contextlib.suppress(OSError):
-            for task in Path(f"/proc/{pid}/task").iterdir():
-                for child in (task / "children").read_text().split():
-                    found += self._tree(int(child))
-        return found
-
-
-def run_measured(
-    command: list[str], environment: dict[str, str], timeout_s: float
-) -> tuple[Usage, float, str]:
-    """Run to the end; return the usage of the parts, of the whole tree, s, and output."""
-    process = subprocess.Popen(
-        command,
-        env={**os.environ, **environment},
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        start_new_session=True,
-    )
-    usage = Usage(process.pid)
-    deadline, turn = time.monotonic() + timeout_s, 0
-    while True:
-        pid, status, resources = os.wait4(process.pid, os.WNOHANG)
-        if pid:
-            break
-        # often: what a process that has ended used since its last sample is taken for
-        # that of its parent
-        if turn % MEMORY_TURNS == 0:
-            usage.sample()
-        else:
-            usage.sample_cpu()
-        turn += 1
-        if time.monotonic() > deadline:
-            os.killpg(process.pid, signal.SIGKILL)
-            sys.exit(f"timed out: {' '.join(command)}")
-        time.sleep(SAMPLE_S)
-    errors = process.stderr.read().decode() if process.stderr else ""
-    process.returncode = os.waitstatus_to_exitcode(status)
-    if process.returncode != 0:
-        sys.exit(
-            f"failed ({process.returncode}): {' '.join(command)}\n{errors[-2000:]}"
-        )
-    printed = process.stdout.read().decode() if process.stdout else ""
-    return usage, resources.ru_utime + resources.ru_stime, printed
-
-
-def player_command(*arguments: str) -> list[str]:
-    """Return the command of the player in this checkout."""
-    return [sys.executable, "-m", "app", *arguments]
-
-
-def as_installed(folder: str) -> dict[str, str]:
-    """Return the environment in which modules are compiled once, as an installer does."""
-    return {"PYTHONDONTWRITEBYTECODE": "", "PYTHONPYCACHEPREFIX": folder}
-
-
-def save(name: str, figures: dict[str, Any]) -> Path:
-    """Write the figures with the machine they come from."""
-    RESULTS.mkdir(exist_ok=True)
-    commit = subprocess.run(
-        ["git", "rev-parse", "--short", "HEAD"],
-        cwd=ROOT,
-        capture_output=True,
-        text=True,
-        check=False,
-    ).stdout.strip()
-    machine = {
+def machine() -> dict[str, Any]:
+    """Return what figures depend on."""
+    lines = Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines()
+    named = [line.partition(":")[2] for line in lines if line.startswith("model name")]
+    return {
+        "processor": named[0].strip() if named else platform.machine(),
         "cores": os.cpu_count(),
         "kernel": platform.release(),
         "python": platform.python_version(),
-        "commit": commit,
+        "load": round(os.getloadavg()[1], 1),
     }
+
+
+def saved(name: str) -> dict[str, Any]:
+    """Return the result of an earlier run, empty without one."""
     path = RESULTS / f"{name}.json"
-    path.write_text(json.dumps({"machine": machine, **figures}, indent=2) + "\n")
-    return path
+    return dict(json.loads(path.read_text(encoding="utf-8"))) if path.exists() else {}
+
+
+def plain(value: Any) -> Any:
+    """Return figures with four digits; null for NaN and infinity, which JSON lacks."""
+    if isinstance(value, Mapping):
+        return {str(key): plain(item) for key, item in value.items()}
+    if isinstance(value, Sequence | np.ndarray) and not isinstance(value, str):
+        return [plain(item) for item in value]
+    if isinstance(value, float | np.floating):
+        return float(f"{value:.4g}") if np.isfinite(value) else None
+    return int(value) if isinstance(value, np.integer) else value
 
 
 def table(header: list[str], rows: list[list[Any]]) -> str:
@@ -342,3 +199,60 @@ def table(header: list[str], rows: list[list[Any]]) -> str:
 
 def _cell(value: Any) -> str:
     return f"{value:.3g}" if isinstance(value, float) else str(value)
+
+
+def interleaved(
+    contenders: Mapping[str, Callable[[], T]], rounds: int, *, warm_up: bool = False
+) -> dict[str, list[T]]:
+    """Run all contenders in each round, each round beginning with another one.
+
+    Args:
+        contenders: by name.
+        rounds: how many.
+        warm_up: whether each runs once more before, without a result.
+    """
+    names = list(contenders)
+    found: dict[str, list[T]] = {name: [] for name in names}
+    for name in names if warm_up else ():
+        contenders[name]()
+    for number in range(rounds):
+        first = number % len(names)
+        for name in names[first:] + names[:first]:
+            found[name].append(contenders[name]())
+        if sys.stderr.isatty():
+            print(f"\rround {number + 1} of {rounds}", end="\n", file=sys.stderr)
+    return found
+
+
+class Ratio(NamedTuple):
+    """Ratios of two contenders round by round: median, least and largest."""
+
+    median: float
+    least: float
+    largest: float
+
+
+def ratio(values: Sequence[float], reference: Sequence[float]) -> Ratio:
+    """Return how a contender compares to another one in the same rounds."""
+    each = [a / b if b else np.nan for a, b in zip(values, reference, strict=True)]
+    return Ratio(statistics.median(each), min(each), max(each))
+
+
+def medians(rounds: Sequence[Mapping[str, float]]) -> dict[str, float]:
+    """Return the median over the rounds of each figure that all of them have."""
+    keys = [k for k in rounds[0] if all(k in one for one in rounds)]
+    return {k: float(statistics.median(one[k] for one in rounds)) for k in keys}
+
+
+def on_one_thread() -> None:
+    """Start again where numpy might use several threads: it reads this once."""
+    if any(os.environ.get(name) != "1" for name in _THREADS):
+        environment = {**os.environ, **dict.fromkeys(_THREADS, "1")}
+        sys.stdout.flush()
+        arguments = [sys.executable, *sys.orig_argv[1:]]
+        os.execve(sys.executable, arguments, environment)  # noqa: S606
+
+
+def rms(values: Any) -> float:
+    """Return the root of the mean square."""
+    return float(np.sqrt(np.mean(np.square(values))))

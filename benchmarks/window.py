@@ -1,136 +1,169 @@
-"""How long the window's event loop is away, in a tour of everything a person does.
+"""The real window with the real player, and how regularly its thread is heard."""
 
-    python benchmarks/window.py [--offscreen] [--haste 0.4] [--only NAME] [--gaps FILE]
-
-A timer of 5 ms beats in the real window, on a screen of its own with sound and the
-simulated device. A gap is the time between two beats; where one is long, the tour's step
-and the functions the window's thread was in are told. Judged is the whole gap, also the time
-in which that thread could have run but others had the cores.
-"""
-
-import argparse
-import contextlib
+import functools
 import json
-import os
-import subprocess
+import resource
 import sys
-import tempfile
-from collections import defaultdict
+import threading
+import time
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 import numpy as np
-from common import need, save, screen, sound_server, table
+from PySide6.QtCore import QEventLoop, QTimer
+from PySide6.QtWidgets import QApplication
 
-LIMIT_MS = 50.0
-SHOWN, PARTICIPANTS = 14, 15
-LONGEST_S = 900.0
+from app.bridge.settings import Settings
+from app.player.application import make_application
+from app.player.video_surface import SurfaceSink, VideoSurface
+from app.player.window import PlayerWindow
+from hapticplayer.clock import SystemClock
+from hapticplayer.haptics.process import HapticsProcess
+from hapticplayer.playback.player import Player
+from hapticplayer.playback.sound_process import SoundProcess
 
-
-def judge(seen: dict[str, Any]) -> dict[str, Any]:
-    """Return the figures of the gaps."""
-    gaps_ms, long = 1e3 * np.array(seen.pop("gaps_s")), seen.pop("long_gaps")
-    worst: dict[str, dict[str, Any]] = {}
-    for gap in long:
-        gap["own_s"] = max(0.0, gap["gap_s"] - gap["waited_for_a_core_s"])
-        name = gap["script"] or "begin"
-        if gap["gap_s"] > worst.get(name, {"gap_s": 0.0})["gap_s"]:
-            worst[name] = gap
-    short_ms = gaps_ms[gaps_ms <= 1e3 * seen["long_s"]]
-    own_ms = np.append(short_ms, [1e3 * gap["own_s"] for gap in long])
-    return {
-        **seen,
-        "beats": len(gaps_ms),
-        "gap_ms": _quantiles(gaps_ms),
-        "own_ms": _quantiles(own_ms),
-        "above_limit": int(np.count_nonzero(gaps_ms > LIMIT_MS)),
-        "worst": sorted(
-            (_shown(name, gap) for name, gap in worst.items()),
-            key=lambda row: -row["gap_ms"],
-        ),
-        "load_average": os.getloadavg(),
-    }
+LONG_GAP_S = 0.1
+SAMPLE_S, SILENT_S = 0.02, 0.06
+MOST_SAMPLES, STACK_DEPTH = 10, 10
 
 
-def _shown(name: str, gap: dict[str, Any]) -> dict[str, Any]:
-    return {
-        "step": name,
-        "gap_ms": 1e3 * gap["gap_s"],
-        "own_ms": 1e3 * gap["own_s"],
-        "computed_ms": 1e3 * gap["computed_s"],
-        "in": where(gap["stacks"]),
-    }
+Haptics = Callable[..., HapticsProcess]
 
 
-def _quantiles(gaps_ms: Any) -> dict[str, float]:
-    quantiles = (("p50", 0.5), ("p99", 0.99), ("p999", 0.999), ("max", 1.0))
-    return {name: float(np.quantile(gaps_ms, q)) for name, q in quantiles}
+@dataclass(frozen=True, slots=True)
+class Opened:
+    """A window that is shown, and what belongs to it."""
+
+    application: QApplication
+    clock: SystemClock
+    player: Player
+    window: PlayerWindow
 
 
-def report(figures: dict[str, Any]) -> None:
-    """Print gaps, the worst steps, and where these were."""
-    print(f"{sum(figures['things'].values())} things, {figures['beats']} beats")
-    for name, text in (("gap_ms", "gap"), ("own_ms", "without waiting for a core")):
-        values = ", ".join(f"{k} {v:.1f}" for k, v in figures[name].items())
-        print(f"{text}, ms: {values}")
-    print(f"{figures['above_limit']} gaps are above {LIMIT_MS:.0f} ms")
-    rows = [list(row.values()) for row in figures["worst"][:SHOWN]]
-    print(table(["step", "gap ms", "own", "computed", "in"], rows))
-    for text in figures["failed"]:
-        print(f"failed: {text}")
+def open_window(
+    settings: Path | None,
+    *,
+    sound: bool = False,
+    plots: bool = True,
+    fullscreen: bool = False,
+    player: type[Player] = Player,
+    haptics: Haptics | None = None,
+) -> Opened:
+    """Open the player's window with the simulated device.
+
+    Args:
+        settings: file of the window's settings.
+        sound: whether there is any.
+        plots: whether plots are shown.
+        fullscreen: whether the window fills the screen.
+        player: type of the player, to watch what it does.
+        haptics: makes the owner of the haptic loop, see `with_device_options`.
+    """
+    application, clock, surface = make_application(), SystemClock(), VideoSurface()
+    audio = SoundProcess if sound else None
+    playing = player(clock, SurfaceSink(surface), audio=audio, haptics=haptics)
+    window = PlayerWindow(playing, surface, clock, Settings(settings), plots=plots)
+    playing.set_device("simulated")
+    if fullscreen:
+        window.enter_fullscreen()
+    else:
+        window.show()
+    return Opened(application, clock, playing, window)
 
 
-def where(stacks: list[dict[str, Any]]) -> str:
-    """Return the function of ours that most samples were in."""
-    counts: defaultdict[str, int] = defaultdict(int)
-    for stack in stacks:
-        counts[" < ".join(stack["window"][:4])] += 1
-    return max(counts, key=counts.__getitem__) if counts else ""
+def with_device_options(*options: str, descriptors: Sequence[int] = ()) -> Haptics:
+    """Return what makes a haptic loop whose simulated device has these options.
+
+    Args:
+        options: command line of the process that simulates the device.
+        descriptors: that these name.
+    """
+    return functools.partial(
+        HapticsProcess,
+        device_options=list(options),
+        device_descriptors=list(descriptors),
+    )
 
 
-def _answer_a_study(folder: Path) -> None:
-    """Let simulated people take part in a study, to be analysed in the tour."""
-    words = ["study", "simulate", str(folder), "--participants", str(PARTICIPANTS)]
-    command = [sys.executable, "-m", "app", *words]
-    subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
+def say(**content: object) -> None:
+    """Print a line of JSON, at once."""
+    sys.stdout.write(json.dumps(content) + "\n")
+    sys.stdout.flush()
 
 
-def main() -> int:
-    """Prepare a screen and a sound server, and take the tour on them."""
-    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    parser.add_argument("--offscreen", action="store_true")
-    parser.add_argument("--no-sound", action="store_true")
-    parser.add_argument("--haste", type=float, default=0.4)
-    parser.add_argument("--only", default="")
-    parser.add_argument("--gaps", default="", help="file for all long gaps")
-    parser.add_argument("--folder", default="")
-    options = parser.parse_args()
-    if options.folder:
-        from window_tour import use
-
-        return use(options)
-    need(*([] if options.offscreen else ["Xvfb"]))
-    need(*([] if options.no_sound else ["pulseaudio", "pactl"]))
-    with contextlib.ExitStack() as stack:
-        folder = stack.enter_context(tempfile.TemporaryDirectory(prefix="hp-window-"))
-        environment = {**os.environ, "XDG_CONFIG_HOME": folder}
-        environment["QT_QPA_PLATFORM"] = "offscreen"
-        if not options.offscreen:
-            environment |= stack.enter_context(screen())
-        if not options.no_sound:
-            environment |= stack.enter_context(sound_server())
-        _answer_a_study(Path(folder) / "answered")
-        command = [sys.executable, __file__, *sys.argv[1:], "--folder", folder]
-        subprocess.run(command, env=environment, check=True, timeout=LONGEST_S)
-        seen = json.loads((Path(folder) / "seen.json").read_text())
-    if options.gaps:
-        Path(options.gaps).write_text(json.dumps(seen["long_gaps"], indent=1))
-    figures = judge(seen)
-    report(figures)
-    if not options.only:
-        print(f"saved {save('window', figures).name}")
-    return 0 if figures["gap_ms"]["p999"] <= LIMIT_MS else 1
+def run_for(seconds: float) -> None:
+    """Let the event loop run for a while."""
+    loop = QEventLoop()
+    QTimer.singleShot(round(1e3 * seconds), loop.quit)
+    loop.exec()
 
 
-if __name__ == "__main__":
-    sys.exit(main())
+class Beats:
+    """Gaps between the beats of a thread, and what it did in the long ones.
+
+    Args:
+        long_s: of longer gaps everything is kept.
+        silent_s: after so long the thread's functions are noted.
+
+    Attributes:
+        gaps_s: all so far.
+        long: of the long ones begin, share of computing and waiting, and functions.
+        doing: what the script does, for the long ones.
+    """
+
+    def __init__(self, long_s: float = LONG_GAP_S, silent_s: float = SILENT_S) -> None:
+        self._long_s, self._silent_s = long_s, silent_s
+        self.gaps_s: list[float] = []
+        self.long: list[dict[str, Any]] = []
+        self.doing = ""
+        self._last_s, self._before, self._faults = 0.0, (0.0, 0.0), 0
+        self._account = Path(f"/proc/self/task/{threading.get_native_id()}/schedstat")
+        self._watched = threading.get_ident()
+        self._stacks: list[dict[str, Any]] = []
+        self._is_over = threading.Event()
+        self._sampler = threading.Thread(target=self._sample, daemon=True)
+        self._sampler.start()
+
+    def beat(self) -> None:
+        """Note that the thread runs."""
+        now_s = time.monotonic()
+        ran_ns, waited_ns, _ = map(int, self._account.read_text().split())
+        used = 1e-9 * ran_ns, 1e-9 * waited_ns
+        faults = resource.getrusage(resource.RUSAGE_SELF).ru_majflt
+        gap_s = now_s - self._last_s if self._last_s else 0.0
+        self.gaps_s.append(gap_s)
+        if gap_s > self._long_s:
+            computed_s, waited_s = np.subtract(used, self._before)
+            gap = {"begin_s": self._last_s, "gap_s": gap_s, "doing": self.doing}
+            gap |= {"computed_s": float(computed_s), "waited_s": float(waited_s)}
+            gap |= {"disk_waits": faults - self._faults, "stacks": self._stacks}
+            self.long.append(gap)
+        self._last_s, self._before, self._stacks = now_s, used, []
+        self._faults = faults
+
+    def end(self) -> None:
+        """End the thread that notes functions."""
+        self._is_over.set()
+        self._sampler.join()
+
+    def _sample(self) -> None:
+        while not self._is_over.wait(SAMPLE_S):
+            after_s = time.monotonic() - self._last_s
+            if after_s > self._silent_s and len(self._stacks) < MOST_SAMPLES:
+                stack = _stack_of(self._watched)
+                self._stacks.append({"after_s": after_s, "functions": stack})
+
+
+def _stack_of(thread: int) -> list[str]:
+    """Return the innermost functions of a thread.
+
+    In microseconds: while a frame is held its locals live on, and a painter that
+    outlives its paintEvent brings Qt down.
+    """
+    frame, places = sys._current_frames().get(thread), []  # noqa: SLF001
+    while frame is not None and len(places) < STACK_DEPTH:
+        places.append((frame.f_code, frame.f_lineno))
+        frame = frame.f_back
+    return [f"{Path(c.co_filename).name}:{line} {c.co_name}" for c, line in places]

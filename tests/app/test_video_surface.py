@@ -251,3 +251,25 @@ def test_a_decoded_picture_sits_right_between_its_bars(inner):
     assert np.array_equal(shown[:, 20:180], rgb)
     assert not shown[:, :20].any()
     assert not shown[:, 180:].any()
+
+
+def test_a_fault_while_painting_leaves_no_painter_behind(qtbot, qtlog, monkeypatch):
+    """Qt dies of one; what was raised keeps its frames, and with them the painter."""
+    surface = VideoSurface()
+    qtbot.addWidget(surface)
+    surface.show()
+    qtbot.waitExposed(surface)
+
+    def fail(_self, _painter, _region):
+        raise ValueError("a fault of ours")
+
+    with qtbot.captureExceptions() as raised, monkeypatch.context() as patch:
+        patch.setattr(VideoSurface, "_paint", fail)
+        surface.update()
+        qtbot.waitUntil(lambda: bool(raised))
+    assert "a fault of ours" in str(raised[0][1])
+    with qtbot.waitSignal(surface.target_changed):
+        surface.resize(surface.width() + 100, surface.height() + 100)
+    surface.repaint()
+    qtbot.wait(50)
+    assert not [r.message for r in qtlog.records if "painte" in r.message]

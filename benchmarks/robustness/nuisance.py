@@ -1,0 +1,389 @@
+"""Normal use, and every RAMP or TRIP that the person did not cause.
+
+The real window plays the demo with the simulated device, on a screen and a sound server
+of its own, while a scripted person uses everything there is. Every tick of the haptic
+loop is read; a reaction that no action explains is a nuisance. Each stands beside what
+the machine did at that time, watched from outside: cores that stood still, threads that
+were ready and had no core. Beside it the gaps between heartbeats of the window. With
+`--quick` 15 s in a hurry, without screen and sound; what load alone can cause is not
+judged then.
+"""
+
+import argparse
+import contextlib
+import faulthandler
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import time
+from collections import Counter, defaultdict
+from collections.abc import Iterator
+from dataclasses import asdict, dataclass, field
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from benchmarks.common import ROOT, Report
+from benchmarks.stage import screen, sound_server
+from benchmarks.witness import ACCOUNT_PERIOD_S, Sentinel, Starved, sentinel
+from hapticplayer.haptics.contract import Cause, Mode
+from hapticplayer.haptics.residence import Residence
+from hapticplayer.playback.player import Player
+
+GRACE_S, QUICK_GRACE_S = 0.3, 15.0
+LEAST_KINDS, LEAST_SHARE, QUICK_LEAST_SHARE = 10, 0.2, 0.02
+MACHINE_SHARE = 0.5  # of a gap that stalls and other programs explain
+# By the first word of a cause: how long before a reaction the machine must have taken
+# how much, s, to be the reason.
+BEFORE = defaultdict(
+    lambda: (0.05, 0.01),
+    {"HEARTBEAT": (0.2, 0.075), "CLOCK": (0.2, 0.075), "REPLY": (0.12, 0.01)},
+)
+STALE_S = 0.02
+# A moment is undisturbed while no core has stood still for so long, in all, within so
+# long before it: twice as long as the slowest rule waits.
+STOOD_STILL_S, BEFORE_S = 0.01, 0.2
+BIN_S = 0.01
+# What a machine that is too busy can cause, however good the program is.
+OF_LOAD = frozenset(
+    {
+        Cause.CLOCK_STALE,
+        Cause.HEARTBEAT_LATE,
+        Cause.HEARTBEAT_LOST,
+        Cause.REPLY_LATE,
+        Cause.REPLY_LOST,
+        Cause.TICK_LATE,
+        Cause.TICK_LOST,
+        Cause.COMMAND_STALE,
+        Cause.GUARD_LOST,
+    }
+)
+AT_THE_END, END_S = frozenset({Cause.TRACK_ENDED, Cause.PAUSED}), 0.1
+_ACTING = (Mode.ENTERING, Mode.FOLLOWING)
+
+
+@dataclass(frozen=True, slots=True)
+class Reaction:
+    """One RAMP or TRIP.
+
+    Attributes:
+        monotonic_s: of its first tick.
+        cause: that the loop gives.
+        is_trip: whether a person has to re-arm.
+        had_force: whether a force was on the hand, or about to be.
+        by: the action that caused it, "" for none.
+    """
+
+    monotonic_s: float
+    cause: Cause
+    is_trip: bool
+    had_force: bool
+    by: str
+
+
+@dataclass
+class Watch:
+    """Reads all ticks of all devices of a player, and finds the reactions in them.
+
+    Call `read` at least every 10 s, and before a device is let go of.
+
+    Attributes:
+        grace_s: a reaction begins at most so long after the action that causes it.
+        actions: time, name and allowed causes of what the person did.
+        reactions: all so far.
+        modes: ticks in each mode.
+        lost: ticks that were not seen.
+    """
+
+    player: Player
+    grace_s: float
+    actions: list[tuple[float, str, frozenset[Cause]]] = field(default_factory=list)
+    reactions: list[Reaction] = field(default_factory=list)
+    modes: Counter[str] = field(default_factory=Counter)
+    lost: int = 0
+
+    def __post_init__(self) -> None:
+        self._begin()
+
+    def _begin(self) -> None:
+        self._loop_pid = self.player.snapshot().loop_pid
+        self._seen_s = float("-inf")
+        self._mode, self._cause = Mode.IDLE, Cause.NONE
+        self._has_begun = False
+        self._lost = 0
+
+    def expect(self, at_s: float, name: str, *causes: Cause) -> None:
+        """Note an action that the loop has to react to."""
+        self.actions.append((at_s, name, frozenset(causes)))
+
+    def read(self) -> None:
+        """Judge the ticks since the last call."""
+        if self.player.snapshot().loop_pid != self._loop_pid:
+            self._begin()
+        lost = self.player.measurements().ticks_lost
+        self.lost += lost - self._lost
+        self._lost = lost
+        ticks = self.player.ticks_since(self._seen_s)
+        ticks = ticks[ticks["monotonic_s"] > self._seen_s]
+        if not len(ticks):
+            return
+        self._seen_s = float(ticks["monotonic_s"][-1])
+        for mode in Mode:
+            self.modes[mode.name] += int(np.count_nonzero(ticks["mode"] == mode))
+        self._judge(ticks)
+
+    def _judge(self, ticks: Any) -> None:
+        modes = np.concatenate([[self._mode], ticks["mode"]])
+        causes = np.concatenate([[self._cause], ticks["cause"]])
+        changes = (np.diff(modes.astype(int)) != 0) | (np.diff(causes.astype(int)) != 0)
+        for row in np.flatnonzero(changes):
+            before, after = Mode(int(modes[row])), Mode(int(modes[row + 1]))
+            cause = Cause(int(causes[row + 1]))
+            had_force = before in _ACTING
+            is_trip = after is Mode.TRIPPED and before is not Mode.TRIPPED
+            is_new = causes[row] != cause and cause in OF_LOAD and self._has_begun
+            # a device that begins waits for its guard, its homing and its track
+            self._has_begun |= cause in (Cause.NONE, Cause.PAUSED)
+            if cause and (is_trip or had_force or is_new):
+                at_s = float(ticks["monotonic_s"][row])
+                by = self._explained(cause, at_s, float(ticks["media_s"][row]))
+                self.reactions.append(Reaction(at_s, cause, is_trip, had_force, by))
+        self._mode, self._cause = Mode(int(modes[-1])), Cause(int(causes[-1]))
+
+    def _explained(self, cause: Cause, at_s: float, media_s: float) -> str:
+        for since_s, name, causes in reversed(self.actions):
+            if since_s <= at_s <= since_s + self.grace_s and cause in causes:
+                return name
+        source = self.player.snapshot().source
+        end_s = source.clip.duration_s if source else float("inf")
+        return "end" if cause in AT_THE_END and media_s > end_s - END_S else ""
+
+
+def judge(
+    seen: dict[str, Any], witness: Sentinel, starved: Starved, *, judge_load: bool
+) -> dict[str, Any]:
+    """Return the figures; what the machine explains is counted apart."""
+    gaps_s = np.array(seen.pop("gaps_s"))
+    end_s = seen.pop("end_s")
+
+    def lost_s(begin_s: float, end_s: float) -> float:
+        """Return what stalls of the machine and other programs took."""
+        waited_s = starved.waited_s(begin_s, end_s)
+        return max(witness.stalled_s(begin_s, end_s), waited_s)
+
+    for gap in seen["long_gaps"]:
+        gap["machine_s"] = lost_s(gap["begin_s"], gap["begin_s"] + gap["gap_s"])
+    found = [r for r in seen.pop("reactions") if not r["by"]]
+    if not judge_load:
+        found = [r for r in found if Cause[r["cause"]] not in OF_LOAD]
+    for one in found:
+        at_s = one["monotonic_s"]
+        if one["cause"] == "COMMAND_STALE":
+            at_s += STALE_S  # the tick has begun in time, and then stood still
+        before_s, least_s = BEFORE[one["cause"].partition("_")[0]]
+        one["machine_s"] = lost_s(at_s - before_s, at_s)
+        one["is_explained"] = one["machine_s"] > least_s
+        is_calm = witness.stalled_s(at_s - BEFORE_S, at_s) < STOOD_STILL_S
+        one["is_undisturbed"] = is_calm
+    quantiles = {"p50": 0.5, "p99": 0.99, "p999": 0.999, "max": 1.0}
+    seconds = 60.0 * seen["minutes"]
+    return {
+        **seen,
+        "nuisances": found,
+        "with_force": sum(r["had_force"] or r["is_trip"] for r in found),
+        "not_of_the_machine": sum(not r["is_explained"] for r in found),
+        "undisturbed": sum(r["is_undisturbed"] for r in found),
+        "undisturbed_minutes": undisturbed_s(witness, end_s - seconds, end_s) / 60.0,
+        "gap_ms": {
+            k: 1e3 * float(np.quantile(gaps_s, q)) for k, q in quantiles.items()
+        },
+        "machine_stalls": witness.summary(),
+    }
+
+
+def undisturbed_s(witness: Sentinel, begin_s: float, end_s: float) -> float:
+    """Return for how long no core stood still, in bins of 10 ms; the worst counts."""
+    count = int((end_s - begin_s) / BIN_S)
+    longest = np.zeros(count)
+    for stalls in witness.by_core():
+        still_s = np.zeros(count)
+        for due_s, late_s in stalls:
+            first = int((due_s - begin_s) / BIN_S)
+            last = int((due_s + late_s - begin_s) / BIN_S)
+            for at in range(max(first, 0), min(last + 1, count)):
+                from_s = max(due_s, begin_s + at * BIN_S)
+                until_s = min(due_s + late_s, begin_s + (at + 1) * BIN_S)
+                still_s[at] += max(0.0, until_s - from_s)
+        total = np.concatenate([np.zeros(round(BEFORE_S / BIN_S)), np.cumsum(still_s)])
+        longest = np.maximum(longest, total[-count:] - total[:count])
+    return BIN_S * float(np.count_nonzero(longest < STOOD_STILL_S))
+
+
+@contextlib.contextmanager
+def stage(*, is_offscreen: bool, has_sound: bool) -> Iterator[tuple[Path, Any]]:
+    """Yield a folder, and the environment with a screen and a sound server."""
+    with contextlib.ExitStack() as stack:
+        folder = stack.enter_context(tempfile.TemporaryDirectory(prefix="hp-window-"))
+        environment = {**os.environ, "XDG_CONFIG_HOME": folder}
+        environment["QT_QPA_PLATFORM"] = "offscreen"
+        if not is_offscreen:
+            environment |= stack.enter_context(screen())
+        if has_sound:
+            environment |= stack.enter_context(sound_server()).environment
+        yield Path(folder), environment
+
+
+def window_command(folder: Path, minutes: float, **chosen: Any) -> list[str]:
+    """Return the command of the window that is used, in a process of its own."""
+    settings = {"folder": str(folder), "minutes": minutes, **chosen}
+    module = "benchmarks.robustness.nuisance"
+    return [sys.executable, "-m", module, json.dumps(settings)]
+
+
+def options(parser: argparse.ArgumentParser) -> None:
+    """Add the options."""
+    parser.add_argument("--minutes", type=float, help="(10)")
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--offscreen", action="store_true")
+    parser.add_argument("--no-sound", action="store_true")
+    parser.add_argument("--only", default="", help="one thing that a person does")
+
+
+def run(options: argparse.Namespace, report: Report) -> None:
+    """Run the window in a process of its own, watch, and judge."""
+    quick = options.quick
+    has_sound = not (options.no_sound or quick)
+    minutes = options.minutes or (0.25 if quick else 10.0)
+    chosen = {"seed": options.seed, "only": options.only, "sound": has_sound}
+    chosen |= {"quick": quick, "locked": True}
+    with (
+        stage(is_offscreen=options.offscreen or quick, has_sound=has_sound) as place,
+        sentinel() as witness,
+    ):
+        folder, environment = place
+        command = window_command(folder, minutes, **chosen)
+        window = subprocess.Popen(command, env=environment, cwd=ROOT)
+        starved = Starved()
+        while window.poll() is None:
+            starved.sample()
+            time.sleep(ACCOUNT_PERIOD_S)
+        if window.returncode:
+            sys.exit(f"the window ended with {window.returncode}")
+        seen = json.loads((folder / "seen.json").read_text())
+        figures = judge(seen, witness, starved, judge_load=not quick)
+    show(figures, report)
+    if not options.only:
+        kinds, share = len(figures["things"]), figures["share_with_force"]
+        report.target("kinds of things done", kinds, (">=", LEAST_KINDS))
+        least = QUICK_LEAST_SHARE if quick else LEAST_SHARE
+        report.target("share of the time with force", share, (">=", least))
+    count = figures["not_of_the_machine"]
+    report.target("nuisances that the machine does not explain", count, ("<=", 0))
+    report.figures |= {**figures, "long_gaps": len(figures["long_gaps"])}
+
+
+def show(figures: dict[str, Any], report: Report) -> None:
+    """Print what matters."""
+    things = sorted(figures["things"].items())
+    print(
+        f"{figures['minutes']:.1f} minutes: " + ", ".join(f"{k} {v}" for k, v in things)
+    )
+    if figures["shown"]:
+        print("messages of the window:", figures["shown"])
+    report.table("Reactions", ["", "times"], sorted(figures["reactions_by"].items()))
+    report.table(
+        "Heartbeats, ms apart", list(figures["gap_ms"]), [figures["gap_ms"].values()]
+    )
+    keys = ("doing", "gap_s", "computed_s", "waited_s", "machine_s", "disk_waits")
+    rows = [[gap[key] for key in keys] for gap in figures["long_gaps"][:20]]
+    report.table("Long gaps", keys, rows)
+    for one in figures["nuisances"]:
+        print(one)
+    print(
+        f"nuisances {len(figures['nuisances'])}, with force {figures['with_force']}, in "
+        f"the {figures['undisturbed_minutes']:.1f} undisturbed minutes "
+        f"{figures['undisturbed']}; machine stalls {figures['machine_stalls']}"
+    )
+
+
+def _use_the_window(chosen: dict[str, Any]) -> None:
+    """Run the window with the person, and write what was seen."""
+    from PySide6.QtCore import QTimer
+
+    from benchmarks.person import Person
+    from benchmarks.window import Beats, open_window
+    from hapticplayer.playback.source import open_source
+
+    faulthandler.enable()
+    folder, beats = Path(chosen["folder"]), Beats()
+
+    class HeardPlayer(Player):
+        def poll(self) -> float:
+            next_s = super().poll()
+            beats.doing = person.doing
+            beats.beat()
+            return next_s
+
+    if not chosen["locked"]:
+        Residence.lock = lambda _self: 0  # type: ignore[method-assign]
+    settings = folder / "window.json"
+    opened = open_window(settings, sound=chosen["sound"], player=HeardPlayer)
+    application, player, window = opened.application, opened.player, opened.window
+    quick = chosen["quick"]
+    watch = Watch(player, QUICK_GRACE_S if quick else GRACE_S)
+    person = Person(window, folder, chosen["seed"], haste=0.1 if quick else 1.0)
+    person.only = chosen["only"]
+    person.on_check = watch.read
+    person.on_action = lambda *action: watch.expect(opened.clock.now_s(), *action)
+    window.session.show_source(open_source(person.sequence))
+    player.play()
+    window.session.gateway.install()
+    person.start()
+
+    def end_if_enough() -> None:
+        if quick and not chosen["only"] and len(person.done) < LEAST_KINDS:
+            QTimer.singleShot(1000, end_if_enough)  # a busy machine
+        else:
+            application.exit(0)
+
+    begin_s = opened.clock.now_s()
+    QTimer.singleShot(round(60e3 * chosen["minutes"]), end_if_enough)
+    application.exec()
+    person.stop()
+    beats.end()
+    window.session.gateway.uninstall()
+    end_s, snapshot = opened.clock.now_s(), player.snapshot()
+    seen = {
+        "minutes": (end_s - begin_s) / 60.0,
+        "end_s": end_s,
+        "scheduling": snapshot.scheduling,
+        "platform": application.platformName(),
+        "sound": snapshot.audio,
+        "things": person.done,
+        "shown": person.shown,
+        "gaps_s": beats.gaps_s,
+        "long_gaps": beats.long,
+        **_reactions(watch),
+    }
+    window.close()
+    (folder / "seen.json").write_text(json.dumps(seen))
+
+
+def _reactions(watch: Watch) -> dict[str, Any]:
+    acting = watch.modes["ENTERING"] + watch.modes["FOLLOWING"]
+    return {
+        "share_with_force": acting / max(1, sum(watch.modes.values())),
+        "ticks_lost": watch.lost,
+        "reactions": [{**asdict(r), "cause": r.cause.name} for r in watch.reactions],
+        "reactions_by": Counter(
+            f"{'TRIP' if r.is_trip else 'RAMP'} {r.cause.name} by {r.by or 'nothing'}"
+            for r in watch.reactions
+        ),
+    }
+
+
+if __name__ == "__main__":
+    _use_the_window(json.loads(sys.argv[1]))
