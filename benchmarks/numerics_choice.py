@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from recordings import TruthRecording
 
 from hapticplayer.model import ImuLog, Sampling
-from hapticplayer.motion.smoother import block, stages, travel
+from hapticplayer.motion.smoother import block, travel
 from hapticplayer.motion.smoother.travel import Travel
 
 Floats = NDArray[np.float64]
@@ -48,18 +48,18 @@ class Choice:
 def recorded() -> Iterator[Choice]:
     """Note what the last solution of a recording was found with."""
     choice = Choice(np.zeros(1), np.ones(1))
-    linearised, travel_of = stages.linearised, travel.travel_of
+    linearised, travel_of = block.linearised, travel.travel_of
 
-    def noted(nodes: Any, vertical: Floats, known: Any, p: Any) -> Any:
+    def noted(nodes: Any, *more: Any) -> Any:
         choice.time_s = np.append(0.0, np.cumsum(nodes.duration_s))
-        choice.bound_mps = known.bound_mps
-        return linearised(nodes, vertical, known, p)
+        choice.bound_mps = more[2].bound_mps
+        return linearised(nodes, *more)
 
     def told(*arguments: Any) -> Travel:
         choice.travel = travel_of(*arguments)
         return choice.travel
 
-    last = mock.patch.object(stages, "linearised", noted)
+    last = mock.patch.object(block, "linearised", noted)
     with last, mock.patch.object(travel, "travel_of", told):
         yield choice
 

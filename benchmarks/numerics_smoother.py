@@ -17,7 +17,7 @@ from scipy.sparse.linalg import LinearOperator, eigsh
 from hapticplayer.model import STANDARD_GRAVITY_MPS2, ImuLog
 from hapticplayer.motion import SmootherParameters, remove_gravity
 from hapticplayer.motion import rotations as rot
-from hapticplayer.motion.smoother import stages
+from hapticplayer.motion.smoother import block
 from hapticplayer.motion.smoother.calibrated import (
     Problem,
     horizontal_band,
@@ -38,7 +38,7 @@ def collected() -> Iterator[list[Problem]]:
         held.append(problem)
         return minimise(problem)
 
-    with mock.patch.object(stages, "minimise", minimised):
+    with mock.patch.object(block, "minimise", minimised):
         yield held
 
 

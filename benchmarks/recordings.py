@@ -90,7 +90,8 @@ def load_orientation(folder: Path, averaged: bool) -> list[TruthRecording]:
     paths = sorted((folder / ("averaged_30hz" if averaged else "native")).glob("*.npz"))
     if not paths:
         raise FileNotFoundError(f"no recordings in {folder}")
-    return [read(path) for path in paths]
+    known = tuple(_TRUTH_LATER_SAMPLES)
+    return [read(path) for path in paths if path.name.startswith(known)]
 
 
 def _native(path: Path) -> TruthRecording:

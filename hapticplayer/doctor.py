@@ -34,7 +34,6 @@ PYTHON_PACKAGES = {
     "av": "av",
     "hid": "hidapi",
     "matplotlib": "matplotlib",
-    "numba": "numba",
     "numpy": "numpy",
     "pyqtgraph": "pyqtgraph",
     "scipy": "scipy",

@@ -68,7 +68,6 @@ ERRORS_ONLY = (  # their other texts are a document, or the window has its own f
     "devices/falcon/firmware/store.py",
     "devices/falcon/homing.py",
     "devices/falcon/setting_up.py",
-    "sequence/motion_cache.py",
 )
 NOT_FOR_PEOPLE = {  # calls whose texts are patterns, options, events or steps of work
     "add_argument",

@@ -161,10 +161,6 @@ environment() {
     die "the Python packages could not be installed; is the package index of pip within reach?"
   pip_install --no-build-isolation --editable "$root" ||
     die "the program itself could not be installed"
-  # So that the first recording does not wait for the compiler; without it numpy does.
-  "$venv/bin/python3" -I -c \
-    'from hapticplayer.motion.smoother.compiled import fast; fast()' >/dev/null 2>&1 ||
-    say "the inner loops could not be compiled; gravity removal will be slower"
 }
 
 # What ./test needs holds all that ./run needs.

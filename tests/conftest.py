@@ -12,7 +12,6 @@ from hapticplayer.model import STANDARD_GRAVITY_MPS2, ImuLog
 from hapticplayer.model import quaternions as quat
 
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
-os.environ["HAPTICPLAYER_CACHE"] = "off"  # no test shall depend on an earlier run
 # a run in the background ignores Ctrl-C, and so would every program that a test starts
 signal.signal(signal.SIGINT, signal.default_int_handler)
 

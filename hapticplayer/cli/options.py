@@ -321,9 +321,8 @@ def _add_processing(command: argparse.ArgumentParser) -> None:
     )
     group.add_argument(
         "--no-cache",
-        dest="cache",
-        action="store_false",
-        help="neither use nor keep results of gravity removal",
+        action="store_true",
+        help="without effect: results are no longer cached (kept for scripts)",
     )
 
 

@@ -21,7 +21,6 @@ from hapticplayer.console.speech import interruptible, say, shown_progress
 from hapticplayer.errors import UsageError
 from hapticplayer.model import ClockMap
 from hapticplayer.sequence import files
-from hapticplayer.sequence.motion_cache import user_cache
 from hapticplayer.sequence.notes import notes_on_motion
 from hapticplayer.sequence.processing import Processed, Processing, process_motion
 from hapticplayer.sequence.quality import compare_methods, describe_quality
@@ -48,8 +47,7 @@ def process(options: argparse.Namespace, draw: Draw) -> int:
             Path(options.recording), chosen_log(options), chosen_mounting(options)
         )
         progress(0.3, f"removing gravity: {processing.method}")
-        cache = user_cache(wanted=options.cache)
-        processed = process_motion(recording.imu, processing, cache)
+        processed = process_motion(recording.imu, processing)
         report = describe_quality(recording, processed)
         report["notes"] = notes_on_motion(processed.imu, processed.summary)
         if options.compare:

@@ -68,7 +68,6 @@ def chosen_import(options: argparse.Namespace) -> Choices:
         mapping=mapping,
         processing=chosen_processing(options),
         seed=options.seed,
-        use_cache=options.cache,
         log=chosen_log(options),
         sync=chosen_sync(options),
         mounting=chosen_mounting(options),

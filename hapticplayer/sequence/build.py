@@ -27,7 +27,6 @@ from hapticplayer.model import (
 from hapticplayer.sequence import files, store
 from hapticplayer.sequence.editing import describe_track
 from hapticplayer.sequence.excursion import excursion_texts, predict
-from hapticplayer.sequence.motion_cache import user_cache
 from hapticplayer.sequence.notes import notes_on_motion, notes_on_sequence
 from hapticplayer.sequence.processing import Processed, Processing, process_motion
 from hapticplayer.sequence.synchronizing import SyncChoices, synchronized
@@ -44,7 +43,6 @@ class Choices:
         mapping: axes, gain and limit.
         processing: what is done to the motion before it becomes a force.
         seed: of the random feedback; None derives it from the clip's content.
-        use_cache: whether a known result of gravity removal may be taken and kept.
         log: what was decided about a log that does not explain itself.
         sync: how the log's clock is laid to the clip.
         mounting: right, front and up of the actor in the recorder's axes; "" where
@@ -55,7 +53,6 @@ class Choices:
     mapping: Mapping = dataclasses.field(default_factory=Mapping)
     processing: Processing = dataclasses.field(default_factory=Processing)
     seed: int | None = None
-    use_cache: bool = True
     log: LogChoices | None = None
     sync: SyncChoices = dataclasses.field(default_factory=SyncChoices)
     mounting: str = ""
@@ -139,8 +136,7 @@ def write_sequence(
     """
     choices = choices or Choices()
     progress(0.05, "removing gravity")
-    cache = user_cache(wanted=choices.use_cache)
-    processed = process_motion(recording.imu, choices.processing, cache)
+    processed = process_motion(recording.imu, choices.processing)
     track = _mapped(processed.track, recording)
     _check_overlap(track, clip)
     with files.written_aside(target) as folder:

@@ -1,16 +1,18 @@
 """What is done to a recording's motion: conditioning, gravity removal, low-pass.
 
 The order is the one that loses least: spikes, clipping, averaging, gravity, low-pass.
-`motion` is imported only where it is needed: a cached result needs none of scipy.
+`motion` is imported only where it is needed: it brings scipy.
 """
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from hapticplayer.errors import UsageError
 from hapticplayer.model import ImuLog, MotionTrack
-from hapticplayer.sequence.motion_cache import MotionCache, plain
 
 if TYPE_CHECKING:
     from hapticplayer.motion import SmootherParameters
@@ -68,36 +70,33 @@ class Processed:
         track: the gravity-free motion at the log's times.
         summary: what gravity removal found; plain numbers, lists and texts.
         conditioning: what else was done, in order, in words.
-        is_cached: whether the result was known already.
     """
 
     imu: ImuLog
     track: MotionTrack
     summary: Mapping[str, Any]
     conditioning: tuple[str, ...]
-    is_cached: bool = False
 
 
-def process_motion(
-    imu: ImuLog, processing: Processing, cache: MotionCache | None = None
-) -> Processed:
+def process_motion(imu: ImuLog, processing: Processing) -> Processed:
     """Condition a log and remove gravity from it.
 
     Args:
         imu: as it was recorded.
         processing: what was chosen.
-        cache: of earlier results; None for none.
 
     Raises:
         UsageError: for a method that does not exist.
         InputError: when the log is too short, or a rate or cutoff does not fit it.
     """
     imu, steps = _conditioned(imu, processing)
-    track, summary, is_cached = _without_gravity(imu, processing, cache)
-    track = lowpassed(track, processing)
+    from hapticplayer import motion
+
+    done = motion.analyse(imu, processing.method, parameters=processing.parameters)
+    track = lowpassed(done.track, processing)
     if processing.lowpass_hz is not None:
         steps.append(f"motion low-passed at {processing.lowpass_hz:g} Hz, zero phase")
-    return Processed(imu, track, summary, tuple(steps), is_cached)
+    return Processed(imu, track, plain(done.summary), tuple(steps))
 
 
 def lowpassed(track: MotionTrack, processing: Processing) -> MotionTrack:
@@ -130,18 +129,18 @@ def _conditioned(imu: ImuLog, processing: Processing) -> tuple[ImuLog, list[str]
     return imu, steps
 
 
-def _without_gravity(
-    imu: ImuLog, processing: Processing, cache: MotionCache | None
-) -> tuple[MotionTrack, dict[str, Any], bool]:
-    method, parameters = processing.method, processing.parameters
-    key = cache.key(imu, method, parameters) if cache else ""
-    known = cache.load(key, imu) if cache else None
-    if known is not None:
-        return *known, True
-    from hapticplayer import motion
+def plain(values: Mapping[str, Any]) -> dict[str, Any]:
+    """Return a summary as JSON holds it; a number that is not finite becomes None."""
+    return {str(name): _plain(held) for name, held in values.items()}
 
-    done = motion.analyse(imu, method, parameters=parameters)
-    summary = plain(done.summary)
-    if cache:
-        cache.store(key, done.track, summary)
-    return done.track, summary, False
+
+def _plain(value: Any) -> Any:
+    if isinstance(value, Mapping):
+        return plain(value)
+    if isinstance(value, list | tuple | np.ndarray):
+        return [_plain(held) for held in value]
+    if isinstance(value, np.generic):
+        value = value.item()
+    if isinstance(value, float) and not math.isfinite(value):
+        return None
+    return value if isinstance(value, bool | int | float | None) else str(value)

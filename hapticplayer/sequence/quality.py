@@ -14,12 +14,12 @@ from hapticplayer.clock import Clock
 from hapticplayer.model import ImuLog, MotionTrack
 from hapticplayer.sequence import files
 from hapticplayer.sequence.excursion import predict
-from hapticplayer.sequence.motion_cache import plain
 from hapticplayer.sequence.processing import (
     DEFAULT_METHOD,
     Processed,
     Processing,
     lowpassed,
+    plain,
 )
 
 # A method is timed again while that is quick; the first run also loads what it needs.
@@ -78,7 +78,7 @@ def describe_quality(
             "gravity_removal": processed.summary,
             "motion": describe_motion(processed.track),
             "excursion": _predicted(processed.track, progress),
-            "from_cache": processed.is_cached,
+            "from_cache": False,  # of earlier versions, for programs that read it
         }
     )
 
@@ -111,7 +111,7 @@ def describe_motion(track: MotionTrack) -> dict[str, Any]:
 def compare_methods(
     imu: ImuLog, processing: Processing, clock: Clock
 ) -> Iterator[MethodRow]:
-    """Yield a row for each method, the default's first; nothing comes from a cache.
+    """Yield a row for each method, the default's first.
 
     Args:
         imu: conditioned as for `processing`, see `Processed`.

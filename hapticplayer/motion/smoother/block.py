@@ -20,7 +20,7 @@ from hapticplayer.motion.medians import median
 from hapticplayer.motion.rotations import Pair
 from hapticplayer.motion.smoother import nodes as nd
 from hapticplayer.motion.smoother import rest as at_rest
-from hapticplayer.motion.smoother import stages, standing, travel
+from hapticplayer.motion.smoother import standing, strapdown, travel
 from hapticplayer.motion.smoother.calibrated import (
     BIASES_ONLY,
     CALIBRATION,
@@ -32,8 +32,9 @@ from hapticplayer.motion.smoother.calibrated import (
     Solution,
     again,
     covariance,
+    minimise,
 )
-from hapticplayer.motion.smoother.linearise import Knowledge, velocity_bound
+from hapticplayer.motion.smoother.linearise import Knowledge, linearised, velocity_bound
 from hapticplayer.motion.smoother.parameters import SmootherParameters
 from hapticplayer.motion.smoother.rest import Rest
 from hapticplayer.motion.smoother.strapdown import Samples
@@ -135,7 +136,9 @@ def smooth(
         return _smoothed(samples, rest, p, with_sigma=with_sigma)
     still = standing.in_parts(rest, parts, count)
     few = replace(p, node_samples=1, node_s=_WIDER * p.node_s)
-    done = _smoothed(stages.coarse(samples, parts), still, few, with_sigma=with_sigma)
+    done = _smoothed(
+        strapdown.coarse(samples, parts), still, few, with_sigma=with_sigma
+    )
     place = (parts, count)
     averaged = samples.averaged
     sigma = done.sigma_rad[:, None]
@@ -189,7 +192,7 @@ class _Block:
         if self._fine:
             self._open(samples, self._per_window)
         else:
-            self._coarse = stages.coarse(samples, 2 * self._per_window)
+            self._coarse = strapdown.coarse(samples, 2 * self._per_window)
             self._open(self._coarse, 1)
         nodes = self._nodes
         usual_radps = median(nodes.turned_rad / nodes.duration_s)
@@ -279,7 +282,7 @@ class _Block:
         self._problem = replace(
             problem, prior=found, prior_weight=np.full(len(found), _CERTAIN)
         )
-        self._solution = stages.minimise(self._problem)
+        self._solution = minimise(self._problem)
 
     def result(self, *, with_sigma: bool) -> Smoothed:
         """Return the orientation at each sample, and how certain it is."""
@@ -290,14 +293,7 @@ class _Block:
         total[: self._solved_columns] += solution.calibration[: self._solved_columns]
         constant_s = self._p.time_constant_of_s(self._bound)
         per_node = self._per_window * self._per_node
-        quaternion, vertical = stages.at_samples(
-            settled,
-            self._frames,
-            (self._windows, self._nodes),
-            self._samples,
-            total[GYRO_BIAS],
-            self._p.rate_noise_rad_per_sqrt_s,
-        )
+        quaternion, vertical = self._at_samples(settled, total[GYRO_BIAS])
         return Smoothed(
             quaternion_wxyz=quaternion,
             vertical=vertical,
@@ -317,6 +313,16 @@ class _Block:
                 driven=self._travel.driven,
             ),
         )
+
+    def _at_samples(
+        self, tilt: Floats, gyro_bias_radps: Floats
+    ) -> tuple[Floats, Floats]:
+        """Return orientation (n, 4) and vertical (n, 3) for a tilt at the nodes."""
+        windows, nodes = self._windows, self._nodes
+        share = nd.shares(windows, nodes, self._p.rate_noise_rad_per_sqrt_s)
+        level = nd.levelled(tilt, self._frames)
+        start = rot.unit(rot.multiply(nd.between(level, share, windows), nodes.start))
+        return strapdown.spread(start, windows, self._samples, gyro_bias_radps)
 
     def _sigma(self, gyro_bias_radps: Floats, settled: Floats) -> Floats:
         """Return the standard deviation of the tilt at each sample, rad."""
@@ -347,13 +353,10 @@ class _Block:
         """Integrate with the calibration so far."""
         matrix = self._calibration[GYRO_MATRIX].reshape(3, 3)
         bias = self._calibration[GYRO_BIAS]
-        self._windows, self._nodes = stages.opened(
-            samples,
-            (per_window, self._per_node),
-            (bias, matrix),
-            with_scale=self._fine,
-            shortcuts=self._p.shortcuts,
+        self._windows = strapdown.integrate(
+            samples, per_window, bias, matrix, shortcuts=self._p.shortcuts
         )
+        self._nodes = nd.gather(self._windows, self._per_node, with_scale=self._fine)
         per_node = self._per_window * self._per_node * (1 if self._fine else 2)
         count = len(self._nodes.duration_s)
         self._resting = np.zeros(count, dtype=np.bool_)
@@ -368,16 +371,16 @@ class _Block:
         self._calibration[: len(change)] += change
         # of the accelerometer everything is solved for in full each time
         self._calibration[FORCE_BIAS] = self._calibration[FORCE_SCALE] = 0.0
-        sensor = stages.rotated(self._nodes.at, vertical, inverse=True)
+        sensor = rot.rotate(rot.inverse(self._nodes.at), vertical)
         is_same, self._fine = self._fine == fine, fine
         self._open(*((self._samples, self._per_window) if fine else (self._coarse, 1)))
         at = self._nodes.at
         if is_same:
-            return stages.rotated(at, sensor)
+            return rot.rotate(at, sensor)
         last = len(at[0]) - 1
         shared = 2 * np.arange(sensor.shape[1])
         shared[-1] = last
-        known = stages.rotated((at[0][shared], at[1][shared]), sensor)
+        known = rot.rotate((at[0][shared], at[1][shared]), sensor)
         self._bound = nd.finer(self._bound, last + 1)
         vertical = nd.finer(known, last + 1)
         vertical /= np.sqrt(rot.squared_norm(vertical))
@@ -386,11 +389,11 @@ class _Block:
     def _vertical(self) -> Floats:
         """Return the vertical of the last solution in frame I, (3, K + 1)."""
         up = nd.up(self._solution.tilt)
-        return stages.rotated(self._frames, up, inverse=True)
+        return rot.rotate(rot.inverse(self._frames), up)
 
     def _solve(self, vertical: Floats, columns: int) -> None:
         self._problem = self._linearised(vertical, columns)
-        self._solution = stages.minimise(self._problem)
+        self._solution = minimise(self._problem)
         self._solved_columns = columns
         self._solved_s = self._nodes.duration_s
         self._solutions += 1
@@ -404,8 +407,8 @@ class _Block:
             self._may_travel,
             self._travel.expected_mps,
         )
-        self._frames, problem = stages.linearised(self._nodes, vertical, known, self._p)
-        return problem
+        self._frames = nd.level_frames(vertical)
+        return linearised(self._nodes, vertical, self._frames, known, self._p)
 
     def _columns(self) -> int:
         """Return how much of the calibration is worth solving for.

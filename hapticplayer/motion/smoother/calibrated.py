@@ -17,6 +17,7 @@ import functools
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy.linalg import lapack
 
 from hapticplayer.errors import InputError
@@ -240,6 +241,15 @@ def horizontal_band(problem: Problem) -> Floats:
     v[2, :-1] = -wv - problem.rest_weight  # (v[k+1], v[k])
     s[3, :-1] = slope  # (v[k+1], s[k])
     return band
+
+
+def tilt_variances(problem: Problem, chosen: NDArray[np.intp]) -> Floats:
+    """Return the variance of one tilt at some nodes, for a known calibration."""
+    right = np.zeros((len(chosen), 2 * len(problem.bound_weight)))
+    rows = np.arange(len(chosen))
+    right[rows, 2 * chosen] = 1.0
+    solve_band(horizontal_band(problem), right)
+    return np.asarray(right[rows, 2 * chosen])
 
 
 def _vertical_normal(problem: Problem) -> Floats:

@@ -8,7 +8,6 @@ from hapticplayer.model import STANDARD_GRAVITY_MPS2
 from hapticplayer.model.arrays import Floats
 from hapticplayer.motion import rotations as rot
 from hapticplayer.motion.rotations import Pair
-from hapticplayer.motion.smoother import compiled
 from hapticplayer.motion.smoother.calibrated import (
     BIASES_ONLY,
     CALIBRATION,
@@ -134,9 +133,6 @@ def mean_square(vectors: Floats, duration_s: Floats, half_width_s: float) -> Flo
     Returns:
         (K + 1,).
     """
-    fast = compiled.fast()
-    if fast is not None:
-        return np.asarray(fast.mean_square(vectors, duration_s, half_width_s))
     weight, values = around(duration_s), rot.squared_norm(vectors)
     time_s = np.concatenate([[0.0], np.cumsum(duration_s)])
     total = np.concatenate([[0.0], np.cumsum(values * weight)])

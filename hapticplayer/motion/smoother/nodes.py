@@ -7,7 +7,7 @@ import numpy as np
 from hapticplayer.model.arrays import Floats
 from hapticplayer.motion import rotations as rot
 from hapticplayer.motion.rotations import Pair
-from hapticplayer.motion.smoother.strapdown import AnyWindows, Windows
+from hapticplayer.motion.smoother.strapdown import Windows
 
 # A window that turns further needs the exact mean of its orientations.
 _SLOW_RAD2 = 1.0
@@ -18,8 +18,8 @@ _NOWHERE_MPS = 1e-6
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class AnyNodes:
-    """What is known of nodes however they are kept, in the almost inertial frame I.
+class Nodes:
+    """What happens between neighbouring nodes, in the almost inertial frame I.
 
     Frame I is the one in which the open-loop strapdown integration of the block
     starts: it stands still but for the gyro's errors.
@@ -32,6 +32,12 @@ class AnyNodes:
         turned_rad: (K,) the angles of the windows, summed.
         lost_s: (K,) time without any knowledge of the rotation.
         doubt_s: (K,) time without trust in the specific force.
+        start: orientation of each window's start in frame I, (windows,).
+        bias_turn_s: (3, 3, K) rotation of frame I per unit of gyro bias; the same
+            matrix takes an accelerometer bias to an impulse.
+        scale_turn_rad: (3, 9, K) rotation per unit of each element of the gyro's
+            error matrix (row by row).
+        power_m2ps3: (K,) of the specific force about its mean in frame I.
     """
 
     per_node: int
@@ -41,21 +47,6 @@ class AnyNodes:
     turned_rad: Floats
     lost_s: Floats
     doubt_s: Floats
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Nodes(AnyNodes):
-    """What happens between neighbouring nodes, in frame I.
-
-    Attributes:
-        start: orientation of each window's start in frame I, (windows,).
-        bias_turn_s: (3, 3, K) rotation of frame I per unit of gyro bias; the same
-            matrix takes an accelerometer bias to an impulse.
-        scale_turn_rad: (3, 9, K) rotation per unit of each element of the gyro's
-            error matrix (row by row).
-        power_m2ps3: (K,) of the specific force about its mean in frame I.
-    """
-
     start: Pair
     bias_turn_s: Floats
     scale_turn_rad: Floats
@@ -119,7 +110,7 @@ def _at_nodes(ends: Pair, per_node: int) -> Pair:
     return found[0], found[1]
 
 
-def rough_vertical(nodes: AnyNodes, half_width_s: float) -> Floats:
+def rough_vertical(nodes: Nodes, half_width_s: float) -> Floats:
     """Return unit verticals in frame I at the nodes (3, K + 1).
 
     The direction of the mean specific force over some seconds around each node.
@@ -188,9 +179,7 @@ def finer(values: Floats, count: int) -> Floats:
     return out
 
 
-def shares(
-    windows: AnyWindows, nodes: AnyNodes, rate_noise_rad_per_sqrt_s: float
-) -> Floats:
+def shares(windows: Windows, nodes: Nodes, rate_noise_rad_per_sqrt_s: float) -> Floats:
     """Return how far each window's start is from node to node, (1 or K, per node).
 
     Not by time but by variance: a jump belongs into the hole that hid it.

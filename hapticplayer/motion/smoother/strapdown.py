@@ -15,11 +15,6 @@ from hapticplayer.model.arrays import Floats
 from hapticplayer.motion import rotations as rot
 from hapticplayer.motion.rotations import SMALL_SQUARED_RAD2, Complexes, Pair
 
-# The C library hands freed memory back and takes it anew for each array of some
-# hundred kilobytes, which costs a fifth of the run time, until it has once seen a
-# larger one come and go. It is never touched, so that no memory is used.
-np.empty(31 << 20, np.uint8)
-
 # What is taken off the gyro: bias (3,) rad/s and matrix (3, 3).
 Correction = tuple[Floats, Floats]
 
@@ -80,23 +75,12 @@ class Samples:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class AnyWindows:
-    """What is known of windows however they are kept.
+class Windows:
+    """What the sensor did in each window, in its own frame at the window's start.
 
     Attributes:
         duration_s: (n,).
         lost_s: (n,) sum of the samples'.
-    """
-
-    duration_s: Floats
-    lost_s: Floats
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Windows(AnyWindows):
-    """What the sensor did in each window, in its own frame at the window's start.
-
-    Attributes:
         rotation: from the end of the window to its start, (n,).
         impulse_mps: (3, n) the integral of the specific force.
         turn_rad: (3, n) the integral of the angular rate.
@@ -105,6 +89,8 @@ class Windows(AnyWindows):
         inside: orientation of each sample relative to the start, (per window, n).
     """
 
+    duration_s: Floats
+    lost_s: Floats
     rotation: Pair
     impulse_mps: Floats
     turn_rad: Floats

@@ -36,7 +36,7 @@ from numpy.typing import NDArray
 from hapticplayer.model.arrays import Floats
 from hapticplayer.motion import rotations as rot
 from hapticplayer.motion.rotations import Pair
-from hapticplayer.motion.smoother.nodes import AnyNodes, Nodes
+from hapticplayer.motion.smoother.nodes import Nodes
 
 # Standard deviation of each component of u, for what is fast enough to have one, and
 # for what just begins to be.
@@ -137,7 +137,7 @@ def travel_of(velocity_mps: Floats, turn_radps: float) -> Travel:
     return Travel(going, ridden, driven, steered)
 
 
-def undisturbed(nodes: AnyNodes) -> NDArray[np.bool_]:
+def undisturbed(nodes: Nodes) -> NDArray[np.bool_]:
     """Return which nodes are far from any hole, (K + 1,); all where hardly any is.
 
     A hole is bridged by a velocity that nothing moved with.

@@ -25,11 +25,12 @@ from hapticplayer.motion.smoother.calibrated import (
     FORCE_BIAS,
     Problem,
     Solution,
+    minimise,
     tighter,
+    tilt_variances,
 )
 from hapticplayer.motion.smoother.linearise import mean_square
 from hapticplayer.motion.smoother.parameters import SmootherParameters
-from hapticplayer.motion.smoother.stages import minimise, tilt_variances
 
 # The model's variance is found exactly at nodes this far apart.
 _EVERY_S = 20.0

@@ -7,7 +7,6 @@ import pytest
 from scipy.linalg import cholesky_banded
 
 from hapticplayer.model import STANDARD_GRAVITY_MPS2 as G
-from hapticplayer.motion.smoother import compiled, stages
 from hapticplayer.motion.smoother.calibrated import (
     Problem,
     Solution,
@@ -153,18 +152,15 @@ def test_the_tilt_per_calibration_matches_the_dense_solution(rng):
         assert_same(got[:, number], np.stack([moved_x, moved_y]), 1e-6)
 
 
-@pytest.mark.parametrize("state", ["on", "off"])
-def test_columns_that_nothing_is_expected_of_wait(state, rng, monkeypatch):
+def test_columns_that_nothing_is_expected_of_wait(rng):
     """They take no part until something is; then nothing is solved once more."""
-    monkeypatch.setenv(compiled.SWITCH, state)
-    compiled.fast.cache_clear()
     problem = random_problem(rng, 25, 10)
     of_fewer = {
         "prior": problem.prior[:7],
         "prior_weight": problem.prior_weight[:7],
     }
     fewer = dataclasses.replace(problem, rows=problem.rows[..., :8], **of_fewer)
-    first = stages.minimise(dataclasses.replace(problem, **of_fewer))
+    first = minimise(dataclasses.replace(problem, **of_fewer))
     for got, wanted in (
         (first, fewer),
         (again(first, problem.prior, problem.prior_weight), problem),
@@ -177,8 +173,6 @@ def test_columns_that_nothing_is_expected_of_wait(state, rng, monkeypatch):
         count = len(calibration)
         assert_same(got.covariance, dense.covariance()[-count:, -count:])
         assert got.tilt_per_calibration.shape == (2, count, 26)
-    monkeypatch.undo()
-    compiled.fast.cache_clear()
 
 
 def test_nothing_but_the_prior_is_known_of_what_has_no_influence(rng):

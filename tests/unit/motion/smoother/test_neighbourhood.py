@@ -1,36 +1,25 @@
-"""Sums over what is near a node, compiled and in numpy, against loops over all nodes."""
+"""Sums over what is near a node against loops over all nodes."""
 
 import numpy as np
 import pytest
 
-from hapticplayer.motion.smoother import compiled, linearise, stages
-from hapticplayer.motion.smoother.nodes import rough_vertical
+from hapticplayer.motion import rotations as rot
+from hapticplayer.motion.smoother import linearise, strapdown
+from hapticplayer.motion.smoother.nodes import gather, rough_vertical
 from tests.unit.motion.smoother.conftest import samples_of
 
 HALF_WIDTH_S = 2.0
 
 
-@pytest.fixture(params=["on", "off"])
-def _way(request, monkeypatch):
-    monkeypatch.setenv(compiled.SWITCH, request.param)
-    compiled.fast.cache_clear()
-    yield
-    monkeypatch.undo()
-    compiled.fast.cache_clear()
-
-
 def rough(force_mps2, step_s):
     """Return the rough verticals of a sensor that does not turn, and its nodes' times."""
     samples = samples_of(step_s, force_mps2, np.zeros_like(force_mps2), averaged=False)
-    correction = np.zeros(3), np.zeros((3, 3))
-    _, nodes = stages.opened(
-        samples, (4, 5), correction, with_scale=False, shortcuts=False
-    )
+    windows = strapdown.integrate(samples, 4, np.zeros(3), np.zeros((3, 3)))
+    nodes = gather(windows, 5, with_scale=False)
     time_s = np.append(0.0, np.cumsum(nodes.duration_s))
     return rough_vertical(nodes, HALF_WIDTH_S), time_s
 
 
-@pytest.mark.usefixtures("_way")
 @pytest.mark.parametrize("count", [7, 20, 213, 400])
 def test_the_rough_vertical_is_that_of_the_mean_force_around(count, rng):
     step_s = rng.uniform(0.01, 0.09, count)
@@ -50,7 +39,6 @@ def test_the_rough_vertical_is_that_of_the_mean_force_around(count, rng):
         assert vertical == pytest.approx(total / np.linalg.norm(total), abs=1e-12)
 
 
-@pytest.mark.usefixtures("_way")
 def test_without_specific_force_the_vertical_is_the_neighbours():
     force = np.zeros((600, 3))
     force[200:220] = 0.0, 0.0, 9.0
@@ -61,13 +49,11 @@ def test_without_specific_force_the_vertical_is_the_neighbours():
     assert found == pytest.approx(expected, abs=1e-12)
 
 
-@pytest.mark.usefixtures("_way")
 def test_where_nothing_pulls_at_all_up_is_z():
     found, _ = rough(np.zeros((100, 3)), np.full(100, 0.04))
     assert np.array_equal(found, np.tile([[0.0], [0.0], [1.0]], found.shape[1]))
 
 
-@pytest.mark.usefixtures("_way")
 @pytest.mark.parametrize("intervals", [1, 2, 50])
 def test_a_mean_square_counts_each_node_by_the_time_around_it(intervals, rng):
     duration_s = rng.uniform(0.2, 1.2, intervals)
@@ -82,7 +68,6 @@ def test_a_mean_square_counts_each_node_by_the_time_around_it(intervals, rng):
         assert mean == pytest.approx(np.average(squared[near], weights=width_s[near]))
 
 
-@pytest.mark.usefixtures("_way")
 @pytest.mark.parametrize("inverse", [False, True])
 def test_vectors_are_turned_whatever_their_strides(inverse, rng):
     q = rng.standard_normal((30, 4))
@@ -99,5 +84,5 @@ def test_vectors_are_turned_whatever_their_strides(inverse, rng):
     expected = np.einsum("jin,nj->in" if inverse else "ijn,nj->in", matrices, vectors)
     rotation = w + 1j * x, y + 1j * z
     for given in (vectors.T, np.ascontiguousarray(vectors.T)):
-        found = stages.rotated(rotation, given, inverse=inverse)
+        found = rot.rotate(rot.inverse(rotation) if inverse else rotation, given)
         assert found == pytest.approx(expected, abs=1e-12)

@@ -10,7 +10,7 @@ from scipy.spatial.transform import Rotation
 
 from hapticplayer.model import ImuLog, Sampling
 from hapticplayer.motion import SmootherParameters, analyse, remove_gravity
-from hapticplayer.motion.smoother import nodes, stages
+from hapticplayer.motion.smoother import block, nodes, strapdown
 from tests.unit.motion.smoother.conftest import WOBBLE, rms
 
 RATE_HZ = 100.0
@@ -288,7 +288,7 @@ def test_a_logger_that_stamps_packets_takes_no_more_memory(packet, hole_s, rng):
 
 def test_work_grows_with_the_length_and_no_faster(monkeypatch):
     touched = {"samples": 0, "nodes": 0}
-    opened, minimise = stages.opened, stages.minimise
+    opened, minimise = strapdown.integrate, block.minimise
 
     def counting_opened(samples, *more, **named):
         touched["samples"] += len(samples)
@@ -298,8 +298,8 @@ def test_work_grows_with_the_length_and_no_faster(monkeypatch):
         touched["nodes"] += len(problem.duration_s)
         return minimise(problem)
 
-    monkeypatch.setattr(stages, "opened", counting_opened)
-    monkeypatch.setattr(stages, "minimise", counting_minimise)
+    monkeypatch.setattr(strapdown, "integrate", counting_opened)
+    monkeypatch.setattr(block, "minimise", counting_minimise)
     shares = []
     for seconds in (1000, 3000):
         touched.update(samples=0, nodes=0)

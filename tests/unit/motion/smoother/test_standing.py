@@ -9,7 +9,7 @@ from scipy.spatial.transform import Rotation
 from hapticplayer.model import STANDARD_GRAVITY_MPS2 as G
 from hapticplayer.model import ImuLog, Sampling
 from hapticplayer.motion import SmootherParameters, analyse, remove_gravity
-from hapticplayer.motion.smoother import stages, standing
+from hapticplayer.motion.smoother import block, standing, strapdown
 from hapticplayer.motion.smoother.rest import Rest
 from tests.unit.motion.smoother.conftest import assert_sound, rms
 
@@ -31,14 +31,14 @@ def on_a_tripod(rng, rate_hz=200.0, seconds=60.0, **more) -> ImuLog:
 def work(log: ImuLog, monkeypatch, parameters=None) -> int:
     """Return how many samples are integrated."""
     touched = []
-    opened = stages.opened
+    opened = strapdown.integrate
 
     def counting(samples, *more, **named):
         touched.append(len(samples))
         return opened(samples, *more, **named)
 
     with monkeypatch.context() as patch:
-        patch.setattr(stages, "opened", counting)
+        patch.setattr(strapdown, "integrate", counting)
         remove_gravity(log, parameters=parameters)
     return sum(touched)
 
@@ -75,11 +75,11 @@ def test_its_nodes_are_twice_as_far_apart(rng, monkeypatch):
             return linearised(nodes, *more)
 
         with monkeypatch.context() as patch:
-            patch.setattr(stages, "linearised", noted)
+            patch.setattr(block, "linearised", noted)
             remove_gravity(log, parameters=parameters)
         return counted[-1]
 
-    log, linearised = on_a_tripod(rng), stages.linearised
+    log, linearised = on_a_tripod(rng), block.linearised
     assert nodes(None) == pytest.approx(0.5 * nodes(FULL), rel=0.05)
 
 

@@ -9,7 +9,7 @@ from scipy.spatial.transform import Rotation
 from hapticplayer.model import STANDARD_GRAVITY_MPS2 as G
 from hapticplayer.model import ImuLog
 from hapticplayer.motion import analyse, remove_gravity
-from hapticplayer.motion.smoother import stages, travel
+from hapticplayer.motion.smoother import block, travel
 from hapticplayer.motion.smoother.calibrated import minimise
 from hapticplayer.motion.smoother.nodes import gather, level_frames
 from hapticplayer.motion.smoother.parameters import SmootherParameters
@@ -71,14 +71,14 @@ def test_what_lasts_as_long_as_a_bend_is_not_levelled_away(rng, monkeypatch):
 def test_the_velocity_found_is_that_of_the_car(rng, monkeypatch):
     found = []
 
-    def noted(nodes, vertical, known, p):
-        frames, problem = linearised(nodes, vertical, known, p)
+    def noted(nodes, vertical, frames, known, p):
+        problem = linearised(nodes, vertical, frames, known, p)
         if known.travel_sigma_mps:
             found.append(minimise(problem).calibration[-3:])
-        return frames, problem
+        return problem
 
-    linearised = stages.linearised
-    monkeypatch.setattr(stages, "linearised", noted)
+    linearised = block.linearised
+    monkeypatch.setattr(block, "linearised", noted)
     remove_gravity(in_a_car(rng))
     assert found[-1] == pytest.approx([0.0, SPEED_MPS, 0.0], abs=0.5)
 
@@ -182,13 +182,13 @@ def last_assumed(log, monkeypatch):
     """Return the bound and the sigma of u of the last solution."""
     used = []
 
-    def noted(nodes, vertical, known, p):
+    def noted(nodes, vertical, frames, known, p):
         used.append((known.bound_mps, known.travel_sigma_mps))
-        return linearised(nodes, vertical, known, p)
+        return linearised(nodes, vertical, frames, known, p)
 
-    linearised = stages.linearised
+    linearised = block.linearised
     with monkeypatch.context() as patch:
-        patch.setattr(stages, "linearised", noted)
+        patch.setattr(block, "linearised", noted)
         remove_gravity(log)
     return used[-1]
 
@@ -250,12 +250,12 @@ def test_without_turns_no_heading_is_looked_for(monkeypatch):
     """A train that goes straight has none; its vibration does not make one."""
     solved = []
 
-    def noted(nodes, vertical, known, p):
+    def noted(nodes, vertical, frames, known, p):
         solved.append(known.travel_sigma_mps)
-        return linearised(nodes, vertical, known, p)
+        return linearised(nodes, vertical, frames, known, p)
 
-    linearised = stages.linearised
-    monkeypatch.setattr(stages, "linearised", noted)
+    linearised = block.linearised
+    monkeypatch.setattr(block, "linearised", noted)
     rng = np.random.default_rng(3)
     time_s = np.arange(1, 16001) / RATE_HZ
     force = np.tile([0.0, 0.0, G], (len(time_s), 1))
