@@ -25,7 +25,7 @@ import numpy as np
 ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT))
 
-from hapticplayer.capture import Recording  # noqa: E402
+from hapticplayer.capture.recording import Recording  # noqa: E402
 from hapticplayer.clock import SystemClock  # noqa: E402
 from hapticplayer.errors import StudyError  # noqa: E402
 from hapticplayer.media import probe, write_clip  # noqa: E402

@@ -24,7 +24,12 @@ from app.widgets import theme
 from app.widgets.buttons import text_button
 from app.widgets.numbers import local
 from app.widgets.texts import titled
-from hapticplayer.capture import LogChoices, LogQuestion, parse_choices, write_template
+from hapticplayer.capture.choices import (
+    LogChoices,
+    LogQuestion,
+    parse_choices,
+    write_template,
+)
 from hapticplayer.capture.mounting import AS_RECORDED
 from hapticplayer.errors import HapticPlayerError
 from hapticplayer.sequence.recognising import Recognised, pair

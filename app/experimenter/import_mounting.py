@@ -21,9 +21,9 @@ from app.widgets import theme
 from app.widgets.buttons import text_button
 from app.widgets.labels import ElidedLabel
 from app.widgets.room import indent
+from hapticplayer.capture.limits import UPRIGHT
 from hapticplayer.capture.mounting import (
     MOUNTINGS,
-    UPRIGHT,
     all_mountings,
     proposed_mounting,
     up_in_frame_a,

@@ -25,7 +25,7 @@ from app.widgets import theme
 from app.widgets.buttons import text_button
 from app.widgets.labels import ElidedLabel
 from app.widgets.texts import PERCENT, job_text
-from hapticplayer.capture import LogQuestion
+from hapticplayer.capture.choices import LogQuestion
 from hapticplayer.errors import HapticPlayerError
 from hapticplayer.sequence import build_sequence, files
 from hapticplayer.sequence.build import Choices

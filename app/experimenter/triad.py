@@ -8,8 +8,7 @@ from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen, QPolygonF
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from app.widgets import theme
-from hapticplayer.capture.logs.axes import axes_matrix
-from hapticplayer.capture.mounting import AS_RECORDED
+from hapticplayer.capture.mounting import AS_RECORDED, axes_matrix
 from hapticplayer.model.arrays import Floats
 
 _SIDE_PX = 210

@@ -8,41 +8,46 @@ first picture.
 import contextlib
 import gc
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
-from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
 
-from hapticplayer.capture.cleaning import Reals, clean
+from hapticplayer.capture.assemble import Reals, clean
+from hapticplayer.capture.choices import LogChoices
+from hapticplayer.capture.formats import Confidence, Reader
 from hapticplayer.capture.gopro_axes import (
-    FRAME_A_FROM_CAMERA,
     frame_a_from_stored,
+    has_own_axes,
     is_order_known,
 )
-from hapticplayer.capture.gopro_magnetometer import magnetic_field
-from hapticplayer.capture.gopro_packets import (
-    OTHER_CAMERA,
-    Packet,
-    parse_packets,
-    split_raw,
-)
 from hapticplayer.capture.gopro_streams import (
+    OTHER_CAMERA,
+    RAW_MAGIC,
+    Packet,
     Payload,
     SensorStream,
     collect,
     first_stamp_us,
+    parse_packets,
+    split_raw,
 )
-from hapticplayer.capture.gopro_timing import SampleTimes, sample_times
+from hapticplayer.capture.gopro_timing import Clock, SampleTimes, sample_times
 from hapticplayer.capture.gpmf import Entry, text_of
 from hapticplayer.capture.limits import (
     MAX_ACCELERATION_MPS2,
     MAX_ANGULAR_RATE_RADPS,
     MAX_RAW_GPMF_BYTES,
+    MAX_REACH_S,
+    REST_MPS2,
 )
-from hapticplayer.capture.resample import mean_rate_with_holes
+from hapticplayer.capture.log_checks import norm_at_rest
+from hapticplayer.capture.recording import Recording, gap_notes
+from hapticplayer.capture.source import Source
+from hapticplayer.capture.streams import mean_rate_with_holes
 from hapticplayer.errors import InputError, TelemetryError
-from hapticplayer.model import ImuLog
+from hapticplayer.media import data_track_names, read_telemetry_packets
+from hapticplayer.media.telemetry import HANDLER
+from hapticplayer.model import ClockMap, ImuLog
 from hapticplayer.model.arrays import Floats
 
 _FRAME_KEYS = ("SHUT", "CORI", "IORI", "ISOE", "WBAL")
@@ -50,52 +55,63 @@ _FRAME_KEYS = ("SHUT", "CORI", "IORI", "ISOE", "WBAL")
 
 _LEAST_SAMPLES_PER_PAYLOAD = 10
 
+_SHOWN_SAMPLES = 60_000
+"""Of which the norm at rest is shown: five minutes."""
 
-@dataclass(frozen=True, slots=True, eq=False)
-class GoProTelemetry:
-    """The motion of a GoPro recording.
 
-    Attributes:
-        imu: in frame A, time 0 at the first picture.
-        camera: device name.
-        accelerometer_rate_hz: measured, not nominal.
-        gyro_rate_hz: measured, before it was brought to the accelerometer's times.
-        gravity_time_s: (M,) times of the camera's own gravity estimate, or empty.
-        gravity_direction: (M, 3) unit, frame A, where the specific force points at
-            rest (up); the camera's opinion, which is not the truth.
-        notes: what a person should know about the quality.
+def recognises(source: Source) -> Confidence:
+    """A telemetry track of GoPro's in a video, or the mark of a raw dump."""
+    if source.is_one_file and _is_raw(source):
+        return Confidence.CERTAIN
+    names = data_track_names(source.path) if source.is_binary else ()
+    is_own = any(HANDLER in name for name in names)
+    return Confidence.CERTAIN if is_own else Confidence.NO
+
+
+def _is_raw(source: Source) -> bool:
+    return source.beginning(source.names[0]).startswith(RAW_MAGIC)
+
+
+def read(source: Source, _choices: LogChoices) -> Recording:
+    """Return the motion in a video, or in a raw dump (`.gpmf`, `.bin`, `.raw`).
+
+    Raises:
+        TelemetryError: when there is no usable motion, and why.
     """
+    path, where = source.path, str(source.path)
+    if not _is_raw(source):
+        return read_gopro(read_telemetry_packets(path), where)
+    size_bytes = path.stat().st_size
+    if size_bytes > MAX_RAW_GPMF_BYTES:
+        raise TelemetryError(f"has {size_bytes} bytes, too many", where=where)
+    return read_gopro(split_raw(path.read_bytes()), where, is_raw=True)
 
-    imu: ImuLog
-    camera: str
-    accelerometer_rate_hz: float
-    gyro_rate_hz: float
-    gravity_time_s: Floats
-    gravity_direction: Floats
-    notes: tuple[str, ...]
+
+READER = Reader(recognises, read)
 
 
 def read_gopro(
-    packets: Sequence[Packet], source: str = "", *, has_packet_times: bool = True
-) -> GoProTelemetry:
+    packets: Sequence[Packet], source: str = "", *, is_raw: bool = False
+) -> Recording:
     """Return the motion in GPMF payloads.
 
     Args:
         packets: in the order of the recording.
         source: the file, for messages and provenance.
-        has_packet_times: whether the packets' times were measured.
+        is_raw: the packets' times are assumed, not measured.
 
     Raises:
         TelemetryError: when there is no usable motion, and why.
     """
     try:
         with _uncollected():
-            return _read(packets, source, has_packet_times=has_packet_times)
-    except TelemetryError as error:
-        if error.where:
-            raise
-        remedy = error.remedy or "copy the recording again from the camera"
-        raise TelemetryError(error.what, where=source, remedy=remedy) from error
+            return _read(packets, source, is_raw=is_raw)
+    except InputError as error:
+        raise TelemetryError(
+            error.what,
+            where=error.where or source,
+            remedy=error.remedy or "copy the recording again from the camera",
+        ) from error
 
 
 @contextlib.contextmanager
@@ -110,76 +126,41 @@ def _uncollected() -> Iterator[None]:
             gc.enable()
 
 
-def read_raw_gopro(path: Path) -> GoProTelemetry:
-    """Return the motion in a raw GPMF dump (`.gpmf`, `.bin`, `.raw`).
-
-    Raises:
-        TelemetryError: when there is no usable motion, and why.
-    """
-    size_bytes = path.stat().st_size
-    if size_bytes > MAX_RAW_GPMF_BYTES:
-        raise TelemetryError(f"has {size_bytes} bytes, too many", where=str(path))
-    packets = split_raw(path.read_bytes())
-    return read_gopro(packets, str(path), has_packet_times=False)
-
-
-def _read(
-    packets: Sequence[Packet], source: str, *, has_packet_times: bool
-) -> GoProTelemetry:
+def _read(packets: Sequence[Packet], source: str, *, is_raw: bool) -> Recording:
     payloads, damaged = parse_packets(packets)
     camera = text_of(payloads[0].device.find("DVNM")) or "GoPro"
-    clock = _Clock(first_stamp_us(payloads, _FRAME_KEYS), has_packet_times)
+    clock = Clock(first_stamp_us(payloads, _FRAME_KEYS), not is_raw)
     force = _sensor(payloads, _FORCE, camera, clock)
     rate = _sensor(payloads, _RATE, camera, clock)
-    force_times, force_first = force.times, force.first
-    rows, mean = mean_rate_with_holes(
-        force_times.time_s, rate.times.time_s, rate.values
-    )
+    times, force_first = force.times, force.first
+    rows, mean = mean_rate_with_holes(times.time_s, rate.times.time_s, rate.values)
     if len(rows) < 2:
         raise TelemetryError("its accelerometer and gyro do not overlap in time")
     covered = slice(rows[0], rows[-1] + 1)  # they follow one another
-    time_s, gyro_rate_hz = force_times.time_s[covered], rate.times.rate_hz
-    field, field_notes = magnetic_field(
-        payloads, time_s, clock.frame0_us, has_packet_times=has_packet_times
-    )
-    gravity_time_s, gravity = _gravity(
-        payloads, clock.frame0_us, has_packet_times=has_packet_times
-    )
+    time_s, gyro_rate_hz = times.time_s[covered], rate.times.rate_hz
+    field, field_notes = _magnetic_field(payloads, time_s, clock)
     # no sensor has the 24 bits of float32, and ten hours fill half a gigabyte
-    small = force.values[covered].astype(np.float32), mean.astype(np.float32)
+    small_force: Reals = force.values[covered].astype(np.float32)
+    small_rate: Reals = mean.astype(np.float32)
     del force, rate, mean, payloads
-    imu, repairs = _cleaned(time_s, *small, field, source)
-    return GoProTelemetry(
+    imu, repairs = clean(time_s, small_force, small_rate, field, source=source)
+    return Recording(
         imu=imu,
+        clock_map=ClockMap(),
         camera=camera,
-        accelerometer_rate_hz=force_times.rate_hz,
-        gyro_rate_hz=gyro_rate_hz,
-        gravity_time_s=gravity_time_s,
-        gravity_direction=gravity,
         notes=(
-            *_notes(force_first, camera, force_times, damaged),
+            *_how_read(imu),
+            *_notes(force_first, camera, times, damaged),
             *field_notes,
-            *repairs,
+            *(repair.text for repair in repairs),
+            *gap_notes(imu),
         ),
+        provenance={
+            "reader": "raw GPMF" if is_raw else "GPMF track",
+            "accelerometer_rate_hz": round(times.rate_hz, 3),
+            "gyro_rate_hz": round(gyro_rate_hz, 3),
+        },
     )
-
-
-def _cleaned(
-    time_s: Floats, force: Reals, rate: Reals, field: Floats | None, source: str
-) -> tuple[ImuLog, tuple[str, ...]]:
-    try:
-        return clean(time_s, force, rate, field, source=source)
-    except InputError as error:
-        raise TelemetryError(
-            error.what, where=error.where, remedy=error.remedy
-        ) from error
-
-
-class _Clock(NamedTuple):
-    """What the times of all sensors are measured by."""
-
-    frame0_us: float | None
-    has_packet_times: bool
 
 
 class _Kind(NamedTuple):
@@ -204,7 +185,7 @@ class _Sensor(NamedTuple):
 
 
 def _sensor(
-    payloads: Sequence[Payload], kind: _Kind, camera: str, clock: _Clock
+    payloads: Sequence[Payload], kind: _Kind, camera: str, clock: Clock
 ) -> _Sensor:
     stream = collect(payloads, kind.key)
     if stream is None or stream.values.shape[1] != 3:
@@ -214,9 +195,7 @@ def _sensor(
         )
     if kind is _FORCE:
         _refuse_time_lapse(stream)
-    times = sample_times(
-        stream, clock.frame0_us, has_packet_times=clock.has_packet_times
-    )
+    times = sample_times(stream, clock)
     return _Sensor(times, _in_frame_a(stream, camera, kind), stream.first)
 
 
@@ -263,23 +242,62 @@ def _turned(values: Floats, rotation: Floats) -> Floats:
     return turned
 
 
-def _gravity(
-    payloads: Sequence[Payload], frame0_us: float | None, *, has_packet_times: bool
-) -> tuple[Floats, Floats]:
-    """Return times (M,) and directions (M, 3) of GRAV; HERO8 leaves it all zero.
+def _magnetic_field(
+    payloads: Sequence[Payload], time_s: Floats, clock: Clock
+) -> tuple[Floats | None, tuple[str, ...]]:
+    """Return the field of the GoPros that have a compass (Fusion, MAX), and notes.
 
-    Its three values are the direction of the specific force along the camera's
-    X, Z and Y (measured on MAX, HERO9 and HERO11).
+    MAGN has three components in uT, or four on the MAX: one of another kind before x,
+    y and z, and not to be trusted before its firmware 2. It is used only where the
+    stream says which axes it has, because nothing else does (Fusion's do not follow
+    from its gyro either: no signed permutation explains 15 s of turning better than
+    1.3 uT). A broken compass is no reason to refuse the motion: it is left out.
+
+    Source: gopro/gpmf-parser, README (Fusion, MAX); measured.
+
+    Returns:
+        (N, 3) uT in frame A at the times of the log, NaN where there was none near; or
+        None.
     """
-    stream = collect(payloads, "GRAV")
-    if stream is None or stream.values.shape[1] != 3 or len(stream.values) < 2:
-        return np.zeros(0), np.zeros((0, 3))
-    times = sample_times(stream, frame0_us, has_packet_times=has_packet_times)
-    camera_xyz = stream.values[:, [0, 2, 1]]
-    norms = np.linalg.norm(camera_xyz, axis=1)
-    is_given = norms > 0.5
-    unit = camera_xyz[is_given] / norms[is_given, None]
-    return times.time_s[is_given], unit @ FRAME_A_FROM_CAMERA.T
+    try:
+        stream = collect(payloads, "MAGN")
+        if stream is None or len(stream.values) < 2:
+            return None, ()
+        components = stream.values.shape[1]
+        if components not in {3, 4} or not has_own_axes(stream.first):
+            return None, (
+                "The compass is left out: the file does not say which axes it has.",
+            )
+        at_s = sample_times(stream, clock).time_s
+        rotation = frame_a_from_stored(stream.first, "")
+    except TelemetryError as error:
+        return None, (f"The compass is left out: {error.what}.",)
+    xyz = stream.values[:, -3:]
+    values = np.where(np.isfinite(xyz), xyz, np.nan) @ rotation.T
+    field = np.stack([np.interp(time_s, at_s, axis) for axis in values.T], axis=1)
+    field[(time_s < at_s[0] - MAX_REACH_S) | (time_s > at_s[-1] + MAX_REACH_S)] = np.nan
+    return field, ()
+
+
+def _how_read(imu: ImuLog) -> tuple[str, ...]:
+    """Return units and axes, and what speaks for them."""
+    few, rate = slice(_SHOWN_SAMPLES), imu.angular_rate_radps
+    norm = norm_at_rest(
+        ImuLog(imu.time_s[few], imu.specific_force_mps2[few], rate[few])
+    )
+    rest = "" if norm is None else f", {norm:.2f} m/s2 at rest"
+    text = (
+        "read as telemetry of the camera: specific force in m/s2, angular rate in rad/s, "
+        f"x to its right, y to where it looks, z to its top{rest}, turning at "
+        f"{_largest(rate):.2f} rad/s at most"
+    )
+    low, high = REST_MPS2
+    if norm is None or low <= norm <= high:
+        return (text,)
+    return (
+        text,
+        f"gravity is 9.81 m/s2 and not {norm:.2f}: the accelerometer is doubtful",
+    )
 
 
 def _notes(

@@ -11,6 +11,7 @@ Source: measured; gpmf-parser issues #63, #80, #189, #212.
 """
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
@@ -31,6 +32,19 @@ _OFFSET_TOLERANCE_S = 2.0
 """Stamps that lie farther from the packets' times are not believed."""
 
 
+class Clock(NamedTuple):
+    """What the times of all sensors of a camera are measured by.
+
+    Attributes:
+        frame0_us: the camera's time of frame 0, None where it does not stamp samples.
+        has_packet_times: whether the payloads' times come from a video container,
+            so that the stamps can be held against them.
+    """
+
+    frame0_us: float | None
+    has_packet_times: bool
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class SampleTimes:
     """Media time of each sample.
@@ -38,34 +52,24 @@ class SampleTimes:
     Attributes:
         time_s: (N,) strictly increasing.
         rate_hz: mean rate.
-        residual_s: RMS of what the marks deviate from one straight line.
         is_stamped: from the camera's stamps, not from the packets' times.
     """
 
     time_s: Floats
     rate_hz: float
-    residual_s: float
     is_stamped: bool
 
 
-def sample_times(
-    stream: SensorStream, frame0_us: float | None, *, has_packet_times: bool
-) -> SampleTimes:
+def sample_times(stream: SensorStream, clock: Clock) -> SampleTimes:
     """Return when the samples of a stream were taken.
-
-    Args:
-        stream: from `collect`.
-        frame0_us: the camera's time of the first picture, if it stamps its samples.
-        has_packet_times: whether the payloads' times come from a video container,
-            so that the stamps can be held against them.
 
     Raises:
         TelemetryError: when the marks run backwards.
     """
-    stamp_us = stream.stamp_us
+    stamp_us, frame0_us = stream.stamp_us, clock.frame0_us
     if frame0_us is not None and len(stamp_us) > 1 and np.isfinite(stamp_us).all():
         marks_s = (stamp_us - frame0_us) * 1e-6
-        if _are_believable(stream, marks_s, has_packet_times):
+        if _are_believable(stream, marks_s, clock.has_packet_times):
             return _from_stamps(stream, marks_s)
     return _from_packets(stream)
 
@@ -85,7 +89,6 @@ def _are_believable(
 def _from_stamps(stream: SensorStream, marks_s: Floats) -> SampleTimes:
     first = stream.first_index.astype(np.float64)
     slope, offset = np.polyfit(first, marks_s, 1)
-    residual_s = float(np.std(marks_s - (slope * first + offset)))
     index = stream.index.astype(np.float64)
     pace = np.diff(marks_s) / np.diff(first)
     is_gap = pace > _GAP_PACE * np.median(pace)
@@ -102,7 +105,7 @@ def _from_stamps(stream: SensorStream, marks_s: Floats) -> SampleTimes:
         # the last payload has no mark at its end: the pace of the whole goes on
         is_last = index > first[-1]
         time_s[is_last] = marks_s[-1] + slope * (index[is_last] - first[-1])
-    return _checked(time_s, slope, residual_s, is_stamped=True)
+    return _checked(time_s, slope, is_stamped=True)
 
 
 def _from_packets(stream: SensorStream) -> SampleTimes:
@@ -119,15 +122,11 @@ def _from_packets(stream: SensorStream) -> SampleTimes:
     else:
         slope = stream.duration_s[0] / stream.counts[0]
         offset = stream.start_s[0]
-    deviation_s = stream.start_s[use] - (slope * first[use] + offset)
-    time_s = slope * stream.index + offset
-    return _checked(time_s, slope, float(np.std(deviation_s)), is_stamped=False)
+    return _checked(slope * stream.index + offset, slope, is_stamped=False)
 
 
-def _checked(
-    time_s: Floats, slope: float, residual_s: float, *, is_stamped: bool
-) -> SampleTimes:
+def _checked(time_s: Floats, slope: float, *, is_stamped: bool) -> SampleTimes:
     is_sane = np.isfinite(time_s).all() and 1e-5 < slope < 10.0
     if not is_sane or (len(time_s) > 1 and np.diff(time_s).min() <= 0.0):
         raise TelemetryError("its time stamps run backwards, so it is damaged")
-    return SampleTimes(time_s, float(1.0 / slope), residual_s, is_stamped)
+    return SampleTimes(time_s, float(1.0 / slope), is_stamped)

@@ -1,8 +1,12 @@
-"""What a recording may ask of this program, in one place.
+"""What a recording may ask of this program, and what its numbers may be, in one place.
 
-Each limit lies far above what sensors record; a file beyond it is damaged or made
-to do harm, and is refused before memory is spent on it.
+Sizes lie far above what recorders write: a file beyond them is damaged or made to do
+harm, and is refused before memory is spent on it. Plausible numbers are those of a
+sensor that is held in a hand or fixed to a vehicle; what lies outside is in another
+unit, or damage.
 """
+
+# --- sizes ---------------------------------------------------------------------
 
 MAX_NESTING = 8
 """Depth of GPMF; cameras nest two deep (DEVC, STRM)."""
@@ -25,20 +29,72 @@ MAX_CSV_ROWS = 50_000_000
 MAX_LINE_BYTES = 4096
 """One line of a text log."""
 
-MAX_ACCELERATION_MPS2 = 500.0
-"""No hand-held sensor measures 50 g; GoPro's range is 16 g."""
-
-MAX_ANGULAR_RATE_RADPS = 100.0
-"""5700 deg/s; sensors end at 2000 or 4000 deg/s."""
-
-MIN_RATE_HZ = 5.0
-"""Slower than this is no motion log; mostly it is time in milliseconds."""
-
-MAX_FORCE_N = 1000.0
-"""No haptic device of this kind pushes harder; the Falcon ends at 9 N."""
+MAX_DAMAGED_SHARE = 0.05
+"""A log with more damaged lines than this part is not believed."""
 
 MAX_MEMBERS = 2000
 """Files of one recording in a folder or a zip; apps write about twenty."""
 
 MAX_FOLDER_DEPTH = 4
 """Levels of folders that are looked into: mav0/imu0/data.csv is three deep."""
+
+MAX_TEMPLATE_BYTES = 65_536
+"""Answers about a log, as JSON."""
+
+MAX_VIDEO_BYTES = 16 << 30
+MAX_ANSWER_BYTES = 1 << 30
+MEMORY_BYTES = 2 << 30
+TIME_LIMIT_S = 60.0
+"""Of telemetry-parser: the video it is given, what it answers, and its process."""
+
+# --- specific force ------------------------------------------------------------
+
+MAX_ACCELERATION_MPS2 = 500.0
+"""No hand-held sensor measures 50 g; GoPro's range is 16 g."""
+
+CONSTANT_MPS2 = (4.0, 40.0)
+"""Norm of a log without any noise that is taken for one at rest."""
+
+MEDIAN_MPS2 = (4.0, 25.0)
+"""Median norm of a log in SI: 1 g at rest, up to 2 g in a rough ride."""
+
+REST_MPS2 = (8.5, 11.0)
+"""Norm at rest; cheap accelerometers are up to 10 % off."""
+
+COARSE_REST_MPS2 = (7.0, 13.0)
+"""Median norm that tells an accelerometer's file from a gyroscope's."""
+
+REST_G = (0.6, 1.5)
+"""Median norm of the first rows of a log in g."""
+
+UPRIGHT = 0.7
+"""Cosine of 45 degrees: an axis that is farther from up is not meant to be z."""
+
+MIN_MEAN_SHARE = 0.5
+"""Mean vector over mean norm; below it gravity turned too much to show an axis."""
+
+# --- angular rate, time and the rest ---------------------------------------------
+
+MAX_ANGULAR_RATE_RADPS = 100.0
+"""5700 deg/s; sensors end at 2000 or 4000 deg/s."""
+
+MAX_SI_RATE_RADPS = 40.0
+"""Beyond 2300 deg/s: no hand turns so fast, so a log in SI is in another unit."""
+
+MAX_USUAL_RATE_RADPS = 35.0
+"""Sensors end at 2000 deg/s; no hand turns faster for long."""
+
+MIN_RATE_HZ = 5.0
+"""Slower than this is no motion log; mostly it is time in milliseconds."""
+
+GAP_STEPS = 3.0
+"""A step of more than this many samples is a gap."""
+
+MAX_REACH_S = 1.0
+"""A slow sensor (compass, gravity) counts for no longer than this."""
+
+FIRST_FRAME_S = -60.0
+"""A video that begins earlier than this before its log is not of that log."""
+
+MAX_FORCE_N = 1000.0
+"""No haptic device of this kind pushes harder; the Falcon ends at 9 N."""

@@ -9,7 +9,7 @@ import itertools
 
 import numpy as np
 
-from hapticplayer.capture.logs.axes import axes_matrix
+from hapticplayer.capture.limits import MIN_MEAN_SHARE, UPRIGHT
 from hapticplayer.errors import UsageError
 from hapticplayer.model import ImuLog
 from hapticplayer.model.arrays import Floats
@@ -30,10 +30,38 @@ MOUNTINGS = {
 """Usual ones: right, front and up of the actor in the recorder's axes, which are x to
 its right, y where it looks, z to its top."""
 
-UPRIGHT = 0.7
-"""Cosine of 45 degrees: farther from up, and a mounting does not fit."""
+AXES = "xyz"
 
-_LEAST_MEAN = 0.5  # of 1 g; below it gravity turned too much in the recorder
+
+def axes_matrix(axes: str) -> Floats:
+    """Return the rotation (3, 3) from stored axes to frame A.
+
+    Args:
+        axes: right, front and up in stored axes, such as "x,-z,y".
+
+    Raises:
+        UsageError: when they are no axes, or mirrored.
+    """
+    rows = []
+    for part in axes.lower().replace(" ", "").split(","):
+        name = part.lstrip("+-")
+        if len(part) - len(name) > 1 or len(name) != 1 or name not in AXES:
+            break
+        row = np.zeros(3)
+        row[AXES.index(name)] = -1.0 if part.startswith("-") else 1.0
+        rows.append(row)
+    matrix = np.array(rows)
+    if matrix.shape != (3, 3) or abs(np.linalg.det(matrix)) != 1.0:
+        raise UsageError(
+            f"axes={axes} are not three axes; give right, front and up in the axes of "
+            "the log, for example axes=x,-z,y"
+        )
+    if np.linalg.det(matrix) < 0.0:
+        raise UsageError(
+            f"axes={axes} mirror the log; turn one sign round, for right, front and up "
+            "have to follow the right hand"
+        )
+    return matrix
 
 
 def all_mountings() -> list[str]:
@@ -122,7 +150,7 @@ def mean_up(imu: ImuLog) -> tuple[float, float, float] | None:
     force = imu.specific_force_mps2
     mean = np.asarray(force.mean(axis=0), dtype=float)
     length = float(np.linalg.norm(mean))
-    if length < _LEAST_MEAN * float(np.linalg.norm(force, axis=1).mean()):
+    if length < MIN_MEAN_SHARE * float(np.linalg.norm(force, axis=1).mean()):
         return None
     x, y, z = (mean / length).tolist()
     return x, y, z

@@ -20,26 +20,54 @@ from typing import Any
 
 import numpy as np
 
-from hapticplayer.capture.logs.assemble import LogReading, assemble
-from hapticplayer.capture.logs.choices import OPTION, LogChoices, question
-from hapticplayer.capture.logs.raw import RawLog, Stream
+from hapticplayer.capture.assemble import log_reader
+from hapticplayer.capture.choices import OPTION, LogChoices, LogQuestion
+from hapticplayer.capture.formats import Confidence
+from hapticplayer.capture.limits import (
+    MAX_ANSWER_BYTES,
+    MAX_VIDEO_BYTES,
+    MEMORY_BYTES,
+    TIME_LIMIT_S,
+)
+from hapticplayer.capture.source import Source
+from hapticplayer.capture.streams import RawLog, Stream
 from hapticplayer.capture.telemetry_child import COLUMNS
 from hapticplayer.errors import TelemetryError
+from hapticplayer.media import data_track_names
 from hapticplayer.model.arrays import Floats
-
-MAX_VIDEO_BYTES = 16 << 30
-MAX_ANSWER_BYTES = 1 << 30
-MEMORY_BYTES = 2 << 30
-TIME_LIMIT_S = 60.0
 
 _COMMAND = (sys.executable, "-P", "-m", "hapticplayer.capture.telemetry_child")
 _LEAST_SHARE = 0.98
 """Of the samples that must hold acceleration and rate."""
 
 
-def is_available() -> bool:
-    """Whether the library is installed."""
-    return importlib.util.find_spec("telemetry_parser") is not None
+def recognises(source: Source) -> Confidence:
+    """A video; GoPro's are recognised for certain."""
+    return Confidence.POSSIBLE if source.is_binary else Confidence.NO
+
+
+def read(source: Source, choices: LogChoices) -> RawLog:
+    """Return the motion in a video, if there is any that can be read.
+
+    Raises:
+        TelemetryError: when it holds none, or the library is not installed.
+        UsageError: when the axes are not decided.
+    """
+    reason = ""
+    if any("dji" in name.lower() for name in data_track_names(source.path)):
+        reason = "holds no accelerometer samples (DJI stores orientations only)"
+    elif importlib.util.find_spec("telemetry_parser") is None:
+        reason = "holds no motion telemetry"
+    if reason:
+        raise TelemetryError(
+            reason,
+            where=str(source.path),
+            remedy="give the log with --imu LOG --offset S",
+        )
+    return read_other_camera(source.path, choices)
+
+
+READER = log_reader(recognises, read)
 
 
 def read_other_camera(
@@ -48,7 +76,7 @@ def read_other_camera(
     *,
     command: Sequence[str] = _COMMAND,
     time_limit_s: float = TIME_LIMIT_S,
-) -> LogReading:
+) -> RawLog:
     """Return the motion in a video of a camera that the library knows.
 
     Args:
@@ -65,12 +93,12 @@ def read_other_camera(
         name, arrays = _read_copy(video, Path(folder), command, time_limit_s)
     time_s, force, rate = (arrays[column] for column in COLUMNS)
     if not choices.axes:
-        raise question(
+        raise LogQuestion(
             f"is of a {name}, whose axes its telemetry does not tell",
             ("axes=RIGHT,FRONT,UP in its axes, such as axes=x,-z,y",),
             str(video),
         )
-    raw = RawLog(
+    return RawLog(
         name=name,
         force=Stream(time_s, force),
         rate=Stream(time_s, rate),
@@ -78,7 +106,6 @@ def read_other_camera(
         axes_words="as telemetry-parser gives them",
         notes=("read by telemetry-parser; its times are those of an average rate",),
     )
-    return assemble(raw, choices, str(video))
 
 
 def _read_copy(

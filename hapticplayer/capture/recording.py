@@ -1,36 +1,26 @@
 """Reads a recording's motion, whatever kind of file it is in."""
 
 import os
+import re
 from collections.abc import Mapping as Dict
 from dataclasses import dataclass, field, replace
-from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from hapticplayer.capture.csv_log import read_motion_log
-from hapticplayer.capture.foreign import (
-    refuse_dates,
-    refuse_foreign,
-    refuse_workbook,
-)
-from hapticplayer.capture.gopro import GoProTelemetry, read_gopro, read_raw_gopro
-from hapticplayer.capture.gopro_packets import RAW_MAGIC
-from hapticplayer.capture.table import TIME
-from hapticplayer.errors import InputError, TelemetryError
-from hapticplayer.media.files import resolve_regular
+from hapticplayer.capture import formats
+from hapticplayer.capture.choices import LogChoices, LogQuestion
+from hapticplayer.capture.formats import Confidence, RecordingFormat
+from hapticplayer.capture.limits import GAP_STEPS
+from hapticplayer.capture.source import Source, open_source
+from hapticplayer.errors import InputError, UsageError
 from hapticplayer.model import ClockMap, ImuLog, Sampling
 
-if TYPE_CHECKING:
-    from hapticplayer.capture.logs import LogChoices, Source
-    from hapticplayer.capture.logs.assemble import LogReading
-
-_GAP_STEPS = 3.0
-"""A step of more than this many samples is a gap."""
-
-_SHOWN_SAMPLES = 60_000
-"""Of which a camera's norm at rest is shown: five minutes."""
+_UTF16 = (b"\xff\xfe", b"\xfe\xff")
+_OLD_EXCEL = b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1"
+_NEW_EXCEL = "xl/"
+_DATE = re.compile(r'^"?(\d{4}-\d\d-\d\d[T ]\d\d:\d\d[^,;\t"]*)', re.MULTILINE)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -41,8 +31,8 @@ class Recording:
         imu: samples on the sensor's own clock.
         clock_map: that clock to media time; confidence 0 where nobody said.
         camera: what recorded it.
-        notes: what a person should know about the quality.
-        provenance: how it was read.
+        notes: how it was read, and what a person should know about the quality.
+        provenance: the same in figures.
         is_gravity_free: the recorder had removed gravity: `imu` holds p[k] itself,
             and no angular rate.
     """
@@ -56,148 +46,106 @@ class Recording:
 
 
 def read_recording(
-    path: str | os.PathLike[str], choices: "LogChoices | None" = None
+    path: str | os.PathLike[str], choices: LogChoices | None = None
 ) -> Recording:
     """Return the motion in a file or folder, recognised by its content.
 
     Args:
-        path: a GoPro video, a raw GPMF dump, a log of a logger or a phone (`logs`;
-            a folder or a zip where it writes several files), or a CSV (`csv_log`).
+        path: a file, folder or zip in one of `formats.FORMATS`.
         choices: what was decided about a log that does not explain itself.
 
     Raises:
         InputError: when it cannot be read or holds no motion; says what to do.
         UsageError: when a decision is needed; says how to give it.
     """
-    recording = _read(path, choices)
-    if choices is None or not choices.sampling:
+    choices = choices or LogChoices()
+    source = open_source(path)
+    _refuse_foreign(source)
+    recording = find_format(source, choices).reader().read(source, choices)
+    if not choices.sampling:
         return recording
     sampled = replace(recording.imu, sampling=Sampling(choices.sampling))
     return replace(recording, imu=sampled)
 
 
-def _read(path: str | os.PathLike[str], choices: "LogChoices | None") -> Recording:
-    from hapticplayer.capture.logs.source import HEAD_BYTES, ZIP_MAGIC, is_text
+def find_format(source: Source, choices: LogChoices) -> RecordingFormat:
+    """Return the format of a source.
 
-    if Path(path).is_dir():
-        return _from_logs(path, choices)
-    file = resolve_regular(path, TelemetryError)
-    with file.open("rb") as stream:
-        head = stream.read(HEAD_BYTES)
-    refuse_foreign(head, str(file))
-    if head.startswith(RAW_MAGIC):
-        return _from_gopro(read_raw_gopro(file), "raw GPMF")
-    if head.startswith(ZIP_MAGIC):
-        return _from_logs(file, choices)
-    if not is_text(head):
-        return _from_video(file, choices)
-    text = head.decode("utf-8-sig", "replace").lstrip(' \t\r\n"')
-    is_own = text.startswith(TIME) and not (choices and choices.columns)
-    return _from_csv(file) if is_own else _from_logs(file, choices)
+    Raises:
+        InputError: when it is none of these.
+        UsageError: when several fit equally well, or one was chosen that is not known.
+    """
+    if choices.format and not source.is_binary:
+        return _chosen(choices.format, source)
+    if choices.columns and not source.is_binary:
+        return formats.ANY_TABLE
+    found = [(one.reader().recognises(source), one) for one in formats.FORMATS]
+    best = max(confidence for confidence, _ in found)
+    if best is Confidence.NO:
+        raise _unknown(source)
+    fitting = [one for confidence, one in found if confidence is best]
+    if len(fitting) > 1 and formats.ANY_TABLE in fitting:
+        # its columns have to be told; the other knows them, and checks them
+        fitting.remove(formats.ANY_TABLE)
+    if len(fitting) > 1:
+        raise LogQuestion(
+            f"could be {' or '.join(one.text for one in fitting)}",
+            tuple(f"format={one.name}" for one in fitting),
+            str(source.path),
+        )
+    return fitting[0]
 
 
-def _from_logs(path: str | os.PathLike[str], choices: "LogChoices | None") -> Recording:
-    from hapticplayer.capture import logs
-
-    source = logs.open_source(path)
-    choices = choices or logs.LogChoices()
-    form = logs.find_format(source, choices) if source.names else None
+def _chosen(name: str, source: Source) -> RecordingFormat:
+    known = {one.name: one for one in formats.FORMATS}
+    form = known.get(name) or known.get(name.rpartition("-")[0])
     if form is None:
-        return _from_unknown(source)
-    return _of_log(logs.read_log(source, form, choices))
+        raise UsageError(
+            f"there is no format {name!r}; choose one of {', '.join(known)}"
+        )
+    if form.reader().recognises(source) is Confidence.NO:
+        raise UsageError(f"{source.path}: is no log of {form.text}")
+    return form
 
 
-def _of_log(log: "LogReading") -> Recording:
-    return Recording(
-        imu=log.imu,
-        clock_map=log.clock_map,
-        camera=log.name,
-        notes=log.notes,
-        provenance=log.provenance,
-        is_gravity_free=log.is_gravity_free,
-    )
-
-
-def _from_unknown(source: "Source") -> Recording:
-    """Read what is no known log as a CSV, which says what is wrong with it."""
-    refuse_workbook(source.names, str(source.path))
-    if source.is_one_file:
-        refuse_dates(source.head(source.names[0]), str(source.path))
-    if not source.is_one_file:
+def _refuse_foreign(source: Source) -> None:
+    """Refuse what people export by mistake, and say what to export instead."""
+    where = str(source.path)
+    content = source.beginning(source.names[0]) if source.is_one_file else b""
+    if content.startswith(_UTF16):
         raise InputError(
+            "is text in UTF-16", where=where, remedy="save it as text in UTF-8"
+        )
+    if content.startswith(_OLD_EXCEL):
+        raise _workbook(where)
+
+
+def _unknown(source: Source) -> InputError:
+    """Return why a source that no reader takes cannot be read."""
+    where = str(source.path)
+    if any(name.startswith(_NEW_EXCEL) for name in source.names):
+        return _workbook(where)
+    if not source.is_one_file:
+        return InputError(
             "holds no log that is known",
-            where=str(source.path),
+            where=where,
             remedy="give the folder or the zip that the logger has written, or a "
             "sequence",
         )
-    return _from_csv(source.path)
-
-
-def _from_video(file: Path, choices: "LogChoices | None") -> Recording:
-    from hapticplayer.capture import logs, other_cameras
-    from hapticplayer.media import data_track_names, read_telemetry_packets
-
-    packets = read_telemetry_packets(file)
-    if packets:
-        return _from_gopro(read_gopro(packets, str(file)), "GPMF track")
-    reason = "holds no motion telemetry"
-    if any("dji" in name.lower() for name in data_track_names(file)):
-        reason = "holds no accelerometer samples (DJI stores orientations only)"
-    elif other_cameras.is_available():
-        return _of_log(
-            other_cameras.read_other_camera(file, choices or logs.LogChoices())
+    if dated := _DATE.search(source.head(source.names[0])):
+        return InputError(
+            f"writes its times as dates ({dated[1].strip()[:40]})",
+            where=where,
+            remedy="export the times as numbers, in s, ms, us or ns",
         )
-    raise TelemetryError(
-        reason, where=str(file), remedy="give the log with --imu LOG --offset S"
-    )
+    from hapticplayer.capture.si_csv import header_fault
+
+    return header_fault(source)
 
 
-def _from_gopro(telemetry: GoProTelemetry, reader: str) -> Recording:
-    return Recording(
-        imu=telemetry.imu,
-        clock_map=ClockMap(),
-        camera=telemetry.camera,
-        notes=(*_how_read(telemetry.imu), *telemetry.notes, *_gaps(telemetry.imu)),
-        provenance={
-            "reader": reader,
-            "accelerometer_rate_hz": round(telemetry.accelerometer_rate_hz, 3),
-            "gyro_rate_hz": round(telemetry.gyro_rate_hz, 3),
-        },
-    )
-
-
-def _how_read(imu: ImuLog) -> tuple[str, ...]:
-    """Return units and axes of a camera's motion, and what speaks for them."""
-    from hapticplayer.capture.logs.assemble import REST_NORM_MPS2, norm_at_rest
-
-    few, rate = slice(_SHOWN_SAMPLES), imu.angular_rate_radps
-    norm = norm_at_rest(
-        ImuLog(imu.time_s[few], imu.specific_force_mps2[few], rate[few])
-    )
-    largest_radps = max(float(rate.max()), -float(rate.min()))
-    rest = "" if norm is None else f", {norm:.2f} m/s2 at rest"
-    text = (
-        "read as telemetry of the camera: specific force in m/s2, angular rate in rad/s, "
-        f"x to its right, y to where it looks, z to its top{rest}, turning at "
-        f"{largest_radps:.2f} rad/s at most"
-    )
-    low, high = REST_NORM_MPS2
-    if norm is None or low <= norm <= high:
-        return (text,)
-    return (
-        text,
-        f"gravity is 9.81 m/s2 and not {norm:.2f}: the accelerometer is doubtful",
-    )
-
-
-def _from_csv(file: Path) -> Recording:
-    log = read_motion_log(file)
-    return Recording(
-        imu=log.imu,
-        clock_map=ClockMap(confidence=0.0),
-        camera="CSV log",
-        notes=_gaps(log.imu) + log.notes,
-        provenance={"reader": "CSV log"},
+def _workbook(where: str) -> InputError:
+    return InputError(
+        "is an Excel workbook", where=where, remedy="export the recording as CSV"
     )
 
 
@@ -221,10 +169,11 @@ def find_gaps(imu: ImuLog) -> NDArray[np.intp]:
     steps_s = np.diff(imu.time_s)
     if not steps_s.size:
         return np.zeros(0, dtype=np.intp)
-    return np.flatnonzero(steps_s > _GAP_STEPS * np.median(steps_s))
+    return np.flatnonzero(steps_s > GAP_STEPS * np.median(steps_s))
 
 
-def _gaps(imu: ImuLog) -> tuple[str, ...]:
+def gap_notes(imu: ImuLog) -> tuple[str, ...]:
+    """Return how many gaps a log has and how long they are, in words."""
     steps_s, wide = np.diff(imu.time_s), find_gaps(imu)
     if not wide.size:
         return ()

@@ -7,9 +7,10 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from hapticplayer.capture import LogChoices, Recording, read_recording
+from hapticplayer.capture import read_recording
+from hapticplayer.capture.choices import LogChoices
 from hapticplayer.capture.mounting import mounted
-from hapticplayer.capture.recording import refuse_gravity_free
+from hapticplayer.capture.recording import Recording, refuse_gravity_free
 from hapticplayer.clock import SystemClock
 from hapticplayer.console.quality_text import comparison_text, quality_text
 from hapticplayer.console.recordings import (

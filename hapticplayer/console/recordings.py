@@ -6,7 +6,7 @@ from collections.abc import Mapping as Dict
 from pathlib import Path
 from typing import Any
 
-from hapticplayer.capture import LogChoices, parse_choices, write_template
+from hapticplayer.capture.choices import LogChoices, parse_choices, write_template
 from hapticplayer.capture.mounting import mounting_axes
 from hapticplayer.console.speech import interruptible, say, shown_progress
 from hapticplayer.console.sync_text import sync_text
@@ -183,7 +183,7 @@ def _simulate_ride(options: argparse.Namespace, seed: int) -> int:
 
 def _simulate_motion(name: str, seed: int, target: Path) -> int:
     """Write imu.csv and truth.npz of a scene without a clip."""
-    from hapticplayer.capture import write_imu_csv
+    from hapticplayer.capture.si_csv import write_imu_csv
     from hapticplayer.simulation.rides.motion_scenes import simulate_motion
 
     with (

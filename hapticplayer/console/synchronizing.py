@@ -8,7 +8,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from hapticplayer.capture import Recording, Synchronisation, read_recording, read_sound
+from hapticplayer.capture import read_recording
+from hapticplayer.capture.recording import Recording
+from hapticplayer.capture.sync import Synchronisation, read_sound
 from hapticplayer.capture.sync.synchronize import Sound
 from hapticplayer.console.processing import plot_target
 from hapticplayer.console.recordings import chosen_log, chosen_sync

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 
-from hapticplayer.capture import read_force_csv
+from hapticplayer.capture.si_csv import read_force_csv
 from hapticplayer.errors import InputError, MediaError, UsageError
 from hapticplayer.media import ClipInfo, probe
 from hapticplayer.model import Feedback, ForceTrack, MotionTrack

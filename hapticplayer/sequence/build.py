@@ -11,9 +11,10 @@ from typing import Any
 import numpy as np
 
 from hapticplayer import __version__, rendering
-from hapticplayer.capture import LogChoices, Recording, read_recording
+from hapticplayer.capture import read_recording
+from hapticplayer.capture.choices import LogChoices
 from hapticplayer.capture.mounting import ask_for_mounting, mounted
-from hapticplayer.capture.recording import find_gaps, refuse_gravity_free
+from hapticplayer.capture.recording import Recording, find_gaps, refuse_gravity_free
 from hapticplayer.clock import utc_now_iso
 from hapticplayer.errors import InputError
 from hapticplayer.media import ClipInfo, probe

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from hapticplayer import rendering
-from hapticplayer.capture import read_force_csv
+from hapticplayer.capture.si_csv import read_force_csv
 from hapticplayer.errors import SequenceError, UsageError
 from hapticplayer.model import Feedback, ForceTrack
 from hapticplayer.sequence import files, store

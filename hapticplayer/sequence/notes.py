@@ -5,8 +5,9 @@ from typing import Any
 
 import numpy as np
 
-from hapticplayer.capture import Recording
-from hapticplayer.capture.mounting import UPRIGHT, fallen_text, mean_up
+from hapticplayer.capture.limits import UPRIGHT
+from hapticplayer.capture.mounting import fallen_text, mean_up
+from hapticplayer.capture.recording import Recording
 from hapticplayer.media import ClipInfo
 from hapticplayer.model import Feedback, ForceTrack, ImuLog, MotionTrack
 

@@ -7,9 +7,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from hapticplayer.capture import LogChoices, Recording, Synchronisation, read_recording
+from hapticplayer.capture import read_recording
+from hapticplayer.capture.choices import LogChoices
 from hapticplayer.capture.mounting import mean_up
-from hapticplayer.capture.recording import find_gaps, refuse_gravity_free
+from hapticplayer.capture.recording import Recording, find_gaps, refuse_gravity_free
+from hapticplayer.capture.sync import Synchronisation
 from hapticplayer.errors import InputError
 from hapticplayer.media import ClipInfo, camera_of, probe
 from hapticplayer.sequence import files
@@ -128,7 +130,7 @@ def _sync(
 
 
 def _loudness(clip: ClipInfo) -> Curve:
-    from hapticplayer.capture import read_sound
+    from hapticplayer.capture.sync import read_sound
     from hapticplayer.capture.sync.events import loudness
 
     heard = read_sound(clip.path)

@@ -5,12 +5,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-from hapticplayer.capture import (
-    Recording,
-    Synchronisation,
-    read_sound,
-    synchronize,
-)
+from hapticplayer.capture import synchronize
+from hapticplayer.capture.recording import Recording
+from hapticplayer.capture.sync import Synchronisation, read_sound
 from hapticplayer.errors import InputError, UsageError
 from hapticplayer.media import ClipInfo, camera_of
 from hapticplayer.model import ClockMap, ImuLog

@@ -4,7 +4,7 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
-from hapticplayer.capture import write_imu_csv
+from hapticplayer.capture.si_csv import write_imu_csv
 from hapticplayer.errors import UsageError
 from hapticplayer.sequence import files
 from hapticplayer.simulation.rides.board import EARTH_FIELD_UT, PAPER

@@ -20,7 +20,7 @@ from app.bridge.settings import Settings
 from app.player.application import make_application
 from app.player.video_surface import SurfaceSink, VideoSurface
 from app.player.window import PlayerWindow
-from hapticplayer.capture import Recording
+from hapticplayer.capture.recording import Recording
 from hapticplayer.clock import SystemClock
 from hapticplayer.media import probe, write_clip
 from hapticplayer.model import STANDARD_GRAVITY_MPS2, ClockMap, ImuLog

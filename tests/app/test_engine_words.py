@@ -17,7 +17,7 @@ from app.bridge.engine_words import LONGEST, MOST_PARTS, Search, told, translate
 from app.experimenter.import_wizard import ImportWizard
 from app.player.remake import dress
 from hapticplayer import errors
-from hapticplayer.capture import LogQuestion
+from hapticplayer.capture.choices import LogQuestion
 from hapticplayer.errors import DeviceError, InputError
 
 ROOT = Path(__file__).resolve().parents[2]

@@ -13,7 +13,8 @@ from scipy.signal import resample_poly
 from app.experimenter.import_wizard import FILES, MOUNTING, REPORT, SYNC, ImportWizard
 from app.experimenter.sync_strip import SyncStrip, columns, tick_step_s
 from app.experimenter.triad import Triad
-from hapticplayer.capture import read_recording, write_imu_csv
+from hapticplayer.capture import read_recording
+from hapticplayer.capture.si_csv import write_imu_csv
 from hapticplayer.media import TelemetryPacket, add_telemetry, write_clip
 from hapticplayer.playback.snapshot import Phase
 from hapticplayer.sequence import open_sequence

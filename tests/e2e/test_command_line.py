@@ -10,7 +10,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from hapticplayer.capture import read_imu_csv, write_imu_csv
+from hapticplayer.capture import read_recording
+from hapticplayer.capture.si_csv import write_imu_csv
 from hapticplayer.media import write_clip
 from hapticplayer.model import ImuLog
 from hapticplayer.simulation.rides.motion_scenes import simulate_motion
@@ -435,7 +436,7 @@ def test_a_ride_without_a_clip_is_a_log_with_its_truth(tmp_path):
     assert done.returncode == 0, done.stderr
     assert sorted(path.name for path in target.iterdir()) == ["imu.csv", "truth.npz"]
     assert [path.name for path in tmp_path.iterdir()] == ["walk"]
-    log = read_imu_csv(target / "imu.csv")
+    log = read_recording(target / "imu.csv").imu
     expected = simulate_motion("walk", 3)
     np.testing.assert_allclose(log.time_s, expected.imu.time_s, atol=1e-9)
     np.testing.assert_allclose(

@@ -12,7 +12,8 @@ import numpy as np
 import pytest
 
 from hapticplayer import motion
-from hapticplayer.capture import read_imu_csv, write_imu_csv
+from hapticplayer.capture import read_recording
+from hapticplayer.capture.si_csv import write_imu_csv
 from hapticplayer.media import write_clip
 from hapticplayer.sequence.store import read_recorded
 from hapticplayer.simulation.rides.motion_scenes import simulate_motion
@@ -51,7 +52,7 @@ def report_of(done):
 def test_a_person_reads_what_was_found(log):
     done = hapticplayer("process", log)
     assert done.returncode == 0, done.stderr
-    imu = read_imu_csv(log)
+    imu = read_recording(log).imu
     for words in (
         "walk.csv - CSV log",
         f"{len(imu)} samples in",
@@ -75,7 +76,7 @@ def test_the_figures_agree_with_the_truth(log, ride):
     rms_true = np.sqrt(np.mean(np.sum(true**2, axis=1)))
     # sensor noise and the error of the vertical add to it
     assert report["motion"]["rms_mps2"] == pytest.approx(rms_true, rel=0.05)
-    expected = motion.analyse(read_imu_csv(log)).summary
+    expected = motion.analyse(read_recording(log).imu).summary
     for name in ("time_constant_s", "accelerometer_gain", "gravity_sigma_mps2"):
         assert report["gravity_removal"][name] == expected[name]
 
@@ -84,7 +85,7 @@ def test_methods_stand_side_by_side(log):
     report = report_of(hapticplayer("process", log, "--compare", "--json"))
     rows = {row["method"]: row for row in report["methods"]}
     assert set(rows) == set(motion.METHODS)
-    imu = read_imu_csv(log)
+    imu = read_recording(log).imu
     default, other = motion.remove_gravity(imu), motion.remove_gravity(imu, "vqf")
     apart = (default.gravity_mps2 - other.gravity_mps2)[default.valid & other.valid]
     expected = np.sqrt(np.mean(np.sum(apart**2, axis=1)))
@@ -289,7 +290,9 @@ def test_an_import_takes_the_same_choices_and_records_them(log, clip, tmp_path):
     assert made_of["conditioning"][-1] == "motion low-passed at 8 Hz, zero phase"
     with np.load(out / "motion.npz") as stored:
         assert 1.0 / np.median(np.diff(stored["time_s"])) == pytest.approx(50.0)
-    assert read_recorded(out)[0].rate_hz == pytest.approx(read_imu_csv(log).rate_hz)
+    assert read_recorded(out)[0].rate_hz == pytest.approx(
+        read_recording(log).imu.rate_hz
+    )
 
 
 def test_an_import_by_another_method_says_so(log, clip, tmp_path):

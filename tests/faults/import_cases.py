@@ -5,7 +5,9 @@ from pathlib import Path
 
 import numpy as np
 
-from hapticplayer.capture import Recording, parse_choices, read_recording
+from hapticplayer.capture import read_recording
+from hapticplayer.capture.choices import parse_choices
+from hapticplayer.capture.recording import Recording
 from hapticplayer.errors import HapticPlayerError, InputError, UsageError
 from tests.faults.import_formats import FORMATS, Files, Written, put, zipped
 from tests.faults.import_signal import sample

@@ -8,7 +8,8 @@ from pathlib import Path
 import numpy as np
 from scipy.signal import resample_poly
 
-from hapticplayer.capture import LogQuestion, write_imu_csv
+from hapticplayer.capture.choices import LogQuestion
+from hapticplayer.capture.si_csv import write_imu_csv
 from hapticplayer.media import write_clip
 from hapticplayer.sequence import build_sequence
 from hapticplayer.sequence.editing import rename_sequence

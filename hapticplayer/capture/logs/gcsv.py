@@ -12,11 +12,12 @@ import math
 
 import numpy as np
 
-from hapticplayer.capture.logs.choices import LogChoices
-from hapticplayer.capture.logs.numbers import Shape
-from hapticplayer.capture.logs.raw import Confidence, Format, RawLog, Stream
-from hapticplayer.capture.logs.source import Source
-from hapticplayer.capture.logs.tables import read_table
+from hapticplayer.capture.assemble import log_reader
+from hapticplayer.capture.choices import LogChoices
+from hapticplayer.capture.csv_table import Shape, read_table
+from hapticplayer.capture.formats import Confidence
+from hapticplayer.capture.source import Source
+from hapticplayer.capture.streams import RawLog, Stream
 from hapticplayer.errors import InputError
 
 _MARKS = ("GYROFLOW IMU LOG", "CAMERA IMU LOG")
@@ -100,4 +101,4 @@ def _scale(header: dict[str, str], key: str, where: str, default: float = 1.0) -
     return value
 
 
-FORMAT = Format("gcsv", "Gyroflow gcsv", recognises, read)
+READER = log_reader(recognises, read)

@@ -10,11 +10,13 @@ Source: projects.asl.ethz.ch (EuRoC MAV, ASL format); OSUPCVLab/mobile-ar-sensor
 
 import re
 
-from hapticplayer.capture.logs.choices import LogChoices, question
-from hapticplayer.capture.logs.numbers import Shape, column_names
-from hapticplayer.capture.logs.raw import Confidence, Format, RawLog
-from hapticplayer.capture.logs.source import Source
-from hapticplayer.capture.logs.tables import NANO, read_table, split
+from hapticplayer.capture.assemble import log_reader
+from hapticplayer.capture.choices import LogChoices, LogQuestion
+from hapticplayer.capture.csv_table import Shape, column_names, read_table
+from hapticplayer.capture.formats import Confidence
+from hapticplayer.capture.limits import FIRST_FRAME_S
+from hapticplayer.capture.source import Source
+from hapticplayer.capture.streams import NANO, RawLog, split
 
 _EUROC = re.compile(r"^#\s*timestamp \[ns\]$")
 _MARS = re.compile(r"^Timestamp\[nanosec\]$")
@@ -68,7 +70,7 @@ def _tables(source: Source, mark: re.Pattern[str]) -> list[str]:
 
 def _only(found: list[str], source: Source) -> str:
     if len(found) > 1:
-        raise question(
+        raise LogQuestion(
             f"holds {len(found)} logs ({', '.join(found)[:120]})",
             ("nothing, but give the file or folder of one of them",),
             str(source.path),
@@ -91,8 +93,9 @@ def _read(
     shape = Shape(len(columns), wanted, integer=0, skip_lines=1)
     numbers = read_table(source, name, shape)
     time_s = numbers.values[:, 0] * NANO
-    rate, force, field = split(numbers.values, time_s, (1, 4, 7 if has_field else None))
-    assert force is not None
+    rate, force, field = split(
+        numbers.values, time_s, (1, 4, 7) if has_field else (1, 4)
+    )
     frame0_ns = _first_stamp(source, pictures)
     frame0_s = None if frame0_ns is None else (frame0_ns - numbers.origin) * NANO
     return RawLog(
@@ -125,10 +128,10 @@ def first_stamp_ns(source: Source, name: str) -> int | None:
 
 def plausible_frame0_s(frame0_s: float | None, length_s: float) -> float | None:
     """Return the time of the first picture, or None if it lies outside the log."""
-    if frame0_s is None or not -60.0 <= frame0_s <= length_s:
+    if frame0_s is None or not FIRST_FRAME_S <= frame0_s <= length_s:
         return None
     return frame0_s
 
 
-EUROC = Format("euroc", "EuRoC", recognises_euroc, read_euroc)
-MARS = Format("mars", "MARS logger", recognises_mars, read_mars)
+EUROC = log_reader(recognises_euroc, read_euroc)
+MARS = log_reader(recognises_mars, read_mars)

@@ -9,18 +9,19 @@ Source: MobileRoboticsSkoltech/OpenCamera-Sensors, README; telemetry-parser.
 
 import numpy as np
 
-from hapticplayer.capture.logs.choices import LogChoices, question
+from hapticplayer.capture.assemble import log_reader
+from hapticplayer.capture.choices import LogChoices, LogQuestion
+from hapticplayer.capture.csv_table import Shape, first_numbers
+from hapticplayer.capture.formats import Confidence
+from hapticplayer.capture.limits import COARSE_REST_MPS2
 from hapticplayer.capture.logs.nanoseconds import first_stamp_ns, plausible_frame0_s
-from hapticplayer.capture.logs.numbers import Shape
-from hapticplayer.capture.logs.raw import Confidence, Format, RawLog
-from hapticplayer.capture.logs.source import Source
-from hapticplayer.capture.logs.tables import NANO, Sensor, first_numbers, read_sensor
+from hapticplayer.capture.source import Source
+from hapticplayer.capture.streams import NANO, RawLog, Sensor, read_sensor
 from hapticplayer.errors import InputError
 
 _SHAPE = Shape(4, (3, 0, 1, 2), integer=3)
 _ROLES = ("accel", "gyro", "magnetic")
 _LEAST_NS = 1e8
-_FORCE_NORM = (7.0, 13.0)
 _RATE_NORM = 6.0
 
 
@@ -47,7 +48,7 @@ def read(source: Source, _choices: LogChoices) -> RawLog:
             continue
         role = _named(source, name)
         if role in roles:
-            raise question(
+            raise LogQuestion(
                 f"holds several recordings ({roles[role]}, {name})",
                 ("nothing, but give the folder of one of them",),
                 where,
@@ -98,7 +99,7 @@ def _check_roles(sensors: dict[str, Sensor], where: str) -> None:
         role: float(np.nanmedian(np.linalg.norm(sensor.stream.values, axis=1)))
         for role, sensor in sensors.items()
     }
-    low, high = _FORCE_NORM
+    low, high = COARSE_REST_MPS2
     is_swapped = low < norms["gyro"] < high and norms["accel"] < _RATE_NORM
     if is_swapped:
         raise InputError(
@@ -120,4 +121,4 @@ def _frame0_s(source: Source, force: Sensor) -> float | None:
     return None
 
 
-FORMAT = Format("opencamera", "OpenCamera Sensors", recognises, read)
+READER = log_reader(recognises, read)

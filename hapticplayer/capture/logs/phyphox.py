@@ -10,11 +10,17 @@ Source: phyphox.org, data export; checked on exports of Android and iOS.
 import re
 from typing import NamedTuple
 
-from hapticplayer.capture.logs.choices import LogChoices
-from hapticplayer.capture.logs.numbers import Shape, column_names, find_separator
-from hapticplayer.capture.logs.raw import Confidence, Format, RawLog, Stream
-from hapticplayer.capture.logs.source import Source
-from hapticplayer.capture.logs.tables import read_table
+from hapticplayer.capture.assemble import log_reader
+from hapticplayer.capture.choices import LogChoices
+from hapticplayer.capture.csv_table import (
+    Shape,
+    column_names,
+    find_separator,
+    read_table,
+)
+from hapticplayer.capture.formats import Confidence
+from hapticplayer.capture.source import Source
+from hapticplayer.capture.streams import RawLog, Stream
 from hapticplayer.errors import InputError
 
 _TIME = "Time (s)"
@@ -76,7 +82,7 @@ def read(source: Source, _choices: LogChoices) -> RawLog:
             remedy="give the whole zip, recorded with accelerometer and gyroscope",
         )
     rate, field = found.get("rate"), found.get("field")
-    tables: dict[str, _Table] = {}
+    tables: dict[str, _Member] = {}
     force_stream = _stream(source, force, tables)
     rate_stream = _stream(source, rate, tables) if rate else None
     field_stream = _stream(source, field, tables) if field else None
@@ -98,20 +104,20 @@ def read(source: Source, _choices: LogChoices) -> RawLog:
     )
 
 
-class _Table(NamedTuple):
+class _Member(NamedTuple):
     """A member that was read: its streams share their times."""
 
     streams: dict[tuple[int, ...], Stream]
     notes: tuple[str, ...]
 
 
-def _stream(source: Source, found: _Found, tables: dict[str, _Table]) -> Stream:
+def _stream(source: Source, found: _Found, tables: dict[str, _Member]) -> Stream:
     if found.name not in tables:
         tables[found.name] = _read(source, found)
     return tables[found.name].streams[found.columns]
 
 
-def _read(source: Source, one: _Found) -> _Table:
+def _read(source: Source, one: _Found) -> _Member:
     """Read all sensors of a member at once, so that they share their times."""
     here = [found for found in _sensors(source).values() if found.name == one.name]
     wanted = (here[0].columns[0], *(c for found in here for c in found.columns[1:]))
@@ -125,7 +131,7 @@ def _read(source: Source, one: _Found) -> _Table:
     for number, found in enumerate(here):
         at = 1 + 3 * number
         streams[found.columns] = Stream(time_s, numbers.values[:, at : at + 3])
-    return _Table(streams, numbers.notes)
+    return _Member(streams, numbers.notes)
 
 
 def _sensors(source: Source) -> dict[str, _Found]:
@@ -148,4 +154,4 @@ def _sensors(source: Source) -> dict[str, _Found]:
     return found
 
 
-FORMAT = Format("phyphox", "phyphox", recognises, read)
+READER = log_reader(recognises, read)

@@ -15,11 +15,12 @@ import re
 
 import numpy as np
 
-from hapticplayer.capture.logs.choices import LogChoices, question
-from hapticplayer.capture.logs.numbers import Shape
-from hapticplayer.capture.logs.raw import Confidence, Format, RawLog, Stream
-from hapticplayer.capture.logs.source import Source
-from hapticplayer.capture.logs.tables import read_table
+from hapticplayer.capture.assemble import log_reader
+from hapticplayer.capture.choices import LogChoices, LogQuestion
+from hapticplayer.capture.csv_table import Shape, read_table
+from hapticplayer.capture.formats import Confidence
+from hapticplayer.capture.source import Source
+from hapticplayer.capture.streams import RawLog, Stream
 from hapticplayer.errors import InputError
 from hapticplayer.model import STANDARD_GRAVITY_MPS2
 from hapticplayer.model.arrays import Floats
@@ -119,7 +120,7 @@ def _ahrs(rows: Floats, choices: LogChoices, notes: tuple[str, ...]) -> RawLog:
 
 def _dollar(source: Source, name: str, choices: LogChoices) -> RawLog:
     if choices.sample_rate_hz is None:
-        raise question(
+        raise LogQuestion(
             "has no times, and its firmware has no fixed rate",
             ("rate-hz=50",),
             source.where(name),
@@ -139,4 +140,4 @@ def _dollar(source: Source, name: str, choices: LogChoices) -> RawLog:
     )
 
 
-FORMAT = Format("razor", "Razor 9DOF", recognises, read)
+READER = log_reader(recognises, read)

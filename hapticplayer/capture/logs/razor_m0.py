@@ -10,11 +10,12 @@ Source: sparkfun/9DOF_Razor_IMU, _9DoF_Razor_M0_Firmware.ino, logIMUData.
 
 import numpy as np
 
-from hapticplayer.capture.logs.choices import LogChoices, question
-from hapticplayer.capture.logs.numbers import Shape
-from hapticplayer.capture.logs.raw import Confidence, Format, RawLog
-from hapticplayer.capture.logs.source import Source
-from hapticplayer.capture.logs.tables import first_numbers, read_table, split
+from hapticplayer.capture.assemble import log_reader
+from hapticplayer.capture.choices import LogChoices, LogQuestion
+from hapticplayer.capture.csv_table import Shape, first_numbers, read_table
+from hapticplayer.capture.formats import Confidence
+from hapticplayer.capture.source import Source
+from hapticplayer.capture.streams import RawLog, split
 from hapticplayer.model import STANDARD_GRAVITY_MPS2
 
 _WITH_TIME = {7: False, 10: True, 14: True}
@@ -52,7 +53,7 @@ def read(source: Source, choices: LogChoices) -> RawLog:
     rows = first_numbers(source, name)
     width = len(rows[0]) if rows else 0
     if width not in _WITH_TIME:
-        raise question(
+        raise LogQuestion(
             f"has {width} columns, and a Razor M0 does not say which they are",
             ("format=csv and columns=time,ax,ay,az,gx,gy,gz (- for others)",),
             source.where(name),
@@ -61,9 +62,8 @@ def read(source: Source, choices: LogChoices) -> RawLog:
     numbers = read_table(source, name, Shape(width, tuple(range(used))))
     values = numbers.values
     force, rate, field = split(
-        values, values[:, 0] * 1e-3, (1, 4, 7 if used > 7 else None)
+        values, values[:, 0] * 1e-3, (1, 4, 7) if used > 7 else (1, 4)
     )
-    assert force is not None
     norm = float(np.nanmedian(np.linalg.norm(values[:, 1:4], axis=1)))
     force_unit, rate_unit, field_unit = _units(norm, source.where(name), choices)
     return RawLog(
@@ -90,11 +90,11 @@ def _units(norm: float, where: str, choices: LogChoices) -> tuple[str, str, str]
     force_unit = f"force-unit={STANDARD_GRAVITY_MPS2 / nearest:.8g}"
     rate_unit = f"rate-unit={np.radians(1.0 / _COUNTS_PER_DPS):.8g}"
     ranges = f"1 g = {nearest:.0f} and 2000 deg/s"
-    raise question(
+    raise LogQuestion(
         f"holds counts of an unknown range (norm {norm:.4g})",
         (f"{force_unit} and {rate_unit} for {ranges}",),
         where,
     )
 
 
-FORMAT = Format("razor-m0", "Razor M0", recognises, read)
+READER = log_reader(recognises, read)

@@ -13,12 +13,18 @@ import io
 
 import numpy as np
 
-from hapticplayer.capture.logs.choices import LogChoices, question
-from hapticplayer.capture.logs.common_times import interpolated
-from hapticplayer.capture.logs.numbers import Shape, column_names
-from hapticplayer.capture.logs.raw import Confidence, Format, RawLog, Stream
-from hapticplayer.capture.logs.source import Source
-from hapticplayer.capture.logs.tables import Sensor, read_sensor
+from hapticplayer.capture.assemble import log_reader
+from hapticplayer.capture.choices import LogChoices, LogQuestion
+from hapticplayer.capture.csv_table import Shape, column_names
+from hapticplayer.capture.formats import Confidence
+from hapticplayer.capture.source import Source
+from hapticplayer.capture.streams import (
+    RawLog,
+    Sensor,
+    Stream,
+    interpolated,
+    read_sensor,
+)
 from hapticplayer.errors import InputError
 
 _COLUMNS = ("time", "x", "y", "z")
@@ -116,7 +122,7 @@ def _force(
         total = _read(source, found[_TOTAL])
         return total, "m/s2", total.notes
     if not system:
-        raise question(
+        raise LogQuestion(
             "does not say whether it comes from iOS or Android, whose accelerations "
             "have opposite signs",
             ("format=sensor-logger-ios", "format=sensor-logger-android"),
@@ -176,4 +182,4 @@ def _read(source: Source, name: str) -> Sensor:
     return read_sensor(source, name, shape)
 
 
-FORMAT = Format("sensor-logger", "Sensor Logger", recognises, read)
+READER = log_reader(recognises, read)

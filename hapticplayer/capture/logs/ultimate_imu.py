@@ -9,16 +9,17 @@ Source: ryowens84/Ultimate-IMU, main.cpp (2011).
 
 import numpy as np
 
-from hapticplayer.capture.logs.choices import LogChoices
-from hapticplayer.capture.logs.numbers import Shape
-from hapticplayer.capture.logs.raw import Confidence, Format, RawLog
-from hapticplayer.capture.logs.source import Source
-from hapticplayer.capture.logs.tables import first_numbers, read_table, split
+from hapticplayer.capture.assemble import log_reader
+from hapticplayer.capture.choices import LogChoices
+from hapticplayer.capture.csv_table import Shape, first_numbers, read_table
+from hapticplayer.capture.formats import Confidence
+from hapticplayer.capture.limits import REST_G
+from hapticplayer.capture.source import Source
+from hapticplayer.capture.streams import RawLog, split
 from hapticplayer.errors import InputError
 
 _WIDTH = 10
 _EULER_WIDTH = 4
-_ONE_G = (0.6, 1.5)
 _DROP_RATE_DPS = 14.375
 """A skipped gyro read is divided by the scale a second time by the firmware."""
 
@@ -40,7 +41,7 @@ def recognises(source: Source) -> Confidence:
     if widths == {_EULER_WIDTH}:
         return Confidence.CERTAIN if is_lf_cr else Confidence.NO
     norm = np.nanmedian(np.linalg.norm(np.array(rows)[:, 4:7], axis=1))
-    if not _ONE_G[0] < norm < _ONE_G[1]:
+    if not REST_G[0] < norm < REST_G[1]:
         return Confidence.POSSIBLE if is_lf_cr else Confidence.NO
     return Confidence.CERTAIN if is_lf_cr else Confidence.LIKELY
 
@@ -63,7 +64,6 @@ def read(source: Source, _choices: LogChoices) -> RawLog:
     spikes = _unscale_skipped(values)
     time_s = values[:, 0] * 1e-3
     force, rate, field = split(values, time_s, (4, 1, 7))
-    assert force is not None
     notes = numbers.notes
     if spikes:
         notes += (f"{spikes} gyroscope values were scaled twice and are left out",)
@@ -99,4 +99,4 @@ def _unscale_skipped(values: np.ndarray) -> int:
     return len(spikes)
 
 
-FORMAT = Format("ultimate-imu", "Ultimate IMU, stock firmware", recognises, read)
+READER = log_reader(recognises, read)

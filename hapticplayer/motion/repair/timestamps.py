@@ -49,6 +49,7 @@ class Kind(enum.StrEnum):
     FIELD_FILLED = "field filled"
     FIELD_DROPPED = "field dropped"
     NO_ROTATION = "no rotation"
+    STUCK = "stuck"
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,7 +6,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from hapticplayer.capture import parse_choices, read_recording
+from hapticplayer.capture import read_recording
+from hapticplayer.capture.choices import parse_choices
 from hapticplayer.errors import InputError, UsageError
 
 OWN = "time_s,ax,ay,az,gx,gy,gz"

@@ -4,10 +4,11 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from hapticplayer.capture import GoProTelemetry, read_gopro, read_raw_gopro
-from hapticplayer.capture.gopro_packets import RawPacket
+from hapticplayer.capture import read_recording
+from hapticplayer.capture.gopro import read_gopro
+from hapticplayer.capture.gopro_streams import RawPacket
+from hapticplayer.capture.recording import Recording
 from hapticplayer.errors import TelemetryError
-from hapticplayer.media import read_telemetry_packets
 from hapticplayer.model import Sampling
 from tests.unit.capture.conftest import (
     device,
@@ -22,11 +23,8 @@ from tests.unit.capture.conftest import (
 UP_ZXY = (9.80665, 0.0, 0.0)  # stored as Z, X, Y
 
 
-def read_file(name: str) -> GoProTelemetry:
-    path = recorded(f"gopro/{name}")
-    if path.suffix == ".mp4":
-        return read_gopro(read_telemetry_packets(path), str(path))
-    return read_raw_gopro(path)
+def read_file(name: str) -> Recording:
+    return read_recording(recorded(f"gopro/{name}"))
 
 
 # measured rates: reference table of the recordings (capture.md, section 1)
@@ -45,11 +43,15 @@ def test_real_recording_has_its_true_rates(name: str) -> None:
     camera, force_hz, rate_hz = MEASURED[name]
     telemetry = read_file(name)
     assert telemetry.camera == camera
-    assert telemetry.accelerometer_rate_hz == pytest.approx(force_hz, abs=0.2)
+    assert telemetry.provenance["accelerometer_rate_hz"] == pytest.approx(
+        force_hz, abs=0.2
+    )
     assert telemetry.imu.rate_hz == pytest.approx(force_hz, abs=0.2)
     if rate_hz is not None:
         tolerance_hz = 0.4 if rate_hz > 300.0 else 0.2
-        assert telemetry.gyro_rate_hz == pytest.approx(rate_hz, abs=tolerance_hz)
+        assert telemetry.provenance["gyro_rate_hz"] == pytest.approx(
+            rate_hz, abs=tolerance_hz
+        )
     assert telemetry.imu.sampling is Sampling.INSTANT
 
 
@@ -100,32 +102,22 @@ def test_whole_of_karma_is_covered_without_gaps() -> None:
 
 def test_fusion_stores_floats_and_a_fast_gyro() -> None:
     telemetry = read_file("fusion.bin")
-    assert telemetry.gyro_rate_hz == pytest.approx(3210.0, abs=5.0)
+    assert telemetry.provenance["gyro_rate_hz"] == pytest.approx(3210.0, abs=5.0)
     assert len(telemetry.imu) > 2800
-
-
-def test_hero9_has_its_own_gravity_and_hero8_has_none() -> None:
-    hero9, hero8 = read_file("hero9_rotation.gpmd"), read_file("hero8_grass.gpmf")
-    rate_hz = 1.0 / np.median(np.diff(hero9.gravity_time_s))
-    assert rate_hz == pytest.approx(29.97, abs=0.05)
-    np.testing.assert_allclose(
-        np.linalg.norm(hero9.gravity_direction, axis=1), 1.0, atol=1e-6
-    )
-    assert len(hero8.gravity_time_s) == 0
 
 
 def test_time_lapse_is_refused_with_the_reason() -> None:
     path = recorded("gopro/hero13_timelapse.bin")
     with pytest.raises(TelemetryError, match="407 motion samples in 407 payloads") as e:
-        read_raw_gopro(path)
+        read_recording(path)
     assert "time-lapse" in str(e.value)
     assert "record normal video" in str(e.value)
     assert path.name in str(e.value)
 
 
 def test_cameras_without_stamps_are_noted() -> None:
-    assert "does not stamp" in read_file("karma.mp4").notes[0]
-    assert read_file("hero9_rotation.gpmd").notes == ()
+    assert "does not stamp" in read_file("karma.mp4").notes[1]
+    assert len(read_file("hero9_rotation.gpmd").notes) == 1  # how it was read
 
 
 def synthetic(
@@ -188,7 +180,9 @@ def test_without_stamps_the_counts_give_the_rate() -> None:
     ends = np.arange(1, 13) * 1.001 * 198.6 + rng.uniform(-5, 5, 12)
     counts = np.diff(np.concatenate([[0.0], ends]).astype(int)).tolist()
     telemetry = read_gopro(synthetic([*counts, 14]))
-    assert telemetry.accelerometer_rate_hz == pytest.approx(198.6, abs=0.3)
+    assert telemetry.provenance["accelerometer_rate_hz"] == pytest.approx(
+        198.6, abs=0.3
+    )
     naive_hz = (sum(counts) + 14) / (13 * 1.001)
     assert abs(naive_hz - 198.6) > 10.0, "what the nominal duration would give"
 
@@ -197,7 +191,9 @@ def test_sensor_that_starts_early_does_not_bend_the_line() -> None:
     """HERO7 delivers 234 samples in the first second."""
     packets = synthetic([234] + [199] * 10, rate_hz=198.8)
     telemetry = read_gopro(packets)
-    assert telemetry.accelerometer_rate_hz == pytest.approx(199 / 1.001, abs=0.1)
+    assert telemetry.provenance["accelerometer_rate_hz"] == pytest.approx(
+        199 / 1.001, abs=0.1
+    )
     assert telemetry.imu.time_s[0] == pytest.approx(-35 / 198.8, abs=0.01)
 
 
@@ -236,7 +232,7 @@ def test_senseless_totals_are_not_believed() -> None:
 def test_stamps_that_contradict_the_video_are_not_believed(stamps: list[int]) -> None:
     packets = synthetic([200] * 4, stamps=np.array(stamps))
     telemetry = read_gopro(packets)
-    assert "does not stamp" in telemetry.notes[0]
+    assert "does not stamp" in telemetry.notes[1]
     assert telemetry.imu.time_s[-1] == pytest.approx(4.0, abs=0.01)
 
 
@@ -245,8 +241,8 @@ def test_raw_dumps_of_any_length_believe_their_stamps() -> None:
     start_s = np.arange(40) * 1.25
     packets = synthetic([250] * 40, stamps=np.rint(1e6 * start_s).astype(np.int64))
     with_times = read_gopro(packets).imu
-    without = read_gopro(packets, has_packet_times=False)
-    assert without.notes == ()
+    without = read_gopro(packets, is_raw=True)
+    assert not any("stamp" in note for note in without.notes)
     assert with_times.time_s[-1] < without.imu.time_s[-1]
 
 
@@ -322,16 +318,12 @@ def test_unusable_telemetry_is_refused_in_one_sentence(
 
 
 @pytest.mark.parametrize(
-    ("module", "limit", "value"),
-    [
-        ("gopro_packets", "MAX_PAYLOADS", 3),
-        ("gopro_streams", "MAX_SAMPLES", 600),
-    ],
+    ("limit", "value"), [("MAX_PAYLOADS", 3), ("MAX_SAMPLES", 600)]
 )
 def test_limits_hold_at_their_value_and_refuse_beyond(
-    monkeypatch: pytest.MonkeyPatch, module: str, limit: str, value: int
+    monkeypatch: pytest.MonkeyPatch, limit: str, value: int
 ) -> None:
-    name = f"hapticplayer.capture.{module}.{limit}"
+    name = f"hapticplayer.capture.gopro_streams.{limit}"
     monkeypatch.setattr(name, value)
     assert len(read_gopro(synthetic([200] * 3)).imu) == 600
     monkeypatch.setattr(name, value - 1)
@@ -347,10 +339,10 @@ def test_huge_dump_is_refused_before_it_is_read(
     size_bytes = path.stat().st_size
     name = "hapticplayer.capture.gopro.MAX_RAW_GPMF_BYTES"
     monkeypatch.setattr(name, size_bytes)
-    assert len(read_raw_gopro(path).imu) == 600
+    assert len(read_recording(path).imu) == 600
     monkeypatch.setattr(name, size_bytes - 1)
     with pytest.raises(TelemetryError, match="too many"):
-        read_raw_gopro(path)
+        read_recording(path)
 
 
 def mutated(content: bytes, rng: np.random.Generator) -> bytes:
@@ -381,7 +373,7 @@ def test_no_damage_gets_out_as_numbers(tmp_path: Path) -> None:
     for _ in range(120):
         path.write_bytes(mutated(content, rng))
         try:
-            imu = read_raw_gopro(path).imu
+            imu = read_recording(path).imu
         except TelemetryError:
             refused += 1
             continue

@@ -5,8 +5,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from hapticplayer.capture import read_gopro, read_recording
-from hapticplayer.capture.gopro_packets import RawPacket
+from hapticplayer.capture import read_recording
+from hapticplayer.capture.gopro import read_gopro
+from hapticplayer.capture.gopro_streams import RawPacket
 from hapticplayer.errors import TelemetryError
 from tests.faults.import_formats import gopro_payloads
 from tests.faults.import_signal import (
@@ -26,12 +27,14 @@ def packets(clean: Sampled) -> list[RawPacket]:
 def test_motion_in_closed_form_comes_back() -> None:
     telemetry = read_gopro(packets(sample(apart=True)))
     t = telemetry.imu.time_s
-    assert telemetry.accelerometer_rate_hz == pytest.approx(100.0, abs=0.01)
-    assert telemetry.gyro_rate_hz == pytest.approx(107.0, abs=0.01)
+    assert telemetry.provenance["accelerometer_rate_hz"] == pytest.approx(
+        100.0, abs=0.01
+    )
+    assert telemetry.provenance["gyro_rate_hz"] == pytest.approx(107.0, abs=0.01)
     assert np.abs(telemetry.imu.specific_force_mps2 - true_force(t)).max() < 0.06
     rate_error = telemetry.imu.angular_rate_radps - true_rate(t)
     assert np.abs(rate_error).max() < 0.02
-    assert telemetry.notes == ()
+    assert len(telemetry.notes) == 1  # how it was read
 
 
 def test_missing_accelerations_are_filled_and_marked() -> None:
@@ -113,12 +116,11 @@ def test_dji_is_refused_with_the_reason(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """No DJI clip is at hand: its data track is known by the name in its handler."""
-    import hapticplayer.media as media
-
     path = tmp_path / "dji.mp4"
     path.write_bytes(b"\0\0\0\x18ftypmp42" + bytes(300))
-    monkeypatch.setattr(media, "read_telemetry_packets", lambda _path: [])
-    monkeypatch.setattr(media, "data_track_names", lambda _path: ("DJI meta",))
+    for module in ("gopro", "other_cameras"):
+        name = f"hapticplayer.capture.{module}.data_track_names"
+        monkeypatch.setattr(name, lambda _path: ("DJI meta",))
     with pytest.raises(TelemetryError, match="stores orientations only") as caught:
         read_recording(path)
     assert "--imu LOG" in str(caught.value)

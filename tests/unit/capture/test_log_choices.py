@@ -6,12 +6,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from hapticplayer.capture import (
-    LogChoices,
-    parse_choices,
-    read_recording,
-    write_template,
-)
+from hapticplayer.capture import read_recording
+from hapticplayer.capture.choices import LogChoices, parse_choices, write_template
 from hapticplayer.errors import InputError, UsageError
 from tests.faults.import_formats import FORMATS, GENERIC, generic, put
 from tests.faults.import_signal import sample, true_force

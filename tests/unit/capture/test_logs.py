@@ -5,7 +5,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from hapticplayer.capture import Recording, parse_choices, read_recording
+from hapticplayer.capture import read_recording
+from hapticplayer.capture.choices import parse_choices
+from hapticplayer.capture.recording import Recording
 from hapticplayer.errors import InputError, UsageError
 from tests.faults.import_formats import (
     EPOCH_NS,

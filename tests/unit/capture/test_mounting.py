@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
-from hapticplayer.capture.logs.axes import axes_matrix
 from hapticplayer.capture.mounting import (
     MOUNTINGS,
     all_mountings,
+    axes_matrix,
     mean_up,
     mounted,
     proposed_mounting,

@@ -8,7 +8,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from hapticplayer.capture.logs.choices import LogChoices
+from hapticplayer.capture.assemble import assemble
+from hapticplayer.capture.choices import LogChoices
 from hapticplayer.capture.other_cameras import read_other_camera
 from hapticplayer.errors import TelemetryError, UsageError
 
@@ -56,8 +57,8 @@ def camera(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 def test_video_becomes_a_log_in_si(camera: Path) -> None:
     camera.write_text("good")
-    log = read_other_camera(camera, AXES)
-    assert log.name == "Sony FX3"
+    log = assemble(read_other_camera(camera, AXES), AXES, str(camera))
+    assert log.camera == "Sony FX3"
     assert log.imu.rate_hz == pytest.approx(200.0)
     np.testing.assert_allclose(log.imu.specific_force_mps2[0], [0.1, 0.2, 9.8])
     assert log.imu.angular_rate_radps[0, 0] == pytest.approx(np.radians(9.0))

@@ -3,7 +3,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from hapticplayer.capture.resample import mean_rate
+from hapticplayer.capture.streams import mean_rate
 
 
 def test_equal_times_change_nothing() -> None:

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from hapticplayer.capture import Recording
+from hapticplayer.capture.recording import Recording
 from hapticplayer.media import probe, write_clip
 from hapticplayer.model import ClockMap
 from hapticplayer.sequence.build import Choices, write_sequence

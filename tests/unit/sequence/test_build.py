@@ -5,7 +5,7 @@ import os
 
 import pytest
 
-from hapticplayer.capture import write_imu_csv
+from hapticplayer.capture.si_csv import write_imu_csv
 from hapticplayer.errors import Cancelled, HapticPlayerError, InputError, SequenceError
 from hapticplayer.model import ClockMap
 from hapticplayer.sequence import build_sequence, files, open_sequence

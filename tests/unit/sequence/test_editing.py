@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from hapticplayer.capture import Recording
+from hapticplayer.capture.recording import Recording
 from hapticplayer.errors import Cancelled, InputError, SequenceError, UsageError
 from hapticplayer.model import ClockMap
 from hapticplayer.sequence import (

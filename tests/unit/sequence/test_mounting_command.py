@@ -5,8 +5,8 @@ import json
 import numpy as np
 import pytest
 
-from hapticplayer.capture import write_imu_csv
 from hapticplayer.capture.mounting import MOUNTINGS, mounted
+from hapticplayer.capture.si_csv import write_imu_csv
 from hapticplayer.cli import MOUNTING_NAMES, main
 from hapticplayer.sequence import open_sequence
 

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from hapticplayer import motion
-from hapticplayer.capture import Recording
+from hapticplayer.capture.recording import Recording
 from hapticplayer.cli import METHOD_NAMES
 from hapticplayer.clock import ManualClock
 from hapticplayer.errors import InputError, UsageError

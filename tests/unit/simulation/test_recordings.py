@@ -5,7 +5,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from hapticplayer.capture import parse_choices, read_recording
+from hapticplayer.capture import read_recording
+from hapticplayer.capture.choices import parse_choices
 from hapticplayer.errors import Cancelled, UsageError
 from hapticplayer.media import probe
 from hapticplayer.simulation import recordings

@@ -8,17 +8,37 @@ import dataclasses
 import json
 import math
 import secrets
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from hapticplayer.capture.limits import MAX_TEMPLATE_BYTES
 from hapticplayer.errors import InputError, UsageError
 from hapticplayer.media.files import resolve_regular
-from hapticplayer.model import Sampling
+from hapticplayer.model import STANDARD_GRAVITY_MPS2, Sampling
 
 OPTION = "--read-as"
-MAX_TEMPLATE_BYTES = 65_536
+
+FORCE_UNITS: Mapping[str, float] = {
+    "m/s2": 1.0,
+    "g": STANDARD_GRAVITY_MPS2,
+    "mg": STANDARD_GRAVITY_MPS2 / 1000.0,
+}
+RATE_UNITS: Mapping[str, float] = {
+    "rad/s": 1.0,
+    "deg/s": math.pi / 180.0,
+    "mdeg/s": math.pi / 180_000.0,
+}
+FIELD_UNITS: Mapping[str, float] = {
+    "uT": 1.0,
+    "nT": 1e-3,
+    "mT": 1e3,
+    "T": 1e6,
+    "gauss": 100.0,
+    "mG": 0.1,
+}
+TIME_UNITS: Mapping[str, float] = {"s": 1.0, "ms": 1e-3, "us": 1e-6, "ns": 1e-9}
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,6 +92,31 @@ class LogChoices:
 
 
 KEYS = tuple(field.name.replace("_", "-") for field in dataclasses.fields(LogChoices))
+
+
+def factor(unit: str, table: Mapping[str, float], key: str) -> float:
+    """Return what a number in a unit is multiplied by.
+
+    Args:
+        unit: a name in the table, or the factor itself as a number.
+        table: of units.
+        key: of the choice, for the message.
+
+    Raises:
+        UsageError: for a unit that does not exist.
+    """
+    if unit in table:
+        return table[unit]
+    try:
+        value = float(unit)
+    except ValueError:
+        value = math.nan
+    if not math.isfinite(value) or value <= 0.0:
+        raise UsageError(
+            f"{key}={unit} is no unit; choose {', '.join(table)}, or give the "
+            "factor to SI as a number above zero"
+        )
+    return value
 
 
 def parse_choices(words: Sequence[str]) -> LogChoices:
@@ -151,7 +196,7 @@ def write_template(path: Path, choices: LogChoices) -> None:
 
 
 class LogQuestion(UsageError):  # noqa: N818 - it asks
-    """A decision about a log is needed.
+    """A decision about a log is needed (exit status 2).
 
     Attributes:
         what: is doubtful.
@@ -168,14 +213,3 @@ class LogQuestion(UsageError):  # noqa: N818 - it asks
     def __reduce__(self) -> tuple[type, tuple[str, tuple[str, ...], str]]:
         """Let it pass from one process to another."""
         return type(self), (self.what, self.answers, self.where)
-
-
-def question(what: str, answers: Sequence[str], where: str) -> LogQuestion:
-    """Return the error that asks for a decision (exit status 2).
-
-    Args:
-        what: is doubtful.
-        answers: each as it is typed, with a word on what it means.
-        where: the file.
-    """
-    return LogQuestion(what, answers, where)

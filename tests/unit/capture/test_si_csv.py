@@ -3,10 +3,18 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from hapticplayer.capture import read_force_csv, read_imu_csv, write_imu_csv
-from hapticplayer.capture.csv_log import read_motion_log
+from hapticplayer.capture import read_recording
+from hapticplayer.capture.choices import LogChoices
+from hapticplayer.capture.si_csv import READER, read_force_csv, write_imu_csv
+from hapticplayer.capture.source import open_file
 from hapticplayer.errors import InputError
 from hapticplayer.model import ImuLog, Reconstruction, Sampling
+
+
+def read_imu(path: Path) -> ImuLog:
+    """Read as such a log, whatever it is recognised as."""
+    return READER.read(open_file(path), LogChoices()).imu
+
 
 HEADER = "time_s,ax,ay,az,gx,gy,gz"
 ROW = "{},0.1,0.2,9.8,0,0,0.01"
@@ -22,7 +30,7 @@ def write(path: Path, lines: list[str], newline: str = "\n") -> Path:
 
 
 def test_plain_log_is_read(tmp_path: Path) -> None:
-    imu = read_imu_csv(write(tmp_path / "log.csv", log_lines()))
+    imu = read_imu(write(tmp_path / "log.csv", log_lines()))
     assert imu.time_s == pytest.approx(np.arange(20) / 100)
     np.testing.assert_array_equal(imu.specific_force_mps2[3], [0.1, 0.2, 9.8])
     np.testing.assert_array_equal(imu.angular_rate_radps[3], [0.0, 0.0, 0.01])
@@ -36,7 +44,7 @@ def test_field_columns_are_read(tmp_path: Path) -> None:
         HEADER + ",mx,my,mz",
         *(f"0.0{t},0,0,9.8,0,0,0,20,-3,40" for t in range(3)),
     ]
-    imu = read_imu_csv(write(tmp_path / "log.csv", lines))
+    imu = read_imu(write(tmp_path / "log.csv", lines))
     assert imu.magnetic_field_ut is not None
     np.testing.assert_array_equal(imu.magnetic_field_ut[1], [20.0, -3.0, 40.0])
 
@@ -48,7 +56,7 @@ def test_spaces_marks_and_line_ends_are_tolerated(
 ) -> None:
     lines = [line.replace(",", " , ") for line in log_lines()]
     lines[0] = start + lines[0]
-    imu = read_imu_csv(write(tmp_path / "log.csv", [*lines, "", "  "], newline))
+    imu = read_imu(write(tmp_path / "log.csv", [*lines, "", "  "], newline))
     assert len(imu) == 20
 
 
@@ -62,7 +70,7 @@ def test_write_and_read_agree_to_nine_digits(tmp_path: Path) -> None:
     )
     path = tmp_path / "log.csv"
     write_imu_csv(path, imu)
-    again = read_imu_csv(path)
+    again = read_imu(path)
     np.testing.assert_allclose(again.time_s, imu.time_s, atol=6e-10)
     for name in ("specific_force_mps2", "angular_rate_radps", "magnetic_field_ut"):
         np.testing.assert_allclose(getattr(again, name), getattr(imu, name), rtol=1e-8)
@@ -70,7 +78,7 @@ def test_write_and_read_agree_to_nine_digits(tmp_path: Path) -> None:
 
 
 def test_folder_that_cannot_be_written_is_named(tmp_path: Path) -> None:
-    imu = read_imu_csv(write(tmp_path / "log.csv", log_lines()))
+    imu = read_imu(write(tmp_path / "log.csv", log_lines()))
     with pytest.raises(InputError, match="cannot be written"):
         write_imu_csv(tmp_path / "missing" / "log.csv", imu)
 
@@ -147,7 +155,7 @@ def test_fault_is_named_with_its_place_and_a_remedy(tmp_path: Path, name: str) -
     lines, sentence = FAULTS[name]
     path = write(tmp_path / "log.csv", lines)
     with pytest.raises(InputError, match=sentence) as caught:
-        read_imu_csv(path)
+        read_imu(path)
     assert "log.csv" in str(caught.value)
     assert "; " in str(caught.value)
     assert "\n" not in str(caught.value)
@@ -174,10 +182,10 @@ def test_a_missing_value_is_filled_marked_and_said(
     tmp_path: Path, cell: str, column: int
 ) -> None:
     lines = noisy_lines()
-    clean = read_imu_csv(write(tmp_path / "clean.csv", lines))
+    clean = read_imu(write(tmp_path / "clean.csv", lines))
     lines[60] = with_cell(lines[60], column, cell)
     lines.insert(20, "")
-    log = read_motion_log(write(tmp_path / "log.csv", lines))
+    log = read_recording(write(tmp_path / "log.csv", lines))
     assert log.imu.valid is not None
     assert np.flatnonzero(~log.imu.valid).tolist() == [59]
     kept = np.arange(200) != 59
@@ -191,7 +199,7 @@ def test_a_missing_value_is_filled_marked_and_said(
 
 
 def test_a_clean_log_has_nothing_to_say(tmp_path: Path) -> None:
-    log = read_motion_log(write(tmp_path / "log.csv", noisy_lines()))
+    log = read_recording(write(tmp_path / "log.csv", noisy_lines()))
     assert log.notes == ()
     assert log.imu.valid is None
 
@@ -199,7 +207,7 @@ def test_a_clean_log_has_nothing_to_say(tmp_path: Path) -> None:
 def test_a_missing_time_is_interpolated(tmp_path: Path) -> None:
     lines = noisy_lines()
     lines[60] = with_cell(lines[60], 0, "")
-    log = read_motion_log(write(tmp_path / "log.csv", lines))
+    log = read_recording(write(tmp_path / "log.csv", lines))
     np.testing.assert_allclose(log.imu.time_s, np.arange(200) / 100, atol=1e-12)
     assert log.notes == (
         "1 missing or wild times were interpolated (first in line 61)",
@@ -208,10 +216,10 @@ def test_a_missing_time_is_interpolated(tmp_path: Path) -> None:
 
 def test_swapped_and_repeated_rows_are_put_in_order(tmp_path: Path) -> None:
     lines = noisy_lines()
-    clean = read_imu_csv(write(tmp_path / "clean.csv", lines))
+    clean = read_imu(write(tmp_path / "clean.csv", lines))
     lines[30], lines[31] = lines[31], lines[30]
     lines.insert(100, lines[100])
-    log = read_motion_log(write(tmp_path / "log.csv", lines))
+    log = read_recording(write(tmp_path / "log.csv", lines))
     np.testing.assert_array_equal(log.imu.time_s, clean.time_s)
     np.testing.assert_array_equal(
         log.imu.specific_force_mps2, clean.specific_force_mps2
@@ -226,14 +234,14 @@ def test_swapped_and_repeated_rows_are_put_in_order(tmp_path: Path) -> None:
 def test_a_gap_stays_a_gap(tmp_path: Path) -> None:
     lines = noisy_lines()
     del lines[101:151]
-    log = read_motion_log(write(tmp_path / "log.csv", lines))
+    log = read_recording(write(tmp_path / "log.csv", lines))
     assert len(log.imu) == 150
     assert np.diff(log.imu.time_s).max() == pytest.approx(0.51)
-    assert "about 50 samples were never recorded" in log.notes[0]
+    assert "about 50 samples were never recorded" in log.notes[1]
 
 
 def test_a_log_without_any_noise_is_read_and_doubted(tmp_path: Path) -> None:
-    log = read_motion_log(write(tmp_path / "log.csv", log_lines()))
+    log = read_recording(write(tmp_path / "log.csv", log_lines()))
     assert log.notes == ("all samples are the same: was the sensor stuck?",)
 
 
@@ -242,7 +250,7 @@ def test_fault_is_found_behind_empty_lines(tmp_path: Path) -> None:
     lines[5:5] = ["", "", ""]
     lines[12] = "x"
     with pytest.raises(InputError, match="line 13"):
-        read_imu_csv(write(tmp_path / "log.csv", lines))
+        read_imu(write(tmp_path / "log.csv", lines))
 
 
 @pytest.mark.parametrize(
@@ -253,7 +261,7 @@ def test_binary_content_is_refused(tmp_path: Path, content: bytes) -> None:
     path = tmp_path / "log.csv"
     path.write_bytes(content)
     with pytest.raises(InputError, match=r"line 1|not a text file"):
-        read_imu_csv(path)
+        read_imu(path)
 
 
 def test_letters_behind_the_header_that_are_not_utf8_are_refused(
@@ -262,12 +270,15 @@ def test_letters_behind_the_header_that_are_not_utf8_are_refused(
     path = tmp_path / "log.csv"
     path.write_bytes("\n".join(log_lines()).encode() + b"\n\xff\xff")
     with pytest.raises(InputError, match="not a text file in UTF-8"):
-        read_imu_csv(path)
+        read_imu(path)
 
 
 @pytest.mark.parametrize(
     ("limit", "value", "sentence"),
-    [("MAX_CSV_BYTES", 99, "the limit is"), ("MAX_CSV_ROWS", 19, "has 20 rows")],
+    [
+        ("source.MAX_CSV_BYTES", 99, "larger than the limit"),
+        ("csv_table.MAX_CSV_ROWS", 19, "has more than 19 rows"),
+    ],
 )
 def test_limits_refuse_just_above(
     tmp_path: Path,
@@ -277,19 +288,19 @@ def test_limits_refuse_just_above(
     sentence: str,
 ) -> None:
     path = write(tmp_path / "log.csv", log_lines())
-    monkeypatch.setattr(f"hapticplayer.capture.table.{limit}", value)
+    monkeypatch.setattr(f"hapticplayer.capture.{limit}", value)
     with pytest.raises(InputError, match=sentence):
-        read_imu_csv(path)
-    room = path.stat().st_size if limit == "MAX_CSV_BYTES" else 20
-    monkeypatch.setattr(f"hapticplayer.capture.table.{limit}", room)
-    assert len(read_imu_csv(path)) == 20
+        read_imu(path)
+    room = path.stat().st_size if "BYTES" in limit else 20
+    monkeypatch.setattr(f"hapticplayer.capture.{limit}", room)
+    assert len(read_imu(path)) == 20
 
 
 def test_missing_file_and_folder_are_refused(tmp_path: Path) -> None:
     with pytest.raises(InputError, match="no such file"):
-        read_imu_csv(tmp_path / "none.csv")
+        read_imu(tmp_path / "none.csv")
     with pytest.raises(InputError, match="is a folder"):
-        read_imu_csv(tmp_path)
+        read_imu(tmp_path)
 
 
 def test_rough_ride_passes_the_unit_check(tmp_path: Path) -> None:
@@ -299,7 +310,7 @@ def test_rough_ride_passes_the_unit_check(tmp_path: Path) -> None:
     rate = rng.normal(0.0, 4.0, (400, 3))
     path = tmp_path / "log.csv"
     write_imu_csv(path, ImuLog(np.arange(400) / 200, force, rate))
-    assert len(read_imu_csv(path)) == 400
+    assert len(read_imu(path)) == 400
 
 
 def test_force_track_holds_each_value(tmp_path: Path) -> None:

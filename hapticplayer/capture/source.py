@@ -8,6 +8,7 @@ import contextlib
 import functools
 import io
 import os
+import re
 import struct
 import zipfile
 import zlib
@@ -77,6 +78,7 @@ class Source:
         names: of its members, relative to a folder or in a zip; of a single file,
             its own name.
         is_one_file: neither a folder nor a zip.
+        is_binary: one file that is no text: a video, or raw telemetry.
     """
 
     def __init__(self, path: Path, members: _Members) -> None:
@@ -84,7 +86,8 @@ class Source:
         self.names = members.names()
         self.is_one_file = isinstance(members, _File)
         self._members = members
-        self.head = functools.cache(self._head)
+        self.beginning = functools.cache(self._beginning)
+        self.is_binary = self.is_one_file and not is_text(self.beginning(path.name))
 
     def where(self, name: str) -> str:
         """Return how a message calls a member."""
@@ -94,15 +97,19 @@ class Source:
         """Return the last part of a member's name, in lower case."""
         return PurePosixPath(name).name.lower()
 
-    def _head(self, name: str) -> str:
-        """Return the first 4096 bytes as text; "" of what is none."""
-        with self.opened(name) as stream:
-            content = stream.read(HEAD_BYTES)
+    def _beginning(self, name: str) -> bytes:
+        """Return the first 4096 bytes."""
+        with self._readable(name) as stream:
+            return stream.read(HEAD_BYTES)
+
+    def head(self, name: str) -> str:
+        """Return the beginning as text; "" of what is none."""
+        content = self.beginning(name)
         return content.decode("utf-8-sig", "replace") if is_text(content) else ""
 
     def first_line(self, name: str) -> str:
         """Return the first line without its end."""
-        return self.head(name).partition("\n")[0].strip()
+        return re.split(r"[\r\n]", self.head(name), maxsplit=1)[0].strip()
 
     @contextlib.contextmanager
     def opened(self, name: str) -> Iterator[BinaryIO]:
@@ -113,9 +120,14 @@ class Source:
         """
         if self._members.size_bytes(name) > MAX_CSV_BYTES:
             raise _too_large(self.where(name))
+        with self._readable(name) as stream:
+            yield cast(BinaryIO, _Bounded(stream, self.where(name)))
+
+    @contextlib.contextmanager
+    def _readable(self, name: str) -> Iterator[BinaryIO]:
         try:
             with self._members.opened(name) as stream:
-                yield cast(BinaryIO, _Bounded(stream, self.where(name)))
+                yield stream
         except InputError:
             raise
         except _ZIP_ERRORS as error:
@@ -217,30 +229,37 @@ class _Zip:
 
 
 def open_source(path: str | os.PathLike[str]) -> Source:
-    """Return the source at a path.
+    """Return the source at a path: a file, a folder, or a zip.
 
     Raises:
         InputError: when nothing can be read there, or it exceeds the limits.
     """
     folder = Path(path)
     if folder.is_dir():
-        members: _Members = _Folder(folder.resolve())
-        return Source(folder.resolve(), members)
-    file = resolve_regular(path, InputError)
-    with file.open("rb") as stream:
-        is_zip = stream.read(4) == ZIP_MAGIC
-    if not is_zip:
-        return Source(file, _File(file))
+        return Source(folder.resolve(), _Folder(folder.resolve()))
+    found = open_file(path)
+    if not found.beginning(found.names[0]).startswith(ZIP_MAGIC):
+        return found
     try:
-        return Source(file, _Zip(file))
+        return Source(found.path, _Zip(found.path))
     except InputError:
         raise
     except _ZIP_ERRORS as error:
         raise InputError(
             f"is a damaged zip ({reason(error)})",
-            where=str(file),
+            where=str(found.path),
             remedy="export the recording again",
         ) from error
+
+
+def open_file(path: str | os.PathLike[str]) -> Source:
+    """Return one file as a source, whatever it holds.
+
+    Raises:
+        InputError: when it is no file, or cannot be read.
+    """
+    file = resolve_regular(path, InputError)
+    return Source(file, _File(file))
 
 
 def is_text(content: bytes) -> bool:

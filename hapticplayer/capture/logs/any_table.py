@@ -8,13 +8,21 @@ from typing import NamedTuple
 
 import numpy as np
 
+from hapticplayer.capture.assemble import log_reader
+from hapticplayer.capture.choices import (
+    FIELD_UNITS,
+    FORCE_UNITS,
+    RATE_UNITS,
+    TIME_UNITS,
+    LogChoices,
+    LogQuestion,
+    factor,
+)
+from hapticplayer.capture.csv_table import Shape, read_table
+from hapticplayer.capture.formats import Confidence
 from hapticplayer.capture.limits import MIN_RATE_HZ
-from hapticplayer.capture.logs import units
-from hapticplayer.capture.logs.choices import LogChoices, question
-from hapticplayer.capture.logs.numbers import Shape
-from hapticplayer.capture.logs.raw import Confidence, Format, RawLog, Stream
-from hapticplayer.capture.logs.source import Source
-from hapticplayer.capture.logs.tables import read_table
+from hapticplayer.capture.source import Source
+from hapticplayer.capture.streams import RawLog, Stream
 from hapticplayer.errors import UsageError
 from hapticplayer.model.arrays import Floats
 
@@ -96,7 +104,7 @@ def _columns(choices: LogChoices, layout: _Layout, where: str) -> tuple[str, ...
     columns = tuple(c.strip().lower() for c in choices.columns.split(",") if c.strip())
     shown = layout.separator.join(layout.header)[:120] or "without names"
     if not columns:
-        raise question(
+        raise LogQuestion(
             f"is a table of {layout.width} columns ({shown}) that says not what they "
             "are",
             ("columns=time,ax,ay,az,gx,gy,gz (- for what is not wanted)",),
@@ -128,15 +136,15 @@ def _ask_units(choices: LogChoices, columns: tuple[str, ...], where: str) -> Non
     """Ask for all units that are needed and were not given."""
     wanted = []
     if _TIME in columns and not choices.time_unit:
-        wanted.append(f"time-unit={'|'.join(units.TIME)}")
+        wanted.append(f"time-unit={'|'.join(TIME_UNITS)}")
     if not choices.force_unit:
-        wanted.append(f"force-unit={'|'.join(units.FORCE)}")
+        wanted.append(f"force-unit={'|'.join(FORCE_UNITS)}")
     if not choices.rate_unit:
-        wanted.append(f"rate-unit={'|'.join(units.RATE)}")
+        wanted.append(f"rate-unit={'|'.join(RATE_UNITS)}")
     if "mx" in columns and not choices.field_unit:
-        wanted.append(f"field-unit={'|'.join(units.FIELD)}")
+        wanted.append(f"field-unit={'|'.join(FIELD_UNITS)}")
     if wanted:
-        raise question("its units are not known", (" and ".join(wanted),), where)
+        raise LogQuestion("its units are not known", (" and ".join(wanted),), where)
 
 
 def _times(
@@ -146,7 +154,7 @@ def _times(
     if _TIME not in place:
         return np.arange(len(values)) / (rate_hz or MIN_RATE_HZ)
     with np.errstate(all="ignore"):
-        time_s = values[:, place[_TIME]] * units.factor(unit, units.TIME, "time-unit")
+        time_s = values[:, place[_TIME]] * factor(unit, TIME_UNITS, "time-unit")
     return np.asarray(time_s)
 
 
@@ -220,4 +228,4 @@ def _width(line: str, separator: str, decimal: str) -> int:
     return len(cells) if held >= min(_LEAST_COLUMNS, len(cells)) else 0
 
 
-FORMAT = Format("csv", "CSV with chosen columns", recognises, read)
+READER = log_reader(recognises, read)

@@ -8,9 +8,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from hapticplayer.capture import read_recording
-from hapticplayer.capture.logs import numbers, open_source, source
-from hapticplayer.capture.logs.numbers import Numbers, Shape, read_numbers
+from hapticplayer.capture import csv_table, read_recording, source
+from hapticplayer.capture.csv_table import Numbers, Shape, read_numbers
+from hapticplayer.capture.source import open_source
 from hapticplayer.errors import InputError
 from tests.faults.import_formats import FORMATS, put, zipped
 from tests.faults.import_signal import sample
@@ -137,11 +137,11 @@ def rows(text: bytes, **shape: object) -> Numbers:
 def test_line_ends_of_all_kinds_are_read(end: bytes) -> None:
     held = rows(end.join([b"1,2,3", b"4,5,6", b"7,8,9", b""]))
     np.testing.assert_array_equal(held.values, [[1, 2, 3], [4, 5, 6], [7, 8, 9]])
-    assert held.damaged == 0
+    assert held.damaged == ()
 
 
 def test_chunks_join_without_losing_a_line(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(numbers, "CHUNK_BYTES", 7)
+    monkeypatch.setattr(csv_table, "CHUNK_BYTES", 7)
     text = b"".join(b"%d,%d,%d\n" % (k, 2 * k, -k) for k in range(200))
     held = rows(text)
     expected = np.outer(np.arange(200), [1.0, 2.0, -1.0])
@@ -153,7 +153,7 @@ def test_empty_cells_are_nan_and_damaged_lines_are_counted() -> None:
     held = rows(good + b"1,,3\n" + b"1,x,3\n" + b"1,2\n" + b"1,1_0,2\n" + good)
     assert len(held.values) == 121
     assert np.isnan(held.values[60, 1])
-    assert (held.damaged, held.first_damaged) == (3, 62)
+    assert held.damaged == (62, 63, 64)
     assert "first: line 62" in held.notes[0]
 
 
@@ -162,7 +162,7 @@ def test_rows_of_wrong_length_do_not_shift_into_each_other() -> None:
     good = b"1,2,3\n" * 60
     held = rows(good + b"1,2,3,4\n1,2\n" + good)
     np.testing.assert_array_equal(held.values, np.tile([1.0, 2, 3], (120, 1)))
-    assert held.damaged == 2
+    assert held.damaged == (61, 62)
 
 
 def test_decimal_commas_and_exponents_are_numbers() -> None:
@@ -186,7 +186,7 @@ def test_integers_beyond_float64_are_subtracted_exactly() -> None:
     ("text", "sentence"),
     [(b"", "0 rows"), (b"1,2,3\n", "1 rows"), (b"x\n" * 50, "50 damaged lines"),
      (b"1,2,3\n" * 50 + b"oops\n" * 9, "9 damaged lines"),
-     (b"7" * 5_000_000, "more than 4096 characters")],
+     (b"7" * 5_000_000, "line 1: is longer than 4096 characters")],
 )  # fmt: skip
 def test_what_is_no_table_is_refused(text: bytes, sentence: str) -> None:
     with pytest.raises(InputError, match=sentence):
@@ -194,7 +194,7 @@ def test_what_is_no_table_is_refused(text: bytes, sentence: str) -> None:
 
 
 def test_more_rows_than_the_limit_are_refused(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(numbers, "MAX_CSV_ROWS", 100)
+    monkeypatch.setattr(csv_table, "MAX_CSV_ROWS", 100)
     assert len(rows(b"1,2,3\n" * 100).values) == 100
     with pytest.raises(InputError, match="more than 100 rows"):
         rows(b"1,2,3\n" * 101)

@@ -1,0 +1,271 @@
+"""From a raw log to a recording: units, axes, common times, checks, repairs.
+
+Nothing is guessed: what a format declares is held against gravity and against what
+hands can do, and where that fails a person is asked.
+"""
+
+import dataclasses
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hapticplayer.capture import log_checks
+from hapticplayer.capture.choices import (
+    FIELD_UNITS,
+    FORCE_UNITS,
+    RATE_UNITS,
+    LogChoices,
+    LogQuestion,
+    factor,
+)
+from hapticplayer.capture.formats import Confidence, Reader
+from hapticplayer.capture.limits import CONSTANT_MPS2
+from hapticplayer.capture.mounting import axes_matrix
+from hapticplayer.capture.recording import Recording
+from hapticplayer.capture.source import Source
+from hapticplayer.capture.streams import RawLog, Samples, Stream, on_common_times
+from hapticplayer.errors import InputError
+from hapticplayer.model import STANDARD_GRAVITY_MPS2, ClockMap, ImuLog
+from hapticplayer.model.arrays import Floats
+
+if TYPE_CHECKING:
+    from hapticplayer.motion.repair.timestamps import Repair
+
+Reals = NDArray[np.floating[Any]]
+
+_TRIED_ROWS = 60_000
+_ONE_G = np.array([0.0, 0.0, STANDARD_GRAVITY_MPS2])
+
+
+def log_reader(
+    recognises: Callable[[Source], Confidence],
+    read_raw: Callable[[Source, LogChoices], RawLog],
+) -> Reader:
+    """Return the reader of a format whose logs are assembled here."""
+
+    def read(source: Source, choices: LogChoices) -> Recording:
+        # held by nobody else, so that `assemble` can give up what it has used
+        return assemble(read_raw(source, choices), choices, str(source.path))
+
+    return Reader(recognises, read)
+
+
+def assemble(raw: RawLog, choices: LogChoices, where: str) -> Recording:
+    """Return the recording that a raw log holds, in SI and frame A.
+
+    Raises:
+        InputError: when it cannot be used.
+        UsageError: when units or axes are doubtful; says how to decide.
+    """
+    raw = _decided(raw, choices)
+    samples = _common(raw, where)
+    # ten hours fill half a gigabyte: nothing is kept longer than it is needed
+    raw = _without_samples(raw)
+    said = samples.notes
+    part = _beginning(samples)
+    in_si = _in_si(samples, raw)
+    del samples
+    try:
+        imu, repairs = _cleaned(in_si, raw, where)
+    except InputError as error:
+        other = _other_units(part, raw, choices, where)
+        if other is None:
+            raise
+        what = f"{error.what}, but the numbers would fit another unit"
+        raise LogQuestion(what, (other,), where) from error
+    del in_si
+    # streams with times of their own have said themselves where they have gaps
+    texts = [one.text for one in repairs if not (said and one.kind == "lost")]
+    figures = log_checks.figures(imu, raw)
+    if raw.is_gravity_free:
+        notes: tuple[str, ...] = ("gravity was already removed by the recorder",)
+    else:
+        log_checks.check_norm(figures, raw, choices, where)
+        notes = log_checks.check_upright(imu, raw, choices, where)
+    log_checks.check_rate(imu, raw, choices, where)
+    known = raw.frame0_s is not None
+    return Recording(
+        imu=imu,
+        clock_map=ClockMap(
+            offset_s=-(raw.frame0_s or 0.0), confidence=1.0 if known else 0.0
+        ),
+        camera=raw.name,
+        notes=(log_checks.how_read(raw, figures), *notes, *raw.notes, *said, *texts),
+        provenance={
+            "reader": raw.name,
+            "force_unit": raw.force_unit,
+            "rate_unit": raw.rate_unit,
+            "axes": raw.axes,
+            **figures,
+        },
+        is_gravity_free=raw.is_gravity_free,
+    )
+
+
+def _decided(raw: RawLog, choices: LogChoices) -> RawLog:
+    """Return the log with what a person decided in place of what it declares."""
+    force = raw.force
+    if choices.force_sign == "-":
+        force = Stream(force.time_s, -force.values)
+    return dataclasses.replace(
+        raw,
+        force=force,
+        force_unit=choices.force_unit or raw.force_unit,
+        rate_unit=choices.rate_unit or raw.rate_unit,
+        field_unit=choices.field_unit or raw.field_unit,
+        axes=choices.axes or raw.axes,
+    )
+
+
+def _common(raw: RawLog, where: str) -> Samples:
+    if raw.rate is not None and not raw.is_gravity_free:
+        return on_common_times(raw.force, raw.rate, raw.field, where)
+    if not raw.is_gravity_free:
+        raise InputError(
+            "holds no angular rate, without which gravity cannot be told from motion",
+            where=where,
+            remedy="record the gyroscope too",
+        )
+    # where gravity is gone nothing needs to be turned
+    still = np.zeros_like(raw.force.values)
+    return Samples(raw.force.time_s, raw.force.values, still, None, ())
+
+
+def _beginning(samples: Samples) -> Samples:
+    """Return a copy of the first rows, which does not keep the others alive."""
+    time_s, force, rate = (part[:_TRIED_ROWS].copy() for part in samples[:3])
+    return Samples(time_s, force, rate, None, ())
+
+
+def _without_samples(raw: RawLog) -> RawLog:
+    """Return the log with empty streams."""
+    empty = Stream(np.zeros(0), np.zeros((0, 3)))
+    return dataclasses.replace(
+        raw,
+        force=empty,
+        rate=None if raw.rate is None else empty,
+        field=None if raw.field is None else empty,
+    )
+
+
+def _in_si(samples: Samples, raw: RawLog) -> Samples:
+    """Return the samples in SI and frame A; float32, as no sensor has 24 bits."""
+    turned = axes_matrix(raw.axes).T
+    force_factor = factor(raw.force_unit, FORCE_UNITS, "force-unit")
+    rate_factor = factor(raw.rate_unit, RATE_UNITS, "rate-unit")
+    field_factor = factor(raw.field_unit, FIELD_UNITS, "field-unit")
+    # what overflows here is damage, and is found to be so
+    with np.errstate(all="ignore"):
+        force = _finite(samples.force) @ (turned * force_factor)
+        if raw.is_gravity_free:  # for the checks, which look for gravity
+            force += _ONE_G
+        rate = _finite(samples.rate) @ (turned * rate_factor)
+        field = samples.field
+        if field is not None:
+            field = (_finite(field) @ (turned * field_factor)).astype(np.float32)
+        return Samples(
+            samples.time_s,
+            force.astype(np.float32),
+            rate.astype(np.float32),
+            field,
+            samples.notes,
+        )
+
+
+def _finite(values: Floats) -> Floats:
+    is_finite = np.isfinite(values)
+    return values if is_finite.all() else np.where(is_finite, values, np.nan)
+
+
+def _cleaned(
+    samples: Samples, raw: RawLog, where: str
+) -> tuple[ImuLog, tuple["Repair", ...]]:
+    time_s, force, rate, field, _ = samples
+    imu, repairs = clean(time_s, force, rate, field, source=where)
+    if not raw.is_gravity_free:
+        return imu, repairs
+    free = np.asarray(imu.specific_force_mps2 - _ONE_G)
+    repairs = tuple(one for one in repairs if one.kind != "no rotation")
+    return dataclasses.replace(imu, specific_force_mps2=free), repairs
+
+
+def clean(
+    time_s: Floats,
+    force: Reals,
+    rate: Reals,
+    field: Reals | None = None,
+    *,
+    source: str = "",
+) -> tuple[ImuLog, tuple["Repair", ...]]:
+    """Return the log with every flaw repaired or marked, and what was done.
+
+    A log without any noise (made by a program, or by a stuck sensor) is taken as it
+    is, and doubted.
+
+    Args:
+        time_s: (N,).
+        force: (N, 3) m/s2, frame A; NaN where missing.
+        rate: (N, 3) rad/s, frame A; NaN where missing.
+        field: (N, 3) uT, frame A, or None.
+        source: for messages and provenance.
+
+    Raises:
+        InputError: for what cannot be repaired, see `motion.repair_samples`.
+    """
+    from hapticplayer.motion import repair_samples  # brings scipy along
+    from hapticplayer.motion.repair.timestamps import Kind, Repair
+
+    if not _is_constant(time_s, force, rate):
+        done = repair_samples(time_s, force, rate, field, source=source)
+        return done.imu, done.repairs
+    has_field = field is not None and np.isfinite(field).all()
+    text = "all samples are the same: was the sensor stuck?"
+    imu = ImuLog(
+        time_s,
+        np.asarray(force, np.float64),
+        np.asarray(rate, np.float64),
+        np.asarray(field, np.float64) if has_field else None,
+        source=source,
+    )
+    return imu, (Repair(Kind.STUCK, len(time_s), 0, text),)
+
+
+def _is_constant(time_s: Floats, force: Reals, rate: Reals) -> bool:
+    """Whether times are in order and every sample is like the first, about 1 g."""
+    low, high = CONSTANT_MPS2
+    return bool(
+        len(time_s) > 1
+        and (force[:2] == force[0]).all()  # nearly always settles it
+        and low <= np.linalg.norm(force[0]) <= high
+        and np.isfinite(time_s).all()
+        and (np.diff(time_s) > 0.0).all()
+        and np.isfinite(rate[0]).all()
+        and (force == force[0]).all()
+        and (rate == rate[0]).all()
+    )
+
+
+def _other_units(
+    part: Samples, raw: RawLog, choices: LogChoices, where: str
+) -> str | None:
+    """Return which other units a part of the log would fit, as a choice, or None."""
+    force_units = [raw.force_unit] if choices.force_unit else ["m/s2", "g", "mg"]
+    rate_units = [raw.rate_unit] if choices.rate_unit else ["rad/s", "deg/s"]
+    for force_unit in force_units:
+        for rate_unit in rate_units:
+            if (force_unit, rate_unit) == (raw.force_unit, raw.rate_unit):
+                continue
+            other = dataclasses.replace(raw, force_unit=force_unit, rate_unit=rate_unit)
+            try:
+                _cleaned(_in_si(part, other), other, where)
+            except InputError:
+                continue
+            words = []
+            if force_unit != raw.force_unit:
+                words.append(f"force-unit={force_unit}")
+            if rate_unit != raw.rate_unit:
+                words.append(f"rate-unit={rate_unit}")
+            return " and ".join(words)
+    return None

@@ -1,0 +1,338 @@
+"""Reads tables of numbers: every text log and every force track goes through here.
+
+Whole chunks go through numpy's tokenizer (0.06 us a number); only a chunk that does
+not fit is read line by line. An empty cell is NaN. A line that is no row of numbers
+is left out and counted; a table whose columns are named is strict, and refused at
+the first such line.
+"""
+
+import io
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import BinaryIO
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hapticplayer.capture.limits import MAX_CSV_ROWS, MAX_DAMAGED_SHARE, MAX_LINE_BYTES
+from hapticplayer.capture.source import Source
+from hapticplayer.errors import InputError
+from hapticplayer.model.arrays import Floats
+
+CHUNK_BYTES = 1 << 22
+
+_SAMPLE_LINES = 60
+
+
+@dataclass(frozen=True, slots=True)
+class Shape:
+    """How the rows of a table are written.
+
+    Attributes:
+        width: cells of a row.
+        separator: between the cells; blanks around them do not count.
+        decimal: "." or ",".
+        columns: which cells are wanted, in order.
+        integer: which cell holds integers too long for float64 (time in ns); its
+            first value is subtracted exactly.
+        skip_lines: of the header.
+        marks: what stands in a line beside numbers, and what takes its place.
+        names: of all cells, of a strict table.
+        least_rows: fewer make no sense.
+    """
+
+    width: int
+    columns: tuple[int, ...]
+    separator: str = ","
+    decimal: str = "."
+    integer: int | None = None
+    skip_lines: int = 0
+    marks: tuple[tuple[bytes, bytes], ...] = ()
+    names: tuple[str, ...] = ()
+    least_rows: int = 2
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Numbers:
+    """The rows of a table.
+
+    Attributes:
+        values: (rows, columns), NaN in empty cells.
+        origin: what was subtracted from the integer column.
+        lines: of the rows, counted from 1, a part for each chunk.
+        damaged: the lines that were left out.
+    """
+
+    values: Floats
+    origin: int
+    lines: tuple[Sequence[int], ...]
+    damaged: tuple[int, ...] = ()
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What was left out, in words."""
+        if not self.damaged:
+            return ()
+        first = self.damaged[0]
+        if len(self.damaged) == 1:
+            return (f"1 line is damaged and left out (first: line {first})",)
+        count = len(self.damaged)
+        return (f"{count} lines are damaged and left out (first: line {first})",)
+
+    def line(self, row: int) -> int:
+        """Return the line in which a row stands."""
+        for part in self.lines:
+            if row < len(part):
+                return part[row]
+            row -= len(part)
+        raise IndexError(row)
+
+
+def read_table(source: Source, name: str, shape: Shape) -> Numbers:
+    """Return the wanted columns of a member of a recording.
+
+    Raises:
+        InputError: when there are too few rows, too many, or too many damaged ones;
+            of a strict table naming the line and the column at fault.
+    """
+    with source.opened(name) as stream:
+        return read_numbers(stream, shape, source.where(name))
+
+
+def read_numbers(stream: BinaryIO, shape: Shape, where: str) -> Numbers:
+    """Return the wanted columns of all rows; see `read_table`."""
+    parser = _Parser(shape, where)
+    parts = [parser.parse(chunk) for chunk in parser.chunks(stream)]
+    values = _joined(parts, len(shape.columns))
+    damaged = parser.damaged
+    if len(values) < shape.least_rows or len(damaged) > MAX_DAMAGED_SHARE * len(values):
+        more = f" and {len(damaged)} damaged lines" if damaged else ""
+        raise InputError(
+            f"has {len(values)} rows of {shape.width} numbers{more}",
+            where=where,
+            remedy="export the log again or choose another one",
+        )
+    return Numbers(values, parser.origin or 0, tuple(parser.lines), tuple(damaged))
+
+
+def _joined(parts: list[Floats], columns: int) -> Floats:
+    """Return all parts in one array; each is given up as soon as it is copied."""
+    values = np.empty((sum(map(len, parts)), columns))
+    end = len(values)
+    while parts:
+        part = parts.pop()
+        values[end - len(part) : end] = part
+        end -= len(part)
+    return values
+
+
+class _Parser:
+    """Turns the chunks of one table into rows, and keeps count of its lines."""
+
+    def __init__(self, shape: Shape, where: str) -> None:
+        self._shape, self._where = shape, where
+        self._line = self._rows = 0
+        self.origin: int | None = None
+        self.lines: list[Sequence[int]] = []
+        self.damaged: list[int] = []
+
+    def chunks(self, stream: BinaryIO) -> Iterator[bytes]:
+        """Yield whole lines, about CHUNK_BYTES at a time, without the header."""
+        rest, to_skip = b"", self._shape.skip_lines
+        while content := stream.read(CHUNK_BYTES):
+            if b"\n" not in content:  # lines may end as they did on old Macs
+                content = content.replace(b"\r", b"\n")
+            whole, newline, rest = (rest + content).rpartition(b"\n")
+            if not newline and len(rest) > MAX_LINE_BYTES:
+                raise self._fault("", self._line + 1, _TOO_LONG, "choose another log")
+            chunk = whole + newline
+            while to_skip and chunk:
+                chunk = chunk.partition(b"\n")[2]
+                to_skip -= 1
+                self._line += 1
+            if chunk:
+                yield chunk
+        if rest and not to_skip:
+            yield rest
+
+    def parse(self, chunk: bytes) -> Floats:
+        """Return the rows of whole lines."""
+        shape = self._shape
+        chunk = chunk.replace(b"\r", b"").removeprefix(b"\xef\xbb\xbf")
+        if b'"' in chunk:  # numbers between quotes; a comma in them shows in the width
+            chunk = chunk.replace(b'"', b"")
+        for mark, number in shape.marks:
+            chunk = chunk.replace(mark, number)
+        if shape.decimal == ",":
+            chunk = chunk.replace(b",", b".")
+        count = chunk.count(b"\n") + (not chunk.endswith(b"\n"))
+        values = self._whole(chunk, count)
+        if values is None:
+            values = self._line_by_line(chunk)
+        self._line += count
+        self._rows += len(values)
+        if self._rows > MAX_CSV_ROWS:
+            raise InputError(
+                f"has more than {MAX_CSV_ROWS} rows",
+                where=self._where,
+                remedy="cut the log into parts",
+            )
+        return values
+
+    def _whole(self, chunk: bytes, count: int) -> Floats | None:
+        """Return all rows of a chunk without any fault, or None."""
+        shape, separator = self._shape, self._shape.separator.encode()
+        separators = chunk.count(separator)
+        if separators % max(1, shape.width - 1) or b"_" in chunk or not chunk.strip():
+            return None
+        kinds: list[object] = [np.float64] * len(shape.columns)
+        if shape.integer is not None:
+            kinds[shape.columns.index(shape.integer)] = np.int64
+        table = np.dtype([(f"c{number}", kind) for number, kind in enumerate(kinds)])
+        try:
+            rows = np.loadtxt(
+                io.BytesIO(chunk),
+                dtype=table,
+                delimiter=shape.separator,
+                comments=None,
+                usecols=shape.columns,
+                ndmin=1,
+                encoding="ascii",
+            )
+        except (ValueError, IndexError, OverflowError, UnicodeDecodeError):
+            return None
+        # usecols does not mind cells that are missing or too many at the end
+        if len(rows) * (shape.width - 1) != separators:
+            return None
+        first = self._line + 1
+        if len(rows) == count:
+            self.lines.append(range(first, first + count))
+        else:
+            texts = enumerate(chunk.split(b"\n"), start=first)
+            self.lines.append([number for number, text in texts if text.strip()])
+        return self._as_floats(rows)
+
+    def _as_floats(self, rows: NDArray[np.void]) -> Floats:
+        names = rows.dtype.names or ()
+        values = np.empty((len(rows), len(names)))
+        for number, name in enumerate(names):
+            column = rows[name]
+            if column.dtype.kind == "i":
+                if self.origin is None:
+                    self.origin = int(column[0])
+                # wraps round where a damaged number is huge, which is refused later
+                column = column - np.int64(self.origin)
+            values[:, number] = column
+        return values
+
+    def _line_by_line(self, chunk: bytes) -> Floats:
+        rows: list[list[float]] = []
+        lines: list[int] = []
+        for number, line in enumerate(chunk.split(b"\n"), start=self._line + 1):
+            if not line.strip():
+                continue
+            row = self._row(line.decode("ascii", "replace"))
+            if row is not None:
+                rows.append(row)
+                lines.append(number)
+            elif self._shape.names:
+                self._blame(line, number)
+            else:
+                self.damaged.append(number)
+        self.lines.append(lines)
+        return np.array(rows).reshape(-1, len(self._shape.columns))
+
+    def _row(self, text: str) -> list[float] | None:
+        shape = self._shape
+        cells = text.split(shape.separator)
+        if len(cells) == shape.width + 1 and not (cells[-1].strip() or shape.names):
+            cells.pop()  # a separator at the end of the line
+        if len(cells) != shape.width:
+            return None
+        numbers = [_number(cells[column].strip()) for column in shape.columns]
+        if shape.integer is not None:
+            at = shape.columns.index(shape.integer)
+            numbers[at] = self._since_origin(cells[shape.integer].strip())
+        row = [number for number in numbers if number is not None]
+        return row if len(row) == len(numbers) else None
+
+    def _since_origin(self, cell: str) -> float | None:
+        try:
+            whole = int(cell)
+        except ValueError:
+            value = _number(cell)
+            if value is None or not math.isfinite(value):
+                return value
+            whole = int(value)
+        if self.origin is None:
+            self.origin = whole
+        return float(whole - self.origin)
+
+    def _blame(self, content: bytes, line: int) -> None:
+        """Raise what is wrong with a line of a strict table."""
+        try:
+            text = content.decode().strip()
+        except UnicodeDecodeError as error:
+            raise not_text(self._where) from error
+        if len(text) > MAX_LINE_BYTES:
+            raise self._fault("", line, _TOO_LONG, "choose another log")
+        cells, names = text.split(","), self._shape.names
+        if len(cells) != len(names):
+            what = f"has {len(cells)} columns, the header has {len(names)}"
+            raise self._fault("", line, what, "remove or complete the line")
+        for name, cell in zip(names, cells, strict=True):
+            if _number(cell.strip()) is None:
+                what = f"{cell.strip()[:30]!r} is not a number"
+                remedy = "remove the line or correct the number"
+                raise self._fault(f", column {name}", line, what, remedy)
+
+    def _fault(self, column: str, line: int, what: str, remedy: str) -> InputError:
+        where = f"{self._where}, line {line}{column}"
+        return InputError(what, where=where, remedy=remedy)
+
+
+_TOO_LONG = f"is longer than {MAX_LINE_BYTES} characters"
+
+
+def not_text(where: str) -> InputError:
+    """Return the refusal of a file that is no text."""
+    return InputError(
+        "is not a text file in UTF-8",
+        where=where,
+        remedy="export the log as comma-separated text",
+    )
+
+
+def column_names(line: str, separator: str = ",") -> tuple[str, ...]:
+    """Return the cells of a header, without quotes and blanks."""
+    return tuple(cell.strip().strip('"').strip() for cell in line.split(separator))
+
+
+def find_separator(line: str) -> str:
+    """Return the separator that a line has most of."""
+    return max((",", ";", "\t"), key=line.count)
+
+
+def first_numbers(source: Source, name: str) -> list[list[float]]:
+    """Return the rows of numbers at the beginning of a member; [] where none are.
+
+    Empty cells are NaN. The last line of the beginning is left out, for it may be cut.
+    """
+    lines = source.head(name).replace("\r", "\n").split("\n")
+    rows = []
+    for line in [line for line in lines[:-1] if line.strip()][:_SAMPLE_LINES]:
+        try:
+            rows.append([float(cell.strip() or "nan") for cell in line.split(",")])
+        except ValueError:
+            return []
+    return rows
+
+
+def _number(cell: str) -> float | None:
+    if not cell:
+        return math.nan
+    try:
+        return float(cell) if "_" not in cell else None
+    except ValueError:
+        return None

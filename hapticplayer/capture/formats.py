@@ -1,0 +1,80 @@
+"""The formats of recordings, one line for each.
+
+Command line, window, validation and documents read this list; a new format is a line
+here and a module with its reader. Needs nothing but the standard library: a reader is
+imported when there is a file to be read.
+"""
+
+import enum
+import importlib
+from collections.abc import Callable
+from typing import TYPE_CHECKING, NamedTuple, cast
+
+if TYPE_CHECKING:
+    from hapticplayer.capture.choices import LogChoices
+    from hapticplayer.capture.recording import Recording
+    from hapticplayer.capture.source import Source
+
+
+class Confidence(enum.IntEnum):
+    """How sure a reader is that a source is its own."""
+
+    NO = 0
+    POSSIBLE = 1
+    """It can be read so, but something more special may fit."""
+    LIKELY = 2
+    """Its layout fits; another format could look the same."""
+    CERTAIN = 3
+    """It says so itself: by a header or a mark that nothing else has."""
+
+
+class Reader(NamedTuple):
+    """What reads a format.
+
+    Attributes:
+        recognises: from the beginnings of the files; reads no more of them.
+        read: the whole recording.
+    """
+
+    recognises: "Callable[[Source], Confidence]"
+    read: "Callable[[Source, LogChoices], Recording]"
+
+
+class RecordingFormat(NamedTuple):
+    """One format that can be read.
+
+    Attributes:
+        name: how `--read-as format=` calls it.
+        text: for people.
+        home: of its `Reader`, as module:name.
+    """
+
+    name: str
+    text: str
+    home: str
+
+    def reader(self) -> Reader:
+        """Import its reader."""
+        module, _, name = self.home.partition(":")
+        return cast(Reader, getattr(importlib.import_module(module), name))
+
+
+_HERE = "hapticplayer.capture"
+FORMATS: tuple[RecordingFormat, ...] = (
+    RecordingFormat("gopro", "GoPro", f"{_HERE}.gopro:READER"),
+    RecordingFormat("camera", "another camera", f"{_HERE}.other_cameras:READER"),
+    RecordingFormat("si-csv", "CSV in SI units", f"{_HERE}.si_csv:READER"),
+    RecordingFormat("sensor-logger", "Sensor Logger", f"{_HERE}.logs.sensor_logger:READER"),
+    RecordingFormat("phyphox", "phyphox", f"{_HERE}.logs.phyphox:READER"),
+    RecordingFormat("gcsv", "Gyroflow gcsv", f"{_HERE}.logs.gcsv:READER"),
+    RecordingFormat("euroc", "EuRoC", f"{_HERE}.logs.nanoseconds:EUROC"),
+    RecordingFormat("mars", "MARS logger", f"{_HERE}.logs.nanoseconds:MARS"),
+    RecordingFormat("razor", "Razor 9DOF", f"{_HERE}.logs.razor_lines:READER"),
+    RecordingFormat("ultimate-imu", "Ultimate IMU, stock firmware", f"{_HERE}.logs.ultimate_imu:READER"),
+    RecordingFormat("razor-m0", "Razor M0", f"{_HERE}.logs.razor_m0:READER"),
+    RecordingFormat("opencamera", "OpenCamera Sensors", f"{_HERE}.logs.opencamera:READER"),
+    RecordingFormat("csv", "CSV with chosen columns", f"{_HERE}.logs.any_table:READER"),
+)  # fmt: skip
+"""As they are listed; which one a source is, its content tells."""
+
+ANY_TABLE = FORMATS[-1]

@@ -1,0 +1,187 @@
+"""Holds what a log declares against gravity and against what hands can do.
+
+Where a number does not fit, a person is asked; what was decided is not asked again.
+"""
+
+from collections.abc import Mapping as Dict
+from typing import Any
+
+import numpy as np
+
+from hapticplayer.capture.choices import (
+    FIELD_UNITS,
+    FORCE_UNITS,
+    RATE_UNITS,
+    LogChoices,
+    LogQuestion,
+    factor,
+)
+from hapticplayer.capture.limits import MAX_USUAL_RATE_RADPS, REST_MPS2, UPRIGHT
+from hapticplayer.capture.mounting import AXES, axes_matrix, mean_up
+from hapticplayer.capture.streams import RawLog
+from hapticplayer.model import STANDARD_GRAVITY_MPS2, ImuLog
+from hapticplayer.model.arrays import Floats
+
+_WINDOW_S = 0.5
+_STILL_MPS2 = 0.25
+_STILL_RADPS = 0.15
+_LEAST_STILL_WINDOWS = 4
+_FAST_SHARE = 0.001
+
+
+def figures(imu: ImuLog, raw: RawLog) -> dict[str, Any]:
+    """Return the norm at rest and the largest rate of a log in SI."""
+    at_rest = None if raw.is_gravity_free else norm_at_rest(imu)
+    return {
+        "norm_at_rest_mps2": None if at_rest is None else round(at_rest, 3),
+        "largest_rate_radps": round(float(np.abs(imu.angular_rate_radps).max()), 3),
+    }
+
+
+def norm_at_rest(imu: ImuLog) -> float | None:
+    """Return the norm of the specific force while the sensor is still, or None."""
+    force, rate = imu.specific_force_mps2, imu.angular_rate_radps
+    count = max(2, round(_WINDOW_S * imu.rate_hz))
+    windows = len(imu) // count
+    if windows < _LEAST_STILL_WINDOWS:
+        return None
+    shape = (windows, count, 3)
+    blocks = force[: windows * count].reshape(shape)
+    turning = np.abs(rate[: windows * count].reshape(shape)).mean(axis=(1, 2))
+    spread = blocks.std(axis=1).max(axis=1)
+    scale = float(np.median(np.linalg.norm(force, axis=1))) / STANDARD_GRAVITY_MPS2
+    still = (spread < _STILL_MPS2 * min(1.0, scale)) & (turning < _STILL_RADPS)
+    if np.count_nonzero(still) < _LEAST_STILL_WINDOWS:
+        return None
+    return float(np.median(np.linalg.norm(blocks[still].mean(axis=1), axis=1)))
+
+
+def check_norm(
+    found: Dict[str, Any], raw: RawLog, choices: LogChoices, where: str
+) -> None:
+    """Ask for the unit of the specific force where the norm at rest is not 1 g.
+
+    Args:
+        found: of `figures`.
+        raw: the log; its units were applied.
+        choices: a unit that a person chose is not asked about again.
+        where: the file.
+
+    Raises:
+        UsageError: with the units that would fit.
+    """
+    norm = found["norm_at_rest_mps2"]
+    low, high = REST_MPS2
+    if norm is None or low <= norm <= high or choices.force_unit:
+        return
+    to_si = factor(raw.force_unit, FORCE_UNITS, "force-unit")
+    fitting = to_si * STANDARD_GRAVITY_MPS2 / norm
+    raise LogQuestion(
+        f"the specific force is {norm:.3g} m/s2 at rest when it is read in "
+        f"{raw.force_unit}, but gravity is 9.81",
+        (
+            f"force-unit={raw.force_unit} to take it as it is",
+            f"force-unit={fitting:.6g} to scale it to gravity",
+        ),
+        where,
+    )
+
+
+def check_rate(imu: ImuLog, raw: RawLog, choices: LogChoices, where: str) -> None:
+    """Ask for the unit of the angular rate where it is beyond any sensor.
+
+    Raises:
+        UsageError: with the units that would fit.
+    """
+    fast = np.abs(imu.angular_rate_radps).max(axis=1) > MAX_USUAL_RATE_RADPS
+    if choices.rate_unit or np.mean(fast) <= _FAST_SHARE:
+        return
+    largest = float(np.abs(imu.angular_rate_radps).max())
+    other = "deg/s" if raw.rate_unit == "rad/s" else "rad/s"
+    raise LogQuestion(
+        f"the angular rate reaches {largest:.3g} rad/s when it is read in "
+        f"{raw.rate_unit}, which no sensor shows",
+        (
+            f"rate-unit={other}",
+            f"rate-unit={raw.rate_unit} to take it as it is",
+        ),
+        where,
+    )
+
+
+def how_read(raw: RawLog, found: Dict[str, Any]) -> str:
+    """Return one sentence with units, axes and what speaks for them."""
+    parts = [f"read as {raw.name}: specific force in {_unit(raw.force_unit)}"]
+    if raw.rate is not None and not raw.is_gravity_free:
+        parts.append(f"angular rate in {_unit(raw.rate_unit)}")
+    if raw.field is not None:
+        parts.append(f"magnetic field in {_unit(raw.field_unit)}")
+    words = f" ({raw.axes_words})" if raw.axes_words else ""
+    parts.append(f"{raw.axes}{words} are right, front, up")
+    norm = found["norm_at_rest_mps2"]
+    if norm is not None:
+        parts.append(f"{norm:.2f} m/s2 at rest")
+    if raw.rate is not None and not raw.is_gravity_free:
+        parts.append(f"turning at {found['largest_rate_radps']:.2f} rad/s at most")
+    return ", ".join(parts)
+
+
+def _unit(unit: str) -> str:
+    """Return how a unit is said; a factor is a number of counts."""
+    is_named = unit in {**FORCE_UNITS, **RATE_UNITS, **FIELD_UNITS}
+    return unit if is_named else f"counts of {float(unit):.4g}"
+
+
+def check_upright(
+    imu: ImuLog, raw: RawLog, choices: LogChoices, where: str
+) -> tuple[str, ...]:
+    """Hold a specific force in frame A against "up is up"; return notes.
+
+    Args:
+        imu: of the log, in frame A as it declares it.
+        raw: the log; its axes were applied.
+        choices: axes that a person chose are not asked about again.
+        where: the file.
+
+    Raises:
+        UsageError: asking for the axes, when another one was up.
+    """
+    mean = mean_up(imu)
+    if mean is None:
+        return ("the sensor turned so much that gravity does not show its axes",)
+    if mean[2] >= UPRIGHT:
+        return ()
+    stored = axes_matrix(raw.axes).T @ np.array(mean)
+    up = int(np.argmax(np.abs(stored)))
+    up_name = ("-" if stored[up] < 0.0 else "") + AXES[up]
+    if choices.axes:
+        return (f"gravity shows that {up_name} was up, not the axis that was chosen",)
+    words = f" ({raw.axes_words})" if raw.axes_words else ""
+    proposal = _proposal(up, stored[up] < 0.0, raw.back_axis)
+    raise LogQuestion(
+        f"its axis {up_name} was up, so the sensor was not mounted with {raw.axes} to "
+        f"the right, front and up{words}",
+        (
+            f"axes={proposal} or what else was right, front, up",
+            "force-sign=- if its accelerometer shows -1 g upwards",
+        ),
+        where,
+    )
+
+
+def _proposal(up: int, is_down: bool, back_axis: str) -> str:
+    """Return right, front, up with the axis that was up."""
+    upward, front = np.zeros(3), np.zeros(3)
+    upward[up] = -1.0 if is_down else 1.0
+    back = AXES.find(back_axis) if back_axis else -1
+    if back not in (-1, up):
+        front[back] = -1.0
+    else:
+        front[1 if up == 2 else 2] = 1.0
+    rows = (np.cross(front, upward), front, upward)
+    return ",".join(_name(row) for row in rows)
+
+
+def _name(row: Floats) -> str:
+    at = int(np.argmax(np.abs(row)))
+    return ("-" if row[at] < 0.0 else "") + AXES[at]

@@ -1,0 +1,317 @@
+"""Motion logs and force tracks as plain CSV: SI units, frame A or frame D.
+
+A log is `time_s,ax,ay,az,gx,gy,gz[,mx,my,mz]`: specific force in m/s2 (+9.8 up at
+rest), angular rate in rad/s, magnetic field in uT, frame A (x right, y front, z up).
+A force track is `time_s,fx_n,fy_n,fz_n` in frame D (x right, y up, z towards the
+user); each force holds from its time until the next one's.
+
+Loggers leave cells empty, repeat rows and swap them: what can be repaired in a log
+without guessing is, and is said (`motion.repair_samples`).
+"""
+
+import os
+import re
+import secrets
+from pathlib import Path
+
+import numpy as np
+
+from hapticplayer.capture.assemble import clean
+from hapticplayer.capture.choices import LogChoices
+from hapticplayer.capture.csv_table import (
+    Numbers,
+    Shape,
+    column_names,
+    not_text,
+    read_table,
+)
+from hapticplayer.capture.formats import Confidence, Reader
+from hapticplayer.capture.limits import (
+    MAX_ACCELERATION_MPS2,
+    MAX_ANGULAR_RATE_RADPS,
+    MAX_FORCE_N,
+    MAX_SI_RATE_RADPS,
+    MEDIAN_MPS2,
+    MIN_RATE_HZ,
+)
+from hapticplayer.capture.recording import Recording, gap_notes
+from hapticplayer.capture.source import Source, open_file
+from hapticplayer.errors import InputError
+from hapticplayer.model import (
+    STANDARD_GRAVITY_MPS2,
+    ClockMap,
+    ForceTrack,
+    ImuLog,
+    Reconstruction,
+)
+from hapticplayer.model.arrays import Floats
+
+TIME = "time_s"
+LOG_COLUMNS = (TIME, "ax", "ay", "az", "gx", "gy", "gz")
+FIELD_COLUMNS = ("mx", "my", "mz")
+FORCE_COLUMNS = (TIME, "fx_n", "fy_n", "fz_n")
+
+_ROW = re.compile(r"\b(row|rows from) (\d+)\b")
+
+
+def recognises(source: Source) -> Confidence:
+    """The name of the time column at the beginning."""
+    if not source.is_one_file:
+        return Confidence.NO
+    begins = source.head(source.names[0]).lstrip(' \t\r\n"').startswith(TIME)
+    return Confidence.CERTAIN if begins else Confidence.NO
+
+
+def read(source: Source, _choices: LogChoices) -> Recording:
+    """Return the log, with what can be repaired without guessing repaired.
+
+    Empty cells, NaN and infinity are filled in and marked; swapped and repeated rows
+    are put in order; gaps stay gaps.
+
+    Raises:
+        InputError: naming file, line, column and what to do; also when the numbers
+            are plainly in g or in degrees, and for what cannot be repaired.
+    """
+    numbers = _read_strict(source, LOG_COLUMNS, FIELD_COLUMNS)
+    where, values = str(source.path), numbers.values
+    _check_force_unit(values[:, 1:4], where)
+    _check_rate_unit(values[:, 4:7], where)
+    _check_time_unit(values[:, 0], where)
+
+    def with_lines(text: str) -> str:
+        return _ROW.sub(
+            lambda found: (
+                f"{found[1].replace('row', 'line')} {numbers.line(int(found[2]))}"
+            ),
+            text,
+        )
+
+    try:
+        imu, repairs = clean(
+            values[:, 0],
+            values[:, 1:4],
+            values[:, 4:7],
+            values[:, 7:10] if values.shape[1] == 10 else None,
+            source=where,
+        )
+    except InputError as error:
+        raise InputError(
+            with_lines(error.what), where=error.where or where, remedy=error.remedy
+        ) from error
+    notes = []
+    for repair in repairs:
+        note = with_lines(repair.text)
+        if note == repair.text and repair.count < len(values):
+            note += f" (first in line {numbers.line(repair.first_row)})"
+        notes.append(note)
+    return Recording(
+        imu=imu,
+        clock_map=ClockMap(confidence=0.0),
+        camera="CSV log",
+        notes=(*gap_notes(imu), *notes),
+        provenance={"reader": "CSV log"},
+    )
+
+
+READER = Reader(recognises, read)
+
+
+def write_imu_csv(path: str | os.PathLike[str], imu: ImuLog) -> None:
+    """Write a motion log so that `read_recording` gives it back to 9 digits.
+
+    Raises:
+        InputError: when the file cannot be written.
+    """
+    parts = [imu.time_s[:, None], imu.specific_force_mps2, imu.angular_rate_radps]
+    names: tuple[str, ...] = LOG_COLUMNS
+    if imu.magnetic_field_ut is not None:
+        parts.append(imu.magnetic_field_ut)
+        names += FIELD_COLUMNS
+    values = np.concatenate(parts, axis=1)
+    formats = ["%.9f"] + ["%.9g"] * (values.shape[1] - 1)
+    target = Path(path)
+    part = target.with_name(f".{target.name}.{secrets.token_hex(4)}.part")
+    try:
+        np.savetxt(
+            part,
+            values,
+            fmt=formats,
+            delimiter=",",
+            header=",".join(names),
+            comments="",
+            encoding="utf-8",
+        )
+        part.replace(target)
+    except OSError as error:
+        part.unlink(missing_ok=True)
+        raise InputError(
+            f"cannot be written ({error.strerror})",
+            where=str(target),
+            remedy="choose another folder",
+        ) from error
+
+
+def read_force_csv(path: str | os.PathLike[str]) -> ForceTrack:
+    """Read a force track; each force holds until the next one's time.
+
+    Raises:
+        InputError: naming file, line, column and what to do.
+    """
+    source = open_file(path)
+    numbers = _read_strict(source, FORCE_COLUMNS, least_rows=1)
+    where, values = str(source.path), numbers.values
+    _check_finite(numbers, where)
+    _check_order(numbers, where)
+    largest_n = float(np.abs(values[:, 1:4]).max())
+    if largest_n > MAX_FORCE_N:
+        raise InputError(
+            f"holds a force of {largest_n:.3g} N, beyond any device",
+            where=where,
+            remedy="give the forces in newton",
+        )
+    return ForceTrack(
+        time_s=values[:, 0],
+        force_n=values[:, 1:4].astype(np.float32),
+        reconstruction=Reconstruction.HOLD,
+        provenance={"source": source.path.name, "reader": "force csv"},
+    )
+
+
+def _read_strict(
+    source: Source,
+    required: tuple[str, ...],
+    optional: tuple[str, ...] = (),
+    *,
+    least_rows: int = 2,
+) -> Numbers:
+    """Return a table whose header names these columns, with all or none of the rest."""
+    name = source.names[0]
+    names = column_names(source.first_line(name))
+    if names not in {required, required + optional}:
+        raise header_fault(source, required, optional)
+    columns = tuple(range(len(names)))
+    shape = Shape(len(names), columns, skip_lines=1, names=names, least_rows=least_rows)
+    return read_table(source, name, shape)
+
+
+def header_fault(
+    source: Source,
+    required: tuple[str, ...] = LOG_COLUMNS,
+    optional: tuple[str, ...] = FIELD_COLUMNS,
+) -> InputError:
+    """Return what is wrong with the header of a table, and what it has to be."""
+    name = source.names[0]
+    if not source.head(name):
+        return not_text(source.where(name))
+    line = source.first_line(name)
+    names = column_names(line)
+    what = f"the header is {line[:80]!r}"
+    if line.count(";") >= len(required) - 1:
+        what = "the columns are separated by semicolons instead of commas"
+    elif line.count("\t") >= len(required) - 1:
+        what = "the columns are separated by tabs instead of commas"
+    elif all(_is_number(cell) for cell in names):
+        what = "there is no header, the file begins with numbers"
+    elif sorted(names) in (sorted(required), sorted(required + optional)):
+        what = "the columns are in another order"
+    more = "".join(f",{column}" for column in optional)
+    header = ",".join(required) + (f"[{more}]" if more else "")
+    return InputError(
+        what,
+        where=f"{source.where(name)}, line 1",
+        remedy=f"begin the file with {header}",
+    )
+
+
+def _is_number(cell: str) -> bool:
+    try:
+        float(cell)
+    except ValueError:
+        return False
+    return "_" not in cell
+
+
+def _check_finite(numbers: Numbers, where: str) -> None:
+    bad = np.argwhere(~np.isfinite(numbers.values))
+    if not len(bad):
+        return
+    row, column = (int(at) for at in bad[0])
+    value = float(numbers.values[row, column])
+    raise InputError(
+        f"{value} is not a finite number",
+        where=f"{where}, line {numbers.line(row)}, column {FORCE_COLUMNS[column]}",
+        remedy="remove the line or correct the number",
+    )
+
+
+def _check_order(numbers: Numbers, where: str) -> None:
+    time_s = numbers.values[:, 0]
+    late = np.flatnonzero(np.diff(time_s) <= 0.0)
+    if not len(late):
+        return
+    row = int(late[0]) + 1
+    fault = "repeats" if time_s[row] == time_s[row - 1] else "runs backwards"
+    raise InputError(
+        f"the time {fault} ({time_s[row]} s after {time_s[row - 1]} s)",
+        where=f"{where}, line {numbers.line(row)}, column {TIME}",
+        remedy="sort the log by time and remove duplicates",
+    )
+
+
+def _check_force_unit(force: Floats, where: str) -> None:
+    force = force[np.isfinite(force).all(axis=1)]
+    if not len(force):
+        return
+    norm = float(np.median(np.linalg.norm(force, axis=1)))
+    low, high = MEDIAN_MPS2
+    largest = float(np.abs(force).max())
+    if low <= norm <= high and largest <= MAX_ACCELERATION_MPS2:
+        return
+    what = f"the median of |(ax, ay, az)| is {norm:.3g} m/s2"
+    if low <= norm <= high:
+        what = f"holds an acceleration of {largest:.3g} m/s2, beyond any sensor"
+    raise InputError(what, where=where, remedy=_unit_remedy(norm))
+
+
+def _unit_remedy(norm: float) -> str:
+    low, high = MEDIAN_MPS2
+    gravity = STANDARD_GRAVITY_MPS2
+    if low / gravity <= norm <= high / gravity:
+        return "it looks like g: multiply ax, ay, az by 9.80665"
+    if low <= norm * gravity / 1000.0 <= high:
+        return "it looks like milli-g: multiply ax, ay, az by 0.00980665"
+    if norm < low / gravity:
+        return (
+            "gravity seems to be removed already: export the acceleration with gravity"
+        )
+    return "give the specific force in m/s2, about 9.8 at rest"
+
+
+def _check_time_unit(time_s: Floats, where: str) -> None:
+    steps = np.diff(time_s[np.isfinite(time_s)])
+    steps = steps[steps > 0.0]  # repeated and missing times are repaired later
+    rate_hz = 1.0 / float(np.median(steps)) if len(steps) else MIN_RATE_HZ
+    if rate_hz >= MIN_RATE_HZ:
+        return
+    is_milliseconds = 1000.0 * rate_hz >= MIN_RATE_HZ
+    raise InputError(
+        f"time_s runs at {rate_hz:.3g} samples a second",
+        where=where,
+        remedy="it looks like milliseconds: divide time_s by 1000"
+        if is_milliseconds
+        else f"give at least {MIN_RATE_HZ:g} samples a second",
+    )
+
+
+def _check_rate_unit(rate: Floats, where: str) -> None:
+    largest = float(np.abs(rate).max(initial=0.0, where=np.isfinite(rate)))
+    if largest <= MAX_SI_RATE_RADPS:
+        return
+    remedy = "it looks like deg/s: multiply gx, gy, gz by 0.0174532925"
+    if np.degrees(MAX_ANGULAR_RATE_RADPS) < largest:
+        remedy = "give the angular rate in rad/s"
+    raise InputError(
+        f"the largest angular rate is {largest:.3g} rad/s",
+        where=where,
+        remedy=remedy,
+    )

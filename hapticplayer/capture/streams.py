@@ -1,0 +1,275 @@
+"""The streams of a log as they are stored, and the same at common times.
+
+Samples are never paired by their place in the file: the angular rate becomes its
+mean over each interval of the accelerometer (no rotation is lost), the slow magnetic
+field is interpolated. What was missing in a stream stays marked as missing (NaN).
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hapticplayer.capture.csv_table import Shape, read_table
+from hapticplayer.capture.limits import GAP_STEPS, MAX_REACH_S
+from hapticplayer.capture.source import Source
+from hapticplayer.errors import InputError
+from hapticplayer.model.arrays import Floats, all_of_rows
+
+NANO = 1e-9
+_MOSTLY = 0.5
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Stream:
+    """One sensor on its own times.
+
+    Attributes:
+        time_s: (N,) as recorded: it may jump, repeat or hold NaN.
+        values: (N, 3) in the file's unit; may hold NaN.
+    """
+
+    time_s: Floats
+    values: Floats
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class RawLog:
+    """A log before anything was checked.
+
+    Attributes:
+        name: of the format, for people.
+        force: accelerometer, so that it is +1 g on the axis that points up at rest.
+        rate: gyroscope, or None.
+        field: magnetometer, or None.
+        force_unit: see `choices.FORCE_UNITS`.
+        rate_unit: see `choices.RATE_UNITS`.
+        field_unit: see `choices.FIELD_UNITS`.
+        axes: right, front and up of frame A in the stored axes, such as "x,-z,y".
+        axes_words: what the stored axes are, for people.
+        back_axis: the axis that points away from the camera's view in a phone
+            held upright; "" where there is no camera.
+        frame0_s: when the first picture was taken on the log's clock, or None.
+        is_gravity_free: gravity was removed by the recorder.
+        notes: what the reader found.
+    """
+
+    name: str
+    force: Stream
+    rate: Stream | None
+    field: Stream | None = None
+    force_unit: str = "m/s2"
+    rate_unit: str = "rad/s"
+    field_unit: str = "uT"
+    axes: str = "x,y,z"
+    axes_words: str = ""
+    back_axis: str = ""
+    frame0_s: float | None = None
+    is_gravity_free: bool = False
+    notes: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Sensor:
+    """A member that holds one sensor.
+
+    Attributes:
+        stream: with times in seconds since `origin_ns`.
+        origin_ns: of the recorder's clock.
+        notes: on damaged lines.
+    """
+
+    stream: Stream
+    origin_ns: int
+    notes: tuple[str, ...]
+
+    def since(self, origin_ns: int) -> Stream:
+        """Return the stream with times since another origin."""
+        shift_s = (self.origin_ns - origin_ns) * NANO
+        return Stream(self.stream.time_s + shift_s, self.stream.values)
+
+
+def read_sensor(source: Source, name: str, shape: Shape) -> Sensor:
+    """Return a member whose columns are a time in ns, x, y, z."""
+    numbers = read_table(source, name, shape)
+    values = numbers.values
+    stream = Stream(values[:, 0] * NANO, values[:, 1:4].copy())
+    notes = tuple(f"{name}: {note}" for note in numbers.notes)
+    return Sensor(stream, numbers.origin, notes)
+
+
+def split(
+    values: Floats, time_s: Floats, starts: Sequence[int]
+) -> tuple[Stream, Stream, Stream | None]:
+    """Return accelerometer, gyroscope and magnetometer of one table.
+
+    Args:
+        values: (rows, columns).
+        time_s: (rows,), shared by all three.
+        starts: the columns of their x; the third may be missing.
+    """
+    force, rate, *field = (Stream(time_s, values[:, at : at + 3]) for at in starts)
+    return force, rate, field[0] if field else None
+
+
+class Samples(NamedTuple):
+    """Rows of all sensors at common times; NaN where something was missing."""
+
+    time_s: Floats
+    force: Floats
+    rate: Floats
+    field: Floats | None
+    notes: tuple[str, ...]
+
+
+def on_common_times(
+    force: Stream, rate: Stream, field: Stream | None, where: str
+) -> Samples:
+    """Return all sensors at the times of the accelerometer.
+
+    Streams that share their times are left as they are, faults included.
+
+    Raises:
+        InputError: when the clock of a stream cannot be relied on, or the streams
+            do not overlap.
+    """
+    if rate.time_s is force.time_s and (field is None or field.time_s is force.time_s):
+        values = None if field is None else field.values
+        return Samples(force.time_s, force.values, rate.values, values, ())
+    force, notes = _ordered(force, "accelerometer", where)
+    rate, rate_notes = _ordered(rate, "gyroscope", where)
+    rows, mean = mean_rate_with_holes(force.time_s, rate.time_s, rate.values)
+    if len(rows) < 2:
+        raise InputError(
+            "its accelerometer and gyroscope do not overlap in time",
+            where=where,
+            remedy="record both at once",
+        )
+    time_s = force.time_s[rows]
+    at_times = None if field is None else interpolated(time_s, field, where)
+    return Samples(time_s, force.values[rows], mean, at_times, (*notes, *rate_notes))
+
+
+def _ordered(stream: Stream, name: str, where: str) -> tuple[Stream, tuple[str, ...]]:
+    """Return a stream whose times increase strictly, and what it took."""
+    from hapticplayer.motion.repair.timestamps import repair_times  # brings scipy
+
+    line = repair_times(
+        np.array(stream.time_s, dtype=np.float64), [stream.values], where
+    )
+    is_in_order = (
+        len(line.rows) == len(stream.values) and (np.diff(line.rows) == 1).all()
+    )
+    values = stream.values if is_in_order else stream.values[line.rows]
+    if len(line.starts) < len(line.rows):
+        sizes = np.diff(line.starts, append=len(line.rows))
+        finite = np.where(np.isfinite(values), values, np.nan)
+        values = np.add.reduceat(finite, line.starts) / sizes[:, None]
+    notes = tuple(f"{name}: {repair.text}" for repair in line.repairs)
+    return Stream(line.time_s, np.asarray(values)), notes
+
+
+def interpolated(time_s: Floats, field: Stream, where: str) -> Floats | None:
+    """Return a slow sensor at other times, NaN where none was measured near.
+
+    Args:
+        time_s: (M,) may hold NaN.
+        field: magnetic field, gravity.
+        where: the file.
+
+    Returns:
+        (M, 3), or None when the sensor cannot be used.
+    """
+    finite = np.isfinite(field.values).all(axis=1) & np.isfinite(field.time_s)
+    if np.count_nonzero(finite) < 2:
+        return None
+    try:
+        kept, _ = _ordered(
+            Stream(field.time_s[finite], field.values[finite]), "slow sensor", where
+        )
+    except InputError:
+        return None  # a broken compass is no reason to refuse the motion
+    columns = [np.interp(time_s, kept.time_s, column) for column in kept.values.T]
+    after = np.searchsorted(kept.time_s, time_s).clip(1, len(kept.time_s) - 1)
+    to_next = np.abs(kept.time_s[after] - time_s)
+    to_last = np.abs(time_s - kept.time_s[after - 1])
+    values = np.stack(columns, axis=1)
+    values[~(np.minimum(to_next, to_last) <= MAX_REACH_S)] = np.nan
+    return values
+
+
+def mean_rate(
+    query_s: Floats, time_s: Floats, rate: Floats
+) -> tuple[NDArray[np.intp], Floats]:
+    """Return the mean rate over the interval that ends at each query time.
+
+    The rate holds over the interval that ends at its sample (Sampling.INSTANT).
+    Its integral is interpolated at the ends of the query intervals and
+    differenced, so the angle over any span is kept exactly; picking or
+    interpolating samples would lose it.
+
+    Args:
+        query_s: (M,) strictly increasing, M >= 2.
+        time_s: (N,) strictly increasing, N >= 2.
+        rate: (N, axes).
+
+    Returns:
+        The indices (K,) of the query times whose interval is covered, and the mean
+        rates (K, axes).
+    """
+    slack_s = 0.5 * (time_s[-1] - time_s[0]) / (len(time_s) - 1)
+    # the outer rates are held longer, because the clocks of two sensors begin and end
+    # within a fraction of a sample of each other
+    begin_s = 2.0 * time_s[0] - time_s[1]
+    ends_s = np.concatenate(
+        [[begin_s - slack_s, begin_s], time_s, [time_s[-1] + slack_s]]
+    )
+    edges_s = np.concatenate([[2.0 * query_s[0] - query_s[1]], query_s])
+    is_inside = (edges_s >= ends_s[0]) & (edges_s <= ends_s[-1])
+    rows = np.flatnonzero(is_inside[:-1] & is_inside[1:])
+    # those inside follow one another
+    use = slice(rows[0], rows[-1] + 1) if len(rows) else slice(0)
+    steps_s, widths_s = np.diff(edges_s)[use], np.diff(ends_s)
+    mean = np.empty((len(rows), rate.shape[1]))
+    for axis in range(rate.shape[1]):  # one by one: ten hours are large
+        angle = _integral(widths_s, rate[:, axis])
+        turned = np.diff(np.interp(edges_s, ends_s, angle))[use]
+        np.divide(turned, steps_s, out=mean[:, axis])
+    return rows, mean
+
+
+def mean_rate_with_holes(
+    query_s: Floats, time_s: Floats, rate: Floats
+) -> tuple[NDArray[np.intp], Floats]:
+    """Return the mean rate like `mean_rate`, NaN where it was mostly not measured.
+
+    Args:
+        query_s: (M,) strictly increasing, M >= 2.
+        time_s: (N,) strictly increasing, N >= 2; a long step is a gap.
+        rate: (N, axes); may hold NaN.
+    """
+    finite = all_of_rows(np.isfinite(rate))
+    steps_s = np.diff(time_s, prepend=time_s[0])
+    is_gap = steps_s > GAP_STEPS * np.median(np.diff(time_s))
+    missing = ~finite | is_gap
+    if not missing.any():
+        return mean_rate(query_s, time_s, rate)
+    if not finite.all():
+        good_s = time_s[finite] if finite.any() else time_s
+        good = rate[finite] if finite.any() else np.zeros_like(rate)
+        rate = np.stack([np.interp(time_s, good_s, axis) for axis in good.T], axis=1)
+    rows, mean = mean_rate(query_s, time_s, rate)
+    _, share = mean_rate(query_s, time_s, missing[:, None].astype(np.float64))
+    mean[share[:, 0] > _MOSTLY] = np.nan
+    return rows, mean
+
+
+def _integral(widths_s: Floats, rate: Floats) -> Floats:
+    """Return the integral of one axis at the ends of all intervals."""
+    angle = np.zeros(len(widths_s) + 1)
+    held = np.concatenate([rate[:1], rate, rate[-1:]])
+    held *= widths_s
+    np.cumsum(held, out=angle[1:])
+    return angle
