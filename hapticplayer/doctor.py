@@ -32,8 +32,10 @@ CHECKS_GROUP = "checks"
 PYTHON_PACKAGES = {
     "PySide6": "PySide6-Essentials",
     "av": "av",
+    "fpdf": "fpdf2",
     "hid": "hidapi",
     "matplotlib": "matplotlib",
+    "msgspec": "msgspec",
     "numpy": "numpy",
     "pyqtgraph": "pyqtgraph",
     "scipy": "scipy",

@@ -49,7 +49,7 @@ SILENT = (  # speak to a terminal, to a file, or to nobody
     "motion/smoother/parameters.py",
     "motion/stillness.py",
     "simulation/recordings.py",
-    "study/analysis/effects.py",
+    "simulation/effects.py",
     "study/analysis/power.py",
     "simulation/participants.py",
     "study/merging.py",

@@ -36,8 +36,8 @@ class Report:
 def made_report(answers: Answers, *, progress: Progress) -> Report:
     """Return the report of a study's answers."""
     from hapticplayer.study.analysis.figures import DPI, pngs
-    from hapticplayer.study.analysis.html import body
-    from hapticplayer.study.analysis.parts import analyse_study, parts_of
+    from hapticplayer.study.analysis.report import analyse_study, parts_of
+    from hapticplayer.study.analysis.typesetting import body
 
     found = analyse_study(
         answers, progress=lambda fraction, step: progress(_ANALYSED * fraction, step)
@@ -53,8 +53,7 @@ def written_report(
     answers: Answers, target: Path, title: str, *, progress: Progress
 ) -> Path:
     """Write the report of these answers into a new folder, and return it."""
-    from hapticplayer.study.analysis.parts import analyse_study
-    from hapticplayer.study.analysis.report import write_report
+    from hapticplayer.study.analysis.report import analyse_study, write_report
 
     found = analyse_study(
         answers, progress=lambda fraction, step: progress(_ANALYSED * fraction, step)

@@ -9,6 +9,7 @@ from typing import Any, Protocol
 from hapticplayer.console.speech import interruptible, say, shown_progress
 from hapticplayer.errors import UsageError
 from hapticplayer.sequence import files
+from hapticplayer.simulation.effects import draw_effect, effect_named, paper_effect
 from hapticplayer.simulation.participants import (
     WriteSession,
     simulated_answers,
@@ -16,20 +17,22 @@ from hapticplayer.simulation.participants import (
 )
 from hapticplayer.study.analysis import Analysis, Choices, MissingPolicy, Resampling
 from hapticplayer.study.analysis.consistency import ConsistencyAnalysis
-from hapticplayer.study.analysis.contents import number, p_value
-from hapticplayer.study.analysis.effects import effect_named, paper_effect
-from hapticplayer.study.analysis.parts import StudyAnalysis, analyse_study, parts_of
 from hapticplayer.study.analysis.power import (
     Draw,
     Goal,
     Power,
-    draw_effect,
     draw_pilot,
     find_power,
     power_summary,
 )
-from hapticplayer.study.analysis.report import write_report
-from hapticplayer.study.analysis.scores import by_feedback, scores_of
+from hapticplayer.study.analysis.report import (
+    StudyAnalysis,
+    analyse_study,
+    parts_of,
+    write_report,
+)
+from hapticplayer.study.analysis.scores import sample_of, scores_of
+from hapticplayer.study.analysis.statistic import number, p_value
 from hapticplayer.study.answers import Answers
 
 _MOST_SEQUENCES = 20
@@ -126,7 +129,7 @@ def _population(
     if options.measure not in scores.measures:
         known = ", ".join(scores.measures)
         raise UsageError(f"there is no measure {options.measure!r}; there is {known}")
-    pilot = by_feedback(scores, options.measure)
+    pilot = sample_of(scores, options.measure)
     source = f"{len(pilot.values)} participants of {options.study.name}"
     return draw_pilot(pilot), pilot.feedbacks, source
 
@@ -162,16 +165,16 @@ def _test_lines(found: Analysis) -> list[str]:
             f"{key} {number(part.mean)} (SD {number(part.sd)})"
             for key, part in one.feedbacks.items()
         )
-        test = one.friedman
+        test = found.found["friedman"][name]
         lines.append(
-            f"  {name:<13}{means}\n{'':15}Friedman chi2 {number(test.chi2)}, "
-            f"p {p_value(test.p)}, exact {p_value(test.p_exact)}, "
-            f"Holm {p_value(test.p_holm)}, W {number(test.kendall_w, 3)}"
+            f"  {name:<13}{means}\n{'':15}Friedman chi2 {number(test['chi2'])}, "
+            f"p {p_value(test['p'])}, exact {p_value(test['p_exact'])}, "
+            f"Holm {p_value(test['p_holm'])}, W {number(test['kendall_w'], 3)}"
         )
         lines += [
-            f"{'':15}{pair.first} - {pair.second}: Wilcoxon Holm "
-            f"{p_value(pair.wilcoxon.p_holm)}, r {number(pair.wilcoxon.rank_biserial)}"
-            for pair in one.pairs
+            f"{'':15}{pair}: Wilcoxon Holm {p_value(part['p_holm'])}, "
+            f"r {number(part['rank_biserial'])}"
+            for pair, part in found.found["wilcoxon"][name].items()
         ]
     return lines
 

@@ -3,11 +3,10 @@
 from collections.abc import Callable, Mapping
 
 import numpy as np
-from scipy import stats
 
 from hapticplayer.errors import UsageError
 from hapticplayer.model.arrays import Floats
-from hapticplayer.study.analysis.effects import (
+from hapticplayer.simulation.effects import (
     Effect,
     drawn_ratings,
     effect_named,
@@ -108,7 +107,7 @@ def _distance(drawn: Floats, qoe_sds: Floats | None = None) -> Floats:
     people, feedbacks = drawn.shape[1], drawn.shape[3]
     by_factor = np.moveaxis(drawn.mean(axis=2), 3, 0)  # (K, D, P, F)
     measures = np.concatenate([by_factor.sum(axis=0, keepdims=True), by_factor])
-    chi2 = chi_squares(stats.rankdata(np.round(measures, 9), axis=3))
+    chi2 = chi_squares(np.round(measures, 9))
     w = np.nan_to_num(chi2) / (people * (feedbacks - 1))
     distance = ((w - np.array(PAPER_W)[:, None]) ** 2).sum(axis=0)
     if qoe_sds is not None and people > 1:

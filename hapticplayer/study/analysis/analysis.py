@@ -1,25 +1,45 @@
-"""The whole analysis of a study, from answers to numbers."""
+"""The whole analysis of a study, from answers to numbers, and where care is needed."""
 
-from collections.abc import Callable
-from dataclasses import dataclass, field, replace
-from itertools import combinations
+import dataclasses
+import importlib.metadata
+import platform
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
+from typing import Any
 
-from hapticplayer.study.analysis.corrections import holm
-from hapticplayer.study.analysis.describing import Shapiro, Summary, shapiro, summarize
-from hapticplayer.study.analysis.friedman import Friedman, friedman
-from hapticplayer.study.analysis.posthoc import Conover, Nemenyi, conover, nemenyi
-from hapticplayer.study.analysis.rank_sum import RankSum, rank_sum
-from hapticplayer.study.analysis.resampling import Resampling
+from hapticplayer import __version__
+from hapticplayer.study.analysis.aligned_ranks import ALIGNED_RANKS
+from hapticplayer.study.analysis.describing import Resampling, Summary, summarize
+from hapticplayer.study.analysis.friedman import CONOVER, FRIEDMAN, NEMENYI
+from hapticplayer.study.analysis.rank_tests import MANN_WHITNEY, SHAPIRO, WILCOXON
 from hapticplayer.study.analysis.scores import (
-    FeedbackScores,
+    QOE,
     MissingPolicy,
+    Sample,
     Scores,
-    by_feedback,
+    sample_of,
     scores_of,
 )
-from hapticplayer.study.analysis.signed_rank import SignedRank, signed_rank
-from hapticplayer.study.analysis.structure import Structure, structure
+from hapticplayer.study.analysis.statistic import Statistic, listed, plain
 from hapticplayer.study.answers import Answers
+
+STATISTICS: dict[str, Statistic] = {
+    one.name: one
+    for one in (
+        FRIEDMAN,
+        SHAPIRO,
+        WILCOXON,
+        NEMENYI,
+        CONOVER,
+        MANN_WHITNEY,
+        ALIGNED_RANKS,
+    )
+}
+"""A new statistic is a `Statistic` beside its function, and a line here."""
+
+FEW = 6
+"""Below so many participants no pair can reach 0.05 in the signed-rank test."""
+_LIBRARIES = ("numpy", "scipy", "statsmodels", "matplotlib")
 
 Progress = Callable[[float, str], None]
 
@@ -38,41 +58,32 @@ class Choices:
     with_unsound: bool = False
     resampling: Resampling = field(default_factory=Resampling)
 
-
-@dataclass(frozen=True, slots=True)
-class Pair:
-    """Two feedbacks compared; effects are positive where the second is higher."""
-
-    first: str
-    second: str
-    wilcoxon: SignedRank
-    nemenyi: Nemenyi
-    conover: Conover
+    def provenance(self) -> dict[str, Any]:
+        """Return what the numbers are made with; the same again gives the same."""
+        versions = {name: importlib.metadata.version(name) for name in _LIBRARIES}
+        return {
+            "program": f"hapticplayer {__version__}",
+            "versions": {"python": platform.python_version(), **versions},
+            "seed": self.resampling.seed,
+            "resamples": self.resampling.count,
+            "missing_answers": self.missing.value,
+            "with_unsound_trials": self.with_unsound,
+        }
 
 
 @dataclass(frozen=True, slots=True)
 class MeasureAnalysis:
-    """All about one measure, "qoe" or a factor.
+    """One measure, "qoe" or a factor.
 
     Attributes:
-        scores: means over the sequences, on which the tests are done.
-        feedbacks: by feedback, of `scores`.
+        sample: means over the sequences, on which the tests are done.
+        feedbacks: by feedback, of `sample`.
         conditions: by sequence and feedback, of all answers there are.
-        shapiro: by feedback.
-        friedman: over the feedbacks.
-        pairs: of feedbacks; empty where fewer than two participants are left.
-        mann_whitney: used the device before or not, by feedback.
-        structure: sequence x feedback; None where it cannot be computed.
     """
 
-    scores: FeedbackScores
+    sample: Sample
     feedbacks: dict[str, Summary]
     conditions: dict[str, dict[str, Summary]]
-    shapiro: dict[str, Shapiro]
-    friedman: Friedman
-    pairs: tuple[Pair, ...]
-    mann_whitney: dict[str, RankSum]
-    structure: Structure | None
 
 
 @dataclass(frozen=True, slots=True)
@@ -83,12 +94,14 @@ class Analysis:
         scores: of all participants.
         choices: that were made.
         measures: "qoe" first, then the factors.
+        found: by name of the statistic and measure.
         remarks: of the store, about what could not be read.
     """
 
     scores: Scores
     choices: Choices
     measures: dict[str, MeasureAnalysis]
+    found: dict[str, dict[str, Any]]
     remarks: tuple[str, ...]
 
 
@@ -109,98 +122,146 @@ def analyse(
     """
     choices = choices or Choices()
     scores = scores_of(answers, with_unsound=choices.with_unsound)
-    measures = {}
+    measures: dict[str, MeasureAnalysis] = {}
+    found: dict[str, dict[str, Any]] = {name: {} for name in STATISTICS}
     for number, measure in enumerate(scores.measures):
         progress(number / len(scores.measures), f"analysing {measure}")
-        measures[measure] = _measure(scores, measure, choices)
-    return Analysis(scores, choices, _corrected(measures), answers.remarks)
+        measures[measure] = described = _described(scores, measure, choices)
+        for name, statistic in STATISTICS.items():
+            one = statistic.compute(described.sample, choices.resampling)
+            found[name][measure] = plain(one)
+    for name, statistic in STATISTICS.items():
+        statistic.correct(found[name])
+    return Analysis(scores, choices, measures, found, answers.remarks)
 
 
-def _measure(scores: Scores, measure: str, choices: Choices) -> MeasureAnalysis:
-    balanced = by_feedback(scores, measure, choices.missing)
-    values, names = balanced.values, balanced.feedbacks
-    resampling, by_condition = choices.resampling, scores.of(measure)
-    columns = dict(zip(names, values.T, strict=True))
-    return MeasureAnalysis(
-        balanced,
-        {
-            name: summarize(column, resampling, f"{measure}/{name}")
-            for name, column in columns.items()
-        },
-        {
-            sequence: {
-                name: summarize(
-                    by_condition[:, i, j], resampling, f"{measure}/{sequence}/{name}"
-                )
-                for j, name in enumerate(names)
-            }
-            for i, sequence in enumerate(scores.sequences)
-        },
-        {name: shapiro(column) for name, column in columns.items()},
-        friedman(values, resampling, measure),
-        _pairs(balanced, resampling) if len(values) > 1 else (),
-        _expertise(scores, balanced, resampling),
-        structure(by_condition, scores.participants),
-    )
+def _described(scores: Scores, measure: str, choices: Choices) -> MeasureAnalysis:
+    sample = sample_of(scores, measure, choices.missing)
 
+    def summary(values: Any, label: str) -> Summary:
+        return summarize(values, choices.resampling, f"{measure}/{label}")
 
-def _pairs(balanced: FeedbackScores, resampling: Resampling) -> tuple[Pair, ...]:
-    values, names = balanced.values, balanced.feedbacks
-    pairs = list(combinations(range(len(names)), 2))
-    signed = [
-        signed_rank(
-            values[:, i],
-            values[:, j],
-            resampling,
-            f"{balanced.measure}/{names[i]}/{names[j]}",
-        )
-        for i, j in pairs
-    ]
-    corrected = holm([one.p for one in signed])
-    return tuple(
-        Pair(names[i], names[j], replace(one, p_holm=p), by_range, by_t)
-        for (i, j), one, p, by_range, by_t in zip(
-            pairs,
-            signed,
-            corrected,
-            nemenyi(values, pairs),
-            conover(values, pairs),
-            strict=True,
-        )
-    )
-
-
-def _expertise(
-    scores: Scores, balanced: FeedbackScores, resampling: Resampling
-) -> dict[str, RankSum]:
-    used = [scores.used_before.get(code) for code in balanced.participants]
-    before = [i for i, is_used in enumerate(used) if is_used is True]
-    new = [i for i, is_used in enumerate(used) if is_used is False]
-    return {
-        name: rank_sum(
-            column[before], column[new], resampling, f"{balanced.measure}/{name}"
-        )
-        for name, column in zip(balanced.feedbacks, balanced.values.T, strict=True)
+    feedbacks = {
+        name: summary(column, name)
+        for name, column in zip(sample.feedbacks, sample.values.T, strict=True)
     }
+    conditions = {
+        sequence: {
+            name: summary(sample.by_condition[:, i, j], f"{sequence}/{name}")
+            for j, name in enumerate(sample.feedbacks)
+        }
+        for i, sequence in enumerate(scores.sequences)
+    }
+    return MeasureAnalysis(sample, feedbacks, conditions)
 
 
-def _corrected(measures: dict[str, MeasureAnalysis]) -> dict[str, MeasureAnalysis]:
-    """Return the measures with p corrected over all of them.
+def summary(analysis: Analysis) -> dict[str, Any]:
+    """Return everything as one JSON object, in the shape that other programs rely on.
 
-    The family of Friedman's tests is QoE and its factors; that of the tests on
-    expertise is all measures and feedbacks.
+    `qoe` has the feedbacks, `factors` the same for each factor; each statistic and
+    `conditions` have the measures ("qoe" and the factors) first. A pair is called
+    "first-second". What is not defined is None.
     """
-    omnibus = holm([one.friedman.p_exact for one in measures.values()])
-    groups = [test for one in measures.values() for test in one.mann_whitney.values()]
-    expertise = iter(holm([test.p for test in groups]))
-    return {
-        name: replace(
-            one,
-            friedman=replace(one.friedman, p_holm=p),
-            mann_whitney={
-                feedback: replace(test, p_holm=next(expertise))
-                for feedback, test in one.mann_whitney.items()
-            },
-        )
-        for (name, one), p in zip(measures.items(), omnibus, strict=True)
+    measures = analysis.measures
+    described = {
+        name: {key: dataclasses.asdict(one) for key, one in measure.feedbacks.items()}
+        for name, measure in measures.items()
     }
+    conditions = {
+        name: {
+            sequence: {key: dataclasses.asdict(one) for key, one in part.items()}
+            for sequence, part in measure.conditions.items()
+        }
+        for name, measure in measures.items()
+    }
+    return {
+        "qoe": described.pop(QOE),
+        "factors": described,
+        **{
+            statistic.key or name: analysis.found[name]
+            for name, statistic in STATISTICS.items()
+        },
+        "conditions": conditions,
+        "missing": missing(analysis),
+        "warnings": warnings_of(analysis),
+        "provenance": analysis.choices.provenance(),
+    }
+
+
+def missing(analysis: Analysis) -> dict[str, Any]:
+    """Return how many answers there are not, and who is left out of what."""
+    scores = analysis.scores
+    return {
+        "participants": len(scores.participants),
+        "answers_planned": int(scores.ratings.size),
+        "answers_missing": scores.missing,
+        "of_these_not_sound": scores.unsound,
+        "replaced_by_repetition": scores.repeated,
+        "used_before_unknown": [
+            code for code in scores.participants if code not in scores.used_before
+        ],
+        "measures": {
+            name: {
+                "used": len(one.sample.participants),
+                "dropped": list(one.sample.dropped),
+                "reduced": {k: list(v) for k, v in one.sample.reduced.items()},
+            }
+            for name, one in analysis.measures.items()
+        },
+    }
+
+
+def warnings_of(analysis: Analysis) -> list[str]:
+    """Return where something does not hold, is missing or cannot be told."""
+    return [
+        *analysis.remarks,
+        *_missing_warnings(analysis),
+        *_participant_warnings(analysis),
+        *(
+            text
+            for name, statistic in STATISTICS.items()
+            for text in statistic.warn(analysis.found[name])
+        ),
+    ]
+
+
+def _missing_warnings(analysis: Analysis) -> Iterator[str]:
+    scores, policy = analysis.scores, analysis.choices.missing
+    if not scores.missing:
+        return
+    yield (
+        f"{scores.missing} of {scores.ratings.size} answers are missing, "
+        f"{scores.unsound} of them because the playback was not sound."
+    )
+    why = (
+        "some answers are missing"
+        if policy is MissingPolicy.COMPLETE
+        else "no sequence was answered with every feedback"
+    )
+    for name, one in analysis.measures.items():
+        if dropped := one.sample.dropped:
+            yield (
+                f"{name}: {listed(dropped)} {'is' if len(dropped) == 1 else 'are'} left "
+                f"out of the tests ({why})."
+            )
+        if one.sample.reduced:
+            yield (
+                f"{name}: of {listed(one.sample.reduced)} only the sequences count that "
+                "were answered with every feedback. If answers are missing because of "
+                "how something felt, this does not make up for it."
+            )
+
+
+def _participant_warnings(analysis: Analysis) -> Iterator[str]:
+    n = min(len(one.sample.participants) for one in analysis.measures.values())
+    if n < FEW:
+        yield (
+            f"With {n} participants no pair of feedbacks can differ significantly in "
+            f"the signed-rank test; {FEW} are the least."
+        )
+    unknown = len(analysis.scores.participants) - len(analysis.scores.used_before)
+    if unknown:
+        yield (
+            f"{unknown} participants did not say whether they had used the device "
+            "before; the Mann-Whitney tests are without them."
+        )

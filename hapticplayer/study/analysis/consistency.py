@@ -16,8 +16,8 @@ from scipy import stats
 from hapticplayer.errors import InputError
 from hapticplayer.model.arrays import Floats
 from hapticplayer.study.analysis.analysis import Choices, Progress
+from hapticplayer.study.analysis.describing import CONFIDENCE
 from hapticplayer.study.analysis.psychometric import Fits, deviance, fit, shape_of
-from hapticplayer.study.analysis.resampling import CONFIDENCE
 from hapticplayer.study.answers import Answers, Judgement
 
 ALL = "all"

@@ -25,13 +25,10 @@ from hapticplayer.study.analysis.contents import (
     Picture,
     Table,
     Words,
-    interval,
     made_with,
-    number,
-    p_value,
 )
 from hapticplayer.study.analysis.figures import SIZE_IN, settings
-from hapticplayer.study.analysis.summary import provenance
+from hapticplayer.study.analysis.statistic import interval, number, p_value
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -55,7 +52,7 @@ def summary(analysis: ConsistencyAnalysis) -> dict[str, Any]:
             "of_these_not_sound": analysis.unsound,
         },
         "warnings": warnings_of(analysis),
-        "provenance": provenance(analysis.choices),
+        "provenance": analysis.choices.provenance(),
     }
 
 

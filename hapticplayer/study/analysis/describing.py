@@ -1,14 +1,51 @@
-"""Means, spreads and whether a sample looks normal."""
+"""Means, spreads, and seeded resampling for intervals and drawn p values."""
 
+import zlib
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
-from scipy import stats
 
 from hapticplayer.model.arrays import Floats
-from hapticplayer.study.analysis.resampling import Resampling
 
-_LEAST_FOR_SHAPIRO = 3
+CONFIDENCE = 0.95
+TAILS = ((1.0 - CONFIDENCE) / 2.0, (1.0 + CONFIDENCE) / 2.0)
+_MOST_VALUES = 1 << 22
+"""Of one block of resamples, so that large studies do not need much memory."""
+
+
+@dataclass(frozen=True, slots=True)
+class Resampling:
+    """How often and from which seed is resampled.
+
+    The same seed gives the same numbers, whatever else is computed; this is why
+    intervals are not those of `scipy.stats.bootstrap`.
+    """
+
+    seed: int = 2012
+    count: int = 9999
+
+    def generator(self, label: str) -> np.random.Generator:
+        """Return the generator of one use; others do not disturb it."""
+        return np.random.default_rng([self.seed, zlib.crc32(label.encode())])
+
+    def interval(
+        self, values: Floats, statistic: Callable[[Floats], Floats], label: str
+    ) -> tuple[float, float]:
+        """Return the percentile bootstrap interval of a statistic.
+
+        Args:
+            values: (n,), drawn with replacement.
+            statistic: of the last axis.
+            label: of this use.
+        """
+        rng, found, left = self.generator(label), [], self.count
+        while left:
+            rows = min(left, max(1, _MOST_VALUES // len(values)))
+            found.append(statistic(rng.choice(values, (rows, len(values)))))
+            left -= rows
+        low, high = np.quantile(np.concatenate(found), TAILS)
+        return float(low), float(high)
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,40 +77,24 @@ class Summary:
     mean_high: float | None = None
 
 
-@dataclass(frozen=True, slots=True)
-class Shapiro:
-    """Test of Shapiro and Wilk; None where the sample is too small or constant."""
-
-    w: float | None
-    p: float | None
-
-
 def summarize(values: Floats, resampling: Resampling, label: str) -> Summary:
     """Return a sample (n,) in numbers; NaN do not count."""
     values = values[~np.isnan(values)]
     if not len(values):
         return Summary(0)
     low, q1, median, q3, high = np.quantile(values, [0.0, 0.25, 0.5, 0.75, 1.0])
-    begin, end = resampling.interval(
+    mean_low, mean_high = resampling.interval(
         values, lambda drawn: drawn.mean(axis=-1), f"mean/{label}"
     )
     return Summary(
-        len(values),
-        float(values.mean()),
-        float(values.std(ddof=1)) if len(values) > 1 else None,
-        float(median),
-        float(q1),
-        float(q3),
-        float(low),
-        float(high),
-        begin,
-        end,
+        n=len(values),
+        mean=float(values.mean()),
+        sd=float(values.std(ddof=1)) if len(values) > 1 else None,
+        median=float(median),
+        q1=float(q1),
+        q3=float(q3),
+        low=float(low),
+        high=float(high),
+        mean_low=mean_low,
+        mean_high=mean_high,
     )
-
-
-def shapiro(values: Floats) -> Shapiro:
-    """Test whether a sample (n,) may come from a normal distribution."""
-    if len(values) < _LEAST_FOR_SHAPIRO or np.ptp(values) == 0.0:
-        return Shapiro(None, None)
-    found = stats.shapiro(values)
-    return Shapiro(float(found.statistic), float(found.pvalue))

@@ -55,7 +55,7 @@ def qoe_by_sequence(analysis: Analysis) -> "Figure":
     scores = analysis.scores
     values = scores.of(QOE)  # (P, S, F)
     groups = dict(zip(scores.sequences, np.moveaxis(values, 1, 0), strict=True))
-    groups["all"] = analysis.measures[QOE].scores.values
+    groups["all"] = analysis.measures[QOE].sample.values
     count = len(scores.factors)
     limits = (SCALE[0] * count, SCALE[1] * count)
     return _figure(
@@ -66,7 +66,7 @@ def qoe_by_sequence(analysis: Analysis) -> "Figure":
 def factors_by_feedback(analysis: Analysis) -> "Figure":
     """Draw the factors by feedback, as figure 8 of the paper."""
     groups = {
-        name: one.scores.values
+        name: one.sample.values
         for name, one in analysis.measures.items()
         if name != QOE
     }

@@ -1,102 +1,86 @@
-"""Friedman's test of k related samples, with its exact distribution.
+"""Friedman's test of k related samples, its exact p, and the pairs after it.
 
-chi2 = (k-1) sum_j (R_j - n(k+1)/2)^2 / (A - n k (k+1)^2 / 4) with the rank sums R_j
-and the sum of squared ranks A, which corrects for ties (Conover 1999, 5.8);
-Kendall's W = chi2 / (n(k-1)); F = W(n-1)/(1-W) with k-1-2/n and (n-1)(k-1-2/n)
-degrees of freedom (Kendall and Babington Smith 1939) is closer than chi2 for small n.
+chi2 is corrected for ties (Conover 1999, 5.8); Kendall's W = chi2 / (n(k-1));
+F = W(n-1)/(1-W) with k-1-2/n and (n-1)(k-1-2/n) degrees of freedom (Kendall and
+Babington Smith 1939) is closer than chi2 for small n.
 """
 
 import itertools
 import math
-from dataclasses import dataclass
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy import stats
 
 from hapticplayer.model.arrays import Floats
-from hapticplayer.study.analysis.resampling import Resampling
+from hapticplayer.study.analysis.describing import Resampling
+from hapticplayer.study.analysis.scores import Sample
+from hapticplayer.study.analysis.statistic import (
+    ALPHA,
+    Column,
+    Found,
+    Holm,
+    Statistic,
+    number,
+    p_value,
+)
 
 _MOST_STEPS = 100_000_000
 """Additions that an exact p may cost (about 0.2 s); beyond, it is drawn."""
 
 
-@dataclass(frozen=True, slots=True)
-class Friedman:
-    """Outcome; None where it is not defined (fewer than two participants, all tied).
+def friedman(values: Floats, resampling: Resampling, label: str) -> Found:
+    """Compare the columns of `values` (n, k) within its rows.
 
-    Attributes:
-        n: participants.
-        k: feedbacks.
-        df: k - 1.
-        mean_ranks: by feedback, in their order; empty without participants.
-        chi2: corrected for ties.
-        p: of chi2.
-        kendall_w: 0 (no agreement) to 1 (all rank alike).
-        p_exact: of all rank orders within participants, given the ties.
-        p_exact_method: "exact", or "permutation" with how many were drawn.
-        f: the variant for small n.
-        f_df: its degrees of freedom.
-        p_f: its p.
-        p_holm: p_exact corrected for the number of measures, by Holm.
+    None where a value is not defined (fewer than two participants, all tied). `f_df`
+    are the degrees of freedom of `f`; `p_exact_method` is "exact", or "permutation" with
+    how many were drawn.
     """
-
-    n: int
-    k: int
-    df: int
-    mean_ranks: tuple[float, ...]
-    chi2: float | None = None
-    p: float | None = None
-    kendall_w: float | None = None
-    p_exact: float | None = None
-    p_exact_method: str | None = None
-    f: float | None = None
-    f_df: tuple[float, float] | None = None
-    p_f: float | None = None
-    p_holm: float | None = None
-
-
-def friedman(values: Floats, resampling: Resampling, label: str) -> Friedman:
-    """Compare the columns of `values` (n, k) within its rows."""
     n, k = values.shape
+    found: Found = {"n": n, "k": k, "df": k - 1, "mean_ranks": []}
+    found |= dict.fromkeys(
+        ["chi2", "p", "kendall_w", "p_exact", "p_exact_method", "f", "f_df", "p_f"]
+    )
     if n < 2:
-        return Friedman(n, k, k - 1, ())
-    ranks = stats.rankdata(values, axis=1)
-    mean_ranks = tuple(ranks.mean(axis=0).tolist())
-    chi2 = float(chi_squares(ranks))
-    if np.isnan(chi2):
-        return Friedman(n, k, k - 1, mean_ranks)
-    w = chi2 / (n * (k - 1))
-    p_exact, method = exact_p(ranks, resampling, label)
-    p = float(stats.chi2.sf(chi2, k - 1))
-    small = _small_sample_f(w, n, k)
-    return Friedman(n, k, k - 1, mean_ranks, chi2, p, w, p_exact, method, *small)
+        return found
+    ranks = scipy.stats.rankdata(values, axis=1)
+    found["mean_ranks"] = ranks.mean(axis=0).tolist()
+    chi2 = float(chi_squares(values))
+    if math.isnan(chi2):
+        return found
+    found |= {"chi2": chi2, "p": float(scipy.stats.chi2.sf(chi2, k - 1))}
+    found["kendall_w"] = w = chi2 / (n * (k - 1))
+    found["p_exact"], found["p_exact_method"] = exact_p(ranks, resampling, label)
+    df = k - 1 - 2.0 / n
+    if df > 0.0:
+        found["f_df"] = [df, (n - 1) * df]
+        if math.isclose(w, 1.0, abs_tol=1e-12):
+            found["p_f"] = 0.0  # f is infinite
+        else:
+            found["f"] = f = w * (n - 1) / (1.0 - w)
+            found["p_f"] = float(scipy.stats.f.sf(f, *found["f_df"]))
+    return found
 
 
-def chi_squares(ranks: Floats) -> Floats:
-    """Return chi-square of ranks (..., n, k), corrected for ties; NaN if all are tied."""
-    n, k = ranks.shape[-2:]
-    spread = (ranks**2).sum(axis=(-2, -1)) - n * k * (k + 1) ** 2 / 4.0
-    between = ((ranks.sum(axis=-2) - n * (k + 1) / 2.0) ** 2).sum(axis=-1)
+def chi_squares(values: Floats) -> Floats:
+    """Return chi-square of (..., n, k), corrected for ties; NaN if all are tied.
+
+    scipy refuses two columns, of which Friedman's test is the sign test.
+    """
     with np.errstate(invalid="ignore"):
-        return np.asarray((k - 1) * between / spread, np.float64)
-
-
-def _small_sample_f(
-    w: float, n: int, k: int
-) -> tuple[float | None, tuple[float, float] | None, float | None]:
-    df1 = k - 1 - 2.0 / n
-    if df1 <= 0.0:
-        return None, None, None
-    df = (df1, (n - 1) * df1)
-    if math.isclose(w, 1.0, abs_tol=1e-12):
-        return None, df, 0.0  # infinite
-    f = w * (n - 1) / (1.0 - w)
-    return f, df, float(stats.f.sf(f, *df))
+        if values.shape[-1] == 2:
+            signs = np.sign(values[..., 1] - values[..., 0])
+            found = signs.sum(axis=-1) ** 2 / np.abs(signs).sum(axis=-1)
+        else:
+            columns = np.moveaxis(values, -1, 0)
+            found = scipy.stats.friedmanchisquare(*columns, axis=-1).statistic
+    return np.asarray(found, np.float64)
 
 
 def exact_p(ranks: Floats, resampling: Resampling, label: str) -> tuple[float, str]:
     """Return how probable so unequal rank sums are when all orders are, and how found.
+
+    No library counts the orders of tied ranks, which five-step ratings always have.
 
     Args:
         ranks: (n, k), mid-ranks within each row.
@@ -142,3 +126,116 @@ def _drawn_p(doubled: NDArray[np.int64], resampling: Resampling, label: str) -> 
         hits += int(((orders.sum(axis=1) ** 2).sum(axis=1) >= observed).sum())
         drawn += rows
     return (hits + 1) / (drawn + 1)
+
+
+def nemenyi(values: Floats, pairs: list[tuple[int, int]]) -> list[Found]:
+    """Compare pairs of columns of `values` (n, k); p is corrected for all pairs.
+
+    q = |mean rank difference| / sqrt(k(k+1)/(6n)), referred to the studentised range
+    with infinite degrees of freedom (q sqrt 2). scikit-posthocs has the same, and would
+    bring seaborn.
+    """
+    n, k = values.shape
+    means = scipy.stats.rankdata(values, axis=1).mean(axis=0)
+    error = math.sqrt(k * (k + 1) / (6.0 * n))
+    q = [float(abs(means[i] - means[j]) / error) for i, j in pairs]
+    p = scipy.stats.studentized_range.sf(np.array(q) * math.sqrt(2.0), k, math.inf)
+    return [
+        {"q": one, "p": min(1.0, float(p_one))}
+        for one, p_one in zip(q, np.atleast_1d(p), strict=True)
+    ]
+
+
+def conover(values: Floats, pairs: list[tuple[int, int]]) -> list[Found]:
+    """Compare pairs of columns of `values` (n, k), n > 1; p is not corrected.
+
+    t = |R_i - R_j| / sqrt(2 (n A - sum R^2) / ((n-1)(k-1))) with the rank sums R, the sum
+    of squared ranks A and (n-1)(k-1) degrees of freedom (Conover 1999, 5.8). Where all
+    participants rank alike t has no bound (None); scikit-posthocs divides by zero.
+    """
+    n, k = values.shape
+    ranks = scipy.stats.rankdata(values, axis=1)
+    sums = ranks.sum(axis=0)
+    left = n * float((ranks**2).sum()) - float((sums**2).sum())
+    df = (n - 1) * (k - 1)
+    if left <= 0.0:  # exact in halves
+        return [{"t": None, "p": float(sums[i] == sums[j])} for i, j in pairs]
+    error = math.sqrt(2.0 * left / df)
+    t = [float(abs(sums[i] - sums[j]) / error) for i, j in pairs]
+    return [{"t": one, "p": float(2.0 * scipy.stats.t.sf(one, df))} for one in t]
+
+
+def _of_sample(sample: Sample, resampling: Resampling) -> Found:
+    found = friedman(sample.values, resampling, sample.measure)
+    ranks = dict(zip(sample.feedbacks, found["mean_ranks"], strict=False))
+    return {**found, "mean_ranks": ranks}
+
+
+def _warnings(found: dict[str, Found]) -> list[str]:
+    told = []
+    for measure, one in found.items():
+        if one["chi2"] is None:
+            told.append(
+                f"{measure}: the feedbacks cannot be compared; everybody's ratings are "
+                "tied."
+            )
+        elif (one["p"] < ALPHA) != (one["p_exact"] < ALPHA):
+            told.append(
+                f"{measure}: Friedman's chi-square says p = {one['p']:.3f}, the exact "
+                f"distribution p = {one['p_exact']:.3f}; the exact one is right."
+            )
+    return told
+
+
+FRIEDMAN = Statistic(
+    "friedman",
+    "Friedman over the feedbacks; Holm over the measures (of the exact p)",
+    _of_sample,
+    of="measure",
+    columns=(
+        Column("n", "n", str),
+        Column("chi²", "chi2"),
+        Column("df", "df", str),
+        Column("p", "p", p_value),
+        Column("Kendall's W", "kendall_w", lambda w: number(w, 3)),
+        Column("exact p", "p_exact", p_value),
+        Column("Holm", "p_holm", p_value),
+        Column("F", "f"),
+        Column("p of F", "p_f", p_value),
+    ),
+    assumes="Friedman's test assumes that participants are independent of each other and "
+    "that the values of one participant can be ranked; the null hypothesis is that every order is "
+    "equally probable. Chi-square (corrected for ties) is an approximation for many "
+    "participants; the exact p beside it counts all orders given the ties, and is the "
+    "one that is corrected over the measures (Holm). Kendall's W tells how much the "
+    "participants agree, from 0 to 1.",
+    warn=_warnings,
+    rows=lambda found: {"": found},
+    holm=Holm("p_exact", "all measures"),
+)
+
+NEMENYI = Statistic(
+    "nemenyi",
+    "Pairs of feedbacks: Nemenyi",
+    lambda sample, _: sample.each_pair(lambda pairs: nemenyi(sample.values, pairs)),
+    of="pair",
+    columns=(Column("q", "q"), Column("p", "p", p_value)),
+    assumes="Nemenyi's test compares pairs by the ranks among all feedbacks, and is meant "
+    "to follow a significant Friedman test. It corrects for all pairs and is conservative.",
+)
+
+CONOVER = Statistic(
+    "conover",
+    "Pairs of feedbacks: Conover; Holm over the pairs of a measure",
+    lambda sample, _: sample.each_pair(lambda pairs: conover(sample.values, pairs)),
+    of="pair",
+    columns=(
+        Column("t", "t"),
+        Column("p", "p", p_value),
+        Column("Holm", "p_holm", p_value),
+    ),
+    assumes="Conover's test compares pairs by the ranks among all feedbacks, and is meant "
+    "to follow a significant Friedman test. It is more sensitive than Nemenyi's, and trusts that the "
+    "omnibus test was significant.",
+    holm=Holm("p", "each measure"),
+)

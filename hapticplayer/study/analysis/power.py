@@ -16,9 +16,8 @@ from scipy import stats
 
 from hapticplayer.errors import UsageError
 from hapticplayer.model.arrays import Floats
-from hapticplayer.study.analysis.effects import Effect, drawn_ratings
 from hapticplayer.study.analysis.friedman import chi_squares
-from hapticplayer.study.analysis.scores import QOE, FeedbackScores
+from hapticplayer.study.analysis.scores import Sample
 
 FRIEDMAN, ALL_PAIRS = "friedman", "all pairs"
 MOST_PARTICIPANTS, MOST_STUDIES = 300, 100_000
@@ -83,22 +82,7 @@ class Power:
         return float(np.sqrt(wanted * (1.0 - wanted) / self.goal.studies))
 
 
-def draw_effect(effect: Effect, measure: str, sequences: int) -> Draw:
-    """Return draws of participants of a population with a known effect."""
-    if measure != QOE and measure not in effect.factors:
-        known = ", ".join((QOE, *effect.factors))
-        raise UsageError(f"there is no measure {measure!r}; there is {known}")
-
-    def draw(studies: int, people: int, rng: np.random.Generator) -> Floats:
-        ratings = drawn_ratings(effect, (studies, people, sequences), rng)
-        if measure == QOE:
-            return np.asarray(ratings.sum(axis=4).mean(axis=2))
-        return np.asarray(ratings[..., effect.factors.index(measure)].mean(axis=2))
-
-    return draw
-
-
-def draw_pilot(pilot: FeedbackScores) -> Draw:
+def draw_pilot(pilot: Sample) -> Draw:
     """Return draws, with replacement, of those who took part in a pilot study.
 
     Raises:
@@ -167,10 +151,13 @@ def _sizes(largest: int) -> tuple[int, ...]:
 
 
 def _significant(values: Floats, pairs: list[tuple[int, int]], alpha: float) -> Floats:
-    """Return in how many studies (D, n, F) each test is significant."""
+    """Return in how many studies (D, n, F) each test is significant.
+
+    Holm is worked out for all studies at once, where statsmodels takes one.
+    """
     values = np.round(values, 9)
     feedbacks = values.shape[2]
-    chi2 = np.nan_to_num(chi_squares(stats.rankdata(values, axis=2)))
+    chi2 = np.nan_to_num(chi_squares(values))
     omnibus = chi2 > stats.chi2.isf(alpha, feedbacks - 1)
     p = np.stack([_pair_p(values[:, :, j] - values[:, :, i]) for i, j in pairs])
     # Holm: the sorted p as long as each is below alpha over what is left
@@ -186,15 +173,10 @@ def _significant(values: Floats, pairs: list[tuple[int, int]], alpha: float) -> 
 
 
 def _pair_p(differences: Floats) -> Floats:
-    """Return p of the signed-rank test of each row (D, n), zeros left out."""
-    differences = np.round(differences, 9)
-    ranks = stats.rankdata(np.abs(differences), axis=1)
-    ranks -= (differences == 0.0).sum(axis=1, keepdims=True)
-    ranks[differences == 0.0] = 0.0
-    signed = (np.sign(differences) * ranks).sum(axis=1)
-    spread = np.sqrt((ranks**2).sum(axis=1))
-    z = np.abs(signed) / np.where(spread > 0.0, spread, 1.0)
-    return np.asarray(2.0 * stats.norm.sf(z), np.float64)
+    """Return p of the signed-rank test of each row (D, n); 1 where nothing differs."""
+    with np.errstate(invalid="ignore"):
+        found = stats.wilcoxon(np.round(differences, 9), axis=1, method="asymptotic")
+    return np.asarray(np.nan_to_num(found.pvalue, nan=1.0), np.float64)
 
 
 def _needed(

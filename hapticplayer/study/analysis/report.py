@@ -1,18 +1,87 @@
-"""The report of a study as files: HTML, PDF, figures, and the numbers."""
+"""The report of a study of either type of trial: its parts, and its files."""
 
 import csv
 import io
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import asdict, dataclass
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from hapticplayer.sequence import files
 from hapticplayer.study import private
-from hapticplayer.study.analysis import figures
-from hapticplayer.study.analysis.analysis import Progress
-from hapticplayer.study.analysis.html import page
-from hapticplayer.study.analysis.parts import StudyAnalysis, parts_of
-from hapticplayer.study.analysis.pdf import write_pdf
+from hapticplayer.study.analysis import consistency_report, contents, figures
+from hapticplayer.study.analysis.analysis import (
+    STATISTICS,
+    Analysis,
+    Choices,
+    Progress,
+    analyse,
+    summary,
+)
+from hapticplayer.study.analysis.consistency import (
+    ConsistencyAnalysis,
+    analyse_consistency,
+)
+from hapticplayer.study.analysis.describing import Summary
+from hapticplayer.study.analysis.typesetting import page, write_pdf
+from hapticplayer.study.answers import Answers
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+StudyAnalysis = Analysis | ConsistencyAnalysis
+
+
+@dataclass(frozen=True, slots=True)
+class Parts:
+    """What a report is made of.
+
+    Attributes:
+        numbers: as JSON.
+        blocks: of the text.
+        draw: gives the figures by name.
+        tables: rows by name of the CSV file.
+    """
+
+    numbers: dict[str, Any]
+    blocks: tuple[contents.Block, ...]
+    draw: Callable[[], dict[str, "Figure"]]
+    tables: Mapping[str, Iterable[list[Any]]]
+
+
+def analyse_study(
+    answers: Answers,
+    choices: Choices | None = None,
+    progress: Progress = lambda _fraction, _step: None,
+) -> StudyAnalysis:
+    """Analyse ratings, or judgements where these are what was asked for.
+
+    Raises:
+        InputError: when the answers do not fit their own design.
+    """
+    run = analyse_consistency if answers.judgements else analyse
+    return run(answers, choices, progress)
+
+
+def parts_of(found: StudyAnalysis) -> Parts:
+    """Return the parts of a report."""
+    if isinstance(found, ConsistencyAnalysis):
+        return Parts(
+            consistency_report.summary(found),
+            tuple(consistency_report.contents(found)),
+            lambda: consistency_report.figures(found),
+            consistency_report.tables(found),
+        )
+    return Parts(
+        summary(found),
+        tuple(contents.contents(found)),
+        lambda: figures.figures(found),
+        {
+            "conditions.csv": _condition_rows(found),
+            "tests.csv": _test_rows(found),
+            "scores.csv": _score_rows(found),
+        },
+    )
 
 
 def write_report(
@@ -48,16 +117,48 @@ def write_report(
         progress(0.9, "writing the numbers")
         files.write_json(aside / "numbers.json", parts.numbers)
         for name, rows in parts.tables.items():
-            _write_text(aside / name, _csv(rows))
+            out = io.StringIO()
+            csv.writer(out, lineterminator="\n").writerows(rows)
+            _write_text(aside / name, out.getvalue())
         for path in aside.iterdir():  # codes, and what each of them answered
             path.chmod(private.FILE_MODE)
 
 
-def _csv(rows: Iterable[list[Any]]) -> str:
-    out = io.StringIO()
-    csv.writer(out, lineterminator="\n").writerows(rows)
-    return out.getvalue()
-
-
 def _write_text(path: Path, text: str) -> None:
     path.write_text(text, encoding="utf-8")
+
+
+def _condition_rows(analysis: Analysis) -> Iterator[list[Any]]:
+    yield ["measure", "sequence", "feedback", *Summary.__dataclass_fields__]
+    for measure, one in analysis.measures.items():
+        for sequence, part in [("all", one.feedbacks), *one.conditions.items()]:
+            for feedback, described in part.items():
+                yield [measure, sequence, feedback, *asdict(described).values()]
+
+
+def _test_rows(analysis: Analysis) -> Iterator[list[Any]]:
+    yield ["test", "measure", "of", "statistic", "value"]
+    for test, statistic in STATISTICS.items():
+        for measure, found in analysis.found[test].items():
+            for name, part in statistic.rows(found).items():
+                for key, value in _flat(part):
+                    yield [test, measure, name, key, value]
+
+
+def _flat(part: dict[str, Any]) -> Iterator[tuple[str, Any]]:
+    for key, value in part.items():
+        if isinstance(value, dict):
+            yield from ((f"{key}.{name}", one) for name, one in value.items())
+        elif isinstance(value, list):
+            yield from ((f"{key}.{place}", one) for place, one in enumerate(value))
+        else:
+            yield key, value
+
+
+def _score_rows(analysis: Analysis) -> Iterator[list[Any]]:
+    yield ["participant", "measure", "feedback", "mean_over_sequences"]
+    for measure, one in analysis.measures.items():
+        sample = one.sample
+        for code, row in zip(sample.participants, sample.values, strict=True):
+            for feedback, value in zip(sample.feedbacks, row.tolist(), strict=True):
+                yield [code, measure, feedback, value]

@@ -5,9 +5,11 @@ the sequences, per participant (the paper's QoE_All, section 4.3).
 """
 
 from collections import Counter
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from enum import StrEnum
+from itertools import combinations
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -74,16 +76,19 @@ class Scores:
 
 
 @dataclass(frozen=True, slots=True)
-class FeedbackScores:
-    """One measure averaged over the sequences, without holes.
+class Sample:
+    """One measure as the statistics see it.
 
     Attributes:
         measure: "qoe" or a factor.
-        feedbacks: names, second axis.
-        participants: codes of those who are in it, first axis.
-        values: (n, F).
+        feedbacks: names.
+        participants: codes of those who are in `values`.
+        values: (n, F), averaged over the sequences, without holes.
         dropped: codes of those who are not in it.
         reduced: code to the sequences that were left out.
+        used_before: whether each of `participants` had used the device; None if unknown.
+        by_condition: (P, S, F) of everybody, NaN where there is no usable answer.
+        everybody: codes of all participants.
     """
 
     measure: str
@@ -92,6 +97,26 @@ class FeedbackScores:
     values: Floats
     dropped: tuple[str, ...]
     reduced: dict[str, tuple[str, ...]]
+    used_before: tuple[bool | None, ...]
+    by_condition: Floats
+    everybody: tuple[str, ...]
+
+    def each_pair(
+        self, compare: Callable[[list[tuple[int, int]]], list[dict[str, Any]]]
+    ) -> dict[str, Any]:
+        """Return what is found of all pairs of columns, by name; none of one person."""
+        pairs = list(combinations(range(len(self.feedbacks)), 2))
+        if len(self.values) < 2:
+            return {}
+        names = (f"{self.feedbacks[i]}-{self.feedbacks[j]}" for i, j in pairs)
+        return dict(zip(names, compare(pairs), strict=True))
+
+    def each_feedback(
+        self, look: Callable[[str, Floats], dict[str, Any]]
+    ) -> dict[str, Any]:
+        """Return what is found of each column (n,), by name."""
+        columns = zip(self.feedbacks, self.values.T, strict=True)
+        return {name: look(name, column) for name, column in columns}
 
 
 def scores_of(answers: Answers, *, with_unsound: bool = False) -> Scores:
@@ -130,10 +155,10 @@ def scores_of(answers: Answers, *, with_unsound: bool = False) -> Scores:
     return Scores(*axes, ratings, known, unsound, repeated)
 
 
-def by_feedback(
+def sample_of(
     scores: Scores, measure: str, policy: MissingPolicy = MissingPolicy.PAIRED
-) -> FeedbackScores:
-    """Return a measure's mean over the sequences for each participant and feedback."""
+) -> Sample:
+    """Return a measure with its mean over the sequences for each feedback."""
     values = scores.of(measure)
     usable = _all(~np.isnan(values))
     kept = _all(usable) if policy is MissingPolicy.COMPLETE else ~_all(~usable)
@@ -145,13 +170,16 @@ def by_feedback(
         if keep and not used.all()
     }
     codes = np.array(scores.participants, dtype=object)
-    return FeedbackScores(
-        measure,
-        scores.feedbacks,
-        tuple(codes[kept]),
-        means,
-        tuple(codes[~kept]),
-        reduced,
+    return Sample(
+        measure=measure,
+        feedbacks=scores.feedbacks,
+        participants=tuple(codes[kept]),
+        values=means,
+        dropped=tuple(codes[~kept]),
+        reduced=reduced,
+        used_before=tuple(scores.used_before.get(code) for code in codes[kept]),
+        by_condition=values,
+        everybody=scores.participants,
     )
 
 

@@ -66,7 +66,7 @@ def test_analyse_tells_people_what_was_found(run, capsys):
     assert run("analyse", "rides", "--missing", "complete") == 0
     said = capsys.readouterr().out
     assert "8 participants" in said
-    assert "none - realistic: Wilcoxon" in said
+    assert "none-realistic: Wilcoxon" in said
 
 
 def test_an_existing_report_is_refused_before_the_work(run, tmp_path):

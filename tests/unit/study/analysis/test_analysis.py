@@ -6,8 +6,8 @@ import pytest
 
 from hapticplayer.errors import Cancelled, InputError
 from hapticplayer.study.analysis import Choices, MissingPolicy, analyse
-from hapticplayer.study.analysis.scores import by_feedback, scores_of
-from hapticplayer.study.analysis.summary import summary
+from hapticplayer.study.analysis.analysis import summary
+from hapticplayer.study.analysis.scores import sample_of, scores_of
 
 
 @pytest.fixture
@@ -72,18 +72,18 @@ def test_a_hole_takes_its_sequence_out_of_all_feedbacks(answers):
     holed = without(
         answers, participant="P03", sequence="clip-2", feedback="none", factor="comfort"
     )
-    whole, found = scores_of(answers), by_feedback(scores_of(holed), "qoe")
+    whole, found = scores_of(answers), sample_of(scores_of(holed), "qoe")
     kept = [whole.sequences.index(name) for name in ("clip-0", "clip-1", "clip-3")]
     expected = whole.of("qoe")[3, kept].mean(axis=0)
     assert found.values[3].tolist() == pytest.approx(expected.tolist())
     assert found.reduced == {"P03": ("clip-2",)}
     assert found.dropped == ()
-    assert by_feedback(scores_of(holed), "realism").reduced == {}
+    assert sample_of(scores_of(holed), "realism").reduced == {}
 
 
 def test_complete_means_without_those_who_left_a_hole(answers):
     holed = without(answers, participant="P03", sequence="clip-2", factor="comfort")
-    found = by_feedback(scores_of(holed), "qoe", MissingPolicy.COMPLETE)
+    found = sample_of(scores_of(holed), "qoe", MissingPolicy.COMPLETE)
     assert found.dropped == ("P03",)
     assert len(found.values) == 14
 
@@ -178,9 +178,9 @@ def test_the_analysis_stops_when_asked(answers, choices):
 
 
 def test_experienced_participants_are_compared_with_the_others(answers, choices):
-    one = analyse(answers, choices).measures["qoe"].mann_whitney["none"]
+    one = analyse(answers, choices).found["mann_whitney"]["qoe"]["none"]
     used = [person.used_device_before for person in answers.participants]
-    assert (one.n_before, one.n_new) == (used.count(True), used.count(False))
+    assert (one["n_before"], one["n_new"]) == (used.count(True), used.count(False))
 
 
 def test_corrections_are_over_measures_and_over_groups(answers, choices):

@@ -10,9 +10,10 @@ import pytest
 
 from hapticplayer.errors import Cancelled, SequenceError
 from hapticplayer.study.analysis import Choices, analyse
+from hapticplayer.study.analysis.analysis import STATISTICS, summary
 from hapticplayer.study.analysis.figures import factors_by_feedback
 from hapticplayer.study.analysis.report import write_report
-from hapticplayer.study.analysis.summary import summary
+from hapticplayer.study.analysis.statistic import Statistic
 
 NASTY = "<script>alert(1)</script> $x^2$ $ \\frac é"
 
@@ -94,7 +95,7 @@ def test_the_numbers_are_those_of_the_analysis(analysis, report):
     with (report / "tests.csv").open(encoding="utf-8") as lines:
         rows = {tuple(row[:4]): row[4] for row in csv.reader(lines)}
     chi2 = float(rows["friedman", "qoe", "", "chi2"])
-    assert chi2 == analysis.measures["qoe"].friedman.chi2
+    assert chi2 == analysis.found["friedman"]["qoe"]["chi2"]
     with (report / "conditions.csv").open(encoding="utf-8") as lines:
         table = {
             (r["measure"], r["sequence"], r["feedback"]): r
@@ -135,3 +136,24 @@ def test_a_cancelled_report_leaves_nothing_behind(analysis, tmp_path):
     with pytest.raises(Cancelled):
         write_report(analysis, tmp_path / "report", "x", stop)
     assert list(tmp_path.iterdir()) == []
+
+
+def test_a_statistic_in_the_registry_is_in_every_output(
+    make_answers, quick, tmp_path, monkeypatch
+):
+    def spread(sample, _resampling):
+        return sample.each_feedback(
+            lambda _name, column: {"ptp": float(np.ptp(column))}
+        )
+
+    entry = Statistic("dummy", "Spread of the participants", spread)
+    monkeypatch.setitem(STATISTICS, "dummy", entry)
+    found = analyse(make_answers(5, 6, sequences=1), Choices(resampling=quick))
+    write_report(found, tmp_path / "x", "Study")
+    numbers = json.loads((tmp_path / "x" / "numbers.json").read_text("utf-8"))
+    expected = np.ptp(found.measures["qoe"].sample.values[:, 0])
+    assert numbers["dummy"]["qoe"]["none"]["ptp"] == expected
+    assert (
+        f"dummy,qoe,none,ptp,{expected}" in (tmp_path / "x" / "tests.csv").read_text()
+    )
+    assert "Spread of the participants" in (tmp_path / "x" / "report.html").read_text()

@@ -7,50 +7,34 @@ effect is read (Wobbrock et al. 2011); p is also corrected for unequal variances
 differences (Greenhouse and Geisser 1959).
 """
 
-from dataclasses import dataclass
+from collections.abc import Iterator
+from typing import Any
 
 import numpy as np
-from scipy import stats
+import scipy
 
 from hapticplayer.model.arrays import Floats
+from hapticplayer.study.analysis.statistic import (
+    ALPHA,
+    Column,
+    Found,
+    Statistic,
+    listed,
+    number,
+    p_value,
+)
 
 EFFECTS = ("sequence", "feedback", "interaction")
 _DECIMALS = 9  # aligned responses that are equal but for their rounding are ties
 _LEAST = 2
 
 
-@dataclass(frozen=True, slots=True)
-class Effect:
-    """One effect of the analysis of variance of its aligned ranks.
+def structure(values: Floats, participants: tuple[str, ...]) -> Found | None:
+    """Analyse (P, S, F); None where there are too few of something, or all are alike.
 
-    Attributes:
-        f: F.
-        df: of the effect and of its error.
-        p: without correction for sphericity.
-        epsilon: of Greenhouse and Geisser, 1/df to 1.
-        p_corrected: with the degrees of freedom times epsilon.
-        partial_eta_squared: share of the variance, without that of other effects.
+    Of each effect `p_corrected` has the degrees of freedom times `epsilon` of Greenhouse
+    and Geisser, 1/df to 1; only participants without holes are in it.
     """
-
-    f: float
-    df: tuple[float, float]
-    p: float
-    epsilon: float
-    p_corrected: float
-    partial_eta_squared: float
-
-
-@dataclass(frozen=True, slots=True)
-class Structure:
-    """The three effects on one measure, and who was in it; only whole ones can be."""
-
-    participants: tuple[str, ...]
-    dropped: tuple[str, ...]
-    effects: dict[str, Effect]
-
-
-def structure(values: Floats, participants: tuple[str, ...]) -> Structure | None:
-    """Analyse (P, S, F); None where there are too few of something, or all are alike."""
     whole = ~np.isnan(values).any(axis=(1, 2))
     kept = values[whole]
     if min(kept.shape) < _LEAST or np.ptp(kept) == 0.0:
@@ -62,13 +46,14 @@ def structure(values: Floats, participants: tuple[str, ...]) -> Structure | None
             return None
         effects[name] = effect
     codes = np.array(participants, dtype=object)
-    return Structure(tuple(codes[whole]), tuple(codes[~whole]), effects)
+    found = {"participants": codes[whole].tolist(), "dropped": codes[~whole].tolist()}
+    return {**found, "effects": effects}
 
 
 def aligned_ranks(values: Floats, effect: str) -> Floats:
     """Return the ranks of `values` (P, S, F) aligned for one effect."""
     aligned = align(values, effect)
-    return np.asarray(stats.rankdata(aligned), np.float64).reshape(values.shape)
+    return np.asarray(scipy.stats.rankdata(aligned), np.float64).reshape(values.shape)
 
 
 def align(values: Floats, effect: str) -> Floats:
@@ -85,7 +70,7 @@ def align(values: Floats, effect: str) -> Floats:
     return np.asarray(np.round(values - cells + estimates[effect], _DECIMALS))
 
 
-def _effect(ranks: Floats, name: str) -> Effect | None:
+def _effect(ranks: Floats, name: str) -> Found | None:
     """Return the effect of the analysis of variance of ranks (P, S, F)."""
     from pandas import DataFrame
     from statsmodels.stats.anova import AnovaRM
@@ -100,14 +85,15 @@ def _effect(ranks: Floats, name: str) -> Effect | None:
     found = AnovaRM(table, "y", "p", within=within).fit().anova_table
     row = found.loc["sequence:feedback" if name == "interaction" else name]
     f, df1, df2 = (float(row[key]) for key in ("F Value", "Num DF", "Den DF"))
-    return Effect(
-        f,
-        (df1, df2),
-        float(stats.f.sf(f, df1, df2)),
-        epsilon,
-        float(stats.f.sf(f, df1 * epsilon, df2 * epsilon)),
-        f * df1 / (f * df1 + df2),
-    )
+    return {
+        "n": len(ranks),
+        "f": f,
+        "df": (df1, df2),
+        "p": float(scipy.stats.f.sf(f, df1, df2)),
+        "epsilon": epsilon,
+        "p_corrected": float(scipy.stats.f.sf(f, df1 * epsilon, df2 * epsilon)),
+        "partial_eta_squared": f * df1 / (f * df1 + df2),
+    }
 
 
 def _epsilon(ranks: Floats, name: str) -> float | None:
@@ -134,3 +120,53 @@ def _contrasts(size: int) -> Floats:
     helmert = np.eye(size) - 1.0 / size
     columns, _ = np.linalg.qr(helmert[:, :-1])
     return np.asarray(columns, np.float64)
+
+
+def _warnings(found: dict[str, Any]) -> Iterator[str]:
+    for measure, one in found.items():
+        if one is None:
+            yield (
+                f"{measure}: sequence and feedback cannot be analysed together (fewer "
+                "than two of something, or no spread to compare with)."
+            )
+            continue
+        if one["dropped"]:
+            yield (
+                f"{measure}: the analysis of aligned ranks is without "
+                f"{listed(one['dropped'])} (answers are missing)."
+            )
+        uneven = [
+            name
+            for name, effect in one["effects"].items()
+            if (effect["p"] < ALPHA) != (effect["p_corrected"] < ALPHA)
+        ]
+        if uneven:
+            yield (
+                f"{measure}: the differences are unequally spread (no sphericity), and "
+                f"this decides about {listed(uneven)}: read the corrected p of the "
+                "aligned ranks."
+            )
+
+
+ALIGNED_RANKS = Statistic(
+    "aligned_ranks",
+    "Sequence x feedback: analysis of variance of aligned ranks",
+    lambda sample, _: structure(sample.by_condition, sample.everybody),
+    of="effect",
+    columns=(
+        Column("n", "n", str),
+        Column("F", "f"),
+        Column("df", "df", lambda df: f"{df[0]:.0f}, {df[1]:.0f}"),
+        Column("p", "p", p_value),
+        Column("epsilon", "epsilon"),
+        Column("corrected p", "p_corrected", p_value),
+        Column("partial eta²", "partial_eta_squared", number),
+    ),
+    assumes="The analysis of variance of aligned ranks looks at sequences and feedbacks together, for participants who answered "
+    "everything. It assumes equally unequal differences (sphericity), for which the "
+    "corrected p makes up. An interaction means that the feedbacks differ more for some "
+    "sequences than for others.",
+    warn=_warnings,
+    rows=lambda found: found["effects"] if found else {},
+    key="structure",
+)

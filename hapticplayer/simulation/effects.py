@@ -22,7 +22,8 @@ from scipy import optimize, special
 
 from hapticplayer.errors import UsageError
 from hapticplayer.model.arrays import Floats
-from hapticplayer.study.analysis.scores import SCALE
+from hapticplayer.study.analysis.power import Draw
+from hapticplayer.study.analysis.scores import QOE, SCALE
 
 SCATTER = 0.7
 COMMON = 0.2
@@ -124,6 +125,21 @@ def drawn_ratings(
     scatter *= SCATTER
     scatter += (sds * person)[:, :, None, :, None] + means
     return np.asarray(np.clip(np.rint(scatter, out=scatter), *SCALE, out=scatter))
+
+
+def draw_effect(effect: Effect, measure: str, sequences: int) -> Draw:
+    """Return draws of participants of a population with a known effect."""
+    if measure != QOE and measure not in effect.factors:
+        known = ", ".join((QOE, *effect.factors))
+        raise UsageError(f"there is no measure {measure!r}; there is {known}")
+
+    def draw(studies: int, people: int, rng: np.random.Generator) -> Floats:
+        ratings = drawn_ratings(effect, (studies, people, sequences), rng)
+        if measure == QOE:
+            return np.asarray(ratings.sum(axis=4).mean(axis=2))
+        return np.asarray(ratings[..., effect.factors.index(measure)].mean(axis=2))
+
+    return draw
 
 
 @functools.cache

@@ -1,0 +1,296 @@
+"""Tests of two samples by ranks, exact also where ranks are tied; and of normality.
+
+Wilcoxon's signed-rank test: differences of zero are left out (his own rule). Mann and
+Whitney's rank-sum test. scipy counts the exact p of ranks without ties alone, or by a
+permutation of every case, which takes too long beyond a dozen; here the distribution of
+the sum of tied mid-ranks is added up rank by rank. Two-sided p: twice the smaller tail.
+"""
+
+import math
+from collections.abc import Iterator
+
+import numpy as np
+import scipy
+from numpy.typing import NDArray
+
+from hapticplayer.model.arrays import Floats
+from hapticplayer.study.analysis.describing import TAILS, Resampling
+from hapticplayer.study.analysis.scores import Sample
+from hapticplayer.study.analysis.statistic import (
+    ALPHA,
+    Column,
+    Found,
+    Holm,
+    Statistic,
+    interval,
+    listed,
+    number,
+    p_value,
+)
+
+MOST_PAIRS, MOST_PEOPLE = 200, 100
+"""Beyond so many the normal distribution is as good (p within 1e-4)."""
+_DECIMALS = 9  # means of integers that are equal but for their rounding are ties
+_LEAST_FOR_SHAPIRO = 3
+_SMALL_GROUP = 5
+
+
+def signed_rank(
+    first: Floats, second: Floats, resampling: Resampling, label: str
+) -> Found:
+    """Compare paired samples (n,), n > 0; positive means that the second is larger.
+
+    `p_normal` is corrected for ties, not for continuity. `shift` is the Hodges-Lehmann
+    estimate; its interval holds at least 95 %, by the exact distribution without ties,
+    and is None for fewer than six pairs, for which there is none.
+    """
+    differences = np.round(second - first, _DECIMALS)
+    apart = differences[differences != 0.0]
+    ranks = scipy.stats.rankdata(np.abs(apart))
+    w_plus = float(ranks[apart > 0].sum())
+    p = p_normal = effect = effect_interval = None
+    is_counted = len(apart) <= MOST_PAIRS
+    if len(apart):
+        p = p_normal = float(scipy.stats.wilcoxon(apart, method="asymptotic").pvalue)
+        if is_counted:
+            p = _smaller_tail(_sums(2.0 * ranks), 2.0 * w_plus)
+        effect = float(rank_biserial(differences))
+        effect_interval = resampling.interval(
+            differences, rank_biserial, f"signed/{label}"
+        )
+    shift, shift_interval = hodges_lehmann(differences)
+    return {
+        "n": len(differences),
+        "zeros": len(differences) - len(apart),
+        "w_plus": w_plus,
+        "w_minus": float(ranks[apart < 0].sum()),
+        "p": p,
+        "p_method": "exact" if is_counted else "normal",
+        "p_normal": p_normal,
+        "rank_biserial": effect,
+        "rank_biserial_interval": effect_interval,
+        "shift": shift,
+        "shift_interval": shift_interval,
+    }
+
+
+def rank_biserial(differences: Floats) -> Floats:
+    """Return the matched rank-biserial correlation over the last axis; 0 if all are 0."""
+    ranks = scipy.stats.rankdata(np.abs(differences), axis=-1)
+    ranks -= (differences == 0.0).sum(axis=-1, keepdims=True)  # zeros rank lowest
+    signed = (np.sign(differences) * ranks).sum(axis=-1)
+    total = np.where(differences == 0.0, 0.0, ranks).sum(axis=-1)
+    return np.asarray(signed / np.maximum(total, 1.0), np.float64)
+
+
+def hodges_lehmann(differences: Floats) -> tuple[float, tuple[float, float] | None]:
+    """Return the median of the Walsh averages and its interval (Hollander & Wolfe 3.3)."""
+    n = len(differences)
+    upper = np.triu_indices(n)
+    averages = np.sort((differences[upper[0]] + differences[upper[1]]) / 2.0)
+    place = _interval_place(n)
+    if place == 0:
+        return float(np.median(averages)), None
+    low, high = averages[place - 1], averages[len(averages) - place]
+    return float(np.median(averages)), (float(low), float(high))
+
+
+def _interval_place(n: int) -> int:
+    """Return the largest c with P(W+ < c) within the tail; 0 where there is none."""
+    if n > MOST_PAIRS:
+        mean, variance = n * (n + 1) / 4.0, n * (n + 1) * (2 * n + 1) / 24.0
+        z = float(scipy.stats.norm.ppf(TAILS[0]))
+        return math.floor(mean + z * math.sqrt(variance))
+    below = np.cumsum(_sums(2.0 * np.arange(1.0, n + 1.0)))[::2]
+    return int(np.searchsorted(below, TAILS[0], side="right"))
+
+
+def _sums(doubled: NDArray[np.float64]) -> Floats:
+    """Return the probability of each sum, with every (doubled) rank in it or not."""
+    share = np.zeros(int(np.sum(doubled)) + 1)
+    share[0] = 1.0
+    for step in np.rint(doubled).astype(int):
+        moved = np.zeros_like(share)
+        moved[step:] = share[: len(share) - step]
+        share = (share + moved) / 2.0
+    return share
+
+
+def _smaller_tail(share: Floats, at: float) -> float:
+    """Return the two-sided p of a value, given the probability of each."""
+    place = round(at)
+    return min(1.0, 2.0 * float(min(share[: place + 1].sum(), share[place:].sum())))
+
+
+def rank_sum(before: Floats, new: Floats, resampling: Resampling, label: str) -> Found:
+    """Compare independent samples (n_before,) and (n_new,).
+
+    `u` counts the pairs in which `before` is higher, ties half; `p_normal` is corrected
+    for ties and continuity; `rank_biserial` is positive where `before` is higher. None
+    where a group is empty or nothing differs.
+    """
+    found: Found = {"n_before": len(before), "n_new": len(new)}
+    found |= dict.fromkeys(["u", "p", "p_method", "p_normal"])
+    found |= dict.fromkeys(["rank_biserial", "rank_biserial_interval"])
+    if not len(before) or not len(new):
+        return found
+    ranks = scipy.stats.rankdata(np.concatenate([before, new]))
+    with np.errstate(invalid="ignore"):
+        normal = scipy.stats.mannwhitneyu(before, new, method="asymptotic")
+    found["u"] = float(normal.statistic)
+    found["rank_biserial"] = 2.0 * found["u"] / (len(before) * len(new)) - 1.0
+    found["rank_biserial_interval"] = _effect_interval(before, new, resampling, label)
+    if np.ptp(ranks) == 0.0:
+        return found
+    found["p"] = found["p_normal"] = float(normal.pvalue)
+    is_counted = len(ranks) <= MOST_PEOPLE
+    if is_counted:
+        doubled = np.rint(2.0 * ranks).astype(int)
+        sums = _sums_of_choices(doubled, len(before))
+        found["p"] = _smaller_tail(sums, float(doubled[: len(before)].sum()))
+    found["p_method"] = "exact" if is_counted else "normal"
+    return found
+
+
+def _sums_of_choices(doubled: NDArray[np.int64], chosen: int) -> Floats:
+    """Return the probability of each sum of so many (doubled) ranks out of all."""
+    ways = np.zeros((chosen + 1, int(np.sort(doubled)[-chosen:].sum()) + 1))
+    ways[0, 0] = 1.0
+    for step in doubled:
+        ways[1:, step:] += ways[:-1, : ways.shape[1] - step].copy()
+    return np.asarray(ways[chosen] / ways[chosen].sum())
+
+
+def _effect_interval(
+    before: Floats, new: Floats, resampling: Resampling, label: str
+) -> tuple[float, float]:
+    rng = resampling.generator(f"rank-sum/{label}")
+    wins = np.sign(before[:, None] - new[None, :])
+    # how often each is drawn with replacement, as shares (count, n)
+    first, second = (
+        rng.multinomial(n, np.full(n, 1.0 / n), size=resampling.count) / n
+        for n in wins.shape
+    )
+    low, high = np.quantile(((first @ wins) * second).sum(axis=1), TAILS)
+    return float(low), float(high)
+
+
+def shapiro(values: Floats) -> Found:
+    """Test whether a sample (n,) may be normal; None where it is small or constant."""
+    if len(values) < _LEAST_FOR_SHAPIRO or np.ptp(values) == 0.0:
+        return {"w": None, "p": None}
+    found = scipy.stats.shapiro(values)
+    return {"w": float(found.statistic), "p": float(found.pvalue)}
+
+
+def _signed_ranks(sample: Sample, resampling: Resampling) -> Found:
+    def compare(pairs: list[tuple[int, int]]) -> list[Found]:
+        names, values = sample.feedbacks, sample.values
+        return [
+            signed_rank(
+                values[:, i],
+                values[:, j],
+                resampling,
+                f"{sample.measure}/{names[i]}/{names[j]}",
+            )
+            for i, j in pairs
+        ]
+
+    return sample.each_pair(compare)
+
+
+def _expertise(sample: Sample, resampling: Resampling) -> Found:
+    before, new = (
+        [i for i, used in enumerate(sample.used_before) if used is wanted]
+        for wanted in (True, False)
+    )
+    return sample.each_feedback(
+        lambda name, column: rank_sum(
+            column[before], column[new], resampling, f"{sample.measure}/{name}"
+        )
+    )
+
+
+def _group_warnings(found: dict[str, Found]) -> Iterator[str]:
+    groups = next(iter(next(iter(found.values())).values()))
+    smaller = min(groups["n_before"], groups["n_new"])
+    if smaller < _SMALL_GROUP:
+        yield (
+            f"One of the groups of the Mann-Whitney tests has {smaller} participants: "
+            "only very large effects of experience could be seen."
+        )
+
+
+def _normality_warnings(found: dict[str, Found]) -> Iterator[str]:
+    for measure, one in found.items():
+        skewed = [k for k, s in one.items() if s["p"] is not None and s["p"] < ALPHA]
+        if skewed:
+            yield (
+                f"{measure}: {listed(skewed)} {'is' if len(skewed) == 1 else 'are'} not "
+                "normally distributed (Shapiro-Wilk): rather read medians and ranks than "
+                "means."
+            )
+        if constant := [k for k, s in one.items() if s["w"] is None]:
+            yield (
+                f"{measure}: {listed(constant)} cannot be tested for normality (fewer "
+                "than three values, or all alike)."
+            )
+
+
+SHAPIRO = Statistic(
+    "shapiro",
+    "Normality: Shapiro-Wilk",
+    lambda sample, _: sample.each_feedback(lambda _name, column: shapiro(column)),
+    of="feedback",
+    columns=(Column("W", "w", lambda w: number(w, 3)), Column("p", "p", p_value)),
+    assumes="The test of Shapiro and Wilk asks whether values may come from a normal distribution. With few "
+    "participants it seldom sees a deviation: a large p is no proof. The other tests "
+    "here do not need normal values.",
+    warn=_normality_warnings,
+)
+
+WILCOXON = Statistic(
+    "wilcoxon",
+    "Pairs of feedbacks: Wilcoxon signed rank; Holm over the pairs of a measure",
+    _signed_ranks,
+    of="pair",
+    columns=(
+        Column("n", "n", str),
+        Column("zeros", "zeros", str),
+        Column("W+", "w_plus", lambda w: number(w, 1)),
+        Column("W-", "w_minus", lambda w: number(w, 1)),
+        Column("p", "p", p_value),
+        Column("Holm", "p_holm", p_value),
+        Column("r", "rank_biserial"),
+        Column("95 %", "rank_biserial_interval", interval),
+        Column("shift", "shift"),
+        Column("95 %", "shift_interval", interval),
+    ),
+    assumes="Wilcoxon's signed-rank test assumes paired values whose differences are symmetric about their median "
+    "and can be ranked by size. Pairs without a difference are left out; p counts all "
+    "signs of the tied ranks. The matched rank-biserial correlation goes from -1 to 1; "
+    "the shift is the Hodges-Lehmann estimate, whose interval is exact without ties and "
+    "careful with them.",
+    holm=Holm("p", "each measure"),
+)
+
+MANN_WHITNEY = Statistic(
+    "mann_whitney",
+    "Used the device before or not: Mann-Whitney; Holm over all of these tests",
+    _expertise,
+    of="feedback",
+    columns=(
+        Column("before", "n_before", str),
+        Column("new", "n_new", str),
+        Column("U", "u", lambda u: number(u, 1)),
+        Column("p", "p", p_value),
+        Column("Holm", "p_holm", p_value),
+        Column("r", "rank_biserial"),
+        Column("95 %", "rank_biserial_interval", interval),
+    ),
+    assumes="The test of Mann and Whitney assumes two independent groups and values that can be ranked. It speaks of "
+    "medians only if both distributions have one shape. Few participants see only large "
+    "effects: no significance is not the same as no effect.",
+    warn=_group_warnings,
+    holm=Holm("p", "all measures"),
+)

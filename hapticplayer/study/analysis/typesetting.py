@@ -1,0 +1,185 @@
+"""The report as one HTML page (no scripts, nothing from elsewhere) and as PDF of A4."""
+
+import base64
+import datetime as dt
+import html
+import io
+import logging
+from collections.abc import Callable, Iterable
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from hapticplayer.study.analysis.contents import Block, Heading, Picture, Table, Words
+
+if TYPE_CHECKING:
+    from fpdf import FPDF
+
+_STYLE = """
+body { font: 15px/1.5 sans-serif; color: #1b1f25; max-width: 62em; margin: 2em auto;
+  padding: 0 1em; }
+h2 { border-bottom: 1px solid #c8ced6; margin-top: 1.8em; }
+table { border-collapse: collapse; margin: 0.6em 0 1.4em; font-size: 13px; }
+caption { text-align: left; font-weight: bold; padding: 0.3em 0; }
+th, td { padding: 0.2em 0.7em; text-align: right; white-space: nowrap;
+  border-bottom: 1px solid #e1e5ea; }
+th:first-child, td:first-child { text-align: left; }
+img { max-width: 100%; }
+@media print { h2, table, img { break-inside: avoid; } }
+"""
+_FONT = "DejaVu"
+_TEXT_PT, _TABLE_PT, _HEADING_PT = 9.5, 7.2, 13.0
+_LINE = 1.45 / 72.0 * 25.4  # mm for each point of the size
+_MARGIN_MM, _PADDING_MM, _LEAST_ROOM_MM = 20.0, 1.2, 30.0
+_POLICY = "default-src 'none'; img-src data:; style-src 'unsafe-inline'"
+
+
+def page(title: str, blocks: Iterable[Block], svgs: dict[str, bytes]) -> str:
+    """Return the whole page.
+
+    Args:
+        title: for people.
+        blocks: of the report.
+        svgs: the figures by name.
+    """
+
+    def source(name: str) -> str:
+        return "data:image/svg+xml;base64," + base64.b64encode(svgs[name]).decode()
+
+    name = html.escape(title)
+    return (
+        '<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
+        f'<meta http-equiv="Content-Security-Policy" content="{_POLICY}">\n'
+        f"<title>{name}</title>\n<style>{_STYLE}</style>\n</head>\n<body>\n"
+        f"<h1>{name}</h1>\n{body(blocks, source)}\n</body>\n</html>\n"
+    )
+
+
+def body(blocks: Iterable[Block], source: Callable[[str], str]) -> str:
+    """Return the parts as HTML.
+
+    Args:
+        blocks: of the report.
+        source: gives the address of a figure by its name.
+    """
+    return "\n".join(_block(block, source) for block in blocks)
+
+
+def _block(block: Block, source: Callable[[str], str]) -> str:
+    match block:
+        case Heading(text):
+            return f"<h2>{html.escape(text)}</h2>"
+        case Words(text, lead):
+            bold = f"<b>{html.escape(lead)}</b> " if lead else ""
+            return f"<p>{bold}{html.escape(text)}</p>"
+        case Picture(name, caption):
+            told = html.escape(caption)
+            return (  # paragraphs, for the window does not know <figure>
+                f'<p><img src="{html.escape(source(name))}" alt="{told}"></p>'
+                f"<p><i>{told}</i></p>"
+            )
+        case Table():
+            return _table(block)
+
+
+def _table(table: Table) -> str:
+    def row(cells: tuple[str, ...], tag: str) -> str:
+        inner = "".join(f"<{tag}>{html.escape(cell)}</{tag}>" for cell in cells)
+        return f"<tr>{inner}</tr>"
+
+    rows = "\n".join(row(cells, "td") for cells in table.rows)
+    caption = f"<caption>{html.escape(table.title)}</caption>"
+    return f"<table>{caption}\n{row(table.head, 'th')}\n{rows}\n</table>"
+
+
+def write_pdf(
+    path: Path, title: str, blocks: Iterable[Block], pngs: dict[str, bytes]
+) -> None:
+    """Write the report.
+
+    Args:
+        path: of the new file.
+        title: for people.
+        blocks: of the report.
+        pngs: the figures by name.
+    """
+    pdf = _new_pdf(title)
+    _paragraph(pdf, title, 1.4 * _HEADING_PT, bold=True)
+    for block in blocks:
+        match block:
+            case Heading(text):
+                if pdf.will_page_break(_LEAST_ROOM_MM):
+                    pdf.add_page()
+                pdf.ln(3.0)
+                _paragraph(pdf, text, _HEADING_PT, bold=True)
+            case Words(text, lead):
+                if lead:
+                    _paragraph(pdf, lead, _TEXT_PT, bold=True)
+                _paragraph(pdf, text, _TEXT_PT)
+            case Picture(name, caption):
+                pdf.image(io.BytesIO(pngs[name]), w=pdf.epw)
+                _paragraph(pdf, caption, _TEXT_PT)
+            case Table():
+                _add_table(pdf, block)
+    pdf.output(str(path))
+
+
+def _new_pdf(title: str) -> "FPDF":
+    from fpdf import FPDF
+    from matplotlib import get_data_path
+
+    class Pdf(FPDF):
+        def footer(self) -> None:
+            self.set_y(-15.0)
+            self.set_font(_FONT, size=_TABLE_PT)
+            self.cell(w=0, text=str(self.page_no()), align="C")
+
+    # a character that the font lacks is shown as a box
+    logging.getLogger("fpdf").setLevel(logging.ERROR)
+    pdf = Pdf(format="A4")
+    pdf.set_creation_date(dt.datetime.fromtimestamp(0, dt.UTC))  # for the same bytes
+    pdf.set_title(title)
+    pdf.set_margin(_MARGIN_MM)
+    fonts = Path(get_data_path()) / "fonts" / "ttf"
+    pdf.add_font(_FONT, "", fonts / "DejaVuSans.ttf")
+    pdf.add_font(_FONT, "B", fonts / "DejaVuSans-Bold.ttf")
+    pdf.add_page()
+    return pdf
+
+
+def _paragraph(pdf: "FPDF", text: str, size_pt: float, *, bold: bool = False) -> None:
+    pdf.set_font(_FONT, "B" if bold else "", size_pt)
+    pdf.multi_cell(
+        0, size_pt * _LINE, text, align="L", new_x="LMARGIN", new_y="NEXT", padding=0
+    )
+    pdf.ln(0.0 if bold else 1.5)
+
+
+def _add_table(pdf: "FPDF", table: Table) -> None:
+    """Write a table as wide as its texts, in smaller letters where there is no room."""
+    from fpdf.enums import TableBordersLayout
+
+    if pdf.will_page_break(_LEAST_ROOM_MM):
+        pdf.add_page()
+    _paragraph(pdf, table.title, _TEXT_PT, bold=True)
+    pdf.set_font(_FONT, "B", _TABLE_PT)
+    rows = (table.head, *table.rows)
+    widths = [
+        max(map(pdf.get_string_width, cells)) + 2.0 * _PADDING_MM
+        for cells in zip(*rows, strict=True)
+    ]
+    scale = min(1.0, pdf.epw / sum(widths))
+    size_pt = scale * _TABLE_PT
+    pdf.set_font(_FONT, "", size_pt)
+    with pdf.table(
+        rows,
+        width=scale * sum(widths),
+        col_widths=[scale * width for width in widths],
+        align="LEFT",
+        text_align=("LEFT", *["RIGHT"] * (len(widths) - 1)),
+        line_height=size_pt * _LINE,
+        padding=(0.0, scale * _PADDING_MM),
+        borders_layout=TableBordersLayout.SINGLE_TOP_LINE,
+        markdown=False,
+    ):
+        pass
+    pdf.ln(3.5)
