@@ -1,18 +1,25 @@
-"""What holds for every test: names that fit a line of a report."""
+"""What holds for all tests and benchmarks, as far as their text tells."""
 
-import ast
+import re
 from pathlib import Path
 
-TESTS = Path(__file__).resolve().parents[1]
-LONGEST_NAME = 60
+ROOT = Path(__file__).resolve().parents[2]
+LONG_NAME = re.compile(r"^ *def (test_\w{56,})", re.MULTILINE)
+IMPORTED = re.compile(r"^ *(?:from|import) (\w+)", re.MULTILINE)
+
+
+def found(folder, pattern):
+    """Yield file and match of all that the Python files below a folder hold of it."""
+    for path in sorted((ROOT / folder).rglob("*.py")):
+        for match in pattern.findall(path.read_text(encoding="utf-8")):
+            yield str(path.relative_to(ROOT)), match
 
 
 def test_no_test_has_a_name_longer_than_60_characters():
-    long = [
-        f"{path.relative_to(TESTS)}: {node.name}"
-        for path in sorted(TESTS.rglob("*.py"))
-        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
-        if isinstance(node, ast.FunctionDef) and node.name.startswith("test_")
-        if len(node.name) > LONGEST_NAME
-    ]
-    assert not long
+    assert not list(found("tests", LONG_NAME))
+
+
+def test_tests_import_no_benchmark():
+    modules = {path.stem for path in (ROOT / "benchmarks").rglob("*.py")}
+    theirs = {"benchmarks", *modules - {"__init__", "conftest"}}
+    assert not [(name, x) for name, x in found("tests", IMPORTED) if x in theirs]

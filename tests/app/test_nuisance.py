@@ -1,0 +1,160 @@
+"""Normal use of the window: the loop reacts to nothing but what a person asked for.
+
+`benchmarks/nuisance.py` does so for half an hour. A busy machine is no fault here: what it
+can bring about does not count.
+"""
+
+from collections.abc import Iterator
+
+import numpy as np
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QDialog, QSplitter
+
+from hapticplayer.haptics.contract import Cause, Mode
+from hapticplayer.media import probe, write_clip
+from hapticplayer.model import ForceTrack
+from hapticplayer.playback.source import Source
+
+CLIP_S, RATE_HZ = 120, 10
+LEFT, NO_KEY = Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier
+CONTROL = Qt.KeyboardModifier.ControlModifier
+OF_LOAD = {
+    Cause.CLOCK_STALE,
+    Cause.NO_TRACK,  # while the decoder does not keep up
+    Cause.HEARTBEAT_LATE,
+    Cause.HEARTBEAT_LOST,
+    Cause.REPLY_LATE,
+    Cause.REPLY_LOST,
+    Cause.TICK_LATE,
+    Cause.TICK_LOST,
+    Cause.COMMAND_STALE,
+    Cause.GUARD_LOST,
+}
+
+
+@pytest.fixture
+def long_source(tmp_path) -> Source:
+    """Two minutes with a small force, which nothing here comes to the end of."""
+    frames = (np.full((36, 64, 3), 90, np.uint8) for _ in range(CLIP_S * RATE_HZ))
+    path = tmp_path / "long.mp4"
+    write_clip(path, frames, frame_rate_hz=RATE_HZ, is_quick=True)
+    track = ForceTrack([0.0, CLIP_S], [[0.0, 0.2, 0.0]] * 2)
+    return Source("long", path, probe(path), {"realistic": track}, None, "realistic")
+
+
+class Use:
+    """A person with mouse and keyboard, and what the loop does meanwhile."""
+
+    def __init__(self, window, qtbot, wait_for):
+        self.window, self.qtbot, self.wait_for = window, qtbot, wait_for
+        self.seen_s = window.player.snapshot().tick["monotonic_s"]
+        self.causes: set[Cause] = set()
+
+    def look(self):
+        """Note why the loop held its force back since the last call."""
+        ticks = self.window.player.ticks_since(self.seen_s)
+        if len(ticks):
+            self.seen_s = ticks["monotonic_s"][-1]
+            self.causes |= {Cause(cause) for cause in np.unique(ticks["cause"])}
+
+    def do(self, *steps):
+        """Do one thing after the other; each step is followed by a wait in ms."""
+        for step in steps:
+            for wait_ms in step():
+                self.qtbot.wait(wait_ms)
+                self.look()
+
+    def key(self, key, modifier=NO_KEY):
+        QTest.keyClick(self.window.windowHandle(), key, modifier)
+
+    def feel(self):
+        """Let the clip play until its force is there."""
+        player = self.window.player
+
+        def is_felt():
+            self.look()
+            if self.window.session.is_stopped:  # a busy machine has tripped it
+                self.window.session.rearm()
+            if not player.snapshot().is_playing:
+                player.play()
+            return player.snapshot().mode is Mode.FOLLOWING
+
+        self.wait_for(is_felt)
+
+    def close_dialogs(self):
+        for dialog in self.window.findChildren(QDialog):
+            if dialog.isVisible():
+                dialog.reject()
+
+    # --- things ---------------------------------------------------------------
+
+    def open_menus(self) -> Iterator[int]:
+        bar = self.window.menuBar()
+        for action in bar.actions():
+            QTest.mouseClick(bar, LEFT, NO_KEY, bar.actionGeometry(action).center())
+            yield 50
+            QTest.keyClick(action.menu(), Qt.Key.Key_Down)
+            yield 20
+            action.menu().close()
+
+    def open_dialogs(self) -> Iterator[int]:
+        for key, modifier in (
+            (Qt.Key.Key_O, CONTROL),
+            (Qt.Key.Key_I, CONTROL),
+            (Qt.Key.Key_F1, NO_KEY),
+        ):
+            self.key(key, modifier)
+            yield 200
+            self.close_dialogs()
+
+    def resize(self) -> Iterator[int]:
+        for width in range(800, 1300, 50):
+            self.window.resize(width, 700)
+            yield 16
+
+    def show_and_hide(self) -> Iterator[int]:
+        """Fullscreen, plots and grip, there and back."""
+        for key in (Qt.Key.Key_F, Qt.Key.Key_P, Qt.Key.Key_G):
+            for _ in range(2):
+                self.key(key)
+                yield 150
+        self.window.showMinimized()
+        yield 150
+        self.window.showNormal()
+
+    def drag_splitter(self) -> Iterator[int]:
+        handle = self.window.findChild(QSplitter).handle(1)
+        middle = handle.rect().center()
+        QTest.mousePress(handle, LEFT, NO_KEY, middle)
+        for up_px in range(0, 60, 10):
+            QTest.mouseMove(handle, middle - type(middle)(0, up_px))
+            yield 16
+        QTest.mouseRelease(handle, LEFT, NO_KEY, middle)
+
+    def seek(self) -> Iterator[int]:
+        slider = self.window.transport.slider
+        QTest.mouseClick(slider, LEFT, NO_KEY, slider.rect().center())
+        yield 50
+        self.key(Qt.Key.Key_Left)
+        yield 50
+
+
+@pytest.mark.realtime
+def test_using_the_window_causes_no_unintended_reaction(
+    make_window, long_source, qtbot, wait_for
+):
+    window = make_window("simulated")
+    window.session.show_source(long_source)
+    wait_for(lambda: window.player.snapshot().tick is not None)
+    person = Use(window, qtbot, wait_for)
+    person.feel()
+    person.causes.clear()
+    person.do(person.open_menus, person.open_dialogs, person.resize)
+    person.do(person.show_and_hide, person.drag_splitter)
+    assert person.causes <= OF_LOAD | {Cause.NONE}
+    person.do(person.seek)
+    person.feel()
+    assert person.causes <= OF_LOAD | {Cause.NONE, Cause.SEEK, Cause.PAUSED}
+    assert Cause.SEEK in person.causes
