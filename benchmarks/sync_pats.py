@@ -20,7 +20,7 @@ from typing import Any
 import numpy as np
 
 from benchmarks.common import RESULTS, save, table
-from hapticplayer.capture.sync import synchronize
+from hapticplayer.capture import synchronize
 from hapticplayer.capture.sync.variance import FIRST_10_S, WHOLE, variance_shift
 from hapticplayer.simulation.rides.sync_clips import PatClip, simulate_pats
 

@@ -6,7 +6,7 @@ python -m tools.recording_figures
 import sys
 from pathlib import Path
 
-from hapticplayer.capture.sync import synchronize
+from hapticplayer.capture import synchronize
 from hapticplayer.capture.sync.synchronize import Sound
 from hapticplayer.cli.sync_plot import draw_sync
 from hapticplayer.simulation.rides.sync_clips import simulate_pats

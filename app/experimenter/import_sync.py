@@ -21,7 +21,7 @@ from app.widgets import theme
 from app.widgets.buttons import text_button
 from app.widgets.numbers import local
 from app.widgets.room import indent
-from hapticplayer.capture.sync import Synchronisation
+from hapticplayer.capture.sync.result import Synchronisation
 from hapticplayer.errors import HapticPlayerError
 from hapticplayer.model import ClockMap
 from hapticplayer.playback.snippet import LONGEST_S, Samples, Snippet, pats_sound

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from hapticplayer.capture.sync import Synchronisation
+from hapticplayer.capture.sync.result import Synchronisation
 from hapticplayer.capture.sync.synchronize import Sound
 from hapticplayer.cli.plots import DPI, envelope
 from hapticplayer.model import ImuLog

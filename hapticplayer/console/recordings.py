@@ -8,6 +8,7 @@ from typing import Any
 
 from hapticplayer.capture.choices import LogChoices, parse_choices, write_template
 from hapticplayer.capture.mounting import mounting_axes
+from hapticplayer.capture.sync.methods import AUTO
 from hapticplayer.console.speech import interruptible, say, shown_progress
 from hapticplayer.console.sync_text import sync_text
 from hapticplayer.errors import UsageError
@@ -100,7 +101,7 @@ def chosen_sync(options: argparse.Namespace) -> SyncChoices:
             )
         late_s = skews[options.camera]
     return SyncChoices(
-        method=options.sync_method,
+        method=options.sync_method or AUTO,
         offset_s=options.offset,
         sound_late_s=None if late_s is None else checked_skew(late_s),
     )

@@ -10,8 +10,8 @@ from typing import Any
 
 from hapticplayer.capture import read_recording
 from hapticplayer.capture.recording import Recording
-from hapticplayer.capture.sync import Synchronisation, read_sound
-from hapticplayer.capture.sync.synchronize import Sound
+from hapticplayer.capture.sync.result import Synchronisation
+from hapticplayer.capture.sync.synchronize import Sound, read_sound
 from hapticplayer.console.processing import plot_target
 from hapticplayer.console.recordings import chosen_log, chosen_sync
 from hapticplayer.console.speech import complain, interruptible, say

@@ -11,7 +11,7 @@ from hapticplayer.capture import read_recording
 from hapticplayer.capture.choices import LogChoices
 from hapticplayer.capture.mounting import mean_up
 from hapticplayer.capture.recording import Recording, find_gaps, refuse_gravity_free
-from hapticplayer.capture.sync import Synchronisation
+from hapticplayer.capture.sync.result import Synchronisation
 from hapticplayer.errors import InputError
 from hapticplayer.media import ClipInfo, camera_of, probe
 from hapticplayer.sequence import files
@@ -130,8 +130,8 @@ def _sync(
 
 
 def _loudness(clip: ClipInfo) -> Curve:
-    from hapticplayer.capture.sync import read_sound
     from hapticplayer.capture.sync.events import loudness
+    from hapticplayer.capture.sync.synchronize import read_sound
 
     heard = read_sound(clip.path)
     level = loudness(heard.samples, heard.rate_hz)

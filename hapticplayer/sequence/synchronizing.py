@@ -5,12 +5,13 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-from hapticplayer.capture import synchronize
 from hapticplayer.capture.recording import Recording
-from hapticplayer.capture.sync import Synchronisation, read_sound
+from hapticplayer.capture.sync.methods import AUTO, sync_method
+from hapticplayer.capture.sync.result import Synchronisation
+from hapticplayer.capture.sync.synchronize import Sound, SyncInput, read_sound
 from hapticplayer.errors import InputError, UsageError
 from hapticplayer.media import ClipInfo, camera_of
-from hapticplayer.model import ClockMap, ImuLog
+from hapticplayer.model import ClockMap
 from hapticplayer.sequence import files
 
 SKEWS = "cameras.json"
@@ -26,15 +27,14 @@ class SyncChoices:
     """How the clocks are to be laid together.
 
     Attributes:
-        method: of `capture.synchronize`; None for the offset if there is one, for the
-            recording's own clock if it knows the clip's, else for the pats.
+        method: one of `capture.sync.methods.SYNC_METHODS`.
         offset_s: media time of the log's time zero.
         sound_late_s: how much later than its picture the camera's sound comes; None
             for what is stored for the clip's camera.
         seen: what a person has looked at and taken, sure or not.
     """
 
-    method: str | None = None
+    method: str = AUTO
     offset_s: float | None = None
     sound_late_s: float | None = None
     seen: Synchronisation | None = None
@@ -78,50 +78,26 @@ def find_sync(
 
     Raises:
         InputError: when there is nothing to go by.
-        UsageError: for a method that lacks its argument.
+        UsageError: for a method that does not exist or lacks its argument.
     """
-    method = choices.method or _usual_method(recording, choices)
-    known = recording.clock_map if recording.clock_map.confidence > 0.0 else None
-    if method == "embedded" and known is None:
-        raise UsageError(
-            f"{Path(recording.imu.source).name} does not know the clip's clock; "
-            "use --method pats or give --offset S"
-        )
-    if method == "offset":
-        offset_s = choices.offset_s
-        known = None if offset_s is None else ClockMap(offset_s)
-    if method in ("embedded", "offset"):
-        return synchronize(recording.imu, method=method, known=known)
-    late_s = choices.sound_late_s
-    if late_s is None:
-        late_s = stored_skews().get(camera_of(clip.path), 0.0)
-    return sync_by_sound(clip, recording.imu, method, late_s)
 
+    def hear() -> Sound:
+        if not clip.has_audio:
+            raise InputError(
+                "it holds no sound, in which pats could be heard",
+                where=clip.path.name,
+                remedy="give --offset S, the media time at which the log's clock reads 0",
+            )
+        late_s = choices.sound_late_s
+        if late_s is None:
+            late_s = stored_skews().get(camera_of(clip.path), 0.0)
+        return read_sound(clip.path, late_s)
 
-def sync_by_sound(
-    clip: ClipInfo, imu: ImuLog, method: str, sound_late_s: float
-) -> Synchronisation:
-    """Return how a log lies to a clip by what is heard in it.
-
-    Raises:
-        InputError: when the clip has no sound, or one that tells nothing.
-    """
-    if not clip.has_audio:
-        raise InputError(
-            "it holds no sound, in which pats could be heard",
-            where=clip.path.name,
-            remedy="give --offset S, the media time at which the log's clock reads 0",
-        )
-    sound = read_sound(clip.path)
-    return synchronize(
-        imu, sound.samples, sound.rate_hz, method=method, sound_late_s=sound_late_s
-    )
-
-
-def _usual_method(recording: Recording, choices: SyncChoices) -> str:
-    if choices.offset_s is not None:
-        return "offset"
-    return "embedded" if recording.clock_map.confidence > 0.0 else "pats"
+    offset_s, own = choices.offset_s, recording.clock_map
+    given = None if offset_s is None else ClockMap(offset_s)
+    known = own if own.confidence > 0.0 else None
+    inputs = SyncInput(recording.imu, hear, given, known)
+    return sync_method(choices.method).function()(inputs)
 
 
 def doubt(found: Synchronisation, clip: str) -> str:

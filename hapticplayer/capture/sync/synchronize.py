@@ -1,18 +1,21 @@
-"""The one entry to all methods of synchronisation."""
+"""Synchronises a log with a clip by one of `methods.SYNC_METHODS`."""
 
 import dataclasses
 import os
+from collections.abc import Callable
 from dataclasses import dataclass
+from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from hapticplayer.capture.sync.methods import AUTO, sync_method
 from hapticplayer.capture.sync.result import Synchronisation
 from hapticplayer.errors import InputError, UsageError
 from hapticplayer.media import AudioDecoder
 from hapticplayer.model import ClockMap, ImuLog
 
-METHODS = ("pats", "variance", "embedded", "offset")
 SOUND_RATE_HZ = 16_000
 LEAST_IMU_RATE_HZ = 20.0
 MAX_SOUND_S = 4 * 3600.0
@@ -28,14 +31,36 @@ class Sound:
     Attributes:
         samples: (n,) float32.
         rate_hz: of the samples.
+        late_s: how much later than its frame the camera's sound comes.
     """
 
-    samples: NDArray[np.float32]
-    rate_hz: int = SOUND_RATE_HZ
+    samples: NDArray[np.floating]
+    rate_hz: float = SOUND_RATE_HZ
+    late_s: float = 0.0
 
 
-def read_sound(clip: str | os.PathLike[str]) -> Sound:
+class SyncInput(NamedTuple):
+    """What a method may go by.
+
+    Attributes:
+        imu: the log, on its own clock.
+        hear: reads the clip's sound; raises InputError where there is none.
+        given: the log's clock to media time as a person gave it.
+        own: the same as the recording knows it.
+    """
+
+    imu: ImuLog
+    hear: Callable[[], Sound]
+    given: ClockMap | None = None
+    own: ClockMap | None = None
+
+
+def read_sound(clip: str | os.PathLike[str], late_s: float = 0.0) -> Sound:
     """Return the sound of a clip; gaps in it are silent.
+
+    Args:
+        clip: the video.
+        late_s: how much later than its frame the camera's sound comes.
 
     Raises:
         MediaError: when it cannot be read or holds no sound.
@@ -52,7 +77,8 @@ def read_sound(clip: str | os.PathLike[str]) -> Sound:
             count += gap + len(samples)
     finally:
         decoder.close()
-    return Sound(np.concatenate([*parts, np.zeros(0, np.float32)])[:limit])
+    samples = np.concatenate([*parts, np.zeros(0, np.float32)])[:limit]
+    return Sound(samples, late_s=late_s)
 
 
 def synchronize(
@@ -60,102 +86,125 @@ def synchronize(
     audio: NDArray[np.floating] | None = None,
     audio_rate_hz: float = SOUND_RATE_HZ,
     *,
-    method: str = "pats",
+    method: str = AUTO,
     known: ClockMap | None = None,
     sound_late_s: float = 0.0,
 ) -> Synchronisation:
-    """Return how the clock of a log lies to a clip, and why that may be believed.
+    """Return the clock map of a log, and why that may be believed.
 
     Args:
         imu: the log, on its own clock.
-        audio: (n,) or (n, channels) sound from media time 0; of "pats", "variance".
+        audio: (n,) or (n, channels) sound from media time 0.
         audio_rate_hz: of the sound.
-        method: "pats" (rare events of both streams, three of them in a rhythm; drift
-            where a long clip has pats at both ends), "variance" (the paper's
-            threshold, for comparison), "embedded" (the camera's own clock) or
-            "offset" (given).
-        known: what "offset" and "embedded" rest on: `ClockMap(offset)`, or the
-            recording's own; without one, "embedded" takes both clocks as one.
-        sound_late_s: how much later than its picture the camera's sound comes; the
-            pats tell the time of the sound, the result is that of the picture.
+        method: one of `methods.SYNC_METHODS`.
+        known: the clock map that "offset" and "embedded" take.
+        sound_late_s: how much later than its frame the camera's sound comes; pats
+            tell the time of the sound, the result is that of the frame.
 
     Raises:
         UsageError: for a method that does not exist or lacks its argument.
         InputError: when there is nothing to compare: no sound, silence, a still log.
     """
-    if method == "offset":
-        if known is None:
-            raise UsageError("the method offset needs one; give --offset S")
-        return Synchronisation(known, "offset")
-    if method == "embedded":
-        return Synchronisation(known or ClockMap(), "embedded")
-    if method not in METHODS:
-        raise UsageError(f"there is no method {method!r}; choose one of {METHODS}")
-    mono = _checked_sound(audio, audio_rate_hz)
-    if imu.rate_hz < LEAST_IMU_RATE_HZ:
-        raise InputError(
-            f"has only {imu.rate_hz:.1f} samples per second, in which pats do not show",
-            where=imu.source,
-            remedy="record at 100 Hz or more, or give --offset S",
+
+    def hear() -> Sound:
+        samples = np.zeros(0) if audio is None else np.asarray(audio)
+        mono = samples if samples.ndim == 1 else samples.mean(axis=1)
+        return Sound(mono, audio_rate_hz, sound_late_s)
+
+    given = known if method == "offset" else None
+    return sync_method(method).function()(SyncInput(imu, hear, given, known))
+
+
+def automatic(inputs: SyncInput) -> Synchronisation:
+    """Synchronise by what there is: a given offset, a common clock, else pats."""
+    if inputs.given is not None:
+        return by_given_offset(inputs)
+    return by_pats(inputs) if inputs.own is None else by_own_clock(inputs)
+
+
+def by_given_offset(inputs: SyncInput) -> Synchronisation:
+    """Take the offset that a person gave."""
+    if inputs.given is None:
+        raise UsageError("the method offset needs one; give --offset S")
+    return Synchronisation(inputs.given, "offset")
+
+
+def by_own_clock(inputs: SyncInput) -> Synchronisation:
+    """Take the clock of the recording, which is the clip's."""
+    if inputs.own is None:
+        raise UsageError(
+            f"{Path(inputs.imu.source).name} does not know the clip's clock; "
+            "use --method pats or give --offset S"
         )
-    found = _by_pats(imu, mono, audio_rate_hz)
-    if method == "variance":
-        found = _by_variance(imu, mono, audio_rate_hz, found)
-    clock = dataclasses.replace(
-        found.clock_map, offset_s=found.clock_map.offset_s - sound_late_s
-    )
-    return dataclasses.replace(found, clock_map=clock, sound_late_s=sound_late_s)
+    return Synchronisation(inputs.own, "embedded")
 
 
-def _checked_sound(
-    audio: NDArray[np.floating] | None, rate_hz: float
-) -> NDArray[np.floating]:
-    if audio is None or not np.size(audio):
-        raise InputError(
-            "there is no sound in which pats could be heard",
-            remedy="record with sound, or give --offset S",
-        )
-    mono = np.asarray(audio)
-    mono = mono if mono.ndim == 1 else mono.mean(axis=1)
-    if not rate_hz >= _LEAST_SOUND_RATE_HZ:
-        raise InputError(f"a sound of {rate_hz} Hz is too coarse; give 8000 or more")
-    if not np.isfinite(mono).all():
-        raise InputError("the sound holds values that are not finite")
-    if float(np.ptp(mono)) == 0.0:
-        raise InputError(
-            "the sound is silent", remedy="record with sound, or give --offset S"
-        )
-    return mono
-
-
-def _by_pats(
-    imu: ImuLog, mono: NDArray[np.floating], rate_hz: float
-) -> Synchronisation:
+def by_pats(inputs: SyncInput) -> Synchronisation:
+    """Find three pats in the sound and in the log; two groups also give the drift."""
     # these bring scipy along, which a given offset does not need
     from hapticplayer.capture.sync.events import sound_events, sound_onsets
     from hapticplayer.capture.sync.pats import synchronize_pats
 
-    found = synchronize_pats(imu, sound_events(sound_onsets(mono, rate_hz)))
-    return found or Synchronisation(ClockMap(confidence=0.0), "pats")
+    sound = _checked(inputs)
+    events = sound_events(sound_onsets(sound.samples, sound.rate_hz))
+    found = synchronize_pats(inputs.imu, events)
+    if found is None:
+        found = Synchronisation(ClockMap(confidence=0.0), "pats")
+    return _without_skew(found, sound)
 
 
-def _by_variance(
-    imu: ImuLog,
-    mono: NDArray[np.floating],
-    rate_hz: float,
-    by_pats: Synchronisation,
-) -> Synchronisation:
-    """A threshold cannot tell how sure it is; agreement with the pats does."""
+def by_variance(inputs: SyncInput) -> Synchronisation:
+    """Compare when two variances rise: the paper's way, for comparison.
+
+    A threshold cannot tell how sure it is; agreement with the pats does.
+    """
     from hapticplayer.capture.sync.variance import variance_shift
 
-    shift_s = variance_shift(imu, mono, rate_hz)
+    sound, imu = _checked(inputs), inputs.imu
+    shift_s = variance_shift(imu, sound.samples, sound.rate_hz)
     if shift_s is None:
-        return Synchronisation(ClockMap(confidence=0.0), "variance")
-    clock = by_pats.clock_map
+        return _without_skew(
+            Synchronisation(ClockMap(confidence=0.0), "variance"), sound
+        )
+    clock = by_pats(inputs._replace(hear=lambda: sound)).clock_map
     middle_s = float(imu.time_s[len(imu) // 2])
-    expected_s = clock.offset_s + (clock.rate - 1.0) * middle_s
-    agrees = abs(shift_s - expected_s) <= _AGREES_S
-    confidence = clock.confidence if agrees else 0.0
-    return Synchronisation(
-        ClockMap(shift_s, 1.0, abs(shift_s - expected_s), confidence), "variance"
-    )
+    expected_s = clock.offset_s + sound.late_s + (clock.rate - 1.0) * middle_s
+    apart_s = abs(shift_s - expected_s)
+    confidence = clock.confidence if apart_s <= _AGREES_S else 0.0
+    found = Synchronisation(ClockMap(shift_s, 1.0, apart_s, confidence), "variance")
+    return _without_skew(found, sound)
+
+
+def _without_skew(found: Synchronisation, sound: Sound) -> Synchronisation:
+    """Return the clock map to the frames, from the one to the sound."""
+    clock = found.clock_map
+    clock = dataclasses.replace(clock, offset_s=clock.offset_s - sound.late_s)
+    return dataclasses.replace(found, clock_map=clock, sound_late_s=sound.late_s)
+
+
+def _checked(inputs: SyncInput) -> Sound:
+    """Return the sound, if sound and log can show pats."""
+    sound = inputs.hear()
+    if not len(sound.samples):
+        raise InputError(
+            "there is no sound in which pats could be heard",
+            remedy="record with sound, or give --offset S",
+        )
+    if not sound.rate_hz >= _LEAST_SOUND_RATE_HZ:
+        raise InputError(
+            f"a sound of {sound.rate_hz} Hz is too coarse; give 8000 or more"
+        )
+    if not np.isfinite(sound.samples).all():
+        raise InputError("the sound holds values that are not finite")
+    if float(np.ptp(sound.samples)) == 0.0:
+        raise InputError(
+            "the sound is silent", remedy="record with sound, or give --offset S"
+        )
+    if inputs.imu.rate_hz < LEAST_IMU_RATE_HZ:
+        raise InputError(
+            f"has only {inputs.imu.rate_hz:.1f} samples per second, in which pats do "
+            "not show",
+            where=inputs.imu.source,
+            remedy="record at 100 Hz or more, or give --offset S",
+        )
+    return sound

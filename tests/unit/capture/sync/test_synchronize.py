@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 from scipy.integrate import quad
 
-from hapticplayer.capture.sync import events, fit, synchronize
+from hapticplayer.capture import synchronize
+from hapticplayer.capture.sync import events, fit
 from hapticplayer.errors import InputError, UsageError
 from hapticplayer.model import ClockMap, ImuLog, Sampling
 from hapticplayer.simulation.rides.sync_clips import simulate_pats
@@ -142,7 +143,10 @@ def test_a_given_or_embedded_clock_is_taken_as_it_is(rng):
     imu = knocked((), 200, 0.0, rng)
     known = ClockMap(1.5, 1.0001)
     assert synchronize(imu, method="offset", known=known).clock_map == known
-    assert synchronize(imu, method="embedded").clock_map == ClockMap()
+    assert synchronize(imu, method="embedded", known=known).clock_map == known
+    assert synchronize(imu, known=known).method == "embedded"
+    with pytest.raises(UsageError, match="does not know the clip's clock"):
+        synchronize(imu, method="embedded")
 
 
 @pytest.mark.parametrize(

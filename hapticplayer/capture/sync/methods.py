@@ -1,0 +1,63 @@
+"""The methods of synchronisation, one line for each.
+
+Command line, window, validation and documents read this list; a new method is a line
+here and its function. Needs nothing but the standard library: a method is imported when
+it is used.
+"""
+
+import importlib
+from collections.abc import Callable
+from typing import TYPE_CHECKING, NamedTuple, cast
+
+from hapticplayer.errors import UsageError
+
+if TYPE_CHECKING:
+    from hapticplayer.capture.sync.result import Synchronisation
+    from hapticplayer.capture.sync.synchronize import SyncInput
+
+
+class SyncMethod(NamedTuple):
+    """One way to synchronise a log with a clip.
+
+    Attributes:
+        name: how `--method` and `--sync` call it.
+        text: what it goes by, for people.
+        home: of its function, as module:name.
+    """
+
+    name: str
+    text: str
+    home: str
+
+    def function(self) -> "Callable[[SyncInput], Synchronisation]":
+        """Import what does it."""
+        module, _, name = self.home.partition(":")
+        return cast(
+            "Callable[[SyncInput], Synchronisation]",
+            getattr(importlib.import_module(module), name),
+        )
+
+
+AUTO = "auto"
+
+_HERE = "hapticplayer.capture.sync.synchronize"
+SYNC_METHODS: tuple[SyncMethod, ...] = (
+    SyncMethod(AUTO, "the offset if given, the recording's own clock if it is the clip's, else pats", f"{_HERE}:automatic"),
+    SyncMethod("pats", "three pats on the camera, heard and felt", f"{_HERE}:by_pats"),
+    SyncMethod("variance", "the first sudden rise of sound and motion, as in the paper", f"{_HERE}:by_variance"),
+    SyncMethod("embedded", "the recording's own clock", f"{_HERE}:by_own_clock"),
+    SyncMethod("offset", "the offset that is given", f"{_HERE}:by_given_offset"),
+)  # fmt: skip
+
+
+def sync_method(name: str) -> SyncMethod:
+    """Return a method by its name.
+
+    Raises:
+        UsageError: naming the methods there are.
+    """
+    for method in SYNC_METHODS:
+        if method.name == name:
+            return method
+    known = ", ".join(method.name for method in SYNC_METHODS)
+    raise UsageError(f"there is no method {name!r}; choose one of {known}")
