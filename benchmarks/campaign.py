@@ -27,7 +27,7 @@ class Case(NamedTuple):
 def campaign(
     report: Report, test: str, *, share: float = 1.0, only: str = "", workers: int = 1
 ) -> list[Case]:
-    """Run a campaign and return its cases; failed ones are a missed target.
+    """Run a campaign; return cases with figures. Failed ones are a missed target.
 
     Args:
         report: takes the target that no case fails.
@@ -40,6 +40,7 @@ def campaign(
         path = Path(folder) / "found.xml"
         command = [sys.executable, "-m", "pytest", "-q", "-m", "campaign"]
         command += ["-p", "no:cacheprovider", "-o", "faulthandler_timeout=0"]
+        command += ["-o", "junit_family=xunit1"]
         command += [f"--junitxml={path}", test]
         command += ["-k", only] if only else []
         command += ["-n", str(workers)] if workers > 1 else []
@@ -55,7 +56,9 @@ def campaign(
     for case in failed:
         print(f"failed: {case.name}: {case.failure}")
     report.target(f"cases that fail, of {len(cases)}", len(failed), ("<=", 0))
-    return cases
+    if not any(case.figures for case in cases):
+        sys.exit("no case of the campaign has recorded anything")
+    return [case for case in cases if case.figures]
 
 
 def _case(element: ET.Element) -> Case:

@@ -16,7 +16,7 @@ import statistics
 import subprocess
 import sys
 import time
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, NamedTuple, TypeVar
@@ -101,17 +101,36 @@ class Report:
         command: that was typed.
         figures: for the result file, next to the targets.
         targets: what was asked of which figure, and whether it was met.
+        marked: tables for the documents, by mark.
     """
 
     name: str
     command: str = ""
     figures: dict[str, Any] = field(default_factory=dict)
     targets: list[dict[str, Any]] = field(default_factory=list)
+    marked: dict[str, str] = field(default_factory=dict)
 
-    def table(self, title: str, header: Sequence[str], rows: Sequence[Any]) -> None:
-        """Print a table."""
-        print(f"\n{title}\n{table(list(header), [list(row) for row in rows])}")
-        sys.stdout.flush()
+    def table(
+        self,
+        title: str,
+        header: Sequence[str],
+        rows: Sequence[Iterable[Any]],
+        mark: str = "",
+    ) -> None:
+        """Print a table.
+
+        Args:
+            title: above it.
+            header: names of the columns.
+            rows: of cells.
+            mark: of the place in the documents that it is written to, see `_refresh`.
+        """
+        texts = [[_cell(cell) for cell in row] for row in rows]
+        print(f"\n{title}\n{table(list(header), texts)}", flush=True)
+        if mark:
+            lines = ["| " + " | ".join(row) + " |" for row in [list(header), *texts]]
+            lines.insert(1, "|" + "---|" * len(header))
+            self.marked[mark] = "\n".join(lines)
 
     def target(self, what: str, value: float, bound: tuple[str, float]) -> None:
         """Note what is asked of a figure: `("<=", 0.9)` or `(">=", 3)`."""
@@ -135,6 +154,8 @@ class Report:
             print(f"{len(self.targets) - len(missed)} of {len(self.targets)} met")
         if folder is not None:
             print(f"saved {self.save(folder)}")
+        if folder == RESULTS:
+            _refresh(self.marked)
         return int(bool(missed))
 
     def save(self, folder: Path) -> Path:
@@ -155,6 +176,18 @@ class Report:
         path = folder / f"{self.name}.json"
         path.write_text(json.dumps(plain(content), indent=1) + "\n", encoding="utf-8")
         return path
+
+
+def _refresh(tables: Mapping[str, str]) -> None:
+    """Write tables where documents mark a place: `<!-- NAME: begin -->`, `... end`."""
+    for page in (ROOT / "docs" / "numerics.md", ROOT / "docs" / "performance.md"):
+        text = page.read_text(encoding="utf-8")
+        for name, lines in tables.items():
+            begin, end = (f"<!-- {name}: {word} -->" for word in ("begin", "end"))
+            if begin in text and end in text:
+                before, _, rest = text.partition(begin)
+                text = f"{before}{begin}\n{lines}\n{end}{rest.partition(end)[2]}"
+        page.write_text(text, encoding="utf-8")
 
 
 def machine() -> dict[str, Any]:

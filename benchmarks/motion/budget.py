@@ -1,33 +1,28 @@
 """Where the error of the force comes from: the paper's four rides, cause by cause.
 
-    python benchmarks/error_budget.py [--quick] [--only RIDE] [--no-picture]
-
 The truth is the simulator's: p every millisecond, mapped by the same axes, gain and
 limit as the recording. Each cause is let in alone, all others being perfect; the whole
 chain runs with all of them. Causes are independent where their squares add up to the
-chain's; the rest is printed as what they have in common. The pats and the standstill
+chain's; the rest is shown as what they have in common. The pats and the stationary time
 around them are left out. Figures are the RMS of the error vector in mN, over all seeds.
 
 Three chains: *paper* (30 Hz means, pats found to half a frame, each value held),
 *today* (the same log, pats to the 8 ms that event matching reaches at 30 Hz, straight
-lines) and *camera* (200 Hz beside the clip, embedded clock). Writes
-benchmarks/results/error_budget.json and docs/error-budget.png.
+lines) and *camera* (200 Hz beside the clip, embedded clock). `python -m
+tools.result_figures` draws the saved result.
 """
 
 import argparse
-import json
-import sys
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
-from common import RESULTS, ROOT, save, table
 from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline, make_interp_spline
 
-sys.path.insert(0, str(ROOT))
+from benchmarks.common import Report, on_one_thread
 from hapticplayer.devices.falcon import kinematics
 from hapticplayer.model import ImuLog, Mapping, MotionTrack, Sampling
 from hapticplayer.motion import METHODS, remove_gravity
@@ -305,43 +300,45 @@ def measure(name: str, seed: int) -> tuple[dict[str, dict[str, float]], Ride]:
     }, ride
 
 
-# --- tables and the picture -------------------------------------------------
-
-STACKS: dict[str, tuple[tuple[str, str, str], ...]] = {
+STACKS: dict[str, tuple[tuple[str, str], ...]] = {
     chain: (
-        ("sensor noise", "sensor", "noise"),
-        ("sensor bias, scale, axes", "sensor", "bias, scale, axes"),
-        ("stalls, stamps", "sensor", "stalls, stamps"),
-        ("averaging", "sampling", "averaging"),
-        ("reconstruction", "sampling", between),
-        ("synchronisation", "synchronisation", sync),
-        ("gravity removal", "gravity removal", "smoother, board's gyro"),
-        ("quantisation", "device", "quantisation"),
+        ("sensor", "noise"),
+        ("sensor", "bias, scale, axes"),
+        ("sensor", "stalls, stamps"),
+        ("sampling", "averaging"),
+        ("sampling", between),
+        ("synchronisation", sync),
+        ("gravity removal", "smoother, board's gyro"),
+        ("device", "quantisation"),
     )
     for chain, between, sync in (
         ("paper", "hold", "half a frame, 30 Hz"),
         ("today", "linear", "event pattern, 30 Hz"),
     )
 }
-"""What a chain's error is made of: label, group and cause."""
-
-Figures = dict[str, dict[str, dict[str, float]]]
-Seconds = dict[str, dict[str, float]]
+"""What a chain's error is made of: group and cause."""
 
 
-def gather(seeds: tuple[int, ...], names: tuple[str, ...]) -> tuple[Figures, Seconds]:
-    """Return the RMS in mN by scenario, group and cause, and seconds by both."""
-    figures: Figures = {}
-    seconds: Seconds = {}
-    for name in names:
+def options(parser: argparse.ArgumentParser) -> None:
+    """Add the options."""
+    parser.add_argument("--rides", nargs="+", choices=SCENARIOS, default=SCENARIOS)
+
+
+def run(options: argparse.Namespace, report: Report) -> None:
+    """Measure all causes of all rides."""
+    on_one_thread()
+    rides = options.rides[:1] if options.quick else options.rides
+    seeds = SEEDS[:1] if options.quick else SEEDS
+    figures: dict[str, dict[str, dict[str, float]]] = {}
+    seconds: dict[str, list[float]] = {}
+    for name in rides:
         runs: list[Any] = []
-        rows: dict[str, list[float]] = {}
         for seed in seeds:
             squares, ride = measure(name, seed)
             runs.append(squares)
             for what, took in ride.seconds.items():
-                rows.setdefault(what, []).append(60.0 * took / ride.scene.duration_s)
-            print(f"{name}, seed {seed} done", file=sys.stderr)
+                each = 60.0 * took / ride.scene.duration_s
+                seconds.setdefault(what, []).append(each)
         figures[name] = {
             group: {
                 cause: float(np.sqrt(np.mean([run[group][cause] for run in runs])))
@@ -349,111 +346,26 @@ def gather(seeds: tuple[int, ...], names: tuple[str, ...]) -> tuple[Figures, Sec
             }
             for group, causes in runs[0].items()
         }
-        seconds[name] = {what: float(np.median(took)) for what, took in rows.items()}
-    return figures, seconds
-
-
-def kept(part: str) -> dict[str, Any]:
-    """Return what an earlier run found, by scenario."""
-    path = RESULTS / "error_budget.json"
-    held = json.loads(path.read_text())[part] if path.is_file() else {}
-    return {name: held[name] for name in SCENARIOS if name in held}
-
-
-def medians(seconds: Seconds) -> dict[str, float]:
-    """Return the seconds of the middle ride for each thing that was timed."""
-    names = {what for ride in seconds.values() for what in ride}
-    return {
-        what: float(np.median([r[what] for r in seconds.values() if what in r]))
-        for what in sorted(names)
-    }
-
-
-def report(figures: Figures, seconds: dict[str, float]) -> str:
-    """Return the tables as text."""
-    first = figures[SCENARIOS[0]]
     rows: list[list[Any]] = []
-    for group, causes in first.items():
+    for group, causes in figures[rides[0]].items():
         for cause in causes:
             timed = seconds.get(cause.split(",")[0])
-            took = f"{1e3 * timed:.1f}" if timed is not None else ""
-            rows.append(
-                [group, cause, *(figures[n][group][cause] for n in SCENARIOS), took]
-            )
+            took = f"{1e3 * float(np.median(timed)):.1f}" if timed else ""
+            cells = [f"{figures[name][group][cause]:.3g}" for name in rides]
+            rows.append([group, cause, *cells, took])
     for chain, parts in STACKS.items():
-        rest = [_in_common(figures[n], chain, parts) for n in SCENARIOS]
+        rest = [f"{_in_common(figures[name], chain, parts):.3g}" for name in rides]
         rows.append(["chain", f"{chain}: not of one cause", *rest, ""])
-    return table(["group", "cause", *SCENARIOS, "ms per 60 s"], rows)
+    title = "RMS error of the force by its cause, mN"
+    header = ["group", "cause", *rides, "ms per 60 s"]
+    report.table(title, header, rows, mark="budget")
+    report.figures |= {"rms_mn": figures, "stacks": STACKS}
 
 
-def _in_common(figures: dict[str, dict[str, float]], chain: str, parts: Any) -> float:
+def _in_common(
+    figures: dict[str, dict[str, float]], chain: str, parts: Sequence[tuple[str, str]]
+) -> float:
     """Return the signed root of the chain's square less those of its causes."""
-    alone = sum(figures[group][cause] ** 2 for _, group, cause in parts)
+    alone = sum(figures[group][cause] ** 2 for group, cause in parts)
     rest = figures["chain"][chain] ** 2 - alone
     return float(np.sign(rest) * np.sqrt(abs(rest)))
-
-
-def draw(figures: Figures) -> None:
-    """Write the stacked picture: each cause's share of the squares of all causes."""
-    import matplotlib as mpl
-
-    mpl.use("Agg")
-    import matplotlib.pyplot as plt
-
-    figure, axes = plt.subplots(figsize=(9.0, 4.6), layout="constrained")
-    colours = plt.get_cmap("tab10").colors
-    labels, at = [], 0.0
-    for name in SCENARIOS:
-        for chain, parts in STACKS.items():
-            squares = np.array([figures[name][g][c] ** 2 for _, g, c in parts])
-            total = np.sqrt(squares.sum())
-            bottom = 0.0
-            for number, share in enumerate(squares / squares.sum()):
-                label = parts[number][0] if at == 0.0 else None
-                axes.bar(
-                    at, share * total, 0.8, bottom, color=colours[number], label=label
-                )
-                bottom += share * total
-            axes.plot(at, figures[name]["chain"][chain], "kD", ms=5,
-                      label="the whole chain" if at == 0.0 else None)  # fmt: skip
-            labels.append((at, f"{chain}\n{name}" if chain == "paper" else chain))
-            at += 1.0
-        axes.plot(at - 1.0 + 0.0, figures[name]["chain"]["camera"], "k_", ms=18, mew=2,
-                  label="camera at 200 Hz" if name == SCENARIOS[0] else None)  # fmt: skip
-        at += 0.6
-    axes.set_xticks([x for x, _ in labels], [text for _, text in labels], fontsize=8)
-    axes.set_ylabel("RMS error of the force, mN")
-    axes.set_title(
-        "Each cause's share of the error of the force (by squares)", fontsize=10
-    )
-    axes.spines[["top", "right"]].set_visible(False)
-    axes.legend(fontsize=8, ncols=2, frameon=False)
-    figure.savefig(ROOT / "docs" / "error-budget.png", dpi=110)
-
-
-def main() -> int:
-    """Measure, print, save and draw."""
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--quick", action="store_true", help="one seed, nothing saved")
-    parser.add_argument("--no-picture", action="store_true")
-    parser.add_argument(
-        "--only", choices=SCENARIOS, help="this ride; the others keep their figures"
-    )
-    options = parser.parse_args()
-    begin = time.perf_counter()
-    names = (options.only,) if options.only else SCENARIOS
-    figures, seconds = gather(SEEDS[:1] if options.quick else SEEDS, names)
-    if options.only:
-        figures = {**kept("rms_mn"), **figures}
-        seconds = {**kept("seconds_per_60_s"), **seconds}
-    print(report(figures, medians(seconds)))
-    print(f"\n{time.perf_counter() - begin:.0f} s in all")
-    if not options.quick:
-        save("error_budget", {"rms_mn": figures, "seconds_per_60_s": seconds})
-    if not options.no_picture:
-        draw(figures)
-    return 0
-
-
-if __name__ == "__main__":
-    sys.exit(main())
