@@ -1,25 +1,147 @@
-"""The one hierarchy of errors that a person may get to read.
+"""The one hierarchy of errors that a person may get to read, and the sentences in it.
 
 Every message says what is wrong, where, and what to do, in one sentence; the
-command line prints it on stderr, the window shows it.
+command line prints it on stderr, the window shows it in the person's language.
 """
+
+import numbers
+import re
+import string
+from collections.abc import Iterable
+from typing import Any, Self
+
+_SPEC = re.compile(r"[+,]{0,2}0?\d?(\.\d)?[%a-zA-Z]?")  # of a number, and not long
+
+
+class Message(str):
+    """An English sentence that also carries what it was made of, to be translated.
+
+    Args:
+        template: as for `str.format`; without values it is taken as it is.
+        **values: numbers, texts and messages, which are translated too; of an
+            exception, its message.
+
+    Attributes:
+        template: the English sentence with places for the values.
+        values: by the name of their place.
+    """
+
+    __slots__ = ("template", "values")
+
+    template: str
+    values: dict[str, Any]
+
+    def __new__(cls, template: str, /, **values: object) -> Self:
+        """Fill the template in."""
+        if isinstance(template, cls) and not values:
+            return template
+        kept = {name: _plain(value) for name, value in values.items()}
+        message = super().__new__(cls, template.format(**kept) if kept else template)
+        message.template, message.values = str(template), kept
+        return message
+
+    def __getnewargs_ex__(self) -> tuple[tuple[str], dict[str, Any]]:
+        """Be pickled as it was made."""
+        return (self.template,), self.values
+
+
+def joined(separator: str, parts: Iterable[str]) -> Message:
+    """Return `separator.join(parts)`, of which each part can be translated."""
+    values = {f"part{number}": part for number, part in enumerate(parts)}
+    template = "{separator}".join(f"{{{name}}}" for name in values)
+    return Message(template, separator=separator, **values)
+
+
+def message_of(problem: BaseException) -> Message:
+    """Return what an exception says to a person."""
+    if problem.args and isinstance(problem.args[0], Message):
+        return problem.args[0]
+    text = getattr(problem, "strerror", None) or str(problem)
+    return Message(text or type(problem).__name__)
+
+
+def to_json(message: str) -> Any:
+    """Return a message as a JSON value: a text, or an object with template and values."""
+    if not isinstance(message, Message) or not message.values:
+        return str(message)
+    values = {
+        name: to_json(value) if isinstance(value, str) else value
+        for name, value in message.values.items()
+    }
+    return {"template": message.template, "values": values}
+
+
+def from_json(value: Any) -> Message:
+    """Return the message that `to_json` has written; a text stands for itself.
+
+    What comes from outside may hold any template, so its fields are checked.
+
+    Raises:
+        ValueError: it is neither.
+    """
+    if isinstance(value, str):
+        return Message(value)
+    try:
+        template, values = value["template"], value["values"]
+        for _, name, spec, _ in string.Formatter().parse(template):
+            if name is not None and not (
+                name.isidentifier() and _SPEC.fullmatch(spec or "")
+            ):
+                raise ValueError(f"has the field {name!r}")
+        return Message(
+            template,
+            **{
+                k: from_json(v) if isinstance(v, dict) else v for k, v in values.items()
+            },
+        )
+    except (LookupError, TypeError, AttributeError, RecursionError) as problem:
+        raise ValueError(f"is no message ({problem})") from None
+
+
+def _plain(value: object) -> object:
+    if isinstance(value, BaseException):
+        return message_of(value)
+    if value is None or isinstance(value, (str, int, float)):
+        return value
+    if isinstance(value, numbers.Integral):
+        return int(value)
+    return float(value) if isinstance(value, numbers.Real) else str(value)
 
 
 class HapticPlayerError(Exception):
-    """Root: something was refused or failed, and the message says why."""
+    """Root: something was refused or failed, and the message says why.
+
+    Args:
+        template: the sentence, see `Message`.
+        **values: for its places.
+    """
+
+    def __init__(self, template: str, /, **values: object) -> None:
+        super().__init__(Message(template, **values))
 
 
 class InputError(HapticPlayerError):
-    """A file or value that came from outside cannot be used."""
+    """A file or value that came from outside cannot be used.
 
-    def __init__(self, what: str, *, where: str = "", remedy: str = "") -> None:
-        parts = [f"{where}: {what}" if where else what]
-        if remedy:
-            parts.append(remedy)
-        super().__init__("; ".join(parts))
-        self.what = what
+    Args:
+        template: what is wrong.
+        where: file, line, column; taken as it is.
+        remedy: what to do; may use the same values.
+        **values: for the places in both.
+    """
+
+    def __init__(
+        self, template: str, /, *, where: str = "", remedy: str = "", **values: object
+    ) -> None:
+        is_template = remedy and not isinstance(remedy, Message)
+        self.what = whole = Message(template, **values)
         self.where = where
-        self.remedy = remedy
+        self.remedy = Message(remedy, **values) if is_template else remedy
+        if where:
+            whole = Message("{where}: {what}", where=where, what=whole)
+        if remedy:
+            whole = Message("{what}; {remedy}", what=whole, remedy=self.remedy)
+        super().__init__(whole)
 
 
 class MediaError(InputError):
@@ -54,4 +176,4 @@ class Cancelled(HapticPlayerError):  # noqa: N818 - a decision, not a fault
     """The user stopped a long piece of work; nothing was left behind."""
 
     def __init__(self) -> None:
-        super().__init__("cancelled; nothing was written")
+        super().__init__(Message("cancelled; nothing was written"))

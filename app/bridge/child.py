@@ -53,8 +53,9 @@ def in_child(
         except EOFError:
             process.join()
             raise HapticPlayerError(
-                f"the work was ended from outside (exit status {process.exitcode}), "
-                "perhaps for want of memory; nothing was written"
+                "the work was ended from outside (exit status {status}), perhaps for "
+                "want of memory; nothing was written",
+                status=process.exitcode,
             ) from None
         finally:
             ours.close()  # which the work takes for the wish to stop

@@ -9,8 +9,7 @@ from types import TracebackType
 
 from PySide6.QtCore import QCoreApplication
 
-from app.bridge.engine_words import told
-from hapticplayer.errors import HapticPlayerError
+from hapticplayer.errors import HapticPlayerError, message_of
 
 Show = Callable[[str], None]
 _MANY = 50
@@ -48,7 +47,7 @@ class ErrorGateway:
     def report(self, problem: BaseException) -> None:
         """Show a problem; on the window's thread."""
         if isinstance(problem, HapticPlayerError):
-            self._show(told(problem))
+            self._show(message_of(problem))
         else:
             self._unexpected(problem)
 

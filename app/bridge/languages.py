@@ -4,10 +4,15 @@ from pathlib import Path
 
 from PySide6.QtCore import QCoreApplication, QLibraryInfo, QLocale, QTranslator
 
+from hapticplayer.errors import Message
+
 FOLDER = Path(__file__).resolve().parents[2] / "resources" / "i18n"
 ENGLISH, SYSTEM = "en", "system"
 NAMES = {ENGLISH: "English", "de": "Deutsch", "fr": "Fran\u00e7ais"}
 """Each in itself: who looks for a language reads no other."""
+
+ENGINE = "engine"
+"""Context of the engine's sentences among the translations."""
 
 _installed: list[QTranslator] = []
 _spoken = [ENGLISH]
@@ -44,3 +49,18 @@ def install(application: QCoreApplication, chosen: str) -> str:
             application.installTranslator(translator)
             _installed.append(translator)
     return language
+
+
+def translated(message: str) -> str:
+    """Return a sentence of the engine in the window's language.
+
+    What has no translation stays English; a text that is no message is looked up whole.
+    """
+    if not isinstance(message, Message):
+        return QCoreApplication.translate(ENGINE, message)
+    text = QCoreApplication.translate(ENGINE, message.template)
+    values = {
+        name: translated(value) if isinstance(value, Message) else value
+        for name, value in message.values.items()
+    }
+    return text.format(**values) if values else text

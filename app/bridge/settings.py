@@ -110,9 +110,10 @@ class Settings:
             _write(path, {**kept, VERSION: SETTINGS_VERSION})
         except OSError as problem:
             raise InputError(
-                f"cannot be written ({problem.strerror})",
+                "cannot be written ({reason})",
                 where=str(path),
                 remedy="choose another place",
+                reason=problem,
             ) from problem
 
     def take(self, path: Path) -> None:

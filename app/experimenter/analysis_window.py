@@ -6,11 +6,11 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QCloseEvent
 from PySide6.QtWidgets import QMainWindow, QVBoxLayout, QWidget
 
-from app.bridge.engine_words import told
 from app.experimenter.analysis_page import AnalysisPage
 from app.widgets.message_bar import MessageBar
 from app.widgets.room import resize_within_screen
 from hapticplayer.clock import Clock
+from hapticplayer.errors import message_of
 from hapticplayer.study.answers import collect_answers
 from hapticplayer.study.study_folder import Study, open_study
 
@@ -35,7 +35,7 @@ class AnalysisWindow(QMainWindow):
         self.page = AnalysisPage(
             title,
             lambda: collect_answers(open_study(folder)),
-            lambda problem: self.messages.show_text(told(problem)),
+            lambda problem: self.messages.show_text(message_of(problem)),
             clock,
         )
         middle = QWidget()

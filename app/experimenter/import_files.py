@@ -16,7 +16,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.bridge.engine_words import told, translated
+from app.bridge.languages import translated
 from app.experimenter.triad import Triad
 from app.player.files import file_dialog, video_filter
 from app.player.times import time_text
@@ -31,7 +31,7 @@ from hapticplayer.capture.choices import (
     write_template,
 )
 from hapticplayer.capture.mounting import AS_RECORDED
-from hapticplayer.errors import HapticPlayerError
+from hapticplayer.errors import HapticPlayerError, message_of
 from hapticplayer.sequence.recognising import Recognised, pair
 
 translate = QCoreApplication.translate
@@ -172,7 +172,7 @@ class FilesPage(QWidget):
             self.choices()
         except HapticPlayerError as problem:
             self._words = self._before
-            self.question.show_problem(told(problem))
+            self.question.show_problem(translated(message_of(problem)))
         else:
             self.changed.emit()
 
@@ -195,9 +195,9 @@ class FilesPage(QWidget):
         if self._asked is not None and self._words != self._before:
             self._words = self._before  # the answer is none: it is asked again
             self.question.ask(self._asked)
-            self.question.show_problem(told(problem))
+            self.question.show_problem(translated(message_of(problem)))
             return
-        self.problem.setText(told(problem))
+        self.problem.setText(translated(message_of(problem)))
         self.problem.setStyleSheet(f"color: {theme.BAD};")
         self.problem.show()
 
@@ -286,7 +286,7 @@ class FilesPage(QWidget):
         try:
             write_template(Path(path), parse_choices(self._words))
         except HapticPlayerError as problem:
-            self.problem.setText(told(problem))
+            self.problem.setText(translated(message_of(problem)))
             self.problem.show()
 
     # --- dropping ------------------------------------------------------------

@@ -13,8 +13,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.bridge.engine_words import told, translated
 from app.bridge.jobs import Job
+from app.bridge.languages import translated
 from app.experimenter.clip_frame import ClipFrame
 from app.experimenter.sync_strip import STEP_S, SyncStrip
 from app.widgets import theme
@@ -22,7 +22,7 @@ from app.widgets.buttons import text_button
 from app.widgets.numbers import local
 from app.widgets.room import indent
 from hapticplayer.capture.sync.result import Synchronisation
-from hapticplayer.errors import HapticPlayerError
+from hapticplayer.errors import HapticPlayerError, message_of
 from hapticplayer.model import ClockMap
 from hapticplayer.playback.snippet import LONGEST_S, Samples, Snippet, pats_sound
 from hapticplayer.sequence.recognising import Recognised
@@ -239,7 +239,7 @@ class SyncPage(QWidget):
             self.snippet.play(job.result)
             self.problem.clear()
         except (HapticPlayerError, OSError) as problem:
-            self.problem.setText(told(problem))
+            self.problem.setText(translated(message_of(problem)))
 
     def close_jobs(self) -> None:
         """Be silent, and wait for what still decodes."""

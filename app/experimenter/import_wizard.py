@@ -15,8 +15,8 @@ from PySide6.QtWidgets import (
 )
 
 from app.bridge.child import in_child
-from app.bridge.engine_words import told
 from app.bridge.jobs import Jobs, Progress
+from app.bridge.languages import translated
 from app.experimenter.import_files import FilesPage
 from app.experimenter.import_mounting import MountingPage
 from app.experimenter.import_sync import SyncPage
@@ -26,9 +26,10 @@ from app.widgets.buttons import text_button
 from app.widgets.labels import ElidedLabel
 from app.widgets.texts import PERCENT, job_text
 from hapticplayer.capture.choices import LogQuestion
-from hapticplayer.errors import HapticPlayerError
+from hapticplayer.errors import HapticPlayerError, message_of
 from hapticplayer.sequence import build_sequence, files
 from hapticplayer.sequence.build import Choices
+from hapticplayer.sequence.notes import stored_notes
 from hapticplayer.sequence.recognising import Recognised, recognise
 from hapticplayer.sequence.report import quality_report
 from hapticplayer.sequence.store import DESCRIPTION
@@ -244,12 +245,12 @@ class ImportWizard(QDialog):
         if self._is_stale:
             return
         if not isinstance(problem, HapticPlayerError):
-            self.problem.setText(told(problem))
+            self.problem.setText(translated(message_of(problem)))
             raise problem
         if self.stack.currentIndex() == FILES or isinstance(problem, LogQuestion):
             self.files.show_problem(problem)
         else:
-            self.problem.setText(told(problem))
+            self.problem.setText(translated(message_of(problem)))
 
     def _import(self) -> None:
         chosen = self.files.chosen()
@@ -258,7 +259,7 @@ class ImportWizard(QDialog):
             self.sync.keep()
             target, choices = self.mounting.target(), self._choices()
         except HapticPlayerError as problem:
-            self.problem.setText(told(problem))
+            self.problem.setText(translated(message_of(problem)))
             return
         video, log = chosen
 
@@ -289,7 +290,7 @@ class ImportWizard(QDialog):
         self.made = folder
         self.library_chosen.emit(self.mounting.library)
         description: dict[str, Any] = files.read_json(folder / DESCRIPTION)
-        notes = description["provenance"]["notes"]
+        notes = stored_notes(description["provenance"])
         self.report.show_findings(quality_report(description), notes)
         self._go(REPORT)
 

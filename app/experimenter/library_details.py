@@ -19,8 +19,8 @@ from PySide6.QtWidgets import (
 )
 
 from app.bridge.child import in_child
-from app.bridge.engine_words import told
 from app.bridge.jobs import Job, Progress
+from app.bridge.languages import translated
 from app.experimenter.quality_view import QualityView
 from app.player.choices import feedbacks
 from app.player.files import file_dialog
@@ -29,7 +29,7 @@ from app.widgets.buttons import text_button
 from app.widgets.labels import BESIDE
 from app.widgets.numbers import local
 from app.widgets.room import ask_text, indent
-from hapticplayer.errors import HapticPlayerError
+from hapticplayer.errors import HapticPlayerError, message_of
 from hapticplayer.model import Feedback
 from hapticplayer.sequence.editing import (
     GainPreview,
@@ -311,7 +311,7 @@ class LibraryDetails(QWidget):
         try:
             change(entry.folder, *names)
         except HapticPlayerError as problem:
-            self._tell_problem(told(problem))
+            self._tell_problem(translated(message_of(problem)))
         else:
             self.changed.emit()
 

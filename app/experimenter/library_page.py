@@ -18,8 +18,8 @@ from PySide6.QtWidgets import (
 )
 
 from app.bridge.child import in_child
-from app.bridge.engine_words import told, translated
 from app.bridge.jobs import Job, Jobs, Progress
+from app.bridge.languages import translated
 from app.experimenter.library_details import LibraryDetails
 from app.experimenter.quality_view import colour_of, mark_name
 from app.player.files import folder_dialog
@@ -30,7 +30,7 @@ from app.widgets.labels import ElidedLabel
 from app.widgets.numbers import date_text
 from app.widgets.room import ask_text
 from app.widgets.texts import quoted, titled
-from hapticplayer.errors import HapticPlayerError, InputError
+from hapticplayer.errors import HapticPlayerError, InputError, Message, message_of
 from hapticplayer.media import Thumbnail, cover_pictures
 from hapticplayer.sequence import verify_sequence
 from hapticplayer.sequence.editing import rename_sequence
@@ -334,10 +334,12 @@ class LibraryPage(QDialog):
             info = binned.parent.parent / "info" / f"{binned.name}.trashinfo"
             info.unlink(missing_ok=True)
         except InputError as problem:
-            self._tell(told(problem), theme.BAD)
+            self._tell(translated(message_of(problem)), theme.BAD)
         except OSError as problem:
-            what = f"cannot be brought back ({problem.strerror})"
-            self._tell(told(InputError(what, where=str(folder))), theme.BAD)
+            what = Message(
+                "{path}: cannot be brought back ({reason})", path=folder, reason=problem
+            )
+            self._tell(translated(what), theme.BAD)
         else:
             self._tell("")
         self._binned = None
@@ -358,7 +360,7 @@ class LibraryPage(QDialog):
     def _on_failed(self, problem: BaseException) -> None:
         if not isinstance(problem, HapticPlayerError):
             raise problem
-        self._tell(told(problem), theme.BAD)
+        self._tell(translated(message_of(problem)), theme.BAD)
 
     def _tell(self, text: str, colour: str = "") -> None:
         self.told.setText(text)

@@ -7,7 +7,7 @@ from PySide6.QtCore import QCoreApplication, Qt
 from PySide6.QtGui import QTextOption
 from PySide6.QtWidgets import QTextBrowser
 
-from app.bridge.engine_words import translated
+from app.bridge.languages import translated
 from app.widgets import theme
 from app.widgets.numbers import local
 from hapticplayer.sequence.report import Finding, Mark, worst

@@ -16,7 +16,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.bridge.engine_words import translated
+from app.bridge.languages import translated
 from app.experimenter.mirror import Mirror
 from app.experimenter.session_words import reason_text
 from app.experimenter.start_panel import StartPanel
@@ -161,9 +161,8 @@ class SessionControl(QMainWindow):
         for name in ("pause", "repeat", "skip"):
             self.buttons[name].setEnabled(not runner.is_over and not is_stuck)
         self.buttons["end"].setEnabled(not runner.is_over)
-        problem = translated(runner.problem)
-        if is_stuck and self.messages.text() != problem:
-            self.messages.show_text(problem)
+        if is_stuck and self.messages.text() != translated(runner.problem):
+            self.messages.show_text(runner.problem)
 
     def _where_text(self, runner: SessionRunner) -> str:
         page = runner.page

@@ -5,7 +5,7 @@ The records keep the engine's own words, the same in every language.
 
 from PySide6.QtCore import QCoreApplication
 
-from app.bridge.engine_words import translated
+from app.bridge.languages import translated
 from app.player.health import cause_text, device_name
 from app.widgets.numbers import local
 from hapticplayer.haptics.contract import Cause

@@ -22,11 +22,11 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.bridge.engine_words import told
+from app.bridge.languages import translated
 from app.widgets import theme
 from app.widgets.buttons import set_role, text_button
 from app.widgets.room import indent, resize_within_screen
-from hapticplayer.errors import StudyError
+from hapticplayer.errors import StudyError, message_of
 from hapticplayer.study.creation import change_definition
 from hapticplayer.study.definition import OrderMethod
 from hapticplayer.study.study_folder import Study
@@ -187,7 +187,7 @@ class StudyEditor(QDialog):
         try:
             self.study = change_definition(self.study, self.edited())
         except StudyError as problem:
-            self.problem.setText(told(problem))
+            self.problem.setText(translated(message_of(problem)))
             self.problem.show()
         else:
             self.accept()

@@ -108,7 +108,9 @@ class StudyMenu(QObject):
         try:
             self.process.start(["study", "run", str(folder), "--device", device])
         except OSError as problem:
-            raise StudyError(f"cannot be started ({problem.strerror})") from problem
+            raise StudyError(
+                "cannot be started ({reason})", reason=problem
+            ) from problem
         self.running.emit(True)
 
     def _on_ended(self, problem: str) -> None:

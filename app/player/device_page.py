@@ -10,13 +10,13 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.bridge.engine_words import told, translated
+from app.bridge.languages import translated
 from app.player.health import device_name, stop_reason
 from app.widgets.buttons import text_button
 from app.widgets.numbers import local
 from hapticplayer.clock import Clock
 from hapticplayer.devices import find_device
-from hapticplayer.errors import HapticPlayerError
+from hapticplayer.errors import HapticPlayerError, message_of
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.playback.forces import ForcePlayer
 from hapticplayer.rendering import demonstration
@@ -122,7 +122,7 @@ class DevicePage(QDialog):
         try:
             self._player = ForcePlayer(self._clock, self._device, self._track)
         except HapticPlayerError as problem:
-            self._show_end(told(problem))
+            self._show_end(translated(message_of(problem)))
             return
         self.start_button.setEnabled(False)
         self.stop_button.setEnabled(True)

@@ -6,12 +6,12 @@ from pathlib import Path
 from PySide6.QtCore import QCoreApplication, Qt
 from PySide6.QtWidgets import QDialog, QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
-from app.bridge.engine_words import told
+from app.bridge.languages import translated
 from app.player import setup_texts
 from app.player.files import file_dialog
 from app.widgets.buttons import text_button
 from hapticplayer.devices.falcon import firmware
-from hapticplayer.errors import HapticPlayerError
+from hapticplayer.errors import HapticPlayerError, message_of
 
 translate = QCoreApplication.translate
 
@@ -58,7 +58,7 @@ def offer_firmware(
                 lambda: install(accept_unknown=True),
             )
         except HapticPlayerError as problem:
-            failed(told(problem))
+            failed(translated(message_of(problem)))
         else:
             kept()
 

@@ -17,8 +17,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.bridge.engine_words import told, translated
 from app.bridge.jobs import Jobs, Progress
+from app.bridge.languages import translated
 from app.bridge.latencies import (
     DEVICE,
     DISPLAY,
@@ -37,7 +37,7 @@ from app.widgets.buttons import text_button
 from app.widgets.labels import ElidedLabel
 from app.widgets.room import framed, indent
 from hapticplayer.clock import Clock
-from hapticplayer.errors import HapticPlayerError
+from hapticplayer.errors import HapticPlayerError, message_of
 from hapticplayer.haptics.contract import Mode
 from hapticplayer.model import Feedback
 from hapticplayer.playback.beats import (
@@ -292,7 +292,7 @@ class LatencyPage(QDialog):
 
     def _on_problem(self, problem: BaseException) -> None:
         self.start_button.setEnabled(True)
-        self.told.setText(told(problem))
+        self.told.setText(translated(message_of(problem)))
 
     def _end(self) -> None:
         self.stop()

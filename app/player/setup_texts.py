@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 from PySide6.QtCore import QCoreApplication
 
-from app.bridge.engine_words import told
+from app.bridge.languages import translated
 from app.player.homing_picture import leg_names
 from hapticplayer.devices.falcon.firmware import FirmwareMissingError
 from hapticplayer.devices.falcon.homing import Advice
@@ -16,6 +16,7 @@ from hapticplayer.devices.falcon.transport import (
     FalconForbiddenError,
     FalconGoneError,
 )
+from hapticplayer.errors import message_of
 
 translate = QCoreApplication.translate
 
@@ -46,7 +47,7 @@ def trouble(problem: BaseException) -> Trouble:
         if isinstance(problem, kind):
             return say()
     title = translate("SetupTexts", "The Falcon cannot be used")
-    return Trouble(title, told(problem))
+    return Trouble(title, translated(message_of(problem)))
 
 
 def _gone() -> Trouble:

@@ -9,7 +9,7 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QSizePolicy
 
-from app.bridge.engine_words import in_english
+from app.bridge.languages import translated
 from app.widgets import theme
 from app.widgets.buttons import text_button
 
@@ -25,6 +25,7 @@ class MessageBar(QFrame):
             f"MessageBar {{ background: {theme.ALARM}; "
             f"border: 0; border-bottom: 1px solid {theme.BAD}; }}"
         )
+        self._message = ""
         self._sign = QLabel("\u25a0")  # the same sign as "bad" in the health line
         self._sign.setStyleSheet(f"color: {theme.BAD};")
         self._text = QLabel()
@@ -63,11 +64,11 @@ class MessageBar(QFrame):
 
     def text(self) -> str:
         """Return what it says, "" while hidden."""
-        return "" if self.isHidden() else self._text.property("whole") or ""
+        return "" if self.isHidden() else translated(self._message)
 
-    def show_text(self, text: str) -> None:
-        """Say something, also to a screen reader."""
-        self._text.setProperty("whole", text)
+    def show_text(self, message: str) -> None:
+        """Say something in the window's language, also to a screen reader."""
+        self._message, text = message, translated(message)
         shown = text if len(text) <= _LONGEST else text[: _LONGEST - 1] + "\u2026"
         self._text.setText(breakable(shown))
         self.setAccessibleName(text)
@@ -75,9 +76,8 @@ class MessageBar(QFrame):
         QAccessible.updateAccessibility(QAccessibleEvent(self, QAccessible.Event.Alert))
 
     def _copy(self) -> None:
-        text = self.text()
-        said = in_english(text)
-        QGuiApplication.clipboard().setText(text if said == text else f"{text}\n{said}")
+        said = dict.fromkeys((self.text(), self._message))  # once where it is English
+        QGuiApplication.clipboard().setText("\n".join(said))
 
 
 def breakable(text: str) -> str:

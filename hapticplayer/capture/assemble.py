@@ -26,7 +26,7 @@ from hapticplayer.capture.mounting import axes_matrix
 from hapticplayer.capture.recording import Recording
 from hapticplayer.capture.source import Source
 from hapticplayer.capture.streams import RawLog, Samples, Stream, on_common_times
-from hapticplayer.errors import InputError
+from hapticplayer.errors import InputError, Message, joined
 from hapticplayer.model import STANDARD_GRAVITY_MPS2, ClockMap, ImuLog
 from hapticplayer.model.arrays import Floats
 
@@ -73,14 +73,18 @@ def assemble(raw: RawLog, choices: LogChoices, where: str) -> Recording:
         other = _other_units(part, raw, choices, where)
         if other is None:
             raise
-        what = f"{error.what}, but the numbers would fit another unit"
+        what = Message(
+            "{what}, but the numbers would fit another unit", what=error.what
+        )
         raise LogQuestion(what, (other,), where) from error
     del in_si
     # streams with times of their own have said themselves where they have gaps
     texts = [one.text for one in repairs if not (said and one.kind == "lost")]
     figures = log_checks.figures(imu, raw)
     if raw.is_gravity_free:
-        notes: tuple[str, ...] = ("gravity was already removed by the recorder",)
+        notes: tuple[str, ...] = (
+            Message("gravity was already removed by the recorder"),
+        )
     else:
         log_checks.check_norm(figures, raw, choices, where)
         notes = log_checks.check_upright(imu, raw, choices, where)
@@ -221,7 +225,7 @@ def clean(
         done = repair_samples(time_s, force, rate, field, source=source)
         return done.imu, done.repairs
     has_field = field is not None and np.isfinite(field).all()
-    text = "all samples are the same: was the sensor stuck?"
+    text = Message("all samples are the same: was the sensor stuck?")
     imu = ImuLog(
         time_s,
         np.asarray(force, np.float64),
@@ -267,5 +271,5 @@ def _other_units(
                 words.append(f"force-unit={force_unit}")
             if rate_unit != raw.rate_unit:
                 words.append(f"rate-unit={rate_unit}")
-            return " and ".join(words)
+            return joined(Message(" and "), words)
     return None

@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any
 
 from hapticplayer.capture.limits import MAX_TEMPLATE_BYTES
-from hapticplayer.errors import InputError, UsageError
+from hapticplayer.errors import InputError, Message, UsageError, joined
 from hapticplayer.media.files import resolve_regular
 from hapticplayer.model import STANDARD_GRAVITY_MPS2, Sampling
 
@@ -86,7 +86,8 @@ class LogChoices:
             value = math.nan
         if not (math.isfinite(value) and value > 0.0):
             raise UsageError(
-                f"rate-hz={self.rate_hz} is no rate; give 100, for example"
+                "rate-hz={rate_hz} is no rate; give 100, for example",
+                rate_hz=self.rate_hz,
             )
         return value
 
@@ -113,8 +114,11 @@ def factor(unit: str, table: Mapping[str, float], key: str) -> float:
         value = math.nan
     if not math.isfinite(value) or value <= 0.0:
         raise UsageError(
-            f"{key}={unit} is no unit; choose {', '.join(table)}, or give the "
-            "factor to SI as a number above zero"
+            "{key}={unit} is no unit; choose {known}, or give the factor to SI as "
+            "a number above zero",
+            key=key,
+            unit=unit,
+            known=", ".join(table),
         )
     return value
 
@@ -134,8 +138,10 @@ def parse_choices(words: Sequence[str]) -> LogChoices:
             values = {**read_template(Path(value)), **values}
         elif not equals or key not in KEYS:
             raise UsageError(
-                f"{OPTION} {word!r} is not understood; give KEY=VALUE with one of "
-                f"{', '.join((*KEYS, 'template'))}"
+                "{option} {word!r} is not understood; give KEY=VALUE with one of {known}",
+                option=OPTION,
+                word=word,
+                known=", ".join((*KEYS, "template")),
             )
         else:
             values[key.replace("-", "_")] = value.strip()
@@ -155,18 +161,21 @@ def read_template(path: Path) -> dict[str, str]:
     file = resolve_regular(path, InputError)
     try:
         if file.stat().st_size > MAX_TEMPLATE_BYTES:
-            raise ValueError("it is too large")  # noqa: TRY301
+            raise ValueError(Message("it is too large"))  # noqa: TRY301
         held: Any = json.loads(file.read_text(encoding="utf-8"))
         is_fitting = isinstance(held, dict) and all(
             key in KEYS and isinstance(value, str) for key, value in held.items()
         )
         if not is_fitting:
-            raise ValueError(f"it may hold texts for {', '.join(KEYS)}")  # noqa: TRY301
+            raise ValueError(  # noqa: TRY301
+                Message("it may hold texts for {known}", known=", ".join(KEYS))
+            )
     except (ValueError, OSError, RecursionError) as error:
         raise InputError(
-            f"is no template of a log ({error})",
+            "is no template of a log ({reason})",
             where=str(file),
             remedy="write one with --save-template",
+            reason=error,
         ) from error
     return {key.replace("-", "_"): value for key, value in held.items()}
 
@@ -189,9 +198,10 @@ def write_template(path: Path, choices: LogChoices) -> None:
     except OSError as error:
         part.unlink(missing_ok=True)
         raise InputError(
-            f"cannot be written ({error.strerror})",
+            "cannot be written ({reason})",
             where=str(path),
             remedy="choose another folder",
+            reason=error,
         ) from error
 
 
@@ -206,7 +216,11 @@ class LogQuestion(UsageError):  # noqa: N818 - it asks
 
     def __init__(self, what: str, answers: Sequence[str], where: str) -> None:
         super().__init__(
-            f"{where}: {what}; decide with {OPTION} " + ", or ".join(answers)
+            "{file}: {what}; decide with {option} {answers}",
+            file=where,
+            what=what,
+            option=OPTION,
+            answers=joined(Message(", or "), answers),
         )
         self.what, self.answers, self.where = what, tuple(answers), where
 

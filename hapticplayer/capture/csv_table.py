@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from hapticplayer.capture.limits import MAX_CSV_ROWS, MAX_DAMAGED_SHARE, MAX_LINE_BYTES
 from hapticplayer.capture.source import Source
-from hapticplayer.errors import InputError
+from hapticplayer.errors import InputError, Message
 from hapticplayer.model.arrays import Floats
 
 CHUNK_BYTES = 1 << 22
@@ -76,9 +76,19 @@ class Numbers:
             return ()
         first = self.damaged[0]
         if len(self.damaged) == 1:
-            return (f"1 line is damaged and left out (first: line {first})",)
+            return (
+                Message(
+                    "1 line is damaged and left out (first: line {line})", line=first
+                ),
+            )
         count = len(self.damaged)
-        return (f"{count} lines are damaged and left out (first: line {first})",)
+        return (
+            Message(
+                "{count} lines are damaged and left out (first: line {line})",
+                count=count,
+                line=first,
+            ),
+        )
 
     def line(self, row: int) -> int:
         """Return the line in which a row stands."""
@@ -107,11 +117,16 @@ def read_numbers(stream: BinaryIO, shape: Shape, where: str) -> Numbers:
     values = _joined(parts, len(shape.columns))
     damaged = parser.damaged
     if len(values) < shape.least_rows or len(damaged) > MAX_DAMAGED_SHARE * len(values):
-        more = f" and {len(damaged)} damaged lines" if damaged else ""
+        more = (
+            Message(" and {count} damaged lines", count=len(damaged)) if damaged else ""
+        )
         raise InputError(
-            f"has {len(values)} rows of {shape.width} numbers{more}",
+            "has {rows} rows of {columns} numbers{more}",
             where=where,
             remedy="export the log again or choose another one",
+            rows=len(values),
+            columns=shape.width,
+            more=more,
         )
     return Numbers(values, parser.origin or 0, tuple(parser.lines), tuple(damaged))
 
@@ -145,7 +160,9 @@ class _Parser:
                 content = content.replace(b"\r", b"\n")
             whole, newline, rest = (rest + content).rpartition(b"\n")
             if not newline and len(rest) > MAX_LINE_BYTES:
-                raise self._fault("", self._line + 1, _TOO_LONG, "choose another log")
+                raise self._fault(
+                    "", self._line + 1, _TOO_LONG, Message("choose another log")
+                )
             chunk = whole + newline
             while to_skip and chunk:
                 chunk = chunk.partition(b"\n")[2]
@@ -174,9 +191,10 @@ class _Parser:
         self._rows += len(values)
         if self._rows > MAX_CSV_ROWS:
             raise InputError(
-                f"has more than {MAX_CSV_ROWS} rows",
+                "has more than {most} rows",
                 where=self._where,
                 remedy="cut the log into parts",
+                most=MAX_CSV_ROWS,
             )
         return values
 
@@ -276,23 +294,36 @@ class _Parser:
         except UnicodeDecodeError as error:
             raise not_text(self._where) from error
         if len(text) > MAX_LINE_BYTES:
-            raise self._fault("", line, _TOO_LONG, "choose another log")
+            raise self._fault("", line, _TOO_LONG, Message("choose another log"))
         cells, names = text.split(","), self._shape.names
         if len(cells) != len(names):
-            what = f"has {len(cells)} columns, the header has {len(names)}"
-            raise self._fault("", line, what, "remove or complete the line")
+            what = Message(
+                "has {count} columns, the header has {expected}",
+                count=len(cells),
+                expected=len(names),
+            )
+            raise self._fault("", line, what, Message("remove or complete the line"))
         for name, cell in zip(names, cells, strict=True):
             if _number(cell.strip()) is None:
-                what = f"{cell.strip()[:30]!r} is not a number"
-                remedy = "remove the line or correct the number"
-                raise self._fault(f", column {name}", line, what, remedy)
+                what = Message("{text!r} is not a number", text=cell.strip()[:30])
+                remedy = Message("remove the line or correct the number")
+                raise self._fault(name, line, what, remedy)
 
     def _fault(self, column: str, line: int, what: str, remedy: str) -> InputError:
-        where = f"{self._where}, line {line}{column}"
-        return InputError(what, where=where, remedy=remedy)
+        return InputError(what, where=at(self._where, line, column), remedy=remedy)
 
 
-_TOO_LONG = f"is longer than {MAX_LINE_BYTES} characters"
+def at(file: str, line: int, column: str = "") -> Message:
+    """Return the place of a fault in a file."""
+    place = Message("{file}, line {line}", file=file, line=line)
+    return (
+        Message("{line}, column {column}", line=place, column=column)
+        if column
+        else place
+    )
+
+
+_TOO_LONG = Message("is longer than {most} characters", most=MAX_LINE_BYTES)
 
 
 def not_text(where: str) -> InputError:

@@ -10,6 +10,8 @@ import importlib
 from collections.abc import Callable
 from typing import TYPE_CHECKING, NamedTuple, cast
 
+from hapticplayer.errors import Message
+
 if TYPE_CHECKING:
     from hapticplayer.capture.choices import LogChoices
     from hapticplayer.capture.recording import Recording
@@ -66,14 +68,14 @@ FORMATS: tuple[RecordingFormat, ...] = (
     RecordingFormat("si-csv", "CSV in SI units", f"{_HERE}.si_csv:READER"),
     RecordingFormat("sensor-logger", "Sensor Logger", f"{_HERE}.logs.sensor_logger:READER"),
     RecordingFormat("phyphox", "phyphox", f"{_HERE}.logs.phyphox:READER"),
-    RecordingFormat("gcsv", "Gyroflow gcsv", f"{_HERE}.logs.gcsv:READER"),
+    RecordingFormat("gcsv", Message("Gyroflow gcsv"), f"{_HERE}.logs.gcsv:READER"),
     RecordingFormat("euroc", "EuRoC", f"{_HERE}.logs.nanoseconds:EUROC"),
-    RecordingFormat("mars", "MARS logger", f"{_HERE}.logs.nanoseconds:MARS"),
+    RecordingFormat("mars", Message("MARS logger"), f"{_HERE}.logs.nanoseconds:MARS"),
     RecordingFormat("razor", "Razor 9DOF", f"{_HERE}.logs.razor_lines:READER"),
-    RecordingFormat("ultimate-imu", "Ultimate IMU, stock firmware", f"{_HERE}.logs.ultimate_imu:READER"),
+    RecordingFormat("ultimate-imu", Message("Ultimate IMU, stock firmware"), f"{_HERE}.logs.ultimate_imu:READER"),
     RecordingFormat("razor-m0", "Razor M0", f"{_HERE}.logs.razor_m0:READER"),
     RecordingFormat("opencamera", "OpenCamera Sensors", f"{_HERE}.logs.opencamera:READER"),
-    RecordingFormat("csv", "CSV with chosen columns", f"{_HERE}.logs.any_table:READER"),
+    RecordingFormat("csv", Message("CSV with chosen columns"), f"{_HERE}.logs.any_table:READER"),
 )  # fmt: skip
 """As they are listed; which one a source is, its content tells."""
 

@@ -44,7 +44,7 @@ from hapticplayer.capture.log_checks import norm_at_rest
 from hapticplayer.capture.recording import Recording, gap_notes
 from hapticplayer.capture.source import Source
 from hapticplayer.capture.streams import mean_rate_with_holes
-from hapticplayer.errors import InputError, TelemetryError
+from hapticplayer.errors import InputError, Message, TelemetryError
 from hapticplayer.media import data_track_names, read_telemetry_packets
 from hapticplayer.media.telemetry import HANDLER
 from hapticplayer.model import ClockMap, ImuLog
@@ -83,7 +83,9 @@ def read(source: Source, _choices: LogChoices) -> Recording:
         return read_gopro(read_telemetry_packets(path), where)
     size_bytes = path.stat().st_size
     if size_bytes > MAX_RAW_GPMF_BYTES:
-        raise TelemetryError(f"has {size_bytes} bytes, too many", where=where)
+        raise TelemetryError(
+            "has {count} bytes, too many", where=where, count=size_bytes
+        )
     return read_gopro(split_raw(path.read_bytes()), where, is_raw=True)
 
 
@@ -110,7 +112,7 @@ def read_gopro(
         raise TelemetryError(
             error.what,
             where=error.where or source,
-            remedy=error.remedy or "copy the recording again from the camera",
+            remedy=error.remedy or Message("copy the recording again from the camera"),
         ) from error
 
 
@@ -156,7 +158,7 @@ def _read(packets: Sequence[Packet], source: str, *, is_raw: bool) -> Recording:
             *gap_notes(imu),
         ),
         provenance={
-            "reader": "raw GPMF" if is_raw else "GPMF track",
+            "reader": "raw GPMF" if is_raw else Message("GPMF track"),
             "accelerometer_rate_hz": round(times.rate_hz, 3),
             "gyro_rate_hz": round(gyro_rate_hz, 3),
         },
@@ -173,7 +175,7 @@ class _Kind(NamedTuple):
 
 
 _FORCE = _Kind("ACCL", "accelerometer", MAX_ACCELERATION_MPS2, "m/s2")
-_RATE = _Kind("GYRO", "gyro", MAX_ANGULAR_RATE_RADPS, "rad/s")
+_RATE = _Kind("GYRO", Message("gyro"), MAX_ANGULAR_RATE_RADPS, "rad/s")
 
 
 class _Sensor(NamedTuple):
@@ -190,8 +192,10 @@ def _sensor(
     stream = collect(payloads, kind.key)
     if stream is None or stream.values.shape[1] != 3:
         raise TelemetryError(
-            f"its telemetry ({camera}) holds no {kind.name} samples",
+            "its telemetry ({camera}) holds no {kind} samples",
             remedy=OTHER_CAMERA,
+            camera=camera,
+            kind=kind.name,
         )
     if kind is _FORCE:
         _refuse_time_lapse(stream)
@@ -202,9 +206,11 @@ def _sensor(
 def _refuse_time_lapse(stream: SensorStream) -> None:
     if np.median(stream.counts) < _LEAST_SAMPLES_PER_PAYLOAD:
         raise TelemetryError(
-            f"it holds {len(stream.values)} motion samples in {len(stream.counts)} "
-            "payloads, as time-lapse recordings do",
+            "it holds {samples} motion samples in {payloads} payloads, as "
+            "time-lapse recordings do",
             remedy="record normal video",
+            samples=len(stream.values),
+            payloads=len(stream.counts),
         )
 
 
@@ -219,8 +225,9 @@ def _in_frame_a(stream: SensorStream, camera: str, kind: _Kind) -> Floats:
     values = _turned(values, rotation)
     if largest > kind.limit or np.isnan(largest):
         raise TelemetryError(
-            f"its telemetry claims {largest:.3g} {kind.unit}, beyond what sensors "
-            "measure"
+            "its telemetry claims {largest:.3g} {unit}, beyond what sensors measure",
+            largest=largest,
+            unit=kind.unit,
         )
     return values
 
@@ -266,12 +273,14 @@ def _magnetic_field(
         components = stream.values.shape[1]
         if components not in {3, 4} or not has_own_axes(stream.first):
             return None, (
-                "The compass is left out: the file does not say which axes it has.",
+                Message(
+                    "The compass is left out: the file does not say which axes it has."
+                ),
             )
         at_s = sample_times(stream, clock).time_s
         rotation = frame_a_from_stored(stream.first, "")
     except TelemetryError as error:
-        return None, (f"The compass is left out: {error.what}.",)
+        return None, (Message("The compass is left out: {what}.", what=error.what),)
     xyz = stream.values[:, -3:]
     values = np.where(np.isfinite(xyz), xyz, np.nan) @ rotation.T
     field = np.stack([np.interp(time_s, at_s, axis) for axis in values.T], axis=1)
@@ -285,18 +294,23 @@ def _how_read(imu: ImuLog) -> tuple[str, ...]:
     norm = norm_at_rest(
         ImuLog(imu.time_s[few], imu.specific_force_mps2[few], rate[few])
     )
-    rest = "" if norm is None else f", {norm:.2f} m/s2 at rest"
-    text = (
-        "read as telemetry of the camera: specific force in m/s2, angular rate in rad/s, "
-        f"x to its right, y to where it looks, z to its top{rest}, turning at "
-        f"{_largest(rate):.2f} rad/s at most"
+    rest = "" if norm is None else Message(", {norm:.2f} m/s2 at rest", norm=norm)
+    text = Message(
+        "read as telemetry of the camera: specific force in m/s2, angular "
+        "rate in rad/s, x to its right, y to where it looks, z to its "
+        "top{rest}, turning at {largest_radps:.2f} rad/s at most",
+        rest=rest,
+        largest_radps=_largest(rate),
     )
     low, high = REST_MPS2
     if norm is None or low <= norm <= high:
         return (text,)
     return (
         text,
-        f"gravity is 9.81 m/s2 and not {norm:.2f}: the accelerometer is doubtful",
+        Message(
+            "gravity is 9.81 m/s2 and not {norm:.2f}: the accelerometer is doubtful",
+            norm=norm,
+        ),
     )
 
 
@@ -306,14 +320,24 @@ def _notes(
     notes = []
     if not times.is_stamped:
         notes.append(
-            "This camera does not stamp its samples: they may lie 10 to 30 ms off "
-            "the picture."
+            Message(
+                "This camera does not stamp its samples: they may lie 10 to 30 ms off "
+                "the picture."
+            )
         )
     if not is_order_known(stream, camera):
         notes.append(
-            f"The file does not say how the sensor sits in {camera!r}: the axes of a "
-            "HERO5 are assumed."
+            Message(
+                "The file does not say how the sensor sits in {camera!r}: the axes of "
+                "a HERO5 are assumed.",
+                camera=camera,
+            )
         )
     if damaged:
-        notes.append(f"{damaged} telemetry payloads are damaged; the rest was read.")
+        notes.append(
+            Message(
+                "{count} telemetry payloads are damaged; the rest was read.",
+                count=damaged,
+            )
+        )
     return tuple(notes)

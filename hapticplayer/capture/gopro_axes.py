@@ -43,8 +43,8 @@ def frame_a_from_stored(stream: Entry, camera: str) -> Floats:
         rotation = _camera_from(text_of(orin) or _default_order(camera))
     if not np.isclose(np.linalg.det(rotation), 1.0, atol=1e-3):
         raise TelemetryError(
-            f"its axes ({text_of(orin) or 'MTRX'}) mirror the camera, so the "
-            "telemetry is damaged"
+            "its axes ({axes}) mirror the camera, so the telemetry is damaged",
+            axes=text_of(orin) or "MTRX",
         )
     return np.asarray(FRAME_A_FROM_CAMERA @ rotation)
 
@@ -72,7 +72,9 @@ def _camera_from(order: str) -> Floats:
     Lower case means that the stored component is negated.
     """
     if sorted(order.upper()) != list(_AXES):
-        raise TelemetryError(f"{order!r} are no axes, so the telemetry is damaged")
+        raise TelemetryError(
+            "{order!r} are no axes, so the telemetry is damaged", order=order
+        )
     matrix = np.zeros((3, 3))
     for column, letter in enumerate(order):
         matrix[_AXES.index(letter.upper()), column] = 1.0 if letter.isupper() else -1.0

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from hapticplayer.capture.gpmf import Entry, first_number_of, numbers_of, parse, text_of
 from hapticplayer.capture.limits import MAX_PAYLOADS, MAX_SAMPLES
-from hapticplayer.errors import TelemetryError
+from hapticplayer.errors import Message, TelemetryError
 from hapticplayer.model.arrays import Floats
 
 RAW_MAGIC = b"DEVC"
@@ -22,7 +22,9 @@ RAW_MAGIC = b"DEVC"
 RAW_PAYLOAD_S = 1.001
 """Length of a payload where a raw dump does not tell: 30 frames at 29.97 Hz."""
 
-OTHER_CAMERA = "record with a camera that stores its motion, or give an IMU log"
+OTHER_CAMERA = Message(
+    "record with a camera that stores its motion, or give an IMU log"
+)
 
 
 class Packet(Protocol):
@@ -91,7 +93,9 @@ def parse_packets(packets: Sequence[Packet]) -> tuple[list[Payload], int]:
         TelemetryError: when no device has an accelerometer.
     """
     if len(packets) > MAX_PAYLOADS:
-        raise TelemetryError(f"has {len(packets)} telemetry payloads, too many")
+        raise TelemetryError(
+            "has {count} telemetry payloads, too many", count=len(packets)
+        )
     parsed = [(packet, parse(packet.payload)) for packet in packets]
     camera = next((d for _, root in parsed for d in _devices(root, "ACCL")), None)
     if camera is None:
@@ -183,7 +187,9 @@ def collect(payloads: Sequence[Payload], key: str) -> SensorStream | None:
         return None
     counts = np.array([row.samples for row in rows], dtype=np.int64)
     if counts.sum() > MAX_SAMPLES:
-        raise TelemetryError(f"{key} has {counts.sum()} samples, more than is read")
+        raise TelemetryError(
+            "{key} has {count} samples, more than is read", key=key, count=counts.sum()
+        )
     return SensorStream(
         values=parts[0] if len(parts) == 1 else np.concatenate(parts),
         first_index=_first_index(counts, _numbers(rows, "TSMP")),
@@ -243,7 +249,9 @@ def _scaled(rows: Sequence[_Row], key: str) -> Floats:
     scale = numbers_of(scale_entry).ravel()
     is_fitting = scale.size in {1, values.shape[1]}
     if not is_fitting or not np.isfinite(scale).all() or (scale == 0.0).any():
-        raise TelemetryError(f"the scale of {key} is damaged ({scale[:3].tolist()})")
+        raise TelemetryError(
+            "the scale of {key} is damaged ({scale})", key=key, scale=scale[:3].tolist()
+        )
     values /= scale
     return values
 

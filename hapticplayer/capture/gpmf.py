@@ -103,7 +103,8 @@ def _parse_list(
     payload, view = whole
     if depth > MAX_NESTING:
         raise TelemetryError(
-            f"telemetry is nested deeper than {MAX_NESTING} levels, so it is damaged"
+            "telemetry is nested deeper than {most} levels, so it is damaged",
+            most=MAX_NESTING,
         )
     entries: list[Entry] = []
     is_cut, unpack = False, _HEADER.unpack_from

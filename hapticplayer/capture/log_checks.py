@@ -19,6 +19,7 @@ from hapticplayer.capture.choices import (
 from hapticplayer.capture.limits import MAX_USUAL_RATE_RADPS, REST_MPS2, UPRIGHT
 from hapticplayer.capture.mounting import AXES, axes_matrix, mean_up
 from hapticplayer.capture.streams import RawLog
+from hapticplayer.errors import Message, joined
 from hapticplayer.model import STANDARD_GRAVITY_MPS2, ImuLog
 from hapticplayer.model.arrays import Floats
 
@@ -77,11 +78,17 @@ def check_norm(
     to_si = factor(raw.force_unit, FORCE_UNITS, "force-unit")
     fitting = to_si * STANDARD_GRAVITY_MPS2 / norm
     raise LogQuestion(
-        f"the specific force is {norm:.3g} m/s2 at rest when it is read in "
-        f"{raw.force_unit}, but gravity is 9.81",
+        Message(
+            "the specific force is {norm:.3g} m/s2 at rest when it is read in "
+            "{force_unit}, but gravity is 9.81",
+            norm=norm,
+            force_unit=raw.force_unit,
+        ),
         (
-            f"force-unit={raw.force_unit} to take it as it is",
-            f"force-unit={fitting:.6g} to scale it to gravity",
+            Message(
+                "force-unit={force_unit} to take it as it is", force_unit=raw.force_unit
+            ),
+            Message("force-unit={fitting:.6g} to scale it to gravity", fitting=fitting),
         ),
         where,
     )
@@ -99,11 +106,17 @@ def check_rate(imu: ImuLog, raw: RawLog, choices: LogChoices, where: str) -> Non
     largest = float(np.abs(imu.angular_rate_radps).max())
     other = "deg/s" if raw.rate_unit == "rad/s" else "rad/s"
     raise LogQuestion(
-        f"the angular rate reaches {largest:.3g} rad/s when it is read in "
-        f"{raw.rate_unit}, which no sensor shows",
+        Message(
+            "the angular rate reaches {largest:.3g} rad/s when it is read in "
+            "{rate_unit}, which no sensor shows",
+            largest=largest,
+            rate_unit=raw.rate_unit,
+        ),
         (
             f"rate-unit={other}",
-            f"rate-unit={raw.rate_unit} to take it as it is",
+            Message(
+                "rate-unit={rate_unit} to take it as it is", rate_unit=raw.rate_unit
+            ),
         ),
         where,
     )
@@ -111,25 +124,38 @@ def check_rate(imu: ImuLog, raw: RawLog, choices: LogChoices, where: str) -> Non
 
 def how_read(raw: RawLog, found: Dict[str, Any]) -> str:
     """Return one sentence with units, axes and what speaks for them."""
-    parts = [f"read as {raw.name}: specific force in {_unit(raw.force_unit)}"]
+    parts = [
+        Message(
+            "read as {name}: specific force in {unit}",
+            name=raw.name,
+            unit=_unit(raw.force_unit),
+        )
+    ]
     if raw.rate is not None and not raw.is_gravity_free:
-        parts.append(f"angular rate in {_unit(raw.rate_unit)}")
+        parts.append(Message("angular rate in {unit}", unit=_unit(raw.rate_unit)))
     if raw.field is not None:
-        parts.append(f"magnetic field in {_unit(raw.field_unit)}")
-    words = f" ({raw.axes_words})" if raw.axes_words else ""
-    parts.append(f"{raw.axes}{words} are right, front, up")
+        parts.append(Message("magnetic field in {unit}", unit=_unit(raw.field_unit)))
+    words = Message(" ({words})", words=raw.axes_words) if raw.axes_words else ""
+    parts.append(
+        Message("{axes}{words} are right, front, up", axes=raw.axes, words=words)
+    )
     norm = found["norm_at_rest_mps2"]
     if norm is not None:
-        parts.append(f"{norm:.2f} m/s2 at rest")
+        parts.append(Message("{norm:.2f} m/s2 at rest", norm=norm))
     if raw.rate is not None and not raw.is_gravity_free:
-        parts.append(f"turning at {found['largest_rate_radps']:.2f} rad/s at most")
-    return ", ".join(parts)
+        parts.append(
+            Message(
+                "turning at {largest_radps:.2f} rad/s at most",
+                largest_radps=found["largest_rate_radps"],
+            )
+        )
+    return joined(", ", parts)
 
 
 def _unit(unit: str) -> str:
     """Return how a unit is said; a factor is a number of counts."""
     is_named = unit in {**FORCE_UNITS, **RATE_UNITS, **FIELD_UNITS}
-    return unit if is_named else f"counts of {float(unit):.4g}"
+    return unit if is_named else Message("counts of {unit:.4g}", unit=float(unit))
 
 
 def check_upright(
@@ -148,22 +174,34 @@ def check_upright(
     """
     mean = mean_up(imu)
     if mean is None:
-        return ("the sensor turned so much that gravity does not show its axes",)
+        return (
+            Message("the sensor turned so much that gravity does not show its axes"),
+        )
     if mean[2] >= UPRIGHT:
         return ()
     stored = axes_matrix(raw.axes).T @ np.array(mean)
     up = int(np.argmax(np.abs(stored)))
     up_name = ("-" if stored[up] < 0.0 else "") + AXES[up]
     if choices.axes:
-        return (f"gravity shows that {up_name} was up, not the axis that was chosen",)
-    words = f" ({raw.axes_words})" if raw.axes_words else ""
+        return (
+            Message(
+                "gravity shows that {axis} was up, not the axis that was chosen",
+                axis=up_name,
+            ),
+        )
+    words = Message(" ({words})", words=raw.axes_words) if raw.axes_words else ""
     proposal = _proposal(up, stored[up] < 0.0, raw.back_axis)
     raise LogQuestion(
-        f"its axis {up_name} was up, so the sensor was not mounted with {raw.axes} to "
-        f"the right, front and up{words}",
+        Message(
+            "its axis {axis} was up, so the sensor was not mounted with {axes} to "
+            "the right, front and up{words}",
+            axis=up_name,
+            axes=raw.axes,
+            words=words,
+        ),
         (
-            f"axes={proposal} or what else was right, front, up",
-            "force-sign=- if its accelerometer shows -1 g upwards",
+            Message("axes={axes} or what else was right, front, up", axes=proposal),
+            Message("force-sign=- if its accelerometer shows -1 g upwards"),
         ),
         where,
     )

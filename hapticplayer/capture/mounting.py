@@ -10,7 +10,7 @@ import itertools
 import numpy as np
 
 from hapticplayer.capture.limits import MIN_MEAN_SHARE, UPRIGHT
-from hapticplayer.errors import UsageError
+from hapticplayer.errors import Message, UsageError
 from hapticplayer.model import ImuLog
 from hapticplayer.model.arrays import Floats
 
@@ -53,13 +53,15 @@ def axes_matrix(axes: str) -> Floats:
     matrix = np.array(rows)
     if matrix.shape != (3, 3) or abs(np.linalg.det(matrix)) != 1.0:
         raise UsageError(
-            f"axes={axes} are not three axes; give right, front and up in the axes of "
-            "the log, for example axes=x,-z,y"
+            "axes={axes} are not three axes; give right, front and up in the axes "
+            "of the log, for example axes=x,-z,y",
+            axes=axes,
         )
     if np.linalg.det(matrix) < 0.0:
         raise UsageError(
-            f"axes={axes} mirror the log; turn one sign round, for right, front and up "
-            "have to follow the right hand"
+            "axes={axes} mirror the log; turn one sign round, for right, front "
+            "and up have to follow the right hand",
+            axes=axes,
         )
     return matrix
 
@@ -84,9 +86,11 @@ def mounting_axes(text: str) -> str:
         axes_matrix(axes)
     except UsageError:
         raise UsageError(
-            f"there is no mounting {text!r}; choose one of {', '.join(MOUNTINGS)}, or "
-            "give right, front and up of the actor in the recorder's axes, such as "
-            "--mounting=-x,y,-z"
+            "there is no mounting {text!r}; choose one of {known}, or give right, "
+            "front and up of the actor in the recorder's axes, such as "
+            "--mounting=-x,y,-z",
+            text=text,
+            known=", ".join(MOUNTINGS),
         ) from None
     return axes
 
@@ -103,8 +107,12 @@ def ask_for_mounting(imu: ImuLog, where: str) -> None:
     axes = proposed_mounting(up)
     name = next(name for name, usual in MOUNTINGS.items() if usual == axes)
     raise UsageError(
-        f"{where}: {fallen_text(up)}; give --mounting {name}, or another of "
-        f"{', '.join(MOUNTINGS)}, or --mounting forward to take it as it is"
+        "{file}: {what}; give --mounting {name}, or another of {known}, or "
+        "--mounting forward to take it as it is",
+        file=where,
+        what=fallen_text(up),
+        name=name,
+        known=", ".join(MOUNTINGS),
     )
 
 
@@ -112,7 +120,11 @@ def fallen_text(up: tuple[float, float, float]) -> str:
     """Return in words that a recorder did not stand upright."""
     at = int(np.argmax(np.abs(up)))
     sign = "-" if up[at] < 0.0 else ""
-    return f"gravity says that {sign}{'xyz'[at]} of the recorder was up, not its z"
+    return Message(
+        "gravity says that {sign}{axis} of the recorder was up, not its z",
+        sign=sign,
+        axis="xyz"[at],
+    )
 
 
 def _is_proper(axes: str) -> bool:

@@ -32,7 +32,7 @@ from hapticplayer.capture.limits import (
 from hapticplayer.capture.source import Source
 from hapticplayer.capture.streams import RawLog, Stream
 from hapticplayer.capture.telemetry_child import COLUMNS
-from hapticplayer.errors import TelemetryError
+from hapticplayer.errors import Message, TelemetryError
 from hapticplayer.media import data_track_names
 from hapticplayer.model.arrays import Floats
 
@@ -55,9 +55,11 @@ def read(source: Source, choices: LogChoices) -> RawLog:
     """
     reason = ""
     if any("dji" in name.lower() for name in data_track_names(source.path)):
-        reason = "holds no accelerometer samples (DJI stores orientations only)"
+        reason = Message(
+            "holds no accelerometer samples (DJI stores orientations only)"
+        )
     elif importlib.util.find_spec("telemetry_parser") is None:
-        reason = "holds no motion telemetry"
+        reason = Message("holds no motion telemetry")
     if reason:
         raise TelemetryError(
             reason,
@@ -94,8 +96,10 @@ def read_other_camera(
     time_s, force, rate = (arrays[column] for column in COLUMNS)
     if not choices.axes:
         raise LogQuestion(
-            f"is of a {name}, whose axes its telemetry does not tell",
-            ("axes=RIGHT,FRONT,UP in its axes, such as axes=x,-z,y",),
+            Message(
+                "is of a {name}, whose axes its telemetry does not tell", name=name
+            ),
+            (Message("axes=RIGHT,FRONT,UP in its axes, such as axes=x,-z,y"),),
             str(video),
         )
     return RawLog(
@@ -103,8 +107,10 @@ def read_other_camera(
         force=Stream(time_s, force),
         rate=Stream(time_s, rate),
         rate_unit="deg/s",
-        axes_words="as telemetry-parser gives them",
-        notes=("read by telemetry-parser; its times are those of an average rate",),
+        axes_words=Message("as telemetry-parser gives them"),
+        notes=(
+            Message("read by telemetry-parser; its times are those of an average rate"),
+        ),
     )
 
 
@@ -112,7 +118,9 @@ def _read_copy(
     video: Path, folder: Path, command: Sequence[str], time_limit_s: float
 ) -> tuple[str, dict[str, Floats]]:
     if video.stat().st_size > MAX_VIDEO_BYTES:
-        raise _refusal(video, f"is larger than {MAX_VIDEO_BYTES >> 30} GB")
+        raise _refusal(
+            video, Message("is larger than {most_gb} GB", most_gb=MAX_VIDEO_BYTES >> 30)
+        )
     copy, answer = folder / f"video{video.suffix}", folder / "answer.npz"
     try:
         shutil.copyfile(video, copy)
@@ -129,20 +137,35 @@ def _read_copy(
             check=False,
         )
     except OSError as error:
-        raise _refusal(video, f"cannot be copied ({error.strerror})") from error
+        raise _refusal(
+            video, Message("cannot be copied ({reason})", reason=error)
+        ) from error
     except subprocess.TimeoutExpired as error:
-        raise _refusal(video, f"took telemetry-parser {time_limit_s:g} s") from error
+        raise _refusal(
+            video,
+            Message(
+                "took telemetry-parser {time_limit_s:g} s", time_limit_s=time_limit_s
+            ),
+        ) from error
     if done.returncode:
         lines = done.stderr.decode("utf-8", "replace").strip().splitlines()
-        why = lines[-1][:200] if lines else f"it died, status {done.returncode}"
-        raise _refusal(video, f"is nothing that telemetry-parser can read ({why})")
+        why = (
+            lines[-1][:200]
+            if lines
+            else Message("it died, status {status}", status=done.returncode)
+        )
+        raise _refusal(
+            video,
+            Message("is nothing that telemetry-parser can read ({reason})", reason=why),
+        )
     try:
         about: Any = json.loads(done.stdout)
         name = f"{about['camera']} {about['model']}".strip()[:60]
         return name, _checked(answer, name)
     except (ValueError, KeyError, TypeError, OSError, MemoryError) as error:
         raise _refusal(
-            video, f"made telemetry-parser answer nonsense ({error})"
+            video,
+            Message("made telemetry-parser answer nonsense ({reason})", reason=error),
         ) from error
 
 
@@ -153,19 +176,23 @@ def _checked(answer: Path, name: str) -> dict[str, Floats]:
         ValueError: with the reason, when they are not those of a log.
     """
     if name.startswith("GoPro"):  # it pairs their sensors wrongly
-        raise ValueError("a GoPro's telemetry is read without it, and is damaged")
+        raise ValueError(
+            Message("a GoPro's telemetry is read without it, and is damaged")
+        )
     if answer.stat().st_size > MAX_ANSWER_BYTES:
-        raise ValueError("it is too large")
+        raise ValueError(Message("it is too large"))
     with np.load(answer, allow_pickle=False) as archive:
         arrays = {name: np.asarray(archive[name], np.float64) for name in COLUMNS}
     time_s, force, rate = (arrays[name] for name in COLUMNS)
     if time_s.ndim != 1 or force.shape != (len(time_s), 3) or rate.shape != force.shape:
-        raise ValueError("its arrays do not belong together")
+        raise ValueError(Message("its arrays do not belong together"))
     if not len(time_s) or not np.isfinite(force).any():
-        raise ValueError("it holds no accelerations")
+        raise ValueError(Message("it holds no accelerations"))
     whole = np.isfinite(force).all(axis=1) & np.isfinite(rate).all(axis=1)
     if whole.mean() < _LEAST_SHARE:
-        raise ValueError(f"only {whole.mean():.0%} of its samples are whole")
+        raise ValueError(
+            Message("only {share:.0%} of its samples are whole", share=whole.mean())
+        )
     return arrays
 
 
@@ -173,5 +200,8 @@ def _refusal(video: Path, what: str) -> TelemetryError:
     return TelemetryError(
         what,
         where=str(video),
-        remedy=f"give the log with --imu LOG --offset S, and {OPTION} where it is asked",
+        remedy=Message(
+            "give the log with --imu LOG --offset S, and {option} where it is asked",
+            option=OPTION,
+        ),
     )

@@ -14,7 +14,7 @@ from hapticplayer.capture.choices import LogChoices, LogQuestion
 from hapticplayer.capture.formats import Confidence, RecordingFormat
 from hapticplayer.capture.limits import GAP_STEPS
 from hapticplayer.capture.source import Source, open_source
-from hapticplayer.errors import InputError, UsageError
+from hapticplayer.errors import InputError, Message, UsageError, joined
 from hapticplayer.model import ClockMap, ImuLog, Sampling
 
 _UTF16 = (b"\xff\xfe", b"\xfe\xff")
@@ -89,7 +89,10 @@ def find_format(source: Source, choices: LogChoices) -> RecordingFormat:
         fitting.remove(formats.ANY_TABLE)
     if len(fitting) > 1:
         raise LogQuestion(
-            f"could be {' or '.join(one.text for one in fitting)}",
+            Message(
+                "could be {formats}",
+                formats=joined(Message(" or "), [one.text for one in fitting]),
+            ),
             tuple(f"format={one.name}" for one in fitting),
             str(source.path),
         )
@@ -101,10 +104,14 @@ def _chosen(name: str, source: Source) -> RecordingFormat:
     form = known.get(name) or known.get(name.rpartition("-")[0])
     if form is None:
         raise UsageError(
-            f"there is no format {name!r}; choose one of {', '.join(known)}"
+            "there is no format {name!r}; choose one of {known}",
+            name=name,
+            known=", ".join(known),
         )
     if form.reader().recognises(source) is Confidence.NO:
-        raise UsageError(f"{source.path}: is no log of {form.text}")
+        raise UsageError(
+            "{path}: is no log of {name}", path=source.path, name=form.text
+        )
     return form
 
 
@@ -134,9 +141,10 @@ def _unknown(source: Source) -> InputError:
         )
     if dated := _DATE.search(source.head(source.names[0])):
         return InputError(
-            f"writes its times as dates ({dated[1].strip()[:40]})",
+            "writes its times as dates ({found})",
             where=where,
             remedy="export the times as numbers, in s, ms, us or ns",
+            found=dated[1].strip()[:40],
         )
     from hapticplayer.capture.si_csv import header_fault
 
@@ -178,6 +186,17 @@ def gap_notes(imu: ImuLog) -> tuple[str, ...]:
     if not wide.size:
         return ()
     longest = int(wide[np.argmax(steps_s[wide])])
-    count = "one gap" if wide.size == 1 else f"{wide.size} gaps"
+    count = (
+        Message("one gap")
+        if wide.size == 1
+        else Message("{count} gaps", count=wide.size)
+    )
     length_s, at_s = steps_s[longest], imu.time_s[longest]
-    return (f"The log has {count}, the longest of {length_s:.2f} s at {at_s:.2f} s.",)
+    return (
+        Message(
+            "The log has {count}, the longest of {length_s:.2f} s at {at_s:.2f} s.",
+            count=count,
+            length_s=length_s,
+            at_s=at_s,
+        ),
+    )

@@ -21,6 +21,7 @@ from hapticplayer.capture.choices import LogChoices
 from hapticplayer.capture.csv_table import (
     Numbers,
     Shape,
+    at,
     column_names,
     not_text,
     read_table,
@@ -36,7 +37,7 @@ from hapticplayer.capture.limits import (
 )
 from hapticplayer.capture.recording import Recording, gap_notes
 from hapticplayer.capture.source import Source, open_file
-from hapticplayer.errors import InputError
+from hapticplayer.errors import InputError, Message
 from hapticplayer.model import (
     STANDARD_GRAVITY_MPS2,
     ClockMap,
@@ -77,15 +78,6 @@ def read(source: Source, _choices: LogChoices) -> Recording:
     _check_force_unit(values[:, 1:4], where)
     _check_rate_unit(values[:, 4:7], where)
     _check_time_unit(values[:, 0], where)
-
-    def with_lines(text: str) -> str:
-        return _ROW.sub(
-            lambda found: (
-                f"{found[1].replace('row', 'line')} {numbers.line(int(found[2]))}"
-            ),
-            text,
-        )
-
     try:
         imu, repairs = clean(
             values[:, 0],
@@ -96,21 +88,35 @@ def read(source: Source, _choices: LogChoices) -> Recording:
         )
     except InputError as error:
         raise InputError(
-            with_lines(error.what), where=error.where or where, remedy=error.remedy
+            _in_lines(error.what, numbers),
+            where=error.where or where,
+            remedy=error.remedy,
         ) from error
     notes = []
     for repair in repairs:
-        note = with_lines(repair.text)
+        note = _in_lines(repair.text, numbers)
         if note == repair.text and repair.count < len(values):
-            note += f" (first in line {numbers.line(repair.first_row)})"
+            line = numbers.line(repair.first_row)
+            note = Message("{note} (first in line {line})", note=note, line=line)
         notes.append(note)
     return Recording(
         imu=imu,
         clock_map=ClockMap(confidence=0.0),
-        camera="CSV log",
+        camera=Message("CSV log"),
         notes=(*gap_notes(imu), *notes),
-        provenance={"reader": "CSV log"},
+        provenance={"reader": Message("CSV log")},
     )
+
+
+def _in_lines(message: Message, numbers: Numbers) -> Message:
+    """Name the line of the file in place of the row of the array."""
+    if message.template == "row {number}":
+        return Message("line {number}", number=numbers.line(message.values["number"]))
+    values = {
+        name: _in_lines(value, numbers) if isinstance(value, Message) else value
+        for name, value in message.values.items()
+    }
+    return Message(message.template, **values)
 
 
 READER = Reader(recognises, read)
@@ -145,9 +151,10 @@ def write_imu_csv(path: str | os.PathLike[str], imu: ImuLog) -> None:
     except OSError as error:
         part.unlink(missing_ok=True)
         raise InputError(
-            f"cannot be written ({error.strerror})",
+            "cannot be written ({reason})",
             where=str(target),
             remedy="choose another folder",
+            reason=error,
         ) from error
 
 
@@ -165,9 +172,10 @@ def read_force_csv(path: str | os.PathLike[str]) -> ForceTrack:
     largest_n = float(np.abs(values[:, 1:4]).max())
     if largest_n > MAX_FORCE_N:
         raise InputError(
-            f"holds a force of {largest_n:.3g} N, beyond any device",
+            "holds a force of {largest_n:.3g} N, beyond any device",
             where=where,
             remedy="give the forces in newton",
+            largest_n=largest_n,
         )
     return ForceTrack(
         time_s=values[:, 0],
@@ -205,21 +213,21 @@ def header_fault(
         return not_text(source.where(name))
     line = source.first_line(name)
     names = column_names(line)
-    what = f"the header is {line[:80]!r}"
+    what = Message("the header is {header!r}", header=line[:80])
     if line.count(";") >= len(required) - 1:
-        what = "the columns are separated by semicolons instead of commas"
+        what = Message("the columns are separated by semicolons instead of commas")
     elif line.count("\t") >= len(required) - 1:
-        what = "the columns are separated by tabs instead of commas"
+        what = Message("the columns are separated by tabs instead of commas")
     elif all(_is_number(cell) for cell in names):
-        what = "there is no header, the file begins with numbers"
+        what = Message("there is no header, the file begins with numbers")
     elif sorted(names) in (sorted(required), sorted(required + optional)):
-        what = "the columns are in another order"
+        what = Message("the columns are in another order")
     more = "".join(f",{column}" for column in optional)
     header = ",".join(required) + (f"[{more}]" if more else "")
     return InputError(
         what,
-        where=f"{source.where(name)}, line 1",
-        remedy=f"begin the file with {header}",
+        where=Message("{file}, line 1", file=source.where(name)),
+        remedy=Message("begin the file with {header}", header=header),
     )
 
 
@@ -238,9 +246,10 @@ def _check_finite(numbers: Numbers, where: str) -> None:
     row, column = (int(at) for at in bad[0])
     value = float(numbers.values[row, column])
     raise InputError(
-        f"{value} is not a finite number",
-        where=f"{where}, line {numbers.line(row)}, column {FORCE_COLUMNS[column]}",
+        "{text} is not a finite number",
+        where=at(where, numbers.line(row), FORCE_COLUMNS[column]),
         remedy="remove the line or correct the number",
+        text=value,
     )
 
 
@@ -250,11 +259,18 @@ def _check_order(numbers: Numbers, where: str) -> None:
     if not len(late):
         return
     row = int(late[0]) + 1
-    fault = "repeats" if time_s[row] == time_s[row - 1] else "runs backwards"
+    fault = (
+        Message("repeats")
+        if time_s[row] == time_s[row - 1]
+        else Message("runs backwards")
+    )
     raise InputError(
-        f"the time {fault} ({time_s[row]} s after {time_s[row - 1]} s)",
-        where=f"{where}, line {numbers.line(row)}, column {TIME}",
+        "the time {fault} ({time_s} s after {last_s} s)",
+        where=at(where, numbers.line(row), TIME),
         remedy="sort the log by time and remove duplicates",
+        fault=fault,
+        time_s=time_s[row],
+        last_s=time_s[row - 1],
     )
 
 
@@ -267,9 +283,12 @@ def _check_force_unit(force: Floats, where: str) -> None:
     largest = float(np.abs(force).max())
     if low <= norm <= high and largest <= MAX_ACCELERATION_MPS2:
         return
-    what = f"the median of |(ax, ay, az)| is {norm:.3g} m/s2"
+    what = Message("the median of |(ax, ay, az)| is {norm:.3g} m/s2", norm=norm)
     if low <= norm <= high:
-        what = f"holds an acceleration of {largest:.3g} m/s2, beyond any sensor"
+        what = Message(
+            "holds an acceleration of {largest:.3g} m/s2, beyond any sensor",
+            largest=largest,
+        )
     raise InputError(what, where=where, remedy=_unit_remedy(norm))
 
 
@@ -277,14 +296,14 @@ def _unit_remedy(norm: float) -> str:
     low, high = MEDIAN_MPS2
     gravity = STANDARD_GRAVITY_MPS2
     if low / gravity <= norm <= high / gravity:
-        return "it looks like g: multiply ax, ay, az by 9.80665"
+        return Message("it looks like g: multiply ax, ay, az by 9.80665")
     if low <= norm * gravity / 1000.0 <= high:
-        return "it looks like milli-g: multiply ax, ay, az by 0.00980665"
+        return Message("it looks like milli-g: multiply ax, ay, az by 0.00980665")
     if norm < low / gravity:
-        return (
+        return Message(
             "gravity seems to be removed already: export the acceleration with gravity"
         )
-    return "give the specific force in m/s2, about 9.8 at rest"
+    return Message("give the specific force in m/s2, about 9.8 at rest")
 
 
 def _check_time_unit(time_s: Floats, where: str) -> None:
@@ -295,11 +314,14 @@ def _check_time_unit(time_s: Floats, where: str) -> None:
         return
     is_milliseconds = 1000.0 * rate_hz >= MIN_RATE_HZ
     raise InputError(
-        f"time_s runs at {rate_hz:.3g} samples a second",
+        "time_s runs at {rate_hz:.3g} samples a second",
         where=where,
-        remedy="it looks like milliseconds: divide time_s by 1000"
+        remedy=Message("it looks like milliseconds: divide time_s by 1000")
         if is_milliseconds
-        else f"give at least {MIN_RATE_HZ:g} samples a second",
+        else Message(
+            "give at least {least_hz:g} samples a second", least_hz=MIN_RATE_HZ
+        ),
+        rate_hz=rate_hz,
     )
 
 
@@ -307,11 +329,12 @@ def _check_rate_unit(rate: Floats, where: str) -> None:
     largest = float(np.abs(rate).max(initial=0.0, where=np.isfinite(rate)))
     if largest <= MAX_SI_RATE_RADPS:
         return
-    remedy = "it looks like deg/s: multiply gx, gy, gz by 0.0174532925"
+    remedy = Message("it looks like deg/s: multiply gx, gy, gz by 0.0174532925")
     if np.degrees(MAX_ANGULAR_RATE_RADPS) < largest:
-        remedy = "give the angular rate in rad/s"
+        remedy = Message("give the angular rate in rad/s")
     raise InputError(
-        f"the largest angular rate is {largest:.3g} rad/s",
+        "the largest angular rate is {largest:.3g} rad/s",
         where=where,
         remedy=remedy,
+        largest=largest,
     )

@@ -22,7 +22,7 @@ from hapticplayer.capture.limits import (
     MAX_MEMBERS,
 )
 from hapticplayer.errors import InputError
-from hapticplayer.media.files import reason, resolve_regular
+from hapticplayer.media.files import resolve_regular
 
 HEAD_BYTES = 4096
 ZIP_MAGIC = b"PK\x03\x04"
@@ -132,9 +132,10 @@ class Source:
             raise
         except _ZIP_ERRORS as error:
             raise InputError(
-                f"cannot be read ({reason(error)})",
+                "cannot be read ({reason})",
                 where=self.where(name),
                 remedy="copy it again from the recorder",
+                reason=error,
             ) from error
 
     def text(self, name: str, limit_bytes: int = 1 << 20) -> str:
@@ -246,9 +247,10 @@ def open_source(path: str | os.PathLike[str]) -> Source:
         raise
     except _ZIP_ERRORS as error:
         raise InputError(
-            f"is a damaged zip ({reason(error)})",
+            "is a damaged zip ({reason})",
             where=str(found.path),
             remedy="export the recording again",
+            reason=error,
         ) from error
 
 
@@ -287,9 +289,10 @@ def _walk(folder: Path, depth: int) -> list[Path]:
         entries = sorted(os.scandir(folder), key=lambda entry: entry.name)
     except OSError as error:
         raise InputError(
-            f"cannot be listed ({reason(error)})",
+            "cannot be listed ({reason})",
             where=str(folder),
             remedy="check the rights of the folder",
+            reason=error,
         ) from error
     for entry in entries:
         if entry.is_dir(follow_symlinks=False) and depth > 1:
@@ -306,23 +309,26 @@ def _refuse_escape(name: str, path: Path) -> None:
     parts = PurePosixPath(name.replace("\\", "/")).parts
     if ".." in parts or name.startswith(("/", "\\")) or ":" in name[:3]:
         raise InputError(
-            f"holds {name[:80]!r}, a name that points out of the zip",
+            "holds {name!r}, a name that points out of the zip",
             where=str(path),
             remedy="export the recording again",
+            name=name[:80],
         )
 
 
 def _too_many(path: Path) -> InputError:
     return InputError(
-        f"holds more than {MAX_MEMBERS} files",
+        "holds more than {most} files",
         where=str(path),
         remedy="give the folder of one recording",
+        most=MAX_MEMBERS,
     )
 
 
 def _too_large(where: str) -> InputError:
     return InputError(
-        f"is larger than the limit of {MAX_CSV_BYTES >> 20} MB",
+        "is larger than the limit of {most_mb} MB",
         where=where,
         remedy="cut the log into parts",
+        most_mb=MAX_CSV_BYTES >> 20,
     )

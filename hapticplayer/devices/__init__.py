@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 from typing import Any, Protocol
 
 from hapticplayer.devices.capabilities import FALCON, GAMEPAD
-from hapticplayer.errors import DeviceError
+from hapticplayer.errors import DeviceError, Message, joined
 from hapticplayer.model.device import DeviceCapabilities, DeviceReading, Vector
 
 NO_DEVICE = "none"
@@ -174,8 +174,9 @@ def find_device(name: str) -> DeviceEntry:
     entry = DEVICES.get(kind) or installed_devices().get(kind)
     if entry is None or (serial and not entry.has_serials):
         raise DeviceError(
-            f"device {name!r}: this version has no driver for it; "
-            f"use {' or '.join(installed_devices())}"
+            "device {name!r}: this version has no driver for it; use {known}",
+            name=name,
+            known=joined(Message(" or "), installed_devices()),
         )
     return replace(entry, name=name, serial=serial) if serial else entry
 
@@ -188,6 +189,8 @@ def load(where: str) -> Any:
 
 def _not_an_entry(value: str, why: str) -> DeviceError:
     return DeviceError(
-        f"the installed device {value!r} cannot be loaded: {why}; "
-        "update or uninstall its package"
+        "the installed device {name!r} cannot be loaded: {reason}; update or "
+        "uninstall its package",
+        name=value,
+        reason=why,
     )

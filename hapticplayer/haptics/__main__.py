@@ -7,7 +7,7 @@ import sys
 
 from hapticplayer.clock import SystemClock
 from hapticplayer.devices import find_device, load
-from hapticplayer.errors import DeviceError
+from hapticplayer.errors import DeviceError, message_of
 from hapticplayer.haptics.block import LoopBlock
 from hapticplayer.haptics.centring import centring_of
 from hapticplayer.haptics.lifeline import hold, map_lifeline
@@ -45,7 +45,7 @@ def main(argv: list[str] | None = None) -> int:
         device = find_device(options.device).make(options.handle)
         device.open()
     except DeviceError as problem:
-        line.send(Word.FAILED, str(problem))
+        line.send(Word.FAILED, message_of(problem))
         return 1
     try:
         wanted = Scheduling(options.scheduling) if options.scheduling else None

@@ -6,13 +6,13 @@ from dataclasses import dataclass, field
 
 from hapticplayer.clock import Clock
 from hapticplayer.devices import HapticDevice
-from hapticplayer.errors import DeviceError
+from hapticplayer.errors import DeviceError, Message, message_of
 from hapticplayer.haptics.block import LoopBlock
 from hapticplayer.haptics.centring import Centring
 from hapticplayer.haptics.contract import Cause, Mode, Request, State, Supervision
 from hapticplayer.haptics.lifeline import Lifeline
 from hapticplayer.haptics.limiter import PERIOD_S, ZERO, Limits
-from hapticplayer.haptics.messages import Line, Message, Word, close_descriptor
+from hapticplayer.haptics.messages import Line, Received, Word, close_descriptor
 from hapticplayer.haptics.step import step
 from hapticplayer.haptics.track import LoadedTrack, map_track
 from hapticplayer.haptics.wakefulness import Wakefulness
@@ -157,7 +157,7 @@ class Loop:
             self._reading = self.device.exchange(force_n, now_s)
         except DeviceError as problem:
             self._is_device_gone = True
-            self.line.send(Word.LOST, str(problem))
+            self.line.send(Word.LOST, message_of(problem))
 
     def _record(self, late_s: float, missed: int) -> None:
         state = self.state
@@ -196,7 +196,7 @@ class Loop:
         if self.line.is_alarmed:
             self._request = Request.STOP
 
-    def _obey(self, message: Message) -> None:
+    def _obey(self, message: Received) -> None:
         if message.word is Word.TRACK:
             self._load(int(message.text), message.descriptor)
         elif message.word is Word.FORGET:
@@ -211,12 +211,16 @@ class Loop:
             self._inject(message.text)
 
     def _inject(self, _text: str) -> None:
-        self.line.send(Word.FAILED, "faults are refused: this loop is not for them")
+        self.line.send(
+            Word.FAILED, Message("faults are refused: this loop is not for them")
+        )
 
     def _load(self, track_id: int, descriptor: int) -> None:
         try:
             self._tracks[track_id] = map_track(descriptor)
         except (ValueError, OSError) as problem:
-            self.line.send(Word.FAILED, f"force track refused: {problem}")
+            self.line.send(
+                Word.FAILED, Message("force track refused: {reason}", reason=problem)
+            )
         finally:
             close_descriptor(descriptor)

@@ -4,10 +4,13 @@ A closed end is a message too.
 """
 
 import enum
+import json
 import os
 import select
 import socket
 from typing import NamedTuple
+
+from hapticplayer.errors import from_json, to_json
 
 _MAX_BYTES = 4096
 RESTS = 3
@@ -28,7 +31,10 @@ class Word(enum.Enum):
     LOST = b"L"  # + one sentence: the device is gone
 
 
-class Message(NamedTuple):
+_SENTENCES = (Word.FAILED, Word.LOST)
+
+
+class Received(NamedTuple):
     """One message."""
 
     word: Word
@@ -74,6 +80,8 @@ class Line:
 
     def send(self, word: Word, text: str = "", descriptor: int = -1) -> bool:
         """Send one message; False when the other end is gone."""
+        if word in _SENTENCES:
+            text = json.dumps(to_json(text))
         descriptors = [descriptor] if descriptor >= 0 else []
         try:
             socket.send_fds(self._end, [word.value + text.encode()], descriptors)
@@ -82,7 +90,7 @@ class Line:
         self._count()
         return self.is_open
 
-    def receive(self, timeout_ms: int = 0) -> Message | None:
+    def receive(self, timeout_ms: int = 0) -> Received | None:
         """Return the next message, or None; clears `is_open` at the end."""
         if not self.is_open:
             return None
@@ -108,7 +116,10 @@ class Line:
             self.is_open = False
             return None
         received = descriptors[0] if descriptors else -1
-        return Message(Word(data[:1]), data[1:].decode(errors="replace"), received)
+        word, text = Word(data[:1]), data[1:].decode(errors="replace")
+        if word in _SENTENCES:
+            text = from_json(json.loads(text))
+        return Received(word, text, received)
 
     def _sounds(self, ready: list[tuple[int, int]]) -> bool:
         """Return whether it is the alarm; a hung-up one is none, and not looked at again."""

@@ -11,7 +11,13 @@ from numpy.typing import NDArray
 
 from hapticplayer.clock import Clock
 from hapticplayer.devices import find_device, load
-from hapticplayer.errors import DeviceError, HapticsError, InputError, UsageError
+from hapticplayer.errors import (
+    DeviceError,
+    HapticsError,
+    InputError,
+    Message,
+    UsageError,
+)
 from hapticplayer.haptics.crew import Crew
 from hapticplayer.haptics.messages import Line, Word
 from hapticplayer.haptics.recorder import Recording
@@ -74,7 +80,9 @@ class HapticsProcess:
         self._is_loop_ready = False
         entry = find_device(device)
         if takes_faults and not entry.faults:
-            raise UsageError(f"{device} is a real device and takes no faults")
+            raise UsageError(
+                "{device} is a real device and takes no faults", device=device
+            )
         self._patience_s = entry.patience_s
         descriptor = anonymous_memory("hapticplayer-loop", BLOCK_BYTES)
         try:
@@ -104,7 +112,7 @@ class HapticsProcess:
             if self._recording:
                 self._recording.finish()
             raise HapticsError(
-                f"the haptics process could not be started: {problem}"
+                "the haptics process could not be started: {reason}", reason=problem
             ) from problem
         finally:
             for end in (theirs, act, acted_on):
@@ -162,7 +170,7 @@ class HapticsProcess:
             and self._clock.now_s() > self._block.guard_s() + GUARD_LATE_S
             and guard.poll() is not None
         ):
-            self.problem = (
+            self.problem = Message(
                 "the guard of the haptics process has ended, so there is no force; "
                 "choose the device again"
             )

@@ -233,9 +233,11 @@ class RecordReader:
         _, version, length = PREFIX.unpack(prefix)
         if version != VERSION:
             raise InputError(
-                f"has version {version} of the format, not {VERSION}",
+                "has version {found} of the format, not {version}",
                 where=str(self._path),
                 remedy="use the version of hapticplayer that wrote it",
+                found=version,
+                version=VERSION,
             )
         if length > MAX_HEADER_BYTES:
             raise self._refusal("is damaged in its header")
@@ -285,9 +287,8 @@ def _open(path: Path) -> BinaryIO:
     try:
         descriptor = os.open(path, os.O_RDONLY | os.O_NONBLOCK | os.O_CLOEXEC)
     except (OSError, ValueError) as problem:
-        reason = getattr(problem, "strerror", None) or str(problem)
         raise InputError(
-            f"cannot be read ({reason})", where=str(path), remedy=remedy
+            "cannot be read ({reason})", where=str(path), remedy=remedy, reason=problem
         ) from problem
     if not stat.S_ISREG(os.fstat(descriptor).st_mode):
         os.close(descriptor)

@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 
 from hapticplayer import __version__
 from hapticplayer.clock import SystemClock, utc_now_iso
-from hapticplayer.errors import InputError
+from hapticplayer.errors import InputError, Message
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.shared import RING_TICKS, TICK
 
@@ -113,7 +113,7 @@ class RecordWriter:
         """Make durable what has been written."""
         os.fdatasync(self._descriptor)
         if os.fstat(self._descriptor).st_nlink == 0:
-            raise FileNotFoundError(errno.ENOENT, "the file was removed")
+            raise FileNotFoundError(errno.ENOENT, Message("the file was removed"))
 
     def _write(self, data: bytes) -> None:
         left = memoryview(data)
@@ -152,7 +152,9 @@ def _field(entry: object) -> tuple[str, str, tuple[int, ...]]:
 
 def cannot_write(problem: Exception, where: str) -> InputError:
     """Return the error for a person."""
-    reason = getattr(problem, "strerror", None) or str(problem)
     return InputError(
-        f"the record cannot be written ({reason})", where=where, remedy=_REMEDY
+        "the record cannot be written ({reason})",
+        where=where,
+        remedy=_REMEDY,
+        reason=problem,
     )

@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from hapticplayer.errors import StudyError
+from hapticplayer.errors import Message, StudyError
 
 MARKERS, FORCE = "hapticplayer-markers", "hapticplayer-force"
 FORCE_RATE_HZ = 1000.0
@@ -32,7 +32,7 @@ ListenAddress = 127.0.0.1
 [log]
 level = -3
 """
-_WITHOUT = "leave LSL out"
+_WITHOUT = Message("leave LSL out")
 
 
 class LslStreams:
@@ -50,7 +50,9 @@ class LslStreams:
                 self._force = library.StreamOutlet(_force(library), 0, _KEPT_S)
             except RuntimeError as problem:
                 raise StudyError(
-                    f"LSL streams cannot be opened ({problem})", remedy=_WITHOUT
+                    "LSL streams cannot be opened ({reason})",
+                    remedy=_WITHOUT,
+                    reason=problem,
                 ) from problem
 
     def marker(self, text: str, monotonic_s: float) -> None:
@@ -78,7 +80,8 @@ def _library() -> Any:
     except (ImportError, RuntimeError, NotImplementedError) as problem:
         raise StudyError(
             "LSL streams need pylsl 1.18 or newer with its library",
-            remedy=f"install hapticplayer[lsl], or {_WITHOUT}",
+            remedy="install hapticplayer[lsl], or {otherwise}",
+            otherwise=_WITHOUT,
         ) from problem
     return library
 
@@ -132,6 +135,7 @@ def _keep_local(descriptor: int) -> None:
             held.setsockopt(socket.SOL_SOCKET, socket.SO_BINDTODEVICE, _LOOPBACK)
         except OSError as problem:
             raise StudyError(
-                f"LSL streams cannot be kept on this machine ({problem.strerror})",
+                "LSL streams cannot be kept on this machine ({reason})",
                 remedy=_WITHOUT,
+                reason=problem,
             ) from problem

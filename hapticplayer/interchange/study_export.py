@@ -44,7 +44,11 @@ def export_study(study: Study, target: Path, form: str) -> dict[str, Any]:
         StudyError: when there are no answers, or it cannot be written; nothing is left then.
     """
     if form not in FORMATS:
-        raise UsageError(f"there is no format {form!r}; there is {', '.join(FORMATS)}")
+        raise UsageError(
+            "there is no format {name!r}; there is {known}",
+            name=form,
+            known=", ".join(FORMATS),
+        )
     answers = collect_answers(study)
     if not answers.participants:
         raise StudyError(

@@ -11,7 +11,7 @@ from av.audio.frame import AudioFrame
 from av.audio.resampler import AudioResampler
 from numpy.typing import NDArray
 
-from hapticplayer.errors import MediaError
+from hapticplayer.errors import MediaError, Message
 from hapticplayer.media.demux import ClipDecoder, PacketReader
 from hapticplayer.media.limits import MAX_AUDIO_CHANNELS, MAX_AUDIO_RATE_HZ
 from hapticplayer.media.opening import (
@@ -79,7 +79,7 @@ class AudioDecoder(ClipDecoder[AudioFrame]):
         self._path = path
         self._container = open_media(path)
         try:
-            with media_errors(path, "its sound cannot be set up"):
+            with media_errors(path, Message("its sound cannot be set up")):
                 self._set_up()
         except BaseException:
             self._container.close()
@@ -98,9 +98,11 @@ class AudioDecoder(ClipDecoder[AudioFrame]):
             and 0 < stream.channels <= MAX_AUDIO_CHANNELS
         ):
             raise MediaError(
-                f"its sound has {stream.channels} channels at {stream.rate} Hz",
+                "its sound has {channels} channels at {rate} Hz",
                 where=str(self._path),
                 remedy="convert its sound to stereo at 48 kHz",
+                channels=stream.channels,
+                rate=stream.rate,
             )
         self._time_base = stream.time_base
         self._origin_s = origin_s(self._container)
@@ -143,7 +145,7 @@ class AudioDecoder(ClipDecoder[AudioFrame]):
             if self._is_over:
                 return None
             frame = self._reader.next_frame()
-            with media_errors(self._path, "its sound cannot be resampled"):
+            with media_errors(self._path, Message("its sound cannot be resampled")):
                 self._take(frame)
         return self._blocks.popleft()
 

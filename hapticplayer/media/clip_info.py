@@ -10,7 +10,7 @@ from av.container import InputContainer
 from av.video.frame import VideoFrame
 from av.video.stream import VideoStream
 
-from hapticplayer.errors import MediaError
+from hapticplayer.errors import MediaError, Message
 from hapticplayer.media.files import COPY_AGAIN
 from hapticplayer.media.limits import MAX_DURATION_S
 from hapticplayer.media.opening import (
@@ -69,7 +69,10 @@ def probe(path: str | os.PathLike[str]) -> ClipInfo:
     Raises:
         MediaError: when it cannot be opened, or holds no video that can be shown.
     """
-    with open_media(path) as container, media_errors(path, "it cannot be probed"):
+    with (
+        open_media(path) as container,
+        media_errors(path, Message("it cannot be probed")),
+    ):
         video = require_video(container, path)
         audio = next((s for s in container.streams.audio if context_of(s)), None)
         file = Path(path).resolve()
@@ -156,9 +159,10 @@ def _duration_s(
         duration_s = container.duration / 1e6 - origin_s(container)
     if not (math.isfinite(duration_s) and 0.0 < duration_s <= MAX_DURATION_S):
         raise MediaError(
-            f"it gives {duration_s:.0f} s as its duration",
+            "it gives {duration_s:.0f} s as its duration",
             where=str(path),
             remedy="remux it to MP4 so that its duration is written",
+            duration_s=duration_s,
         )
     return duration_s
 

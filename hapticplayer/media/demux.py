@@ -11,7 +11,7 @@ from av.frame import Frame
 from av.stream import Stream
 from av.video.frame import VideoFrame
 
-from hapticplayer.errors import MediaError
+from hapticplayer.errors import MediaError, Message
 from hapticplayer.media.approach import IS_MARKED, ONE_TO_ONE, AnyPacket, Approach
 from hapticplayer.media.continuity import Continuity
 from hapticplayer.media.files import COPY_AGAIN
@@ -62,7 +62,7 @@ class PacketReader(Generic[FrameT]):
         self._may_be_leading = True
         if self._continuity:
             self._continuity.restart()
-        with media_errors(self._path, "cannot be positioned"):
+        with media_errors(self._path, Message("cannot be positioned")):
             try:
                 self._container.seek(ticks, stream=self._stream, backward=True)
             except (av.error.FFmpegError, OSError):
@@ -82,7 +82,7 @@ class PacketReader(Generic[FrameT]):
         if self._codec.name not in ONE_TO_ONE:
             return None
         self._approach = Approach(is_marked=self._codec.name in IS_MARKED)
-        with media_errors(self._path, "it cannot be read any further"):
+        with media_errors(self._path, Message("it cannot be read any further")):
             try:
                 self._approach.look(self._packets, ticks)
             except av.error.InvalidDataError as error:
@@ -118,7 +118,7 @@ class PacketReader(Generic[FrameT]):
             MediaError: when the stream cannot be read any further.
         """
         while not self._frames:
-            with media_errors(self._path, "it cannot be decoded any further"):
+            with media_errors(self._path, Message("it cannot be decoded any further")):
                 if not self._decode_next():
                     if self._continuity:
                         self._continuity.end()
@@ -173,9 +173,10 @@ class PacketReader(Generic[FrameT]):
         self._bad_in_a_row += 1
         if self._bad_in_a_row > MAX_DAMAGED_IN_A_ROW:
             raise MediaError(
-                f"{self._bad_in_a_row} packets in a row are damaged",
+                "{count} packets in a row are damaged",
                 where=str(self._path),
                 remedy=COPY_AGAIN,
+                count=self._bad_in_a_row,
             ) from error
 
 

@@ -18,7 +18,7 @@ from av.video.reformatter import Colorspace, VideoReformatter
 from av.video.stream import VideoStream
 from numpy.typing import NDArray
 
-from hapticplayer.errors import MediaError
+from hapticplayer.errors import MediaError, Message
 from hapticplayer.media.colours import BT709, LIMITED_RANGE
 from hapticplayer.media.opening import media_errors, open_media
 
@@ -81,7 +81,9 @@ def write_clip(  # noqa: PLR0913 - two kinds of content, one file
     part = target.with_name(f".{target.stem}.{secrets.token_hex(4)}.part")
     rate = Fraction(frame_rate_hz).limit_denominator(1001)
     try:
-        with media_errors(target, "cannot be written", "choose another folder"):
+        with media_errors(
+            target, Message("cannot be written"), Message("choose another folder")
+        ):
             options = _QUICK if is_quick else _SMALL
             sound = None if audio is None else (audio, audio_rate_hz)
             _write(part, iter(pictures), rate, options, sound, progress, rest)
@@ -186,7 +188,9 @@ def _yuv_frame(
     kind = _FORMATS.get(picture.shape[-1])
     if picture.shape != shape or kind is None or picture.dtype != np.uint8:
         raise MediaError(
-            f"a picture has the shape {picture.shape}, expected {shape} of uint8"
+            "a picture has the shape {shape}, expected {expected} of uint8",
+            shape=picture.shape,
+            expected=shape,
         )
     frame = VideoFrame.from_ndarray(np.ascontiguousarray(picture), format=kind)
     return reformatter.reformat(
@@ -205,7 +209,8 @@ class _SoundWriter:
     ) -> None:
         if audio.ndim != 2 or audio.shape[1] not in _LAYOUTS:
             raise MediaError(
-                f"the sound has the shape {audio.shape}, expected (n, 1) or (n, 2)"
+                "the sound has the shape {shape}, expected (n, 1) or (n, 2)",
+                shape=audio.shape,
             )
         self._container = container
         self._audio = audio

@@ -8,16 +8,16 @@ import os
 import stat
 from pathlib import Path
 
-from hapticplayer.errors import InputError, MediaError
+from hapticplayer.errors import InputError, MediaError, Message
 
-COPY_AGAIN = "copy it again from the camera, or choose another file"
+COPY_AGAIN = Message("copy it again from the camera, or choose another file")
 
 _KINDS = (
-    (stat.S_ISDIR, "is a folder, not a file"),
-    (stat.S_ISFIFO, "is a pipe, not a file"),
-    (stat.S_ISCHR, "is a device, not a file"),
-    (stat.S_ISBLK, "is a device, not a file"),
-    (stat.S_ISSOCK, "is a socket, not a file"),
+    (stat.S_ISDIR, Message("is a folder, not a file")),
+    (stat.S_ISFIFO, Message("is a pipe, not a file")),
+    (stat.S_ISCHR, Message("is a device, not a file")),
+    (stat.S_ISBLK, Message("is a device, not a file")),
+    (stat.S_ISSOCK, Message("is a socket, not a file")),
 )
 
 
@@ -39,33 +39,35 @@ def resolve_regular(
         status = file.stat()
     except FileNotFoundError:
         raise error(
-            "there is no such file", where=where, remedy="check the name and the folder"
+            Message("there is no such file"),
+            where=where,
+            remedy=Message("check the name and the folder"),
         ) from None
     except (OSError, ValueError, RuntimeError) as cause:
         raise error(
-            f"cannot be reached ({reason(cause)})",
+            Message("cannot be reached ({reason})", reason=cause),
             where=where,
-            remedy="check the name and the rights of its folder",
+            remedy=Message("check the name and the rights of its folder"),
         ) from cause
     _check_kind(status, where, error)
     if not os.access(file, os.R_OK):
         raise error(
-            "may not be read", where=where, remedy="change the rights of the file"
+            Message("may not be read"),
+            where=where,
+            remedy=Message("change the rights of the file"),
         )
     return file
-
-
-def reason(error: BaseException) -> str:
-    """Return the first line of what an exception says."""
-    text = getattr(error, "strerror", None) or str(error) or type(error).__name__
-    return str(text).splitlines()[0]
 
 
 def _check_kind(status: os.stat_result, where: str, error: type[InputError]) -> None:
     for is_kind, sentence in _KINDS:
         if is_kind(status.st_mode):
-            raise error(sentence, where=where, remedy="choose a file")
+            raise error(sentence, where=where, remedy=Message("choose a file"))
     if not stat.S_ISREG(status.st_mode):
-        raise error("is not a regular file", where=where, remedy="choose a file")
+        raise error(
+            Message("is not a regular file"),
+            where=where,
+            remedy=Message("choose a file"),
+        )
     if status.st_size == 0:
-        raise error("is empty (0 bytes)", where=where, remedy=COPY_AGAIN)
+        raise error(Message("is empty (0 bytes)"), where=where, remedy=COPY_AGAIN)

@@ -19,8 +19,8 @@ from av.stream import Discard as _Discard
 from av.stream import Disposition, Stream
 from av.video.stream import VideoStream
 
-from hapticplayer.errors import MediaError
-from hapticplayer.media.files import COPY_AGAIN, reason, resolve_regular
+from hapticplayer.errors import MediaError, Message
+from hapticplayer.media.files import COPY_AGAIN, resolve_regular
 from hapticplayer.media.lengths import declared_bytes
 from hapticplayer.media.limits import (
     INDEX_TAIL,
@@ -34,7 +34,9 @@ OPTIONS = {
     "protocol_whitelist": "file",
     "format_whitelist": "mov,matroska,webm,avi,wav",
 }
-CONVERT = "copy it again, convert it to MP4 (H.264 and AAC), or choose another file"
+CONVERT = Message(
+    "copy it again, convert it to MP4 (H.264 and AAC), or choose another file"
+)
 
 
 def open_media(path: str | os.PathLike[str]) -> InputContainer:
@@ -49,13 +51,15 @@ def open_media(path: str | os.PathLike[str]) -> InputContainer:
             truncated, or larger than the limits.
     """
     file = resolve_regular(path)
-    with media_errors(file, "it is no video or sound that can be read", CONVERT):
+    with media_errors(
+        file, Message("it is no video or sound that can be read"), CONVERT
+    ):
         _check_tables(file)
         container = av.open(
             f"file:{file}", "r", options=dict(OPTIONS), metadata_errors="ignore"
         )
     try:
-        with media_errors(file, "its headers are damaged"):
+        with media_errors(file, Message("its headers are damaged")):
             _check_streams(container, file)
             _check_length(container, file)
     except BaseException:
@@ -90,7 +94,11 @@ def media_errors(
         AttributeError,  # PyAV looks into a codec context that is not there
     ) as error:
         raise MediaError(
-            f"{what} ({reason(error)})", where=str(path), remedy=remedy
+            "{what} ({reason})",
+            where=str(path),
+            remedy=remedy,
+            what=what,
+            reason=error,
         ) from error
 
 
@@ -108,9 +116,11 @@ def _check_streams(container: InputContainer, file: Path) -> None:
     """Refuse absurd sizes before anything is allocated for them."""
     if not len(container.streams) or len(container.streams) > MAX_STREAMS:
         raise MediaError(
-            f"it holds {len(container.streams)} streams, expected 1 to {MAX_STREAMS}",
+            "it holds {count} streams, expected 1 to {most}",
             where=str(file),
             remedy=COPY_AGAIN,
+            count=len(container.streams),
+            most=MAX_STREAMS,
         )
     if not any(context_of(s) or s.type == "data" for s in container.streams):
         raise MediaError(
@@ -124,10 +134,12 @@ def _check_streams(container: InputContainer, file: Path) -> None:
         width, height = stream.width, stream.height
         if width * height > MAX_PIXELS or max(width, height) > MAX_SIDE_PX:
             raise MediaError(
-                f"its pictures of {width} x {height} pixels are too large (up to "
-                f"8192 x 4320 are shown)",
+                "its pictures of {width} x {height} pixels are too large (up to 8192 "
+                "x 4320 are shown)",
                 where=str(file),
                 remedy="convert it to a smaller size",
+                width=width,
+                height=height,
             )
 
 
@@ -147,17 +159,21 @@ def _check_length(container: InputContainer, file: Path) -> None:
     )
     if indexed_bytes > size_bytes:
         raise MediaError(
-            f"the file ends at byte {size_bytes} but its index needs {indexed_bytes}",
+            "the file ends at byte {size_bytes} but its index needs {indexed_bytes}",
             where=str(file),
             remedy="copy it again",
+            size_bytes=size_bytes,
+            indexed_bytes=indexed_bytes,
         )
     promised_bytes = declared_bytes(file)
     if promised_bytes > size_bytes:
         raise MediaError(
-            f"the file ends at byte {size_bytes} but its header promises "
-            f"{promised_bytes}",
+            "the file ends at byte {size_bytes} but its header promises "
+            "{promised_bytes}",
             where=str(file),
             remedy="copy it again",
+            size_bytes=size_bytes,
+            promised_bytes=promised_bytes,
         )
 
 

@@ -153,7 +153,11 @@ class PictureConverter:
     ) -> Picture:
         width, height = max(2, size_px[0] & ~1), max(2, size_px[1])
         if width * height > MAX_PIXELS:
-            raise MediaError(f"{width} x {height} pixels are too large for a picture")
+            raise MediaError(
+                "{width} x {height} pixels are too large for a picture",
+                width=width,
+                height=height,
+            )
         if self._scaler is not None and kind and width * height <= _ALONE_PIXELS:
             stride_bytes = stride_of(width)
             block = self._memory.take(stride_bytes * height)

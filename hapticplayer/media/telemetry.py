@@ -8,7 +8,7 @@ from fractions import Fraction
 from av.container import InputContainer
 from av.stream import DataStream
 
-from hapticplayer.errors import MediaError
+from hapticplayer.errors import MediaError, Message
 from hapticplayer.media.files import COPY_AGAIN, resolve_regular
 from hapticplayer.media.limits import (
     MAX_TELEMETRY_BYTES,
@@ -73,7 +73,7 @@ def read_telemetry_packets(path: str | os.PathLike[str]) -> list[TelemetryPacket
     """
     with (
         open_media(path) as container,
-        media_errors(path, "its telemetry track is damaged"),
+        media_errors(path, Message("its telemetry track is damaged")),
     ):
         stream = find_telemetry(container)
         if stream is None:
@@ -155,8 +155,10 @@ def _check_limits(
         or count >= MAX_TELEMETRY_PACKETS
     ):
         raise MediaError(
-            f"its telemetry is larger than any camera's (payload {count} has "
-            f"{size_bytes} bytes)",
+            "its telemetry is larger than any camera's (payload {count} has "
+            "{size_bytes} bytes)",
             where=str(path),
             remedy=COPY_AGAIN,
+            count=count,
+            size_bytes=size_bytes,
         )

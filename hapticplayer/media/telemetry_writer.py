@@ -10,7 +10,7 @@ from av.container import InputContainer, OutputContainer
 from av.packet import Packet
 from av.stream import Stream
 
-from hapticplayer.errors import MediaError
+from hapticplayer.errors import MediaError, Message
 from hapticplayer.media.opening import media_errors, open_media, origin_s
 from hapticplayer.media.telemetry import HANDLER, TelemetryPacket
 
@@ -37,7 +37,9 @@ def add_telemetry(
         raise MediaError("a clip cannot be copied onto itself", where=str(target))
     with (
         open_media(source) as clip,
-        media_errors(target, "cannot be written", "choose another folder"),
+        media_errors(
+            target, Message("cannot be written"), Message("choose another folder")
+        ),
         av.open(
             str(target), "w", format="mp4", options={"movflags": "+faststart"}
         ) as copy,

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 from av.video.frame import VideoFrame
 
-from hapticplayer.errors import MediaError
+from hapticplayer.errors import MediaError, Message
 from hapticplayer.media.clip_info import (
     frame_rate_hz,
     require_video,
@@ -75,7 +75,7 @@ class VideoDecoder(ClipDecoder[VideoFrame]):
         self._path = path
         self._container = open_media(path)
         try:
-            with media_errors(path, "its video cannot be set up"):
+            with media_errors(path, Message("its video cannot be set up")):
                 self._set_up()
         except BaseException:
             self._container.close()
@@ -222,7 +222,9 @@ class VideoDecoder(ClipDecoder[VideoFrame]):
         Raises:
             MediaError: when the picture's format cannot be converted.
         """
-        with media_errors(self._path, "its pictures have a format that is not known"):
+        with media_errors(
+            self._path, Message("its pictures have a format that is not known")
+        ):
             return self._converter.convert(
                 frame.native, frame.pts_s, width_px, height_px, is_direct
             )

@@ -40,10 +40,17 @@ def frozen(
     ):
         wanted = " x ".join("N" if n is None else str(n) for n in shape)
         got = " x ".join(map(str, array.shape))
-        raise InputError(f"{name} has the shape {got}, expected {wanted}")
+        raise InputError(
+            "{name} has the shape {shape}, expected {expected}",
+            name=name,
+            shape=got,
+            expected=wanted,
+        )
     if array.dtype.kind == "f" and not np.isfinite(array).all():
         row = int(np.argwhere(~np.isfinite(array))[0, 0])
-        raise InputError(f"{name} holds a value that is not finite in row {row}")
+        raise InputError(
+            "{name} holds a value that is not finite in row {row}", name=name, row=row
+        )
     array.setflags(write=False)
     return array
 
@@ -73,8 +80,12 @@ def frozen_times(values: ArrayLike, name: str) -> Floats:
     if not increases.all():
         row = int(np.argmin(increases)) + 1
         raise InputError(
-            f"{name} must increase strictly, but row {row} has {times[row]:.6f} s "
-            f"after {times[row - 1]:.6f} s"
+            "{name} must increase strictly, but row {row} has {time_s:.6f} s "
+            "after {last_s:.6f} s",
+            name=name,
+            row=row,
+            time_s=times[row],
+            last_s=times[row - 1],
         )
     return times
 
@@ -84,7 +95,10 @@ def same_length(reference: NDArray[Any], **others: NDArray[Any] | None) -> None:
     for name, array in others.items():
         if array is not None and len(array) != len(reference):
             raise InputError(
-                f"{name} has {len(array)} rows, but there are {len(reference)} times"
+                "{name} has {count} rows, but there are {expected} times",
+                name=name,
+                count=len(array),
+                expected=len(reference),
             )
 
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from hapticplayer.errors import InputError
+from hapticplayer.errors import InputError, Message
 from hapticplayer.model.arrays import Floats, frozen
 
 M_AD: Floats = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, -1.0, 0.0]])
@@ -48,7 +48,7 @@ class Mapping:
     force_limit_n: float = DEFAULT_FORCE_LIMIT_N
 
     def __post_init__(self) -> None:
-        axes = frozen(self.axes, (3, 3), "mapping axes")
+        axes = frozen(self.axes, (3, 3), Message("mapping axes"))
         is_permutation = np.array_equal(np.abs(axes) @ np.abs(axes).T, np.eye(3))
         if not is_permutation or not np.isclose(np.linalg.det(axes), 1.0):
             raise InputError(
@@ -58,4 +58,8 @@ class Mapping:
         for name in ("gain_n_per_mps2", "force_limit_n"):
             value = getattr(self, name)
             if not (np.isfinite(value) and value > 0.0):
-                raise InputError(f"{name} must be a positive number, got {value}")
+                raise InputError(
+                    "{name} must be a positive number, got {value}",
+                    name=name,
+                    value=value,
+                )

@@ -129,15 +129,19 @@ def analyse(
 def _task(imu: ImuLog, parameters: Parameters | None) -> Task:
     if len(imu) < MIN_SAMPLES:
         raise InputError(
-            f"{len(imu)} motion samples are too few; at least {MIN_SAMPLES} are needed",
+            "{count} motion samples are too few; at least {least} are needed",
             where=imu.source,
+            count=len(imu),
+            least=MIN_SAMPLES,
         )
     span_s = float(imu.time_s[-1] - imu.time_s[0])
     if span_s < MIN_SPAN_S:
         raise InputError(
-            f"{len(imu)} motion samples within {1000.0 * span_s:.3g} ms are no motion",
+            "{count} motion samples within {span_ms:.3g} ms are no motion",
             where=imu.source,
             remedy="give their times in seconds",
+            count=len(imu),
+            span_ms=1000.0 * span_s,
         )
     flaws = find_flaws(imu)
     still = find_still(imu, flaws.interval_s)
@@ -148,7 +152,9 @@ def _task(imu: ImuLog, parameters: Parameters | None) -> Task:
 def _estimate(task: Task, method: str) -> Estimate:
     if method not in METHODS:
         raise UsageError(
-            f"there is no method {method!r}; choose one of {', '.join(METHODS)}"
+            "there is no method {method!r}; choose one of {known}",
+            method=method,
+            known=", ".join(METHODS),
         )
     return METHODS[method](task)
 

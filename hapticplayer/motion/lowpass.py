@@ -43,7 +43,9 @@ def lowpass_vertical(
     """
     for name, value in (("interval_s", interval_s), ("cutoff_hz", cutoff_hz)):
         if not (math.isfinite(value) and value > 0.0):
-            raise InputError(f"{name} must be a positive number, got {value}")
+            raise InputError(
+                "{name} must be a positive number, got {value}", name=name, value=value
+            )
     force = np.asarray(specific_force_mps2, dtype=np.float64)
     return _directions(_smoothed(force, interval_s, cutoff_hz))
 

@@ -295,7 +295,9 @@ def _of_type(given: Parameters | None, default: P) -> P:
         return default
     if not isinstance(given, type(default)):
         raise UsageError(
-            f"this method takes {type(default).__name__}, not {type(given).__name__}"
+            "this method takes {expected}, not {given}",
+            expected=type(default).__name__,
+            given=type(given).__name__,
         )
     return given
 

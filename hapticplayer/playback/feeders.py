@@ -72,7 +72,9 @@ class Feeder(threading.Thread, abc.ABC):
         except Exception as problem:  # a thread's top: nobody else would hear of it
             logging.getLogger(__name__).exception("%s failed", self.name)
             self.problem = MediaError(
-                f"cannot be decoded ({problem!r})", where=self._path.name
+                "cannot be decoded ({reason})",
+                where=self._path.name,
+                reason=repr(problem),
             )
         finally:
             self.is_at_end = True

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from hapticplayer.clock import Clock
 from hapticplayer.devices import find_device
-from hapticplayer.errors import UsageError
+from hapticplayer.errors import Message, UsageError
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.process import HapticsProcess, Health
 from hapticplayer.haptics.residence import Residence
@@ -96,7 +96,9 @@ class HapticLink:
         if self._process is None or self._is_closed:
             return ""
         if self._process.health is Health.GONE:
-            return "the haptics process has ended, so there is no force any more"
+            return Message(
+                "the haptics process has ended, so there is no force any more"
+            )
         return self._process.problem
 
     @property

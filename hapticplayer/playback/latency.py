@@ -42,7 +42,9 @@ class Latency:
     def __post_init__(self) -> None:
         for value in (self.display_s, self.sound_s, self.device_s):
             if not (math.isfinite(value) and 0.0 <= value <= MOST_S):
-                raise UsageError(f"a latency of {value:g} s is not between 0 and 1 s")
+                raise UsageError(
+                    "a latency of {value:g} s is not between 0 and 1 s", value=value
+                )
 
     @property
     def lead_s(self) -> float:

@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from hapticplayer.errors import InputError
+from hapticplayer.errors import InputError, Message
 
 
 class _Line(NamedTuple):
@@ -40,9 +40,10 @@ class PlaybackLog:
             self._file = path.open("w", encoding="utf-8")
         except OSError as problem:
             raise InputError(
-                f"the log cannot be written ({problem.strerror})",
+                "the log cannot be written ({reason})",
                 where=str(path),
                 remedy="choose another file",
+                reason=problem,
             ) from problem
         self._thread = threading.Thread(
             target=self._run, name="playback-log", daemon=True
@@ -70,7 +71,7 @@ class PlaybackLog:
             self._note(problem)
 
     def _note(self, problem: OSError) -> None:
-        self.problem = f"the log is not complete ({problem.strerror})"
+        self.problem = Message("the log is not complete ({reason})", reason=problem)
 
     def _run(self) -> None:
         while (item := self._queue.get()) is not None:

@@ -14,6 +14,7 @@ from typing import Any
 from numpy.typing import NDArray
 
 from hapticplayer.clock import Clock
+from hapticplayer.errors import Message
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.process import HapticsProcess
 from hapticplayer.haptics.scheduling import Scheduling
@@ -35,7 +36,7 @@ AUDIO_LOG_PERIOD_S = 0.04
 SLOWEST, FASTEST = 0.5, 4.0  # of `set_speed`
 PICTURE_STOPS_S = 0.2
 NO_TRACK = ""  # no force; what comes after it fades in
-DAMAGED = "the clip is damaged: some of its pictures are missing or broken"
+DAMAGED = Message("the clip is damaged: some of its pictures are missing or broken")
 
 
 class Player:
@@ -481,7 +482,9 @@ class Player:
             self._event(happened)
             self._note_latency()
             if happened == "sound_lost":
-                self._notices.append("the sound was lost; picture and force go on")
+                self._notices.append(
+                    Message("the sound was lost; picture and force go on")
+                )
             if self._phase is Phase.STARTING:
                 self._phase = Phase.BUFFERING  # what was begun is not heard
 

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from hapticplayer.capture.limits import MAX_FORCE_N
-from hapticplayer.errors import InputError
+from hapticplayer.errors import InputError, Message
 from hapticplayer.model import ForceTrack
 from hapticplayer.playback.source import Source
 
@@ -21,7 +21,7 @@ MAX_LINES = 20_000_000
 
 MAX_LINE = 65_536
 _SAME_DURATION_S = 0.1
-_REMEDY = "choose a log that `play --log` wrote"
+_REMEDY = Message("choose a log that `play --log` wrote")
 
 
 def with_log(source: Source, path: Path) -> Source:
@@ -39,10 +39,11 @@ def with_log(source: Source, path: Path) -> Source:
     )
     if header.get("clip") != clip.path.name or not is_near:
         raise InputError(
-            f"belongs to the clip {str(header.get('clip'))[:200]!r}, not to "
-            f"{clip.path.name!r}",
+            "belongs to the clip {found!r}, not to {expected!r}",
             where=str(path),
             remedy="open its sequence first, then the log",
+            found=str(header.get("clip"))[:200],
+            expected=clip.path.name,
         )
     return replace(source, tracks={FROM_LOG: track, **source.tracks}, feedback=FROM_LOG)
 
@@ -70,7 +71,7 @@ def read_force_log(path: Path) -> tuple[dict[str, Any], ForceTrack]:
                     rows.append(_force(line, path, number))
     except (OSError, UnicodeDecodeError) as problem:
         raise InputError(
-            f"cannot be read ({problem})", where=str(path), remedy=_REMEDY
+            "cannot be read ({reason})", where=str(path), remedy=_REMEDY, reason=problem
         ) from problem
     if not rows:
         raise InputError("holds no force", where=str(path), remedy=_REMEDY)
@@ -91,10 +92,16 @@ def _parsed(text: str, path: Path, number: int) -> dict[str, Any]:
         line = json.loads(text)
     except (ValueError, RecursionError) as problem:
         raise InputError(
-            "is no JSON", where=f"{path}, line {number}", remedy=_REMEDY
+            "is no JSON",
+            where=Message("{file}, line {line}", file=path, line=number),
+            remedy=_REMEDY,
         ) from problem
     if not isinstance(line, dict):
-        raise InputError("is no log", where=f"{path}, line {number}", remedy=_REMEDY)
+        raise InputError(
+            "is no log",
+            where=Message("{file}, line {line}", file=path, line=number),
+            remedy=_REMEDY,
+        )
     return line
 
 
@@ -112,13 +119,16 @@ def _force(
         x, y, z = (float(value) for value in line["force_n"])
     except (KeyError, TypeError, ValueError) as problem:
         raise InputError(
-            f"has no force ({problem})", where=f"{path}, line {number}", remedy=_REMEDY
+            "has no force ({reason})",
+            where=Message("{file}, line {line}", file=path, line=number),
+            remedy=_REMEDY,
+            reason=problem,
         ) from problem
     amount = max(abs(x), abs(y), abs(z))
     if not (math.isfinite(media_s) and amount <= MAX_FORCE_N):
         raise InputError(
             "is not finite or too large",
-            where=f"{path}, line {number}",
+            where=Message("{file}, line {line}", file=path, line=number),
             remedy=_REMEDY,
         )
     return media_s, x, y, z

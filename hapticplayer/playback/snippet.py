@@ -7,6 +7,7 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from hapticplayer.errors import Message
 from hapticplayer.media import AudioDecoder
 from hapticplayer.playback.audio import RATE_HZ
 from hapticplayer.playback.sound_block import CHANNELS
@@ -93,7 +94,9 @@ class Snippet:
         try:
             self.output.play(samples, RATE_HZ)
         except Exception as problem:
-            raise OSError(f"there is no sound output: {problem}") from problem
+            raise OSError(
+                Message("there is no sound output: {reason}", reason=problem)
+            ) from problem
 
     def stop(self) -> None:
         """Be silent."""

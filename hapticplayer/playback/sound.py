@@ -6,6 +6,7 @@ from functools import partial
 from pathlib import Path
 
 from hapticplayer.clock import Clock
+from hapticplayer.errors import Message
 from hapticplayer.playback.audio import AudioRing
 from hapticplayer.playback.clock import AudioReport, MediaClock
 from hapticplayer.playback.feeders import AudioFeeder
@@ -14,7 +15,7 @@ from hapticplayer.playback.sound_process import AudioOut
 
 AudioFactory = Callable[[AudioRing, Clock], AudioOut]
 AHEAD_REPORTS = 50
-NO_OUTPUT = "there is no sound output, so the clip plays silently"
+NO_OUTPUT = Message("there is no sound output, so the clip plays silently")
 
 
 class Sound:

@@ -19,6 +19,7 @@ import threading
 from typing import Any
 
 from hapticplayer.clock import Clock, SystemClock
+from hapticplayer.errors import message_of
 from hapticplayer.haptics.messages import Line, Word
 from hapticplayer.haptics.residence import Residence
 from hapticplayer.haptics.scheduling import Scheduling, grant
@@ -71,7 +72,7 @@ class SoundStream:
             # PortAudio lists the devices once; the next try shall see new ones
             sounddevice._terminate()  # noqa: SLF001 - no other way
             sounddevice._initialize()  # noqa: SLF001
-            raise OSError(str(problem)) from problem
+            raise OSError(message_of(problem)) from problem
         name = str(sounddevice.query_devices(self._stream.device)["name"])
         self.name = f"{name} ({sink})" if (sink := _sink_behind(name)) else name
 
@@ -155,7 +156,7 @@ def _open(block: SoundBlock, clock: Clock, device: str, line: Line) -> SoundStre
         try:
             return SoundStream(block, clock, device)
         except OSError as problem:
-            line.send(Word.FAILED, str(problem))
+            line.send(Word.FAILED, message_of(problem))
         clock.sleep_until(clock.now_s() + wait_s)
         wait_s = min(1.5 * wait_s, SLOWEST_RETRY_S)
 

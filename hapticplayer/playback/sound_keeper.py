@@ -7,6 +7,7 @@ running clock, which never leaps for its sake.
 
 from collections.abc import Callable
 
+from hapticplayer.errors import message_of
 from hapticplayer.playback.audio import AudioRing
 from hapticplayer.playback.clock import MediaClock, Source
 from hapticplayer.playback.sound_process import AudioOut, OutputState
@@ -149,7 +150,7 @@ class SoundKeeper:
         try:
             self._output = self._make()
         except OSError as problem:
-            self.problem = str(problem)
+            self.problem = message_of(problem)
 
     def _note_open(self) -> str:
         happened = "sound_back" if self.was_lost or self.problem else "sound_open"

@@ -57,10 +57,11 @@ def open_source(path: str | Path, force: str | Path | None = None) -> Source:
     track = read_force_csv(Path(force))
     if track.time_s[0] >= source.clip.duration_s:
         raise InputError(
-            f"starts at {track.time_s[0]:.3f} s, but the clip ends at "
-            f"{source.clip.duration_s:.3f} s",
+            "starts at {time_s:.3f} s, but the clip ends at {duration_s:.3f} s",
             where=str(force),
             remedy="give times in seconds of the clip",
+            time_s=track.time_s[0],
+            duration_s=source.clip.duration_s,
         )
     tracks = {FROM_FILE: track, **source.tracks}
     return Source(
@@ -78,8 +79,10 @@ def choose_feedback(source: Source, name: str | None) -> str:
         return source.feedback
     if name not in source.tracks:
         raise UsageError(
-            f"{source.title} has no feedback {name!r}; "
-            f"choose one of {', '.join(source.tracks)}"
+            "{title} has no feedback {name!r}; choose one of {known}",
+            title=source.title,
+            name=name,
+            known=", ".join(source.tracks),
         )
     return name
 

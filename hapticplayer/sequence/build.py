@@ -28,7 +28,11 @@ from hapticplayer.model import (
 from hapticplayer.sequence import files, store
 from hapticplayer.sequence.editing import describe_track
 from hapticplayer.sequence.excursion import excursion_texts, predict
-from hapticplayer.sequence.notes import notes_on_motion, notes_on_sequence
+from hapticplayer.sequence.notes import (
+    describe_notes,
+    notes_on_motion,
+    notes_on_sequence,
+)
 from hapticplayer.sequence.processing import Processed, Processing, process_motion
 from hapticplayer.sequence.synchronizing import SyncChoices, synchronized
 
@@ -177,7 +181,7 @@ def write_sequence(
                 "imu_samples": len(recording.imu),
                 **_describe_cover(recording.imu, track, clip),
                 **_describe_processing(processed, choices.processing),
-                "notes": notes,
+                **describe_notes(notes),
                 **recording.provenance,
             },
         }
@@ -196,10 +200,13 @@ def _check_overlap(track: MotionTrack, clip: ClipInfo) -> None:
     first_s, last_s = float(track.time_s[0]), float(track.time_s[-1])
     if last_s <= 0.0 or first_s >= clip.duration_s:
         raise InputError(
-            f"the motion covers {first_s:.1f} to {last_s:.1f} s of media time, but the "
-            f"clip lasts from 0 to {clip.duration_s:.1f} s",
+            "the motion covers {first_s:.1f} to {last_s:.1f} s of media time, but "
+            "the clip lasts from 0 to {duration_s:.1f} s",
             where=clip.path.name,
             remedy="give another --offset",
+            first_s=first_s,
+            last_s=last_s,
+            duration_s=clip.duration_s,
         )
 
 
@@ -207,9 +214,11 @@ def _copy_clip(source: Path, target: Path, progress: files.Progress) -> None:
     free = shutil.disk_usage(target.parent).free
     if free < source.stat().st_size:
         raise InputError(
-            f"needs {source.stat().st_size >> 20} MB and only {free >> 20} MB are free",
+            "needs {needed_mb} MB and only {free_mb} MB are free",
             where=str(target.parent.parent),
             remedy="free some space or choose another folder",
+            needed_mb=source.stat().st_size >> 20,
+            free_mb=free >> 20,
         )
     files.copy_file(
         source, target, lambda f: progress(0.2 + _COPY_SHARE * f, "copying the clip")

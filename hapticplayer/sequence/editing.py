@@ -34,7 +34,7 @@ def rename_sequence(folder: Path, title: str) -> None:
     """
     title = title.strip()
     if not 0 < len(title) <= LONGEST_TITLE:
-        raise UsageError(f"a title has 1 to {LONGEST_TITLE} characters")
+        raise UsageError("a title has 1 to {most} characters", most=LONGEST_TITLE)
     description = _described(folder)
     files.replace_json(folder / store.DESCRIPTION, {**description, "title": title})
 
@@ -65,9 +65,11 @@ def add_track(
     duration_s = _duration_s(sequence.description)
     if track.time_s[0] >= duration_s:
         raise SequenceError(
-            f"starts at {track.time_s[0]:.3f} s, but the clip ends at {duration_s:.3f} s",
+            "starts at {time_s:.3f} s, but the clip ends at {duration_s:.3f} s",
             where=csv.name,
             remedy="give times in seconds of the clip",
+            time_s=track.time_s[0],
+            duration_s=duration_s,
         )
     _replace_tracks(folder, sequence.description, {name: track}, progress)
 
@@ -185,18 +187,21 @@ def _duration_s(description: Mapping[str, Any]) -> float:
 def _check_new(name: str, description: Mapping[str, Any]) -> None:
     if not _NAME.fullmatch(name):
         raise UsageError(
-            f"{name!r} cannot be the name of a track; use up to 40 letters, digits, "
-            "blanks, dots and hyphens"
+            "{name!r} cannot be the name of a track; use up to 40 letters, "
+            "digits, blanks, dots and hyphens",
+            name=name,
         )
     if name.lower() in {*map(str.lower, description["feedbacks"]), *_OWN}:
-        raise UsageError(f"there is a track {name!r} already; choose another name")
+        raise UsageError(
+            "there is a track {name!r} already; choose another name", name=name
+        )
 
 
 def _check_added(name: str, description: Mapping[str, Any]) -> None:
     if name in _OWN:
-        raise UsageError(f"every sequence has the track {name!r}; it stays")
+        raise UsageError("every sequence has the track {name!r}; it stays", name=name)
     if name not in description["feedbacks"]:
-        raise UsageError(f"there is no track {name!r}")
+        raise UsageError("there is no track {name!r}", name=name)
 
 
 def _replace_tracks(
@@ -261,9 +266,10 @@ def _put(
     except OSError as problem:
         _remove(written)
         raise SequenceError(
-            f"cannot be written ({problem.strerror})",
+            "cannot be written ({reason})",
             where=str(folder),
             remedy="free some space or copy the sequence to a folder of yours",
+            reason=problem,
         ) from problem
     except BaseException:
         _remove(written)

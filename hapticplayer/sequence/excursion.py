@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from hapticplayer.devices.capabilities import FALCON
 from hapticplayer.devices.dynamics import FIRM, NORMAL, RELAXED
-from hapticplayer.errors import InputError
+from hapticplayer.errors import InputError, Message
 from hapticplayer.haptics.centring import centring_of
 from hapticplayer.haptics.limiter import limits_of
 from hapticplayer.model import ForceTrack
@@ -80,23 +80,36 @@ def predict(
 
 def excursion_texts(prediction: Mapping[str, Any]) -> list[str]:
     """Return what a person should know of a prediction; nothing is the usual case."""
-    texts = [
-        f"this track would move a {name} hand so that the force stops "
-        f"({one['trip']}) at {one['trip_at_s']:.1f} s"
+    texts: list[str] = [
+        Message(
+            "this track would move a {hand} hand so that the force stops ({trip}) "
+            "at {at_s:.1f} s",
+            hand=Message(name),
+            trip=one["trip"],
+            at_s=one["trip_at_s"],
+        )
         for name, one in prediction["hands"].items()
         if one["trip"] is not None
     ]
     relaxed = prediction["hands"]["relaxed"]
     if not texts and relaxed["reach"] >= prediction["far"]:
         texts.append(
-            f"this track would reach {100.0 * relaxed['reach']:.0f} % of the workspace "
-            f"with a relaxed hand, at {relaxed['reach_at_s']:.1f} s; beyond "
-            f"{100.0 * prediction['far']:.0f} % the force outward is weakened"
+            Message(
+                "this track would reach {reach:.0f} % of the workspace with a relaxed "
+                "hand, at {at_s:.1f} s; beyond {far:.0f} % the force outward is "
+                "weakened",
+                reach=100.0 * relaxed["reach"],
+                at_s=relaxed["reach_at_s"],
+                far=100.0 * prediction["far"],
+            )
         )
     if prediction["thermal_share"] >= WARM:
         texts.append(
-            f"this track heats the motors to {100.0 * prediction['thermal_share']:.0f} "
-            "% of what they bear for ever; they may weaken it"
+            Message(
+                "this track heats the motors to {heat:.0f} % of what they bear for "
+                "ever; they may weaken it",
+                heat=100.0 * prediction["thermal_share"],
+            )
         )
     return texts
 

@@ -18,7 +18,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from hapticplayer.errors import SequenceError
+from hapticplayer.errors import Message, SequenceError
 
 MAX_JSON_BYTES = 4 << 20
 MAX_ARRAYS_BYTES = 2 << 30
@@ -40,15 +40,21 @@ Progress = Callable[[float, str], None]
 """Called with the done fraction (0 to 1) and the step; raises Cancelled to stop."""
 
 
+FOLDER, FILE = Message("folder"), Message("file")
+
+
 def no_progress(_fraction: float, _step: str) -> None:
     """Ignore the progress."""
 
 
-def refuse_existing(target: Path, kind: str = "folder") -> None:
+def refuse_existing(target: Path, kind: str = FOLDER) -> None:
     """Raise SequenceError when something lies at the target already."""
     if os.path.lexists(target):
         raise SequenceError(
-            "already exists", where=str(target), remedy=f"choose another {kind}"
+            "already exists",
+            where=str(target),
+            remedy="choose another {kind}",
+            kind=kind,
         )
 
 
@@ -104,12 +110,12 @@ def file_written_aside(target: Path) -> Iterator[Path]:
         SequenceError: when the target exists or cannot be written.
     """
     target = Path.cwd() / target
-    with scratch_beside(target, "file") as scratch:
+    with scratch_beside(target, FILE) as scratch:
         part = scratch / target.name
         try:
             yield part
             _sync(part)
-            refuse_existing(target, "file")
+            refuse_existing(target, FILE)
             target.parent.mkdir(parents=True, exist_ok=True)
             part.rename(target)
             sync_folder(target.parent)
@@ -118,7 +124,7 @@ def file_written_aside(target: Path) -> Iterator[Path]:
 
 
 @contextmanager
-def scratch_beside(target: Path, kind: str = "folder") -> Iterator[Path]:
+def scratch_beside(target: Path, kind: str = FOLDER) -> Iterator[Path]:
     """Yield a folder on the file system of a target that does not exist yet.
 
     It is gone after the block, unless it was renamed.
@@ -135,9 +141,10 @@ def scratch_beside(target: Path, kind: str = "folder") -> Iterator[Path]:
         )
     except OSError as problem:
         raise SequenceError(
-            f"cannot be written ({problem.strerror})",
+            "cannot be written ({reason})",
             where=str(home),
             remedy="choose a folder that you may write to",
+            reason=problem,
         ) from problem
     try:
         yield scratch
@@ -148,9 +155,10 @@ def scratch_beside(target: Path, kind: str = "folder") -> Iterator[Path]:
 
 def _writing_failed(problem: OSError, target: Path) -> SequenceError:
     return SequenceError(
-        f"writing failed ({problem.strerror})",
+        "writing failed ({reason})",
         where=str(target),
         remedy="free some space or choose another folder",
+        reason=problem,
     )
 
 
@@ -223,13 +231,17 @@ def read_json(path: Path) -> dict[str, Any]:
         )
     except OSError as problem:
         raise SequenceError(
-            f"cannot be read ({problem.strerror})",
+            "cannot be read ({reason})",
             where=str(path),
             remedy="give the folder of a sequence",
+            reason=problem,
         ) from problem
     except (ValueError, RecursionError) as problem:
         raise SequenceError(
-            f"is not valid ({problem})", where=str(path), remedy="import it again"
+            "is not valid ({reason})",
+            where=str(path),
+            remedy="import it again",
+            reason=problem,
         ) from problem
     if not isinstance(content, dict):
         raise SequenceError("is no JSON object", where=str(path))
@@ -258,13 +270,18 @@ def read_arrays(path: Path) -> dict[str, NDArray[Any]]:
         with np.load(path, allow_pickle=False) as archive:
             return {name: archive[name] for name in archive.files}
     except OSError as problem:
-        reason = problem.strerror or str(problem)
         raise SequenceError(
-            f"cannot be read ({reason})", where=str(path), remedy="import it again"
+            "cannot be read ({reason})",
+            where=str(path),
+            remedy="import it again",
+            reason=problem,
         ) from problem
     except _DAMAGED as problem:
         raise SequenceError(
-            f"is damaged ({problem})", where=str(path), remedy="import it again"
+            "is damaged ({reason})",
+            where=str(path),
+            remedy="import it again",
+            reason=problem,
         ) from problem
 
 
@@ -281,13 +298,13 @@ def sha256_of(path: Path, tell: Callable[[float], None] = lambda _f: None) -> st
 
 
 def _refuse_constant(name: str) -> float:
-    raise ValueError(f"{name} is not a number")
+    raise ValueError(Message("{name} is not a number", name=name))
 
 
 def _finite_float(text: str) -> float:
     value = float(text)
     if not math.isfinite(value):
-        raise ValueError(f"{text} is out of range")
+        raise ValueError(Message("{name} is out of range", name=text))
     return value
 
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from hapticplayer.errors import InputError, SequenceError
+from hapticplayer.errors import InputError, Message, SequenceError, message_of
 from hapticplayer.sequence import files
 from hapticplayer.sequence.report import Finding, quality_report
 from hapticplayer.sequence.store import DESCRIPTION, SCHEMA
@@ -94,11 +94,13 @@ def look_into(folder: Path) -> Entry:
             raise SequenceError("describes no sequence", where=str(folder))
         return _entry(folder, description)
     except InputError as problem:
-        return Entry(folder, folder.name, problem=str(problem))
+        return Entry(folder, folder.name, problem=message_of(problem))
     except (KeyError, TypeError, ValueError, AttributeError) as problem:
-        what = f"an entry is missing or of the wrong kind ({problem})"
+        what = Message(
+            "an entry is missing or of the wrong kind ({reason})", reason=problem
+        )
         error = SequenceError(what, where=str(folder / DESCRIPTION))
-        return Entry(folder, folder.name, problem=str(error))
+        return Entry(folder, folder.name, problem=message_of(error))
 
 
 def _entry(folder: Path, description: Mapping[str, Any]) -> Entry:
@@ -119,7 +121,7 @@ def _entry(folder: Path, description: Mapping[str, Any]) -> Entry:
             if "file" in entry
         ),
         findings=quality_report(description),
-        problem="" if clip.is_file() else f"{clip.name} is missing",
+        problem="" if clip.is_file() else Message("{name} is missing", name=clip.name),
     )
 
 
@@ -138,7 +140,7 @@ def _track(name: str, entry: Mapping[str, Any]) -> Track:
 def _finite(value: Any) -> float:
     number = float(value)
     if not math.isfinite(number):
-        raise ValueError(f"{value!r} is no number")
+        raise ValueError(Message("{value} is no number", value=repr(value)))
     return number
 
 

@@ -1,6 +1,6 @@
 """What an experimenter should know before using a sequence, in sentences."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -8,6 +8,7 @@ import numpy as np
 from hapticplayer.capture.limits import UPRIGHT
 from hapticplayer.capture.mounting import fallen_text, mean_up
 from hapticplayer.capture.recording import Recording
+from hapticplayer.errors import Message, from_json, to_json
 from hapticplayer.media import ClipInfo
 from hapticplayer.model import Feedback, ForceTrack, ImuLog, MotionTrack
 
@@ -27,23 +28,35 @@ def notes_on_motion(imu: ImuLog, summary: Mapping[str, Any]) -> list[str]:
         imu: the log that gravity was removed from.
         summary: of hapticplayer.motion.analyse.
     """
-    notes = []
+    notes: list[str] = []
     clipped, invalid = summary["saturated_share"], summary["invalid_share"]
     leak_mps2 = summary["leak_at_rest_mps2"]
     if clipped > 0.0:
-        notes.append(f"{_percent(clipped)} of the samples are at the sensor's limit")
+        notes.append(
+            Message(
+                "{share} of the samples are at the sensor's limit",
+                share=_percent(clipped),
+            )
+        )
     if invalid > 0.0:
         notes.append(
-            f"{_percent(invalid)} of the motion is not to be trusted (gaps, missing or "
-            "clipped samples); there is no force there"
+            Message(
+                "{share} of the motion is not to be trusted (gaps, missing or clipped "
+                "samples); there is no force there",
+                share=_percent(invalid),
+            )
         )
     if leak_mps2 is not None and leak_mps2 > LARGE_LEAK_MPS2:
         notes.append(
-            f"{leak_mps2:.2f} m/s2 of gravity are left where the recording stands still"
+            Message(
+                "{leak_mps2:.2f} m/s2 of gravity are left where the recording stands "
+                "still",
+                leak_mps2=leak_mps2,
+            )
         )
     up = mean_up(imu)
     if up is not None and up[2] < UPRIGHT:
-        notes.append(f"{fallen_text(up)}; see --mounting")
+        notes.append(Message("{what}; see --mounting", what=fallen_text(up)))
     return notes + _notes_on_rate(imu)
 
 
@@ -54,20 +67,45 @@ def notes_on_sequence(
     clip: ClipInfo,
 ) -> list[str]:
     """Return what clip, motion and force together give reason to say."""
-    notes = []
+    notes: list[str] = []
     if recording.clock_map.confidence == 0.0:
-        notes.append("no --offset was given: the log's clock is taken as media time")
+        notes.append(
+            Message("no --offset was given: the log's clock is taken as media time")
+        )
     first_s = max(0.0, float(track.time_s[0]))
     last_s = min(clip.duration_s, float(track.time_s[-1]))
     if clip.duration_s - (last_s - first_s) > _UNCOVERED_S:
         notes.append(
-            f"the motion covers {first_s:.1f} to {last_s:.1f} s of the clip's "
-            f"{clip.duration_s:.1f} s; there is no force outside"
+            Message(
+                "the motion covers {first_s:.1f} to {last_s:.1f} s of the clip's "
+                "{duration_s:.1f} s; there is no force outside",
+                first_s=first_s,
+                last_s=last_s,
+                duration_s=clip.duration_s,
+            )
         )
     saturated = tracks[Feedback.REALISTIC.value].provenance["saturated_share"]
     if saturated > 0.0:
-        notes.append(f"{saturated:.1%} of the force samples reach the force limit")
+        notes.append(
+            Message(
+                "{share:.1%} of the force samples reach the force limit",
+                share=saturated,
+            )
+        )
     return notes
+
+
+def describe_notes(notes: Sequence[str]) -> dict[str, Any]:
+    """Return notes as they are stored: in English, and as what can be translated."""
+    return {
+        "notes": [str(note) for note in notes],
+        "note_messages": [to_json(note) for note in notes],
+    }
+
+
+def stored_notes(provenance: Mapping[str, Any]) -> list[str]:
+    """Return the notes of a sequence; an older one has them in English alone."""
+    return [from_json(n) for n in provenance.get("note_messages", provenance["notes"])]
 
 
 def _notes_on_rate(imu: ImuLog) -> list[str]:
@@ -81,8 +119,14 @@ def _notes_on_rate(imu: ImuLog) -> list[str]:
     lowest_hz, highest_hz = float(rates_hz.min()), float(rates_hz.max())
     if highest_hz - lowest_hz <= _RATE_CHANGE * imu.rate_hz:
         return []
-    change = f"from {lowest_hz:.1f} to {highest_hz:.1f} Hz"
-    return [f"the sampling rate changes over the recording, {change}"]
+    change = Message(
+        "from {lowest_hz:.1f} to {highest_hz:.1f} Hz",
+        lowest_hz=lowest_hz,
+        highest_hz=highest_hz,
+    )
+    return [
+        Message("the sampling rate changes over the recording, {change}", change=change)
+    ]
 
 
 def _percent(share: float) -> str:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from hapticplayer.errors import UsageError
+from hapticplayer.errors import Message, UsageError
 from hapticplayer.model import ImuLog, MotionTrack
 
 if TYPE_CHECKING:
@@ -47,8 +47,9 @@ class Processing:
     def __post_init__(self) -> None:
         if self.time_constant_s is not None and self.method != "smoother":
             raise UsageError(
-                "a time constant can only be set for the method smoother, "
-                f"not for {self.method}"
+                "a time constant can only be set for the method smoother, not for "
+                "{method}",
+                method=self.method,
             )
 
     @property
@@ -95,7 +96,12 @@ def process_motion(imu: ImuLog, processing: Processing) -> Processed:
     done = motion.analyse(imu, processing.method, parameters=processing.parameters)
     track = lowpassed(done.track, processing)
     if processing.lowpass_hz is not None:
-        steps.append(f"motion low-passed at {processing.lowpass_hz:g} Hz, zero phase")
+        steps.append(
+            Message(
+                "motion low-passed at {lowpass_hz:g} Hz, zero phase",
+                lowpass_hz=processing.lowpass_hz,
+            )
+        )
     return Processed(imu, track, plain(done.summary), tuple(steps))
 
 
@@ -119,13 +125,19 @@ def _conditioned(imu: ImuLog, processing: Processing) -> tuple[ImuLog, list[str]
         from hapticplayer.motion.conditioning import repair_clipping
 
         imu, clipping = repair_clipping(imu)
-        steps.append(f"clipped peaks: {clipping}")
+        steps.append(Message("clipped peaks: {clipping}", clipping=clipping))
     if processing.average_hz is not None:
         from hapticplayer.motion.conditioning import average
 
         rate_hz = imu.rate_hz
         imu = average(imu, processing.average_hz)
-        steps.append(f"averaged from {rate_hz:.1f} to {processing.average_hz:g} Hz")
+        steps.append(
+            Message(
+                "averaged from {rate_hz:.1f} to {average_hz:g} Hz",
+                rate_hz=rate_hz,
+                average_hz=processing.average_hz,
+            )
+        )
     return imu, steps
 
 

@@ -12,7 +12,7 @@ from hapticplayer.capture.choices import LogChoices
 from hapticplayer.capture.mounting import mean_up
 from hapticplayer.capture.recording import Recording, find_gaps, refuse_gravity_free
 from hapticplayer.capture.sync.result import Synchronisation
-from hapticplayer.errors import InputError
+from hapticplayer.errors import InputError, message_of
 from hapticplayer.media import ClipInfo, camera_of, probe
 from hapticplayer.sequence import files
 from hapticplayer.sequence.synchronizing import SyncChoices, find_sync
@@ -124,7 +124,11 @@ def _sync(
     try:
         found = find_sync(clip, recording, SyncChoices(sound_late_s=sound_late_s))
     except InputError as problem:
-        return None, str(problem), nothing if not clip.has_audio else _loudness(clip)
+        return (
+            None,
+            message_of(problem),
+            nothing if not clip.has_audio else _loudness(clip),
+        )
     sound = nothing if found.method == "embedded" else _loudness(clip)
     return found, "", sound
 
@@ -171,7 +175,8 @@ def pair(paths: list[Path]) -> tuple[Path | None, Path | None]:
     if len(clips) > 1 or len(logs) > 1:
         names = ", ".join(path.name for path in (clips if len(clips) > 1 else logs))
         raise InputError(
-            f"these are two of a kind: {names}",
+            "these are two of a kind: {names}",
             remedy="drop one video and at most one log; import further ones after it",
+            names=names,
         )
     return (clips[0] if clips else None), (logs[0] if logs else None)

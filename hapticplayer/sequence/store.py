@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from hapticplayer.errors import InputError, SequenceError
+from hapticplayer.errors import InputError, Message, SequenceError
 from hapticplayer.model import (
     Feedback,
     ForceTrack,
@@ -61,9 +61,10 @@ def open_sequence(folder: str | Path) -> Sequence:
     folder = Path(folder)
     if not (folder / DESCRIPTION).exists():
         raise SequenceError(
-            f"holds no {DESCRIPTION}",
+            "holds no {name}",
             where=str(folder),
             remedy="give the folder of a sequence, or a video",
+            name=DESCRIPTION,
         )
     description = files.read_json(folder / DESCRIPTION)
     _check_schema(folder, description)
@@ -78,9 +79,10 @@ def open_sequence(folder: str | Path) -> Sequence:
         title = str(description["title"])
     except (KeyError, TypeError, AttributeError) as problem:
         raise SequenceError(
-            f"an entry is missing or of the wrong kind ({problem})",
+            "an entry is missing or of the wrong kind ({reason})",
             where=str(folder / DESCRIPTION),
             remedy="import it again",
+            reason=problem,
         ) from problem
     except SequenceError:
         raise
@@ -132,9 +134,10 @@ def read_recorded(folder: str | Path) -> tuple[ImuLog, dict[str, Any]]:
         raise
     except (InputError, KeyError, TypeError, ValueError) as problem:
         raise SequenceError(
-            f"an entry is missing or of the wrong kind ({problem})",
+            "an entry is missing or of the wrong kind ({reason})",
             where=str(folder),
             remedy="import it again",
+            reason=problem,
         ) from problem
     return imu, made_of
 
@@ -169,9 +172,11 @@ def _check_schema(folder: Path, description: dict[str, Any]) -> None:
         )
     if description.get("version") != VERSION:
         raise SequenceError(
-            f"has version {description.get('version')}, this program reads {VERSION}",
+            "has version {found}, this program reads {version}",
             where=where,
             remedy="update hapticplayer",
+            found=description.get("version"),
+            version=VERSION,
         )
 
 
@@ -179,9 +184,10 @@ def _inside(folder: Path, name: Any) -> Path:
     """Return the path of a file that lies directly in the folder."""
     if not isinstance(name, str) or Path(name).name != name or name in ("", ".", ".."):
         raise SequenceError(
-            f"{name!r} is no plain file name",
+            "{name!r} is no plain file name",
             where=str(folder / DESCRIPTION),
             remedy="import it again",
+            name=name,
         )
     return folder / name
 
@@ -190,15 +196,17 @@ def _check_file(
     folder: Path, name: str, entry: dict[str, Any], *, with_checksum: bool
 ) -> None:
     path = _inside(folder, name)
-    remedy = "copy the sequence again or import it again"
+    remedy = Message("copy the sequence again or import it again")
     if path.is_symlink() or not path.is_file():
         raise SequenceError("is missing", where=str(path), remedy=remedy)
     size = path.stat().st_size
     if size != entry["size_bytes"]:
         raise SequenceError(
-            f"has {size} bytes instead of {entry['size_bytes']}",
+            "has {count} bytes instead of {expected}",
             where=str(path),
             remedy=remedy,
+            count=size,
+            expected=entry["size_bytes"],
         )
     if with_checksum and files.sha256_of(path) != entry["sha256"]:
         raise SequenceError(

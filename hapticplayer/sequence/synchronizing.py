@@ -9,7 +9,7 @@ from hapticplayer.capture.recording import Recording
 from hapticplayer.capture.sync.methods import AUTO, sync_method
 from hapticplayer.capture.sync.result import Synchronisation
 from hapticplayer.capture.sync.synchronize import Sound, SyncInput, read_sound
-from hapticplayer.errors import InputError, UsageError
+from hapticplayer.errors import InputError, Message, UsageError
 from hapticplayer.media import ClipInfo, camera_of
 from hapticplayer.model import ClockMap
 from hapticplayer.sequence import files
@@ -102,15 +102,24 @@ def find_sync(
 
 def doubt(found: Synchronisation, clip: str) -> str:
     """Return what is not certain and what to do, in one sentence."""
-    look = "look at `hapticplayer sync` with --plot FILE, then give --offset S"
+    look = Message("look at `hapticplayer sync` with --plot FILE, then give --offset S")
     if not found.pats:
-        return f"{clip}: no three pats are both heard and felt; {look}"
+        return Message(
+            "{clip}: no three pats are both heard and felt; {look}",
+            clip=clip,
+            look=look,
+        )
     clock = found.clock_map
     others = [f"{one.shift_s:.3f}" for one in found.rivals[:_NEXT_BEST]]
-    next_best = f", others {', '.join(others)} s" if others else ""
-    return (
-        f"{clip}: the pats are not certain (confidence {clock.confidence:.2f}): the "
-        f"best offset is {clock.offset_s:.3f} s{next_best}; {look}"
+    next_best = Message(", others {known} s", known=", ".join(others)) if others else ""
+    return Message(
+        "{clip}: the pats are not certain (confidence {confidence:.2f}): the "
+        "best offset is {offset_s:.3f} s{next_best}; {look}",
+        clip=clip,
+        confidence=clock.confidence,
+        offset_s=clock.offset_s,
+        next_best=next_best,
+        look=look,
     )
 
 
@@ -147,7 +156,9 @@ def checked_skew(late_s: object) -> float:
     is_number = isinstance(late_s, int | float) and not isinstance(late_s, bool)
     if not is_number or not abs(float(late_s)) <= _LARGEST_SKEW_S:  # type: ignore[arg-type]
         raise InputError(
-            f"{late_s!r} is no skew of sound and picture; give seconds between "
-            f"-{_LARGEST_SKEW_S:g} and {_LARGEST_SKEW_S:g}"
+            "{late_s!r} is no skew of sound and picture; give seconds between "
+            "-{largest_skew_s:g} and {largest_skew_s:g}",
+            late_s=late_s,
+            largest_skew_s=_LARGEST_SKEW_S,
         )
     return float(late_s)  # type: ignore[arg-type]

@@ -91,16 +91,20 @@ def effect_named(name: str) -> Effect:
         share = np.nan
     if not 0.0 <= share <= _MOST:
         raise UsageError(
-            f"there is no effect {name!r}; there is paper, none, or a share of the "
-            "paper's effect such as 0.5"
+            "there is no effect {name!r}; there is paper, none, or a share of the "
+            "paper's effect such as 0.5",
+            name=name,
         )
     common = paper.factor_means.mean(axis=0)
     means = common + share * (paper.factor_means - common)
     low, high = SCALE
     if means.min() <= low or means.max() >= high:
         raise UsageError(
-            f"an effect of {share:g} times the paper's leaves the scale of {low} to "
-            f"{high}; choose a smaller one"
+            "an effect of {share:g} times the paper's leaves the scale of {low} "
+            "to {high}; choose a smaller one",
+            share=share,
+            low=low,
+            high=high,
         )
     return Effect(name, paper.feedbacks, paper.factors, means, paper.qoe_sds)
 
@@ -131,7 +135,11 @@ def draw_effect(effect: Effect, measure: str, sequences: int) -> Draw:
     """Return draws of participants of a population with a known effect."""
     if measure != QOE and measure not in effect.factors:
         known = ", ".join((QOE, *effect.factors))
-        raise UsageError(f"there is no measure {measure!r}; there is {known}")
+        raise UsageError(
+            "there is no measure {measure!r}; there is {known}",
+            measure=measure,
+            known=known,
+        )
 
     def draw(studies: int, people: int, rng: np.random.Generator) -> Floats:
         ratings = drawn_ratings(effect, (studies, people, sequences), rng)

@@ -57,7 +57,9 @@ def simulated_answers(
         UsageError: for an unknown effect or a number of participants out of range.
     """
     if not 0 < participants <= MOST_PARTICIPANTS:
-        raise UsageError(f"participants: 1 to {MOST_PARTICIPANTS} can be simulated")
+        raise UsageError(
+            "participants: 1 to {most} can be simulated", most=MOST_PARTICIPANTS
+        )
     population = effect_named(effect)
     rng = np.random.default_rng([seed, participants])
     shape = (participants, len(sequences))

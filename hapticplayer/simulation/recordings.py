@@ -51,7 +51,11 @@ def write_simulated_recording(
         SequenceError: when the target exists or cannot be written.
     """
     if scenario not in RIDES:
-        raise UsageError(f"{scenario!r} is no ride; choose one of {', '.join(RIDES)}")
+        raise UsageError(
+            "{scenario!r} is no ride; choose one of {known}",
+            scenario=scenario,
+            known=", ".join(RIDES),
+        )
     with files.written_aside(target) as aside:
         progress(0.0, "riding")
         recorded = simulate(scenario, seed)

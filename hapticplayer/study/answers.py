@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from hapticplayer.errors import Message
 from hapticplayer.study.definition import (
     LIKERT,
     Condition,
@@ -168,11 +169,23 @@ def _about(sessions: list[StoredSession]) -> Iterator[str]:
     """Yield what a reader has to know of sessions as a whole."""
     answered = [s for s in sessions if any(answered_trials(s.records))]
     if empty := len(sessions) - len(answered):
-        yield f"{empty} of {len(sessions)} sessions hold no answer to a trial"
+        yield Message(
+            "{empty} of {count} sessions hold no answer to a trial",
+            empty=empty,
+            count=len(sessions),
+        )
     if early := sum(s.state is not State.COMPLETE for s in answered):
-        yield f"{early} of {len(sessions)} sessions have answers and no end"
+        yield Message(
+            "{early} of {count} sessions have answers and no end",
+            early=early,
+            count=len(sessions),
+        )
     if scripted := sum(map(_is_simulated, sessions)):
-        yield f"{scripted} of {len(sessions)} sessions are simulated: nobody sat there"
+        yield Message(
+            "{scripted} of {count} sessions are simulated: nobody sat there",
+            scripted=scripted,
+            count=len(sessions),
+        )
 
 
 def _is_simulated(session: StoredSession) -> bool:
@@ -201,8 +214,11 @@ class _Collector:
                 self._trials[trial.condition] = trial
             else:
                 remarks.append(
-                    f"session {session.code}: {trial.condition.key} was left out, the "
-                    "definition no longer has it"
+                    Message(
+                        "session {code}: {key} was left out, the definition no longer has it",
+                        code=session.code,
+                        key=trial.condition.key,
+                    )
                 )
 
     def participant(self) -> Participant:

@@ -32,8 +32,10 @@ def checked_code(text: str) -> str:
     code = text.strip().upper()
     if not is_code(code):
         raise StudyError(
-            f"{text!r} is no participant's code",
-            remedy=f"a code has {LENGTH} letters, as `study status` lists them",
+            "{text!r} is no participant's code",
+            remedy="a code has {length} letters, as `study status` lists them",
+            text=text,
+            length=LENGTH,
         )
     return code
 

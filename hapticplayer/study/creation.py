@@ -42,7 +42,11 @@ def create_study(
     known = {entry["key"]: entry for entry in content["sequences"]}
     for key, path in (folders or {}).items():
         if key not in known:
-            raise UsageError(f"there is no sequence {key!r}; {', '.join(known)} are")
+            raise UsageError(
+                "there is no sequence {key!r}; {known} are",
+                key=key,
+                known=", ".join(known),
+            )
         known[key]["folder"] = str(path.resolve())
     text = definition_text(content)
     parse_definition(text, template)
@@ -81,9 +85,10 @@ def sequence_folder(study: Study, key: str) -> Path:
     folder = study.folder / entry.folder
     if not entry.folder or not (folder / "sequence.json").is_file():
         raise StudyError(
-            f"the sequence {key!r} has no folder with a sequence",
+            "the sequence {key!r} has no folder with a sequence",
             where=str(study.folder / DEFINITION),
             remedy="enter it under sequences, or with `study new --sequence KEY=FOLDER`",
+            key=key,
         )
     return folder
 
@@ -103,7 +108,9 @@ def clip_checksums(study: Study) -> dict[str, str]:
 def _template(name: str) -> dict[str, Any]:
     if name not in template_names():
         raise UsageError(
-            f"there is no template {name!r}; there is {', '.join(template_names())}"
+            "there is no template {name!r}; there is {known}",
+            name=name,
+            known=", ".join(template_names()),
         )
     text = (TEMPLATES / f"{name}.json").read_text(encoding="utf-8")
     content: dict[str, Any] = json.loads(text)

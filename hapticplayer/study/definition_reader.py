@@ -2,6 +2,7 @@
 
 from pathlib import Path
 
+from hapticplayer.errors import Message
 from hapticplayer.study.definition import (
     SCHEMA,
     VERSION,
@@ -101,12 +102,18 @@ def parse_definition(content: bytes, where: str) -> Definition:
 
 def _study(root: Branch) -> Definition:
     if not root.has("schema") or root.get("schema").value != SCHEMA:
-        root.refuse("describes no study", "give the folder of a study")
+        root.refuse(
+            Message("describes no study"), Message("give the folder of a study")
+        )
     version = root.get("version").value
     if version != VERSION:
         root.refuse(
-            f"has version {version}, this program reads {VERSION}",
-            "update hapticplayer",
+            Message(
+                "has version {found}, this program reads {version}",
+                found=version,
+                version=VERSION,
+            ),
+            Message("update hapticplayer"),
         )
     root.only(*_ENTRIES)
     languages = tuple(entry.key() for entry in root.each("languages", least=1))
@@ -148,17 +155,28 @@ def _check_whole(root: Branch, made: Definition) -> None:
     """Refuse what is right in each entry and wrong together."""
     count = len(made.conditions)
     if not 2 <= count <= MAX_CONDITIONS:
-        root.refuse(f"makes {count} conditions; 2 to {MAX_CONDITIONS} go")
+        root.refuse(
+            Message(
+                "makes {count} conditions; 2 to {most} go",
+                count=count,
+                most=MAX_CONDITIONS,
+            )
+        )
     if not made.trial_questions:
         missing = "factors" if made.trial is TrialKind.RATING else "consistency"
-        root.refuse("asks nothing after a clip", f"add a question to {missing!r}")
+        root.refuse(
+            Message("asks nothing after a clip"),
+            Message("add a question to {page!r}", page=missing),
+        )
     if made.trial is TrialKind.CONSISTENCY:
         question = made.trial_questions[0]
         if question.kind is not QuestionKind.YES_NO:
-            root.get("consistency").refuse("is no yes-no question")
+            root.get("consistency").refuse(Message("is no yes-no question"))
     for question in made.sheet:
         if question.for_each_feedback:
-            root.get("sheet").refuse("asks about feedbacks before any was felt")
+            root.get("sheet").refuse(
+                Message("asks about feedbacks before any was felt")
+            )
     if made.order.no_sequence_twice_in_a_row:
         _check_constraint(root.get("order"), made)
 
@@ -166,11 +184,17 @@ def _check_whole(root: Branch, made: Definition) -> None:
 def _check_constraint(order: Branch, made: Definition) -> None:
     if made.order.method is OrderMethod.WILLIAMS:
         order.refuse(
-            "a Williams design has every pair of neighbours, also those of one sequence",
-            "drop the constraint or choose random or latin-square",
+            Message(
+                "a Williams design has every pair of neighbours, also those of one "
+                "sequence"
+            ),
+            Message("drop the constraint or choose random or latin-square"),
         )
     if len(made.sequences) < 2:
-        order.refuse("one sequence cannot but follow itself", "drop the constraint")
+        order.refuse(
+            Message("one sequence cannot but follow itself"),
+            Message("drop the constraint"),
+        )
 
 
 def _text(branch: Branch, languages: tuple[str, ...]) -> Text:
@@ -198,7 +222,10 @@ def _sequences(root: Branch, languages: tuple[str, ...]) -> tuple[Sequence, ...]
         entry.only("key", "title", "folder")
         folder = entry.get("folder")
         if not isinstance(folder.value, str):
-            folder.refuse("is no text", "give the folder of a sequence, or nothing")
+            folder.refuse(
+                Message("is no text"),
+                Message("give the folder of a sequence, or nothing"),
+            )
         title = _text(entry.get("title"), languages)
         found.append(Sequence(entry.get("key").key(), title, folder.value))
     keys_differ(root.get("sequences"), (s.key for s in found))

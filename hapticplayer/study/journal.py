@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from hapticplayer.clock import Clock, utc_now_iso
-from hapticplayer.errors import StudyError
+from hapticplayer.errors import Message, StudyError
 from hapticplayer.study.private import failed
 from hapticplayer.study.records import VERSION, Record, Records, decode, encode
 from hapticplayer.study.tree import read_file
@@ -62,9 +62,10 @@ class Journal:
             self._check_place()
         except OSError as problem:
             raise StudyError(
-                f"the answer could not be saved ({problem.strerror})",
+                "the answer could not be saved ({reason})",
                 where=str(self._path.parent.name),
                 remedy="call the experimenter",
+                reason=problem,
             ) from problem
         made = Record(self._next, utc, monotonic_s, kind, content)
         self._next += 1
@@ -74,7 +75,7 @@ class Journal:
         """Raise FileNotFoundError when the file is no longer where it was."""
         held, named = os.fstat(self._file), self._path.stat()
         if (held.st_dev, held.st_ino) != (named.st_dev, named.st_ino):
-            raise FileNotFoundError(errno.ENOENT, "the folder was replaced")
+            raise FileNotFoundError(errno.ENOENT, Message("the folder was replaced"))
 
     def close(self) -> None:
         """Let go; everything has been saved before."""
@@ -120,10 +121,11 @@ def read_journal(path: Path) -> Records:
     found = decode(read_file(path, MAX_BYTES))
     if found.newest_version > VERSION:
         raise StudyError(
-            f"holds records of version {found.newest_version}, this program reads "
-            f"{VERSION}",
+            "holds records of version {found}, this program reads {version}",
             where=str(path),
             remedy="update hapticplayer",
+            found=found.newest_version,
+            version=VERSION,
         )
     return found
 

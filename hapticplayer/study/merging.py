@@ -39,9 +39,11 @@ def merge_sessions(study: Study, other: Study) -> Merged:
     """
     if other.definition.id != study.definition.id:
         raise StudyError(
-            f"is the study {other.definition.id}, not {study.definition.id}",
+            "is the study {found}, not {expected}",
             where=str(other.folder),
             remedy="copy the study's folder to the other machine, then run it there",
+            found=other.definition.id,
+            expected=study.definition.id,
         )
     private.make_folder(study.folder / SESSIONS)
     private.make_folder(study.folder / CONSENTS)

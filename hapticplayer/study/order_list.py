@@ -9,7 +9,7 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import NoReturn
 
-from hapticplayer.errors import StudyError
+from hapticplayer.errors import Message, StudyError
 from hapticplayer.study.definition import Condition, Definition
 from hapticplayer.study.orders import first_repeat
 from hapticplayer.study.tree import read_file
@@ -31,10 +31,22 @@ def read_orders(path: Path, definition: Definition) -> list[tuple[Condition, ...
     for line, row in _rows(path):
         condition = _condition(row, path, line)
         if condition.key not in known:
-            _refuse(path, line, f"the study has no condition {condition.key}")
+            _refuse(
+                path,
+                line,
+                Message("the study has no condition {key}", key=condition.key),
+            )
         order, position = row["order"], _whole(row["position"], path, line)
         if position in places[order]:
-            _refuse(path, line, f"order {order} has two trials at position {position}")
+            _refuse(
+                path,
+                line,
+                Message(
+                    "order {order} has two trials at position {position}",
+                    order=order,
+                    position=position,
+                ),
+            )
         places[order][position] = condition
         lines.setdefault(order, line)
     return [
@@ -52,10 +64,14 @@ def _rows(path: Path) -> Iterator[tuple[int, Mapping[str, str]]]:
     try:
         names = reader.fieldnames or ()
         if not set(COLUMNS) <= set(names) <= {*COLUMNS, *OPTIONAL}:
-            _refuse(path, 1, f"the columns have to be {','.join(COLUMNS)}")
+            _refuse(
+                path,
+                1,
+                Message("the columns have to be {columns}", columns=",".join(COLUMNS)),
+            )
         for row in reader:
             if None in row or None in row.values():
-                _refuse(path, reader.line_num, "has another number of columns")
+                _refuse(path, reader.line_num, Message("has another number of columns"))
             yield reader.line_num, row
     except csv.Error as problem:
         _refuse(path, reader.line_num, str(problem))
@@ -85,25 +101,39 @@ def _checked(
     missing = set(definition.conditions) - set(made)
     if missing:
         names = ", ".join(sorted(condition.key for condition in missing))
-        _refuse(path, line, f"order {order} lacks {names}")
+        _refuse(
+            path,
+            line,
+            Message("order {order} lacks {conditions}", order=order, conditions=names),
+        )
     if len(made) != len(definition.conditions):
-        _refuse(path, line, f"order {order} has a condition twice")
+        _refuse(path, line, Message("order {order} has a condition twice", order=order))
     if definition.order.no_sequence_twice_in_a_row:
         place = first_repeat(made)
         if place is not None:
             _refuse(
                 path,
                 line,
-                f"order {order} plays {made[place].sequence} twice in a row",
+                Message(
+                    "order {order} plays {sequence} twice in a row",
+                    order=order,
+                    sequence=made[place].sequence,
+                ),
             )
     return made
 
 
 def _whole(text: str, path: Path, line: int) -> int:
     if not text.strip().isascii() or not text.strip().isdecimal():
-        _refuse(path, line, f"the position {text!r} is no whole number")
+        _refuse(
+            path, line, Message("the position {text!r} is no whole number", text=text)
+        )
     return int(text)
 
 
 def _refuse(path: Path, line: int, what: str) -> NoReturn:
-    raise StudyError(what, where=f"{path}, line {line}", remedy="correct it")
+    raise StudyError(
+        what,
+        where=Message("{file}, line {line}", file=path, line=line),
+        remedy="correct it",
+    )

@@ -5,7 +5,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from hapticplayer.errors import StudyError
+from hapticplayer.errors import Message, StudyError
 from hapticplayer.study.definition import LIKERT, Definition, Question, QuestionKind
 
 
@@ -163,7 +163,11 @@ def _fits(question: Asked, value: Any) -> bool:
 
 def _limits(question: Asked) -> str:
     if question.kind is QuestionKind.NUMBER:
-        return f"needs a number from {question.least} to {question.most}"
+        return Message(
+            "needs a number from {least} to {most}",
+            least=question.least,
+            most=question.most,
+        )
     if question.kind is QuestionKind.TEXT:
-        return f"has more than {question.most} characters"
-    return "has an answer that was not offered"
+        return Message("has more than {most} characters", most=question.most)
+    return Message("has an answer that was not offered")

@@ -10,6 +10,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from hapticplayer.errors import Message
 from hapticplayer.study.codes import is_code
 from hapticplayer.study.definition import Condition, OrderMethod
 from hapticplayer.study.definition_reader import MAX_CONDITIONS, MAX_DELAY_S, MAX_GAIN
@@ -94,7 +95,10 @@ def parse_plan_file(content: bytes, where: str) -> Plan:
     def read(root: Branch) -> Plan:
         described = dict(root.mapping())
         if described.pop("sha256", None) != _digest(described):
-            root.refuse("is damaged (its checksum differs)", "copy the session again")
+            root.refuse(
+                Message("is damaged (its checksum differs)"),
+                Message("copy the session again"),
+            )
         return _plan(Branch(described, where))
 
     return parse(content, where, read)
@@ -116,12 +120,15 @@ def _digest(described: Mapping[str, Any]) -> str:
 
 def _plan(root: Branch) -> Plan:
     if root.get("schema").value != SCHEMA:
-        root.refuse("is no session")
+        root.refuse(Message("is no session"))
     if root.get("version").value != VERSION:
-        root.refuse("is of another version of the program", "update hapticplayer")
+        root.refuse(
+            Message("is of another version of the program"),
+            Message("update hapticplayer"),
+        )
     code = root.get("code").text()
     if not is_code(code):
-        root.get("code").refuse("is no participant's code")
+        root.get("code").refuse(Message("is no participant's code"))
     return Plan(
         code=code,
         study=root.get("study").key(),

@@ -106,7 +106,8 @@ def sync(folder: Path) -> None:
 def failed(problem: OSError, path: Path) -> NoReturn:
     """Raise StudyError for what the system refused."""
     raise StudyError(
-        f"cannot be written ({problem.strerror or problem})",
+        "cannot be written ({reason})",
         where=str(path),
         remedy="free some space, or choose a folder that you may write to",
+        reason=problem,
     ) from problem

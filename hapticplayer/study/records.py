@@ -12,6 +12,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from hapticplayer.errors import Message
+
 VERSION = 1
 MAX_RECORD_BYTES = 1 << 20
 _HEAD = b'{"record":'
@@ -144,5 +146,17 @@ def _name_gap(
     if gap.strip(b"\n") == b"" and len(gap) <= 2:
         return
     line = 1 + data.count(b"\n", 0, begin + (len(gap) - len(gap.lstrip(b"\n"))))
-    after = f"after record {intact[-1].number}" if intact else "at the beginning"
-    damaged.append(f"bytes {begin} to {end} (line {line}, {after}) are damaged")
+    after = (
+        Message("after record {number}", number=intact[-1].number)
+        if intact
+        else Message("at the beginning")
+    )
+    damaged.append(
+        Message(
+            "bytes {begin} to {end} (line {line}, {after}) are damaged",
+            begin=begin,
+            end=end,
+            line=line,
+            after=after,
+        )
+    )

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from hapticplayer import __version__
 from hapticplayer.clock import Clock
-from hapticplayer.errors import StudyError
+from hapticplayer.errors import Message, StudyError, message_of
 from hapticplayer.study.definition import Condition
 from hapticplayer.study.journal import Journal
 from hapticplayer.study.page_maker import PageMaker
@@ -101,8 +101,10 @@ class SessionRunner:
         session = study.session(code)
         if session.state is not State.UNFINISHED:
             raise StudyError(
-                f"session {session.code} is {session.state.value}",
+                "session {code} is {state}",
                 remedy="begin a new one",
+                code=session.code,
+                state=Message(session.state.value),
             )
         self.plan, self.definition = session.plan, session.definition
         self.study, self.stage = study, stage
@@ -350,7 +352,11 @@ class SessionRunner:
     def _expect(self, kind: PageKind) -> Page:
         page = self.page
         if page.kind is not kind:
-            raise StudyError(f"this is the page {page.kind.value}, not {kind.value}")
+            raise StudyError(
+                "this is the page {page}, not {expected}",
+                page=page.kind.value,
+                expected=kind.value,
+            )
         return page
 
     def _keep(self, kind: str, then: Callable[[], None], **content: Any) -> None:
@@ -365,7 +371,7 @@ class SessionRunner:
     def _fail(self, problem: StudyError, again: Callable[[], None]) -> None:
         """Stop the participant with a message until an operator has helped."""
         self.stage.halt()
-        self.problem = str(problem)
+        self.problem = message_of(problem)
         if self._mode is Mode.PROBLEM and self._pending is not None:
             self._pending = _both(self._pending, again)
             return

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from hapticplayer.clock import Clock, utc_now_iso
-from hapticplayer.errors import StudyError
+from hapticplayer.errors import Message, StudyError
 from hapticplayer.study import private
 from hapticplayer.study.definition import Definition
 from hapticplayer.study.definition_reader import parse_definition
@@ -109,7 +109,9 @@ def _plan(folder: Path, records: Records, remarks: list[str]) -> Plan:
         first = next((r for r in records.intact if r.kind == "plan"), None)
         if first is None:
             raise
-        remarks.append(f"{problem}; the copy among the answers was used")
+        remarks.append(
+            Message("{reason}; the copy among the answers was used", reason=problem)
+        )
         return plan_of_record(first.content["plan"], f"{folder.name}/{ANSWERS}")
 
 
@@ -129,7 +131,9 @@ def _definition(
             where=where,
             remedy="copy the session again",
         )
-    remarks.append(f"{where}: is damaged; the study's own definition was used")
+    remarks.append(
+        Message("{file}: is damaged; the study's own definition was used", file=where)
+    )
     return study_definition
 
 

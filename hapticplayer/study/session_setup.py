@@ -46,9 +46,12 @@ def load_material(study: Study) -> Material:
         for feedback in study.definition.feedbacks:
             if feedback not in source.tracks:
                 raise StudyError(
-                    f"the sequence {sequence.key!r} has no feedback {feedback!r}",
+                    "the sequence {key!r} has no feedback {feedback!r}",
                     where=str(study.folder),
-                    remedy=f"it has {', '.join(source.tracks)}",
+                    remedy="it has {known}",
+                    key=sequence.key,
+                    feedback=feedback,
+                    known=", ".join(source.tracks),
                 )
         sources[sequence.key] = source
     return Material(sources, demonstration_source(), clips)
@@ -63,9 +66,10 @@ def check_unchanged(session: StoredSession, material: Material) -> None:
     for key, checksum in session.plan.clips.items():
         if material.clips.get(key) != checksum:
             raise StudyError(
-                f"the sequence {key!r} has changed since this session began",
+                "the sequence {key!r} has changed since this session began",
                 where=session.code,
                 remedy="bring the old one back, or stop this session",
+                key=key,
             )
 
 

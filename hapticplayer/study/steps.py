@@ -4,7 +4,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from hapticplayer.errors import StudyError
+from hapticplayer.errors import Message, StudyError
 from hapticplayer.study.definition import Condition, Definition
 from hapticplayer.study.plan import read_condition
 from hapticplayer.study.records import Records
@@ -131,7 +131,9 @@ def _trial(
         condition,
         values,
         trial.get("sound") is True,
-        tuple(str(reason) for reason in trial.get("reasons", ["record damaged"])),
+        tuple(
+            str(reason) for reason in trial.get("reasons", [Message("record damaged")])
+        ),
         trial.get("playback", {}),
         answers.get("response_s"),
     )

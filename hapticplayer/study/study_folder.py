@@ -15,7 +15,7 @@ from pathlib import Path
 
 from hapticplayer import __version__
 from hapticplayer.clock import Clock, utc_now_iso
-from hapticplayer.errors import StudyError
+from hapticplayer.errors import Message, StudyError
 from hapticplayer.study import private
 from hapticplayer.study.codes import checked_code, is_code, new_code
 from hapticplayer.study.definition import Condition, Definition, OrderMethod
@@ -64,7 +64,7 @@ class Study:
             return []
         except OSError as problem:
             raise StudyError(
-                f"cannot be read ({problem.strerror})", where=str(self.folder)
+                "cannot be read ({reason})", where=str(self.folder), reason=problem
             ) from problem
         return sorted(name for name in names if is_code(name))
 
@@ -77,9 +77,10 @@ class Study:
         folder = self.session_folder(code)
         if not folder.is_dir():
             raise StudyError(
-                f"there is no participant {checked_code(code)}",
+                "there is no participant {code}",
                 where=str(self.folder),
                 remedy="`study status` lists them",
+                code=checked_code(code),
             )
         return read_session(folder, self.content)
 
@@ -88,13 +89,19 @@ class Study:
 
         The remarks go into reports: they name files by their place in the study.
         """
-        found, remarks = [], []
+        found: list[StoredSession] = []
+        remarks: list[str] = []
         for code in self.codes():
             try:
                 found.append(self.session(code))
             except StudyError as problem:
-                what = str(problem).replace(f"{self.folder}{os.sep}", "")
-                remarks.append(f"session {code} cannot be used: {what}")
+                where = problem.where.removeprefix(f"{self.folder}{os.sep}")
+                what = StudyError(problem.what, where=where, remedy=problem.remedy)
+                remarks.append(
+                    Message(
+                        "session {code} cannot be used: {what}", code=code, what=what
+                    )
+                )
             else:
                 remarks += found[-1].remarks
         found.sort(key=lambda session: (session.plan.created_utc, session.code))
@@ -150,9 +157,11 @@ def begin_session(
     """
     if language not in study.definition.languages:
         raise StudyError(
-            f"is not available in {language!r}",
+            "is not available in {language!r}",
             where=str(study.folder),
-            remedy=f"choose one of {', '.join(study.definition.languages)}",
+            remedy="choose one of {known}",
+            language=language,
+            known=", ".join(study.definition.languages),
         )
     private.make_folder(study.folder / SESSIONS)
     private.make_folder(study.folder / CONSENTS)

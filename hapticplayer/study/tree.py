@@ -5,7 +5,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from pathlib import Path
 from typing import Any, NoReturn, TypeVar
 
-from hapticplayer.errors import StudyError
+from hapticplayer.errors import Message, StudyError
 
 MAX_BYTES = 4 << 20
 MAX_TEXT = 20_000
@@ -29,7 +29,7 @@ class Branch:
         self.value = value
         self.path, self.field = path, field
 
-    def refuse(self, what: str, remedy: str = "correct it") -> NoReturn:
+    def refuse(self, what: str, remedy: str = Message("correct it")) -> NoReturn:
         """Raise StudyError for this place."""
         where = f"{self.path}, {self.field}" if self.field else self.path
         raise StudyError(what, where=where, remedy=remedy)
@@ -37,7 +37,9 @@ class Branch:
     def mapping(self) -> dict[str, Any]:
         """Return the members of an object."""
         if not isinstance(self.value, dict):
-            self.refuse(f"is {_kind(self.value)} instead of an object")
+            self.refuse(
+                Message("is {kind} instead of an object", kind=_kind(self.value))
+            )
         return self.value
 
     def only(self, *names: str) -> None:
@@ -45,7 +47,8 @@ class Branch:
         for name in self.mapping():
             if name not in names:
                 self.refuse(
-                    f"has the unknown entry {name!r}", f"known are {', '.join(names)}"
+                    Message("has the unknown entry {name!r}", name=name),
+                    Message("known are {known}", known=", ".join(names)),
                 )
 
     def has(self, name: str) -> bool:
@@ -56,7 +59,9 @@ class Branch:
         """Return a member that has to be there."""
         members = self.mapping()
         if name not in members:
-            self.refuse(f"lacks the entry {name!r}", "add it")
+            self.refuse(
+                Message("lacks the entry {name!r}", name=name), Message("add it")
+            )
         return self.child(members[name], name)
 
     def child(self, value: Any, name: str) -> "Branch":
@@ -67,9 +72,18 @@ class Branch:
         """Yield the members of a list."""
         found = self.get(name)
         if not isinstance(found.value, list):
-            found.refuse(f"is {_kind(found.value)} instead of a list")
+            found.refuse(
+                Message("is {kind} instead of a list", kind=_kind(found.value))
+            )
         if not least <= len(found.value) <= MAX_ITEMS:
-            found.refuse(f"has {len(found.value)} entries; {least} to {MAX_ITEMS} go")
+            found.refuse(
+                Message(
+                    "has {count} entries; {least} to {most} go",
+                    count=len(found.value),
+                    least=least,
+                    most=MAX_ITEMS,
+                )
+            )
         for number, value in enumerate(found.value):
             yield Branch(value, self.path, f"{found.field}[{number}]")
 
@@ -83,9 +97,9 @@ class Branch:
         """Return a text that is not empty."""
         value = self.value
         if not isinstance(value, str):
-            self.refuse(f"is {_kind(value)} instead of a text")
+            self.refuse(Message("is {kind} instead of a text", kind=_kind(value)))
         if not value.strip() or len(value) > MAX_TEXT:
-            self.refuse(f"needs 1 to {MAX_TEXT} characters")
+            self.refuse(Message("needs 1 to {most} characters", most=MAX_TEXT))
         return value
 
     def key(self) -> str:
@@ -93,38 +107,50 @@ class Branch:
         value = self.text()
         if len(value) > MAX_KEY or not KEY_LETTERS.issuperset(value):
             self.refuse(
-                f"{value!r} is no key",
-                f"use at most {MAX_KEY} of a-z, 0-9, _ and -",
+                Message("{value!r} is no key", value=value),
+                Message("use at most {most} of a-z, 0-9, _ and -", most=MAX_KEY),
             )
         return value
 
     def flag(self) -> bool:
         """Return true or false."""
         if not isinstance(self.value, bool):
-            self.refuse(f"is {_kind(self.value)} instead of true or false")
+            self.refuse(
+                Message("is {kind} instead of true or false", kind=_kind(self.value))
+            )
         return self.value
 
     def number(self, least: float, most: float) -> float:
         """Return a number within bounds."""
         value = self.value
         if isinstance(value, bool) or not isinstance(value, int | float):
-            self.refuse(f"is {_kind(value)} instead of a number")
+            self.refuse(Message("is {kind} instead of a number", kind=_kind(value)))
         if not least <= value <= most:  # also NaN, and whole numbers beyond a float
-            self.refuse(f"{str(value)[:20]} lies outside {least:g} to {most:g}")
+            self.refuse(
+                Message(
+                    "{value} lies outside {least:g} to {most:g}",
+                    value=str(value)[:20],
+                    least=least,
+                    most=most,
+                )
+            )
         return float(value)
 
     def whole(self, least: int, most: int) -> int:
         """Return a whole number within bounds."""
         value = self.number(least, most)
         if not value.is_integer():
-            self.refuse(f"{value:g} is no whole number")
+            self.refuse(Message("{value:g} is no whole number", value=value))
         return int(value)
 
     def one_of(self, allowed: Iterable[str]) -> str:
         """Return one of some words."""
         value, known = self.text(), list(allowed)
         if value not in known:
-            self.refuse(f"is {value!r}", f"choose one of {', '.join(known)}")
+            self.refuse(
+                Message("is {value!r}", value=value),
+                Message("choose one of {known}", known=", ".join(known)),
+            )
         return value
 
 
@@ -133,7 +159,9 @@ def keys_differ(branch: Branch, keys: Iterable[str]) -> None:
     seen: set[str] = set()
     for key in keys:
         if key in seen:
-            branch.refuse(f"the key {key!r} stands twice", "rename one")
+            branch.refuse(
+                Message("the key {key!r} stands twice", key=key), Message("rename one")
+            )
         seen.add(key)
 
 
@@ -149,7 +177,10 @@ def parse(content: bytes, path: str, read: Callable[[Branch], Read]) -> Read:
         value = json.loads(content.decode("utf-8-sig"), object_pairs_hook=_object)
     except (ValueError, RecursionError) as problem:
         raise StudyError(
-            f"is no valid JSON ({problem})", where=path, remedy="correct that line"
+            "is no valid JSON ({reason})",
+            where=path,
+            remedy="correct that line",
+            reason=problem,
         ) from problem
     return read(Branch(value, path))
 
@@ -166,9 +197,10 @@ def read_file(path: Path, max_bytes: int = MAX_BYTES) -> bytes:
         return path.read_bytes()
     except OSError as problem:
         raise StudyError(
-            f"cannot be read ({problem.strerror})",
+            "cannot be read ({reason})",
             where=str(path),
             remedy="give the folder of a study",
+            reason=problem,
         ) from problem
 
 
@@ -177,12 +209,19 @@ def _object(pairs: list[tuple[str, Any]]) -> Mapping[str, Any]:
     if len(made) < len(pairs):
         names = [name for name, _ in pairs]
         twice = next(name for name in names if names.count(name) > 1)
-        raise ValueError(f"the entry {twice!r} stands twice in one object")
+        raise ValueError(
+            Message("the entry {twice!r} stands twice in one object", twice=twice)
+        )
     return made
 
 
 def _kind(value: Any) -> str:
-    names = {dict: "an object", list: "a list", str: "a text", bool: "true or false"}
+    names = {
+        dict: Message("an object"),
+        list: Message("a list"),
+        str: Message("a text"),
+        bool: Message("true or false"),
+    }
     if value is None:
         return "null"
-    return names.get(type(value), "a number")
+    return names.get(type(value), Message("a number"))

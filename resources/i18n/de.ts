@@ -3212,12 +3212,44 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
 <context>
     <name>engine</name>
     <message>
-        <source>1 g = {0} and 2000 deg/s</source>
-        <translation>1 g = {0} und 2000 °/s</translation>
+        <source> ({words})</source>
+        <translation> ({words})</translation>
     </message>
     <message>
-        <source>1 line is damaged and left out (first: line {0})</source>
-        <translation>1 Zeile ist beschädigt und wurde weggelassen (die erste: Zeile {0})</translation>
+        <source> and </source>
+        <translation> und </translation>
+    </message>
+    <message>
+        <source> and no </source>
+        <translation> und kein </translation>
+    </message>
+    <message>
+        <source> and {count} damaged lines</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> or </source>
+        <translation> oder </translation>
+    </message>
+    <message>
+        <source>, or </source>
+        <translation>, oder </translation>
+    </message>
+    <message>
+        <source>, others {known} s</source>
+        <translation>, andere {known} s</translation>
+    </message>
+    <message>
+        <source>, {norm:.2f} m/s2 at rest</source>
+        <translation>, {norm:.2f} m/s2 in Ruhe</translation>
+    </message>
+    <message>
+        <source>1 g = {counts:.0f} and 2000 deg/s</source>
+        <translation>1 g = {counts:.0f} und 2000 °/s</translation>
+    </message>
+    <message>
+        <source>1 line is damaged and left out (first: line {line})</source>
+        <translation>1 Zeile ist beschädigt und wurde weggelassen (die erste: Zeile {line})</translation>
     </message>
     <message>
         <source>Broken pipe</source>
@@ -3280,12 +3312,12 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>es ist ein Ordner</translation>
     </message>
     <message>
-        <source>LSL streams cannot be kept on this machine ({0})</source>
-        <translation>LSL-Ströme können auf diesem Rechner nicht gehalten werden ({0})</translation>
+        <source>LSL streams cannot be kept on this machine ({reason})</source>
+        <translation>LSL-Ströme können auf diesem Rechner nicht gehalten werden ({reason})</translation>
     </message>
     <message>
-        <source>LSL streams cannot be opened ({0})</source>
-        <translation>LSL-Ströme können nicht geöffnet werden ({0})</translation>
+        <source>LSL streams cannot be opened ({reason})</source>
+        <translation>LSL-Ströme können nicht geöffnet werden ({reason})</translation>
     </message>
     <message>
         <source>LSL streams need pylsl 1.18 or newer with its library</source>
@@ -3316,6 +3348,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>nicht erlaubt</translation>
     </message>
     <message>
+        <source>Operation not supported</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Permission denied</source>
         <translation>keine Berechtigung</translation>
     </message>
@@ -3328,24 +3364,24 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>die Platte ist schreibgeschützt</translation>
     </message>
     <message>
-        <source>Sensor Logger ({0})</source>
-        <translation>Sensor Logger ({0})</translation>
+        <source>Sensor Logger ({system})</source>
+        <translation>Sensor Logger ({system})</translation>
     </message>
     <message>
         <source>The compass is left out: the file does not say which axes it has.</source>
         <translation>Der Kompass wird weggelassen: Die Datei sagt nicht, welche Achsen er hat.</translation>
     </message>
     <message>
-        <source>The compass is left out: {0}.</source>
-        <translation>Der Kompass wird weggelassen: {0}.</translation>
+        <source>The compass is left out: {what}.</source>
+        <translation>Der Kompass wird weggelassen: {what}.</translation>
     </message>
     <message>
-        <source>The file does not say how the sensor sits in {0}: the axes of a HERO5 are assumed.</source>
-        <translation>Die Datei sagt nicht, wie der Sensor in {0} sitzt: Es werden die Achsen einer HERO5 angenommen.</translation>
+        <source>The file does not say how the sensor sits in {camera!r}: the axes of a HERO5 are assumed.</source>
+        <translation>Die Datei sagt nicht, wie der Sensor in {camera!r} sitzt: Es werden die Achsen einer HERO5 angenommen.</translation>
     </message>
     <message>
-        <source>The log has {0}, the longest of {1} s at {2} s.</source>
-        <translation>Das Protokoll hat {0}, die längste von {1} s bei {2} s.</translation>
+        <source>The log has {count}, the longest of {length_s:.2f} s at {at_s:.2f} s.</source>
+        <translation>Das Protokoll hat {count}, die längste von {length_s:.2f} s bei {at_s:.2f} s.</translation>
     </message>
     <message>
         <source>This camera does not stamp its samples: they may lie 10 to 30 ms off the picture.</source>
@@ -3376,24 +3412,28 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>ein Williams-Plan enthält jedes Paar von Nachbarn, auch die einer selben Sequenz</translation>
     </message>
     <message>
-        <source>a block of {0} words at {1} fits nowhere</source>
-        <translation>ein Block von {0} Wörtern bei {1} passt nirgends hin</translation>
+        <source>a block of {count} words at {address:X} fits nowhere</source>
+        <translation>ein Block von {count} Wörtern bei {address:X} passt nirgends hin</translation>
     </message>
     <message>
         <source>a clip cannot be copied onto itself</source>
         <translation>ein Clip kann nicht auf sich selbst kopiert werden</translation>
     </message>
     <message>
-        <source>a code has {0} letters, as `study status` lists them</source>
-        <translation>ein Code hat {0} Buchstaben, wie `study status` sie aufzählt</translation>
+        <source>a code has {length} letters, as `study status` lists them</source>
+        <translation>ein Code hat {length} Buchstaben, wie `study status` sie aufzählt</translation>
     </message>
     <message>
         <source>a condition was rated twice although it was sound the first time</source>
         <translation>eine Bedingung wurde zweimal bewertet, obwohl sie beim ersten Mal einwandfrei war</translation>
     </message>
     <message>
-        <source>a cutoff of {0} Hz is not below half the rate of the samples, {1} Hz</source>
-        <translation>eine Grenzfrequenz von {0} Hz liegt nicht unter der halben Rate der Werte, {1} Hz</translation>
+        <source>a cutoff of {cutoff_hz:g} Hz is not below half the rate of the samples, {half_rate_hz:.4g} Hz</source>
+        <translation>eine Grenzfrequenz von {cutoff_hz:g} Hz liegt nicht unter der halben Rate der Werte, {half_rate_hz:.4g} Hz</translation>
+    </message>
+    <message>
+        <source>a duration of {length_s:g} s; give one from 1 to {longest_s:g} s</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>a force that is no number was asked for, a defect of this program; please report it, and choose the device again</source>
@@ -3404,40 +3444,52 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>eine Kraftspur braucht mindestens eine Zeile</translation>
     </message>
     <message>
-        <source>a gain span holds a number that is not finite: {0}</source>
-        <translation>ein Abschnitt der Verstärkung enthält eine Zahl, die nicht endlich ist: {0}</translation>
+        <source>a gain span holds a number that is not finite: {numbers}</source>
+        <translation>ein Abschnitt der Verstärkung enthält eine Zahl, die nicht endlich ist: {numbers}</translation>
     </message>
     <message>
-        <source>a latency of {0} s is not between 0 and 1 s</source>
-        <translation>eine Latenz von {0} s liegt nicht zwischen 0 und 1 s</translation>
+        <source>a latency of {value:g} s is not between 0 and 1 s</source>
+        <translation>eine Latenz von {value:g} s liegt nicht zwischen 0 und 1 s</translation>
     </message>
     <message>
         <source>a list</source>
         <translation>eine Liste</translation>
     </message>
     <message>
-        <source>a low-pass of order {0} is not possible</source>
-        <translation>ein Tiefpass der Ordnung {0} ist nicht möglich</translation>
+        <source>a low-pass of order {order} is not possible</source>
+        <translation>ein Tiefpass der Ordnung {order} ist nicht möglich</translation>
     </message>
     <message>
         <source>a number</source>
         <translation>eine Zahl</translation>
     </message>
     <message>
-        <source>a picture has the shape {0}, expected {1} of uint8</source>
-        <translation>ein Bild hat die Form {0}, erwartet wird {1} aus uint8</translation>
+        <source>a picture has the shape {shape}, expected {expected} of uint8</source>
+        <translation>ein Bild hat die Form {shape}, erwartet wird {expected} aus uint8</translation>
     </message>
     <message>
-        <source>a rating names the {0} {1}, which there is not</source>
-        <translation>eine Bewertung nennt: {0} {1}, was es nicht gibt</translation>
+        <source>a pilot needs at least five participants without holes</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>a rating of {0} is outside {1} to {2}</source>
-        <translation>eine Bewertung von {0} liegt außerhalb von {1} bis {2}</translation>
+        <source>a rating names the {kind} {name!r}, which there is not</source>
+        <translation>eine Bewertung nennt: {kind} {name!r}, was es nicht gibt</translation>
     </message>
     <message>
-        <source>a sound of {0} Hz is too coarse; give 8000 or more</source>
-        <translation>ein Ton mit {0} Hz ist zu grob; geben Sie 8000 oder mehr an</translation>
+        <source>a rating of {rating} is outside {low} to {high}</source>
+        <translation>eine Bewertung von {rating} liegt außerhalb von {low} bis {high}</translation>
+    </message>
+    <message>
+        <source>a run of {longest} and a flank of {flank} samples are more than half a window, {half_window}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a sensor of {rate_hz:g} Hz averaged to {log_hz:g} Hz; give rates above 0, the second not above the first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a sound of {rate_hz} Hz is too coarse; give 8000 or more</source>
+        <translation>ein Ton mit {rate_hz} Hz ist zu grob; geben Sie 8000 oder mehr an</translation>
     </message>
     <message>
         <source>a span without a fade makes the force jump</source>
@@ -3452,32 +3504,28 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>ein Text</translation>
     </message>
     <message>
-        <source>a time constant can only be set for the method smoother, not for {0}</source>
-        <translation>eine Zeitkonstante gibt es nur für das Verfahren smoother, nicht für {0}</translation>
+        <source>a time constant can only be set for the method smoother, not for {method}</source>
+        <translation>eine Zeitkonstante gibt es nur für das Verfahren smoother, nicht für {method}</translation>
     </message>
     <message>
-        <source>a title has 1 to {0} characters</source>
-        <translation>ein Titel hat 1 bis {0} Zeichen</translation>
+        <source>a title has 1 to {most} characters</source>
+        <translation>ein Titel hat 1 bis {most} Zeichen</translation>
     </message>
     <message>
-        <source>a {0} has half a character in its name</source>
-        <translation>im Namen steht ein halbes Zeichen: {0}</translation>
+        <source>a {kind} has half a character in its name</source>
+        <translation>im Namen steht ein halbes Zeichen: {kind}</translation>
     </message>
     <message>
-        <source>a {0} is named twice ({1})</source>
-        <translation>zweimal genannt: {0} ({1})</translation>
+        <source>a {kind} is named twice ({name})</source>
+        <translation>zweimal genannt: {kind} ({name})</translation>
     </message>
     <message>
-        <source>about {0} samples were never recorded; the longest gap is {1} s; nothing was put in their place</source>
-        <translation>etwa {0} Werte wurden nie aufgezeichnet; die längste Lücke ist {1} s; an ihre Stelle wurde nichts gesetzt</translation>
+        <source>about {count} samples were never recorded; the longest gap is {longest_s:.3g} s; nothing was put in their place</source>
+        <translation>etwa {count} Werte wurden nie aufgezeichnet; die längste Lücke ist {longest_s:.3g} s; an ihre Stelle wurde nichts gesetzt</translation>
     </message>
     <message>
-        <source>accel</source>
-        <translation>accel</translation>
-    </message>
-    <message>
-        <source>add a question to {0}</source>
-        <translation>fügen Sie eine Frage zu {0} hinzu</translation>
+        <source>add a question to {page!r}</source>
+        <translation>fügen Sie eine Frage zu {page!r} hinzu</translation>
     </message>
     <message>
         <source>add it</source>
@@ -3488,16 +3536,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>fügen Sie orders.csv hinzu</translation>
     </message>
     <message>
-        <source>after record {0}</source>
-        <translation>nach Eintrag {0}</translation>
-    </message>
-    <message>
-        <source>all lines from {0} on carry the same time</source>
-        <translation>alle Zeilen ab {0} tragen dieselbe Zeit</translation>
-    </message>
-    <message>
-        <source>all rows from {0} on carry the same time</source>
-        <translation>alle Zeilen ab {0} tragen dieselbe Zeit</translation>
+        <source>after record {number}</source>
+        <translation>nach Eintrag {number}</translation>
     </message>
     <message>
         <source>all samples are the same, so the sensor was stuck</source>
@@ -3508,12 +3548,20 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>alle Werte sind gleich: Hing der Sensor fest?</translation>
     </message>
     <message>
+        <source>alpha and power are shares between 0 and 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>already exists</source>
         <translation>existiert schon</translation>
     </message>
     <message>
-        <source>an entry is missing or of the wrong kind ({0})</source>
-        <translation>ein Eintrag fehlt oder ist von der falschen Art ({0})</translation>
+        <source>an effect of {share:g} times the paper&apos;s leaves the scale of {low} to {high}; choose a smaller one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an entry is missing or of the wrong kind ({reason})</source>
+        <translation>ein Eintrag fehlt oder ist von der falschen Art ({reason})</translation>
     </message>
     <message>
         <source>an object</source>
@@ -3524,12 +3572,12 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>ein unbekannter Logger</translation>
     </message>
     <message>
-        <source>angular rate in {0}</source>
-        <translation>Drehrate in {0}</translation>
+        <source>angular rate in {unit}</source>
+        <translation>Drehrate in {unit}</translation>
     </message>
     <message>
-        <source>as stored, orientation {0}</source>
-        <translation>wie gespeichert, Ausrichtung {0}</translation>
+        <source>as stored, orientation {orientation}</source>
+        <translation>wie gespeichert, Ausrichtung {orientation}</translation>
     </message>
     <message>
         <source>as telemetry-parser gives them</source>
@@ -3548,40 +3596,40 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>am Anfang</translation>
     </message>
     <message>
-        <source>averaged from {0} to {1} Hz</source>
-        <translation>gemittelt von {0} auf {1} Hz</translation>
+        <source>averaged from {rate_hz:.1f} to {average_hz:g} Hz</source>
+        <translation>gemittelt von {rate_hz:.1f} auf {average_hz:g} Hz</translation>
     </message>
     <message>
         <source>axes=RIGHT,FRONT,UP in its axes, such as axes=x,-z,y</source>
         <translation>axes=RECHTS,VORN,OBEN in ihren Achsen, etwa axes=x,-z,y</translation>
     </message>
     <message>
-        <source>axes={0} are not three axes; give right, front and up in the axes of the log, for example axes=x,-z,y</source>
-        <translation>axes={0} sind keine drei Achsen; geben Sie rechts, vorn und oben in den Achsen des Protokolls an, etwa axes=x,-z,y</translation>
+        <source>axes={axes} are not three axes; give right, front and up in the axes of the log, for example axes=x,-z,y</source>
+        <translation>axes={axes} sind keine drei Achsen; geben Sie rechts, vorn und oben in den Achsen des Protokolls an, etwa axes=x,-z,y</translation>
     </message>
     <message>
-        <source>axes={0} mirror the log; turn one sign round, for right, front and up have to follow the right hand</source>
-        <translation>axes={0} spiegeln das Protokoll; drehen Sie ein Vorzeichen um, denn rechts, vorn und oben müssen der rechten Hand folgen</translation>
+        <source>axes={axes} mirror the log; turn one sign round, for right, front and up have to follow the right hand</source>
+        <translation>axes={axes} spiegeln das Protokoll; drehen Sie ein Vorzeichen um, denn rechts, vorn und oben müssen der rechten Hand folgen</translation>
     </message>
     <message>
-        <source>axes={0} or what else was right, front, up</source>
-        <translation>axes={0} oder was sonst rechts, vorn, oben war</translation>
+        <source>axes={axes} or what else was right, front, up</source>
+        <translation>axes={axes} oder was sonst rechts, vorn, oben war</translation>
     </message>
     <message>
         <source>begin a new one</source>
         <translation>beginnen Sie eine neue</translation>
     </message>
     <message>
-        <source>begin the file with {0}</source>
-        <translation>beginnen Sie die Datei mit {0}</translation>
+        <source>begin the file with {header}</source>
+        <translation>beginnen Sie die Datei mit {header}</translation>
     </message>
     <message>
         <source>begins without a header</source>
         <translation>beginnt ohne Kopf</translation>
     </message>
     <message>
-        <source>belongs to the clip {0}, not to {1}</source>
-        <translation>gehört zum Clip {0}, nicht zu {1}</translation>
+        <source>belongs to the clip {found!r}, not to {expected!r}</source>
+        <translation>gehört zum Clip {found!r}, nicht zu {expected!r}</translation>
     </message>
     <message>
         <source>bring the old one back, or stop this session</source>
@@ -3592,12 +3640,12 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>bringen Sie die Ströme zuerst durch Interpolation auf gemeinsame Zeiten</translation>
     </message>
     <message>
-        <source>byte {0}</source>
-        <translation>Byte {0}</translation>
+        <source>byte {number}</source>
+        <translation>Byte {number}</translation>
     </message>
     <message>
-        <source>bytes {0} to {1} (line {2}, {3}) are damaged</source>
-        <translation>die Bytes {0} bis {1} (Zeile {2}, {3}) sind beschädigt</translation>
+        <source>bytes {begin} to {end} (line {line}, {after}) are damaged</source>
+        <translation>die Bytes {begin} bis {end} (Zeile {line}, {after}) sind beschädigt</translation>
     </message>
     <message>
         <source>call the experimenter</source>
@@ -3608,40 +3656,40 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>abgebrochen; nichts wurde geschrieben</translation>
     </message>
     <message>
-        <source>cannot be copied ({0})</source>
-        <translation>kann nicht kopiert werden ({0})</translation>
+        <source>cannot be copied ({reason})</source>
+        <translation>kann nicht kopiert werden ({reason})</translation>
     </message>
     <message>
-        <source>cannot be decoded ({0})</source>
-        <translation>kann nicht dekodiert werden ({0})</translation>
+        <source>cannot be decoded ({reason})</source>
+        <translation>kann nicht dekodiert werden ({reason})</translation>
     </message>
     <message>
-        <source>cannot be listed ({0})</source>
-        <translation>kann nicht aufgelistet werden ({0})</translation>
+        <source>cannot be listed ({reason})</source>
+        <translation>kann nicht aufgelistet werden ({reason})</translation>
     </message>
     <message>
         <source>cannot be positioned</source>
         <translation>kann nicht positioniert werden</translation>
     </message>
     <message>
-        <source>cannot be reached ({0})</source>
-        <translation>kann nicht erreicht werden ({0})</translation>
+        <source>cannot be reached ({reason})</source>
+        <translation>kann nicht erreicht werden ({reason})</translation>
     </message>
     <message>
-        <source>cannot be read ({0})</source>
-        <translation>kann nicht gelesen werden ({0})</translation>
+        <source>cannot be read ({reason})</source>
+        <translation>kann nicht gelesen werden ({reason})</translation>
     </message>
     <message>
-        <source>cannot be started ({0})</source>
-        <translation>kann nicht gestartet werden ({0})</translation>
+        <source>cannot be started ({reason})</source>
+        <translation>kann nicht gestartet werden ({reason})</translation>
     </message>
     <message>
         <source>cannot be written</source>
         <translation>kann nicht geschrieben werden</translation>
     </message>
     <message>
-        <source>cannot be written ({0})</source>
-        <translation>kann nicht geschrieben werden ({0})</translation>
+        <source>cannot be written ({reason})</source>
+        <translation>kann nicht geschrieben werden ({reason})</translation>
     </message>
     <message>
         <source>carry the time of their packet and were spread evenly</source>
@@ -3704,24 +3752,20 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>wählen Sie einen anderen Ort</translation>
     </message>
     <message>
-        <source>choose another {0}</source>
-        <translation>wählen Sie etwas anderes ({0})</translation>
+        <source>choose another {kind}</source>
+        <translation>wählen Sie etwas anderes ({kind})</translation>
     </message>
     <message>
-        <source>choose one of {0}</source>
-        <translation>wählen Sie eines von {0}</translation>
+        <source>choose one of {known}</source>
+        <translation>wählen Sie eines von {known}</translation>
     </message>
     <message>
-        <source>clipped peaks: {0}</source>
-        <translation>abgeschnittene Spitzen: {0}</translation>
+        <source>clipped peaks: {clipping}</source>
+        <translation>abgeschnittene Spitzen: {clipping}</translation>
     </message>
     <message>
         <source>close it there first</source>
         <translation>schließen Sie es zuerst dort</translation>
-    </message>
-    <message>
-        <source>closed</source>
-        <translation>geschlossen</translation>
     </message>
     <message>
         <source>columns=time,ax,ay,az,gx,gy,gz (- for what is not wanted)</source>
@@ -3734,6 +3778,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     <message>
         <source>convert it to a smaller size</source>
         <translation>wandeln Sie es in eine kleinere Größe um</translation>
+    </message>
+    <message>
+        <source>convert it with &apos;hapticplayer export&apos;</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>convert its sound to stereo at 48 kHz</source>
@@ -3768,6 +3816,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>kopieren Sie die Sitzung noch einmal</translation>
     </message>
     <message>
+        <source>copy the study&apos;s folder to the other machine, then run it there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>correct it</source>
         <translation>berichtigen Sie es</translation>
     </message>
@@ -3776,12 +3828,12 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>berichtigen Sie diese Zeile</translation>
     </message>
     <message>
-        <source>could be {0}</source>
-        <translation>könnte {0} sein</translation>
+        <source>could be {formats}</source>
+        <translation>könnte {formats} sein</translation>
     </message>
     <message>
-        <source>counts of {0}</source>
-        <translation>Zählwerten von {0}</translation>
+        <source>counts of {unit:.4g}</source>
+        <translation>Zählwerten von {unit:.4g}</translation>
     </message>
     <message>
         <source>cut it into parts</source>
@@ -3804,8 +3856,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>beschreibt keine Studie</translation>
     </message>
     <message>
-        <source>device {0}: this version has no driver for it; use {1}</source>
-        <translation>Gerät {0}: Diese Version hat keinen Treiber dafür; nehmen Sie {1}</translation>
+        <source>device {name!r}: this version has no driver for it; use {known}</source>
+        <translation>Gerät {name!r}: Diese Version hat keinen Treiber dafür; nehmen Sie {known}</translation>
     </message>
     <message>
         <source>does not say whether it comes from iOS or Android, whose accelerations have opposite signs</source>
@@ -3836,8 +3888,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>tragen Sie ihn unter sequences ein, oder mit `study new --sequence KEY=FOLDER`</translation>
     </message>
     <message>
-        <source>every sequence has the track {0}; it stays</source>
-        <translation>jede Sequenz hat die Spur {0}; sie bleibt</translation>
+        <source>every sequence has the track {name!r}; it stays</source>
+        <translation>jede Sequenz hat die Spur {name!r}; sie bleibt</translation>
     </message>
     <message>
         <source>export the acceleration with gravity, and the gyroscope</source>
@@ -3888,12 +3940,24 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>Feedback</translation>
     </message>
     <message>
+        <source>field_dip_rad must lie within a right angle, got {field_dip_rad}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>file</source>
         <translation>Datei</translation>
     </message>
     <message>
-        <source>finite number</source>
-        <translation>endliche Zahl</translation>
+        <source>has {rows} rows of {columns} numbers{more}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the columns are separated by semicolons instead of commas</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the columns are separated by tabs instead of commas</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>firm</source>
@@ -3904,8 +3968,12 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>Ordner</translation>
     </message>
     <message>
-        <source>force track refused: {0}</source>
-        <translation>Kraftspur abgelehnt: {0}</translation>
+        <source>force track refused: {reason}</source>
+        <translation>Kraftspur abgelehnt: {reason}</translation>
+    </message>
+    <message>
+        <source>force, rate and field must have as many samples</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>force-sign is + or -</source>
@@ -3916,12 +3984,12 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>force-sign=- wenn der Beschleunigungssensor nach oben -1 g zeigt</translation>
     </message>
     <message>
-        <source>force-unit={0} to scale it to gravity</source>
-        <translation>force-unit={0} um auf die Schwerkraft zu skalieren</translation>
+        <source>force-unit={fitting:.6g} to scale it to gravity</source>
+        <translation>force-unit={fitting:.6g} um auf die Schwerkraft zu skalieren</translation>
     </message>
     <message>
-        <source>force-unit={0} to take it as it is</source>
-        <translation>force-unit={0} um es so zu nehmen, wie es ist</translation>
+        <source>force-unit={force_unit} to take it as it is</source>
+        <translation>force-unit={force_unit} um es so zu nehmen, wie es ist</translation>
     </message>
     <message>
         <source>format=csv and columns=time,ax,ay,az,gx,gy,gz (- for others)</source>
@@ -3944,12 +4012,24 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>machen Sie Platz frei, oder wählen Sie einen Ordner, in den Sie schreiben dürfen</translation>
     </message>
     <message>
-        <source>from {0} to {1} Hz</source>
-        <translation>von {0} bis {1} Hz</translation>
+        <source>from 3 to {most} participants can be tried</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>gcsv of {0}</source>
-        <translation>gcsv von {0}</translation>
+        <source>from {least} to {most} studies can be simulated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>from {lowest_hz:.1f} to {highest_hz:.1f} Hz</source>
+        <translation>von {lowest_hz:.1f} bis {highest_hz:.1f} Hz</translation>
+    </message>
+    <message>
+        <source>from {place} on all rows carry the same time</source>
+        <translation>ab {place} tragen alle Zeilen dieselbe Zeit</translation>
+    </message>
+    <message>
+        <source>gcsv of {logger}</source>
+        <translation>gcsv von {logger}</translation>
     </message>
     <message>
         <source>give --offset S, the media time at which the log&apos;s clock reads 0</source>
@@ -3958,6 +4038,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     <message>
         <source>give 0 or more; directions are set by the mapping</source>
         <translation>geben Sie 0 oder mehr an; Richtungen bestimmt die Abbildung</translation>
+    </message>
+    <message>
+        <source>give a file that &apos;hapticplayer play --record&apos; has written</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>give a frequency in Hz</source>
@@ -3992,20 +4076,24 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>geben Sie eine Aufnahme mit mindestens zwei Werten an</translation>
     </message>
     <message>
-        <source>give an order of 1 to {0}</source>
-        <translation>geben Sie eine Ordnung von 1 bis {0} an</translation>
+        <source>give a smaller max_run or flank, or a larger half_window</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give an order of 1 to {most}</source>
+        <translation>geben Sie eine Ordnung von 1 bis {most} an</translation>
     </message>
     <message>
         <source>give another --offset</source>
         <translation>geben Sie ein anderes --offset an</translation>
     </message>
     <message>
-        <source>give at least {0} samples a second</source>
-        <translation>geben Sie mindestens {0} Werte je Sekunde an</translation>
+        <source>give at least {least_hz:g} samples a second</source>
+        <translation>geben Sie mindestens {least_hz:g} Werte je Sekunde an</translation>
     </message>
     <message>
-        <source>give fades above zero, such as {0} s</source>
-        <translation>geben Sie Überblendungen über null an, etwa {0} s</translation>
+        <source>give fades above zero, such as {fade_s} s</source>
+        <translation>geben Sie Überblendungen über null an, etwa {fade_s} s</translation>
     </message>
     <message>
         <source>give shorter fades or a longer span</source>
@@ -4060,8 +4148,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>geben Sie das Protokoll mit --imu LOG --offset S an</translation>
     </message>
     <message>
-        <source>give the log with --imu LOG --offset S, and {0} where it is asked</source>
-        <translation>geben Sie das Protokoll mit --imu LOG --offset S an, und {0}, wo danach gefragt wird</translation>
+        <source>give the log with --imu LOG --offset S, and {option} where it is asked</source>
+        <translation>geben Sie das Protokoll mit --imu LOG --offset S an, und {option}, wo danach gefragt wird</translation>
     </message>
     <message>
         <source>give the samples per second</source>
@@ -4104,12 +4192,12 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>geben Sie Zeiten in Sekunden des Clips an</translation>
     </message>
     <message>
-        <source>gravity is 9.81 m/s2 and not {0}: the accelerometer is doubtful</source>
-        <translation>die Schwerkraft ist 9.81 m/s2 und nicht {0}: Der Beschleunigungssensor ist zweifelhaft</translation>
+        <source>gravity is 9.81 m/s2 and not {norm:.2f}: the accelerometer is doubtful</source>
+        <translation>die Schwerkraft ist 9.81 m/s2 und nicht {norm:.2f}: Der Beschleunigungssensor ist zweifelhaft</translation>
     </message>
     <message>
-        <source>gravity says that {0}{1} of the recorder was up, not its z</source>
-        <translation>nach der Schwerkraft war {0}{1} des Recorders oben, nicht sein z</translation>
+        <source>gravity says that {sign}{axis} of the recorder was up, not its z</source>
+        <translation>nach der Schwerkraft war {sign}{axis} des Recorders oben, nicht sein z</translation>
     </message>
     <message>
         <source>gravity seems to be removed already: export the acceleration with gravity</source>
@@ -4120,8 +4208,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>die Schwerkraft scheint schon entfernt zu sein: Geben Sie die Beschleunigung mit Schwerkraft an</translation>
     </message>
     <message>
-        <source>gravity shows that {0} was up, not the axis that was chosen</source>
-        <translation>nach der Schwerkraft war {0} oben, nicht die gewählte Achse</translation>
+        <source>gravity shows that {axis} was up, not the axis that was chosen</source>
+        <translation>nach der Schwerkraft war {axis} oben, nicht die gewählte Achse</translation>
     </message>
     <message>
         <source>gravity was already removed by the recorder</source>
@@ -4136,10 +4224,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>hat einen beschädigten Kopf: keine Zeile t,gx,gy,gz,ax,ay,az</translation>
     </message>
     <message>
-        <source>has a line of more than {0} characters</source>
-        <translation>hat eine Zeile mit mehr als {0} Zeichen</translation>
-    </message>
-    <message>
         <source>has an answer that was not offered</source>
         <translation>hat eine Antwort, die nicht angeboten wurde</translation>
     </message>
@@ -4152,112 +4236,100 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>hat sich geändert, seit es geschrieben wurde (die Prüfsumme ist eine andere)</translation>
     </message>
     <message>
-        <source>has more than {0} characters</source>
-        <translation>hat mehr als {0} Zeichen</translation>
+        <source>has more than {most} characters</source>
+        <translation>hat mehr als {most} Zeichen</translation>
     </message>
     <message>
-        <source>has more than {0} rows</source>
-        <translation>hat mehr als {0} Zeilen</translation>
+        <source>has more than {most} rows</source>
+        <translation>hat mehr als {most} Zeilen</translation>
     </message>
     <message>
-        <source>has no force ({0})</source>
-        <translation>hat keine Kraft ({0})</translation>
+        <source>has no answers yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>has no force ({reason})</source>
+        <translation>hat keine Kraft ({reason})</translation>
     </message>
     <message>
         <source>has no times, and its firmware has no fixed rate</source>
         <translation>hat keine Zeiten, und die Firmware hat keine feste Rate</translation>
     </message>
     <message>
-        <source>has only {0} samples per second, in which pats do not show</source>
-        <translation>hat nur {0} Werte je Sekunde, in denen sich Klopfen nicht zeigt</translation>
+        <source>has only {rate_hz:.1f} samples per second, in which pats do not show</source>
+        <translation>hat nur {rate_hz:.1f} Werte je Sekunde, in denen sich Klopfen nicht zeigt</translation>
     </message>
     <message>
-        <source>has the unknown entry {0}</source>
-        <translation>hat den unbekannten Eintrag {0}</translation>
+        <source>has the unknown entry {name!r}</source>
+        <translation>hat den unbekannten Eintrag {name!r}</translation>
     </message>
     <message>
-        <source>has the unknown name {0}</source>
-        <translation>hat den unbekannten Namen {0}</translation>
+        <source>has the unknown name {unknown!r}</source>
+        <translation>hat den unbekannten Namen {unknown!r}</translation>
     </message>
     <message>
-        <source>has version {0}, this program reads {1}</source>
-        <translation>hat die Version {0}, dieses Programm liest {1}</translation>
+        <source>has version {found} of the format, not {version}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>has {0} MB, the limit is {1} MB</source>
-        <translation>hat {0} MB, die Grenze ist {1} MB</translation>
+        <source>has version {found}, this program reads {version}</source>
+        <translation>hat die Version {found}, dieses Programm liest {version}</translation>
     </message>
     <message>
-        <source>has {0} bytes instead of {1}</source>
-        <translation>hat {0} Bytes statt {1}</translation>
+        <source>has {count} bytes instead of {expected}</source>
+        <translation>hat {count} Bytes statt {expected}</translation>
     </message>
     <message>
-        <source>has {0} bytes, too many</source>
-        <translation>hat {0} Bytes, zu viele</translation>
+        <source>has {count} bytes, too many</source>
+        <translation>hat {count} Bytes, zu viele</translation>
     </message>
     <message>
-        <source>has {0} columns, and a Razor M0 does not say which they are</source>
-        <translation>hat {0} Spalten, und ein Razor M0 sagt nicht, welche es sind</translation>
+        <source>has {count} columns, and a Razor M0 does not say which they are</source>
+        <translation>hat {count} Spalten, und ein Razor M0 sagt nicht, welche es sind</translation>
     </message>
     <message>
-        <source>has {0} columns, the header has {1}</source>
-        <translation>hat {0} Spalten, der Kopf hat {1}</translation>
+        <source>has {count} columns, the header has {expected}</source>
+        <translation>hat {count} Spalten, der Kopf hat {expected}</translation>
     </message>
     <message>
-        <source>has {0} entries; {1} to {2} go</source>
-        <translation>hat {0} Einträge; {1} bis {2} gehen</translation>
+        <source>has {count} entries; {least} to {most} go</source>
+        <translation>hat {count} Einträge; {least} bis {most} gehen</translation>
     </message>
     <message>
-        <source>has {0} rows of {1} numbers</source>
-        <translation>hat {0} Zeilen mit {1} Zahlen</translation>
-    </message>
-    <message>
-        <source>has {0} rows, expected {1} to {2}</source>
-        <translation>hat {0} Zeilen, erwartet werden {1} bis {2}</translation>
-    </message>
-    <message>
-        <source>has {0} telemetry payloads, too many</source>
-        <translation>hat {0} Telemetrieblöcke, zu viele</translation>
-    </message>
-    <message>
-        <source>the file ends at byte {0} but its header promises {1}</source>
-        <translation>die Datei endet bei Byte {0}, ihr Kopf verspricht aber {1}</translation>
-    </message>
-    <message>
-        <source>the file ends at byte {0} but its index needs {1}</source>
-        <translation>die Datei endet bei Byte {0}, ihr Index braucht aber {1}</translation>
+        <source>has {count} telemetry payloads, too many</source>
+        <translation>hat {count} Telemetrieblöcke, zu viele</translation>
     </message>
     <message>
         <source>holds Euler angles and no acceleration</source>
         <translation>enthält Eulerwinkel und keine Beschleunigung</translation>
     </message>
     <message>
-        <source>holds a force of {0} N, beyond any device</source>
-        <translation>enthält eine Kraft von {0} N, mehr als jedes Gerät kann</translation>
+        <source>holds a force of {largest_n:.3g} N, beyond any device</source>
+        <translation>enthält eine Kraft von {largest_n:.3g} N, mehr als jedes Gerät kann</translation>
     </message>
     <message>
         <source>holds acceleration from which the recorder has removed gravity, so it cannot be checked or levelled</source>
         <translation>enthält Beschleunigung, aus der der Recorder die Schwerkraft entfernt hat, sie lässt sich also weder prüfen noch ausrichten</translation>
     </message>
     <message>
-        <source>holds an acceleration of {0} m/s2, beyond any sensor</source>
-        <translation>enthält eine Beschleunigung von {0} m/s2, mehr als jeder Sensor misst</translation>
+        <source>holds an acceleration of {largest:.3g} m/s2, beyond any sensor</source>
+        <translation>enthält eine Beschleunigung von {largest:.3g} m/s2, mehr als jeder Sensor misst</translation>
     </message>
     <message>
         <source>holds angles without angular rates, from which motion cannot be had</source>
         <translation>enthält Winkel ohne Drehraten, woraus sich keine Bewegung gewinnen lässt</translation>
     </message>
     <message>
-        <source>holds counts of an unknown range (norm {0})</source>
-        <translation>enthält Zählwerte eines unbekannten Messbereichs (Betrag {0})</translation>
+        <source>holds counts of an unknown range (norm {norm:.4g})</source>
+        <translation>enthält Zählwerte eines unbekannten Messbereichs (Betrag {norm:.4g})</translation>
     </message>
     <message>
-        <source>holds more than {0} files</source>
-        <translation>enthält mehr als {0} Dateien</translation>
+        <source>holds more than {most} files</source>
+        <translation>enthält mehr als {most} Dateien</translation>
     </message>
     <message>
-        <source>holds no acceleration (only {0})</source>
-        <translation>enthält keine Beschleunigung (nur {0})</translation>
+        <source>holds no acceleration (only {held})</source>
+        <translation>enthält keine Beschleunigung (nur {held})</translation>
     </message>
     <message>
         <source>holds no acceleration with gravity</source>
@@ -4276,8 +4348,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>enthält keine Kraft</translation>
     </message>
     <message>
-        <source>holds no gyroscope (only {0})</source>
-        <translation>enthält kein Gyroskop (nur {0})</translation>
+        <source>holds no gyroscope (only {held})</source>
+        <translation>enthält kein Gyroskop (nur {held})</translation>
     </message>
     <message>
         <source>holds no log that is known</source>
@@ -4292,32 +4364,32 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>enthält keine Einstellungen dieses Programms</translation>
     </message>
     <message>
-        <source>holds no {0}</source>
-        <translation>enthält kein {0}</translation>
+        <source>holds no {missing} file</source>
+        <translation>enthält keine Datei {missing}</translation>
     </message>
     <message>
-        <source>holds no {0} file</source>
-        <translation>enthält keine Datei {0}</translation>
+        <source>holds no {name}</source>
+        <translation>enthält kein {name}</translation>
     </message>
     <message>
-        <source>holds records of version {0}, this program reads {1}</source>
-        <translation>enthält Aufzeichnungen der Version {0}, dieses Programm liest {1}</translation>
+        <source>holds records of version {found}, this program reads {version}</source>
+        <translation>enthält Aufzeichnungen der Version {found}, dieses Programm liest {version}</translation>
     </message>
     <message>
-        <source>holds several recordings ({0}, {1})</source>
-        <translation>enthält mehrere Aufnahmen ({0}, {1})</translation>
+        <source>holds several recordings ({first}, {second})</source>
+        <translation>enthält mehrere Aufnahmen ({first}, {second})</translation>
     </message>
     <message>
-        <source>holds {0} logs ({1})</source>
-        <translation>enthält {0} Protokolle ({1})</translation>
+        <source>holds {count} logs ({known})</source>
+        <translation>enthält {count} Protokolle ({known})</translation>
     </message>
     <message>
-        <source>holds {0} only, no acceleration</source>
-        <translation>enthält nur {0}, keine Beschleunigung</translation>
+        <source>holds {held} only, no acceleration</source>
+        <translation>enthält nur {held}, keine Beschleunigung</translation>
     </message>
     <message>
-        <source>holds {0}, a name that points out of the zip</source>
-        <translation>enthält {0}, einen Namen, der aus dem Zip hinausführt</translation>
+        <source>holds {name!r}, a name that points out of the zip</source>
+        <translation>enthält {name!r}, einen Namen, der aus dem Zip hinausführt</translation>
     </message>
     <message>
         <source>if it is in g, multiply it by 9.80665; if gravity was removed already, give the acceleration with gravity</source>
@@ -4328,12 +4400,12 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>importieren Sie es noch einmal</translation>
     </message>
     <message>
-        <source>install hapticplayer[lsl], or {0}</source>
-        <translation>installieren Sie hapticplayer[lsl], oder: {0}</translation>
+        <source>install hapticplayer[lsl], or {otherwise}</source>
+        <translation>installieren Sie hapticplayer[lsl], oder: {otherwise}</translation>
     </message>
     <message>
-        <source>is a damaged zip ({0})</source>
-        <translation>ist ein beschädigtes Zip ({0})</translation>
+        <source>is a damaged zip ({reason})</source>
+        <translation>ist ein beschädigtes Zip ({reason})</translation>
     </message>
     <message>
         <source>is a device, not a file</source>
@@ -4352,8 +4424,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>ist ein Socket, keine Datei</translation>
     </message>
     <message>
-        <source>is a table of {0} columns ({1}) that says not what they are</source>
-        <translation>ist eine Tabelle mit {0} Spalten ({1}), die nicht sagt, was sie sind</translation>
+        <source>is a table of {count} columns ({shown}) that says not what they are</source>
+        <translation>ist eine Tabelle mit {count} Spalten ({shown}), die nicht sagt, was sie sind</translation>
     </message>
     <message>
         <source>is an Excel workbook</source>
@@ -4364,8 +4436,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>ist beschädigt (die Prüfsumme ist eine andere)</translation>
     </message>
     <message>
-        <source>is damaged ({0})</source>
-        <translation>ist beschädigt ({0})</translation>
+        <source>is damaged ({reason})</source>
+        <translation>ist beschädigt ({reason})</translation>
     </message>
     <message>
         <source>is damaged or missing, and the study&apos;s own definition is another one now</source>
@@ -4376,16 +4448,16 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>ist leer (0 Bytes)</translation>
     </message>
     <message>
-        <source>is larger than the limit of {0} MB</source>
-        <translation>ist größer als die Grenze von {0} MB</translation>
+        <source>is larger than the limit of {most_mb} MB</source>
+        <translation>ist größer als die Grenze von {most_mb} MB</translation>
     </message>
     <message>
-        <source>is larger than {0} GB</source>
-        <translation>ist größer als {0} GB</translation>
+        <source>is larger than {most_gb} GB</source>
+        <translation>ist größer als {most_gb} GB</translation>
     </message>
     <message>
-        <source>is longer than {0} characters</source>
-        <translation>ist länger als {0} Zeichen</translation>
+        <source>is longer than {most} characters</source>
+        <translation>ist länger als {most} Zeichen</translation>
     </message>
     <message>
         <source>is missing</source>
@@ -4420,16 +4492,16 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>ist keine Sitzung</translation>
     </message>
     <message>
-        <source>is no template of a log ({0})</source>
-        <translation>ist keine Vorlage für ein Protokoll ({0})</translation>
+        <source>is no template of a log ({reason})</source>
+        <translation>ist keine Vorlage für ein Protokoll ({reason})</translation>
     </message>
     <message>
         <source>is no text</source>
         <translation>ist kein Text</translation>
     </message>
     <message>
-        <source>is no valid JSON ({0})</source>
-        <translation>ist kein gültiges JSON ({0})</translation>
+        <source>is no valid JSON ({reason})</source>
+        <translation>ist kein gültiges JSON ({reason})</translation>
     </message>
     <message>
         <source>is no video</source>
@@ -4444,6 +4516,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>ist keine Datei</translation>
     </message>
     <message>
+        <source>is not a plain file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>is not a regular file</source>
         <translation>ist keine gewöhnliche Datei</translation>
     </message>
@@ -4456,32 +4532,28 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>ist noch nicht beantwortet</translation>
     </message>
     <message>
-        <source>is not available in {0}</source>
-        <translation>gibt es nicht auf {0}</translation>
+        <source>is not available in {language!r}</source>
+        <translation>gibt es nicht auf {language!r}</translation>
     </message>
     <message>
         <source>is not finite or too large</source>
         <translation>ist nicht endlich oder zu groß</translation>
     </message>
     <message>
-        <source>is not text</source>
-        <translation>ist kein Text</translation>
+        <source>is not valid ({reason})</source>
+        <translation>ist nicht gültig ({reason})</translation>
     </message>
     <message>
-        <source>is not valid ({0})</source>
-        <translation>ist nicht gültig ({0})</translation>
-    </message>
-    <message>
-        <source>is nothing that telemetry-parser can read ({0})</source>
-        <translation>kann telemetry-parser nicht lesen ({0})</translation>
+        <source>is nothing that telemetry-parser can read ({reason})</source>
+        <translation>kann telemetry-parser nicht lesen ({reason})</translation>
     </message>
     <message>
         <source>is of a newer version of this program</source>
         <translation>ist von einer neueren Version dieses Programms</translation>
     </message>
     <message>
-        <source>is of a {0}, whose axes its telemetry does not tell</source>
-        <translation>ist von einer {0}, deren Achsen ihre Telemetrie nicht nennt</translation>
+        <source>is of a {name}, whose axes its telemetry does not tell</source>
+        <translation>ist von einer {name}, deren Achsen ihre Telemetrie nicht nennt</translation>
     </message>
     <message>
         <source>is of another version of the program</source>
@@ -4496,32 +4568,40 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>ist Text in UTF-16</translation>
     </message>
     <message>
+        <source>is the study {found}, not {expected}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>is too large</source>
         <translation>ist zu groß</translation>
     </message>
     <message>
-        <source>is {0}</source>
-        <translation>ist {0}</translation>
+        <source>is too large to be read at once</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>is {0} instead of a list</source>
-        <translation>ist {0} statt einer Liste</translation>
+        <source>is {kind} instead of a list</source>
+        <translation>ist {kind} statt einer Liste</translation>
     </message>
     <message>
-        <source>is {0} instead of a number</source>
-        <translation>ist {0} statt einer Zahl</translation>
+        <source>is {kind} instead of a number</source>
+        <translation>ist {kind} statt einer Zahl</translation>
     </message>
     <message>
-        <source>is {0} instead of a text</source>
-        <translation>ist {0} statt eines Textes</translation>
+        <source>is {kind} instead of a text</source>
+        <translation>ist {kind} statt eines Textes</translation>
     </message>
     <message>
-        <source>is {0} instead of an object</source>
-        <translation>ist {0} statt eines Objekts</translation>
+        <source>is {kind} instead of an object</source>
+        <translation>ist {kind} statt eines Objekts</translation>
     </message>
     <message>
-        <source>is {0} instead of true or false</source>
-        <translation>ist {0} statt true oder false</translation>
+        <source>is {kind} instead of true or false</source>
+        <translation>ist {kind} statt true oder false</translation>
+    </message>
+    <message>
+        <source>is {value!r}</source>
+        <translation>ist {value!r}</translation>
     </message>
     <message>
         <source>it cannot be decoded any further</source>
@@ -4536,8 +4616,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>es kann nicht weiter gelesen werden</translation>
     </message>
     <message>
-        <source>it died, status {0}</source>
-        <translation>er brach ab, Status {0}</translation>
+        <source>it died, status {status}</source>
+        <translation>er brach ab, Status {status}</translation>
     </message>
     <message>
         <source>it does not begin with the boot loader&apos;s key 08AA</source>
@@ -4548,12 +4628,12 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>sie endet in ihrem Kopf</translation>
     </message>
     <message>
-        <source>it gives {0} s as its duration</source>
-        <translation>es gibt {0} s als Dauer an</translation>
+        <source>it gives {duration_s:.0f} s as its duration</source>
+        <translation>es gibt {duration_s:.0f} s als Dauer an</translation>
     </message>
     <message>
-        <source>it has {0}</source>
-        <translation>sie hat {0}</translation>
+        <source>it has {known}</source>
+        <translation>sie hat {known}</translation>
     </message>
     <message>
         <source>it holds no accelerations</source>
@@ -4572,12 +4652,12 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>es enthält kein Video, das gezeigt werden kann</translation>
     </message>
     <message>
-        <source>it holds {0} motion samples in {1} payloads, as time-lapse recordings do</source>
-        <translation>es enthält {0} Bewegungswerte in {1} Blöcken, wie Zeitrafferaufnahmen es tun</translation>
+        <source>it holds {count} streams, expected 1 to {most}</source>
+        <translation>es enthält {count} Ströme, erwartet werden 1 bis {most}</translation>
     </message>
     <message>
-        <source>it holds {0} streams, expected 1 to {1}</source>
-        <translation>es enthält {0} Ströme, erwartet werden 1 bis {1}</translation>
+        <source>it holds {samples} motion samples in {payloads} payloads, as time-lapse recordings do</source>
+        <translation>es enthält {samples} Bewegungswerte in {payloads} Blöcken, wie Zeitrafferaufnahmen es tun</translation>
     </message>
     <message>
         <source>it is cut off</source>
@@ -4608,8 +4688,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>es sieht nach Millisekunden aus: Teilen Sie time_s durch 1000</translation>
     </message>
     <message>
-        <source>it may hold texts for {0}</source>
-        <translation>sie darf Texte enthalten für {0}</translation>
+        <source>it may hold texts for {known}</source>
+        <translation>sie darf Texte enthalten für {known}</translation>
     </message>
     <message>
         <source>it seems to be in deg/s: multiply it by 0.0174532925</source>
@@ -4628,8 +4708,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>es scheint zweimal umgerechnet zu sein: Multiplizieren Sie mit 57.2957795</translation>
     </message>
     <message>
-        <source>it took not all of the data at {0}</source>
-        <translation>er nahm bei {0} nicht alle Daten an</translation>
+        <source>it took not all of the data at {place}</source>
+        <translation>er nahm bei {place} nicht alle Daten an</translation>
     </message>
     <message>
         <source>its accelerometer and gyro do not overlap in time</source>
@@ -4648,36 +4728,36 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>die Achsen (MTRX) sind keine Matrix, sie ist also beschädigt</translation>
     </message>
     <message>
-        <source>its axes ({0}) mirror the camera, so the telemetry is damaged</source>
-        <translation>die Achsen ({0}) spiegeln die Kamera, die Telemetrie ist also beschädigt</translation>
+        <source>its axes ({axes}) mirror the camera, so the telemetry is damaged</source>
+        <translation>die Achsen ({axes}) spiegeln die Kamera, die Telemetrie ist also beschädigt</translation>
     </message>
     <message>
-        <source>its axis {0} was up, so the sensor was not mounted with {1} to the right, front and up{2}</source>
-        <translation>die Achse {0} war oben, der Sensor war also nicht mit {1} nach rechts, vorn und oben befestigt{2}</translation>
+        <source>its axis {axis} was up, so the sensor was not mounted with {axes} to the right, front and up{words}</source>
+        <translation>die Achse {axis} war oben, der Sensor war also nicht mit {axes} nach rechts, vorn und oben befestigt{words}</translation>
     </message>
     <message>
         <source>its boot processor does not answer</source>
         <translation>der Boot-Prozessor antwortet nicht</translation>
     </message>
     <message>
-        <source>its echo at {0} ended after {1} of {2} bytes</source>
-        <translation>das Echo bei {0} endete nach {1} von {2} Bytes</translation>
+        <source>its echo at {place} ended after {count} of {expected} bytes</source>
+        <translation>das Echo bei {place} endete nach {count} von {expected} Bytes</translation>
     </message>
     <message>
-        <source>its echo at {0} was wrong</source>
-        <translation>das Echo bei {0} war falsch</translation>
+        <source>its echo at {place} was wrong</source>
+        <translation>das Echo bei {place} war falsch</translation>
     </message>
     <message>
-        <source>its entry point {0} lies in none of its blocks</source>
-        <translation>der Einsprungpunkt {0} liegt in keinem der Blöcke</translation>
+        <source>its entry point {entry:06X} lies in none of its blocks</source>
+        <translation>der Einsprungpunkt {entry:06X} liegt in keinem der Blöcke</translation>
     </message>
     <message>
         <source>its gravity cannot be used</source>
         <translation>die Schwerkraft darin ist nicht zu gebrauchen</translation>
     </message>
     <message>
-        <source>its gyro file has the norm {0} of gravity, its accel file has not, so the names are exchanged</source>
-        <translation>die gyro-Datei hat den Betrag {0} der Schwerkraft, die accel-Datei nicht, die Namen sind also vertauscht</translation>
+        <source>its gyro file has the norm {norm:.3g} of gravity, its accel file has not, so the names are exchanged</source>
+        <translation>die gyro-Datei hat den Betrag {norm:.3g} der Schwerkraft, die accel-Datei nicht, die Namen sind also vertauscht</translation>
     </message>
     <message>
         <source>its headers are damaged</source>
@@ -4692,8 +4772,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>die Bilder haben ein unbekanntes Format</translation>
     </message>
     <message>
-        <source>its pictures of {0} x {1} pixels are too large (up to 8192 x 4320 are shown)</source>
-        <translation>die Bilder mit {0} x {1} Pixeln sind zu groß (bis 8192 x 4320 werden gezeigt)</translation>
+        <source>its pictures of {width} x {height} pixels are too large (up to 8192 x 4320 are shown)</source>
+        <translation>die Bilder mit {width} x {height} Pixeln sind zu groß (bis 8192 x 4320 werden gezeigt)</translation>
     </message>
     <message>
         <source>its sound cannot be resampled</source>
@@ -4704,24 +4784,24 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>der Ton kann nicht eingerichtet werden</translation>
     </message>
     <message>
-        <source>its sound has {0} channels at {1} Hz</source>
-        <translation>der Ton hat {0} Kanäle mit {1} Hz</translation>
+        <source>its sound has {channels} channels at {rate} Hz</source>
+        <translation>der Ton hat {channels} Kanäle mit {rate} Hz</translation>
     </message>
     <message>
-        <source>its telemetry ({0}) holds no {1} samples</source>
-        <translation>die Telemetrie ({0}) enthält keine Werte von {1}</translation>
+        <source>its telemetry ({camera}) holds no {kind} samples</source>
+        <translation>die Telemetrie ({camera}) enthält keine Werte von {kind}</translation>
     </message>
     <message>
-        <source>its telemetry claims {0} {1}, beyond what sensors measure</source>
-        <translation>die Telemetrie behauptet {0} {1}, mehr als Sensoren messen</translation>
+        <source>its telemetry claims {largest:.3g} {unit}, beyond what sensors measure</source>
+        <translation>die Telemetrie behauptet {largest:.3g} {unit}, mehr als Sensoren messen</translation>
     </message>
     <message>
         <source>its telemetry holds no accelerometer samples</source>
         <translation>die Telemetrie enthält keine Werte des Beschleunigungssensors</translation>
     </message>
     <message>
-        <source>its telemetry is larger than any camera&apos;s (payload {0} has {1} bytes)</source>
-        <translation>die Telemetrie ist größer als die jeder Kamera (Block {0} hat {1} Bytes)</translation>
+        <source>its telemetry is larger than any camera&apos;s (payload {count} has {size_bytes} bytes)</source>
+        <translation>die Telemetrie ist größer als die jeder Kamera (Block {count} hat {size_bytes} Bytes)</translation>
     </message>
     <message>
         <source>its telemetry track is damaged</source>
@@ -4740,24 +4820,24 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>das Video kann nicht eingerichtet werden</translation>
     </message>
     <message>
-        <source>its {0} is {1}, not a number above zero</source>
-        <translation>{0} ist {1}, keine Zahl über null</translation>
+        <source>its {key} is {value!r}, not a number above zero</source>
+        <translation>{key} ist {value!r}, keine Zahl über null</translation>
     </message>
     <message>
-        <source>known are {0}</source>
-        <translation>bekannt sind {0}</translation>
+        <source>known are {known}</source>
+        <translation>bekannt sind {known}</translation>
     </message>
     <message>
-        <source>lacks the entry {0}</source>
-        <translation>der Eintrag {0} fehlt</translation>
+        <source>lacks the entry {name!r}</source>
+        <translation>der Eintrag {name!r} fehlt</translation>
     </message>
     <message>
         <source>lacks the object sound_late_s</source>
         <translation>das Objekt sound_late_s fehlt</translation>
     </message>
     <message>
-        <source>lacks {0}</source>
-        <translation>es fehlt {0}</translation>
+        <source>lacks {missing}</source>
+        <translation>es fehlt {missing}</translation>
     </message>
     <message>
         <source>leave LSL out</source>
@@ -4768,8 +4848,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>libusb fehlt; installieren Sie das Paket libusb-1.0-0 (Windows: legen Sie libusb-1.0.dll in den Suchpfad)</translation>
     </message>
     <message>
-        <source>line {0} was left out, as its time is more than an hour apart</source>
-        <translation>Zeile {0} wurde weggelassen, da ihre Zeit mehr als eine Stunde abliegt</translation>
+        <source>line {number}</source>
+        <translation>Zeile {number}</translation>
     </message>
     <message>
         <source>look at `hapticplayer sync` with --plot FILE, then give --offset S</source>
@@ -4784,16 +4864,16 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>gesucht</translation>
     </message>
     <message>
-        <source>made telemetry-parser answer nonsense ({0})</source>
-        <translation>ließ telemetry-parser Unsinn antworten ({0})</translation>
+        <source>made telemetry-parser answer nonsense ({reason})</source>
+        <translation>ließ telemetry-parser Unsinn antworten ({reason})</translation>
     </message>
     <message>
-        <source>magnetic field in {0}</source>
-        <translation>Magnetfeld in {0}</translation>
+        <source>magnetic field in {unit}</source>
+        <translation>Magnetfeld in {unit}</translation>
     </message>
     <message>
-        <source>makes {0} conditions; 2 to {1} go</source>
-        <translation>ergibt {0} Bedingungen; 2 bis {1} gehen</translation>
+        <source>makes {count} conditions; 2 to {most} go</source>
+        <translation>ergibt {count} Bedingungen; 2 bis {most} gehen</translation>
     </message>
     <message>
         <source>mapping axes</source>
@@ -4808,16 +4888,12 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>darf nicht gelesen werden</translation>
     </message>
     <message>
-        <source>motion low-passed at {0} Hz, zero phase</source>
-        <translation>Bewegung mit Tiefpass bei {0} Hz, ohne Phasenverschiebung</translation>
+        <source>motion low-passed at {lowpass_hz:g} Hz, zero phase</source>
+        <translation>Bewegung mit Tiefpass bei {lowpass_hz:g} Hz, ohne Phasenverschiebung</translation>
     </message>
     <message>
         <source>motion track</source>
         <translation>Bewegungsspur</translation>
-    </message>
-    <message>
-        <source>name</source>
-        <translation>Name</translation>
     </message>
     <message>
         <source>names a column twice</source>
@@ -4828,20 +4904,20 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>nennt nur einen Teil von mx, my, mz</translation>
     </message>
     <message>
-        <source>names {0} columns, the table has {1} ({2})</source>
-        <translation>nennt {0} Spalten, die Tabelle hat {1} ({2})</translation>
+        <source>names {count} columns, the table has {total} ({shown})</source>
+        <translation>nennt {count} Spalten, die Tabelle hat {total} ({shown})</translation>
     </message>
     <message>
-        <source>needs 1 to {0} characters</source>
-        <translation>braucht 1 bis {0} Zeichen</translation>
+        <source>needs 1 to {most} characters</source>
+        <translation>braucht 1 bis {most} Zeichen</translation>
     </message>
     <message>
-        <source>needs a number from {0} to {1}</source>
-        <translation>braucht eine Zahl von {0} bis {1}</translation>
+        <source>needs a number from {least} to {most}</source>
+        <translation>braucht eine Zahl von {least} bis {most}</translation>
     </message>
     <message>
-        <source>needs {0} MB and only {1} MB are free</source>
-        <translation>braucht {0} MB, und nur {1} MB sind frei</translation>
+        <source>needs {needed_mb} MB and only {free_mb} MB are free</source>
+        <translation>braucht {needed_mb} MB, und nur {free_mb} MB sind frei</translation>
     </message>
     <message>
         <source>no --offset was given: the log&apos;s clock is taken as media time</source>
@@ -4856,32 +4932,28 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>kein Falcon ist angesteckt; schließen Sie sein USB-Kabel und sein Netzteil an</translation>
     </message>
     <message>
-        <source>no Falcon {0} is plugged in; there is: {1}</source>
-        <translation>kein Falcon {0} ist angesteckt; es gibt: {1}</translation>
+        <source>no Falcon {serial!r} is plugged in; there is: {known}</source>
+        <translation>kein Falcon {serial!r} ist angesteckt; es gibt: {known}</translation>
     </message>
     <message>
-        <source>no factor may be called {0}, the name of their sum</source>
-        <translation>kein Faktor darf {0} heißen, wie die Summe aller</translation>
+        <source>no factor may be called {name!r}, the name of their sum</source>
+        <translation>kein Faktor darf {name!r} heißen, wie die Summe aller</translation>
     </message>
     <message>
         <source>no game pad is plugged in; connect a DualSense or DualShock 4 by USB cable</source>
         <translation>kein Gamepad ist angesteckt; schließen Sie einen DualSense oder DualShock 4 mit USB-Kabel an</translation>
     </message>
     <message>
-        <source>no leg reaches ({0}, {1}, {2}) mm</source>
-        <translation>kein Bein erreicht ({0}, {1}, {2}) mm</translation>
+        <source>no leg reaches ({x:.1f}, {y:.1f}, {z:.1f}) mm</source>
+        <translation>kein Bein erreicht ({x:.1f}, {y:.1f}, {z:.1f}) mm</translation>
     </message>
     <message>
         <source>no order was found in which no sequence is played twice in a row</source>
         <translation>es wurde keine Reihenfolge gefunden, in der keine Sequenz zweimal hintereinander kommt</translation>
     </message>
     <message>
-        <source>no summary</source>
-        <translation>keine Zusammenfassung</translation>
-    </message>
-    <message>
-        <source>nobody&apos;s home folder is known; set {0} to the firmware&apos;s path</source>
-        <translation>der persönliche Ordner ist nicht bekannt; setzen Sie {0} auf den Pfad der Firmware</translation>
+        <source>nobody&apos;s home folder is known; set {variable} to the firmware&apos;s path</source>
+        <translation>der persönliche Ordner ist nicht bekannt; setzen Sie {variable} auf den Pfad der Firmware</translation>
     </message>
     <message>
         <source>none of its pictures can be decoded</source>
@@ -4896,12 +4968,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>normale</translation>
     </message>
     <message>
-        <source>nothing was recorded for {0} s after line {1}</source>
-        <translation>nach Zeile {1} wurde {0} s lang nichts aufgezeichnet</translation>
-    </message>
-    <message>
-        <source>nothing was recorded for {0} s after row {1}</source>
-        <translation>nach Zeile {1} wurde {0} s lang nichts aufgezeichnet</translation>
+        <source>nothing was recorded for {gap_s:.0f} s after {place}</source>
+        <translation>nach {place} wurde {gap_s:.0f} s lang nichts aufgezeichnet</translation>
     </message>
     <message>
         <source>nothing, but give the file or folder of one of them</source>
@@ -4912,16 +4980,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>nichts, aber geben Sie den Ordner von einer an</translation>
     </message>
     <message>
-        <source>number</source>
-        <translation>Zahl</translation>
-    </message>
-    <message>
-        <source>of another result</source>
-        <translation>gehört zu einem anderen Ergebnis</translation>
-    </message>
-    <message>
-        <source>offset {0} s with rate {1} is no clock map; give finite numbers and a positive rate</source>
-        <translation>Versatz {0} s mit Rate {1} ist keine Zuordnung der Uhren; geben Sie endliche Zahlen und eine positive Rate an</translation>
+        <source>offset {offset_s} s with rate {rate} is no clock map; give finite numbers and a positive rate</source>
+        <translation>Versatz {offset_s} s mit Rate {rate} ist keine Zuordnung der Uhren; geben Sie endliche Zahlen und eine positive Rate an</translation>
     </message>
     <message>
         <source>one feedback alone cannot be compared with anything</source>
@@ -4936,16 +4996,16 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>eine einzige Sequenz folgt zwangsläufig sich selbst</translation>
     </message>
     <message>
-        <source>only {0} of its samples are whole</source>
-        <translation>nur {0} der Werte sind vollständig</translation>
+        <source>only {count} of {total} rows hold both specific force and angular rate</source>
+        <translation>nur {count} von {total} Zeilen enthalten spezifische Kraft und Drehrate zugleich</translation>
     </message>
     <message>
-        <source>only {0} of {1} rows hold both specific force and angular rate</source>
-        <translation>nur {0} von {1} Zeilen enthalten spezifische Kraft und Drehrate zugleich</translation>
+        <source>only {count} of {total} times can be used</source>
+        <translation>nur {count} von {total} Zeiten sind zu gebrauchen</translation>
     </message>
     <message>
-        <source>only {0} of {1} times can be used</source>
-        <translation>nur {0} von {1} Zeiten sind zu gebrauchen</translation>
+        <source>only {share:.0%} of its samples are whole</source>
+        <translation>nur {share:.0%} der Werte sind vollständig</translation>
     </message>
     <message>
         <source>open its sequence first, then the log</source>
@@ -4956,44 +5016,48 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>geöffnet</translation>
     </message>
     <message>
-        <source>order {0} has a condition twice</source>
-        <translation>Reihenfolge {0} hat eine Bedingung zweimal</translation>
+        <source>order {order} has a condition twice</source>
+        <translation>Reihenfolge {order} hat eine Bedingung zweimal</translation>
     </message>
     <message>
-        <source>order {0} has two trials at position {1}</source>
-        <translation>Reihenfolge {0} hat zwei Durchgänge an Stelle {1}</translation>
+        <source>order {order} has two trials at position {position}</source>
+        <translation>Reihenfolge {order} hat zwei Durchgänge an Stelle {position}</translation>
     </message>
     <message>
-        <source>order {0} lacks {1}</source>
-        <translation>in Reihenfolge {0} fehlt {1}</translation>
+        <source>order {order} lacks {conditions}</source>
+        <translation>in Reihenfolge {order} fehlt {conditions}</translation>
     </message>
     <message>
-        <source>order {0} plays {1} twice in a row</source>
-        <translation>Reihenfolge {0} spielt {1} zweimal hintereinander</translation>
+        <source>order {order} plays {sequence} twice in a row</source>
+        <translation>Reihenfolge {order} spielt {sequence} zweimal hintereinander</translation>
     </message>
     <message>
         <source>participant</source>
         <translation>teilnehmende Person</translation>
     </message>
     <message>
-        <source>participant {0}, {1}, {2}, {3}</source>
-        <translation>Person {0}, {1}, {2}, {3}</translation>
+        <source>participant {participant}, {sequence}, {feedback}, {factor}</source>
+        <translation>Person {participant}, {sequence}, {feedback}, {factor}</translation>
     </message>
     <message>
-        <source>rate-hz={0} is no rate; give 100, for example</source>
-        <translation>rate-hz={0} ist keine Rate; geben Sie zum Beispiel 100 an</translation>
+        <source>participants: 1 to {most} can be simulated</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>rate-unit={0} to take it as it is</source>
-        <translation>rate-unit={0} um es so zu nehmen, wie es ist</translation>
+        <source>rate-hz={rate_hz} is no rate; give 100, for example</source>
+        <translation>rate-hz={rate_hz} ist keine Rate; geben Sie zum Beispiel 100 an</translation>
     </message>
     <message>
-        <source>read as telemetry of the camera: specific force in m/s2, angular rate in rad/s, x to its right, y to where it looks, z to its top{0}, turning at {1} rad/s at most</source>
-        <translation>gelesen als Telemetrie der Kamera: spezifische Kraft in m/s2, Drehrate in rad/s, x nach rechts, y in Blickrichtung, z nach oben{0}, höchste Drehrate {1} rad/s</translation>
+        <source>rate-unit={rate_unit} to take it as it is</source>
+        <translation>rate-unit={rate_unit} um es so zu nehmen, wie es ist</translation>
     </message>
     <message>
-        <source>read as {0}: specific force in {1}</source>
-        <translation>gelesen als {0}: spezifische Kraft in {1}</translation>
+        <source>read as telemetry of the camera: specific force in m/s2, angular rate in rad/s, x to its right, y to where it looks, z to its top{rest}, turning at {largest_radps:.2f} rad/s at most</source>
+        <translation>gelesen als Telemetrie der Kamera: spezifische Kraft in m/s2, Drehrate in rad/s, x nach rechts, y in Blickrichtung, z nach oben{rest}, höchste Drehrate {largest_radps:.2f} rad/s</translation>
+    </message>
+    <message>
+        <source>read as {name}: specific force in {unit}</source>
+        <translation>gelesen als {name}: spezifische Kraft in {unit}</translation>
     </message>
     <message>
         <source>read by telemetry-parser; its times are those of an average rate</source>
@@ -5076,8 +5140,12 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>wiederholt sich</translation>
     </message>
     <message>
-        <source>row {0} was left out, as its time is more than an hour apart</source>
-        <translation>Zeile {0} wurde weggelassen, da ihre Zeit mehr als eine Stunde abliegt</translation>
+        <source>row {number}</source>
+        <translation>Zeile {number}</translation>
+    </message>
+    <message>
+        <source>run a participant</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>run a participant first</source>
@@ -5088,6 +5156,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>läuft rückwärts</translation>
     </message>
     <message>
+        <source>samples have the shape {shape}, expected N x 3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>sampling is averaged or instant</source>
         <translation>sampling ist averaged oder instant</translation>
     </message>
@@ -5096,24 +5168,20 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>speichern Sie sie als Text in UTF-8</translation>
     </message>
     <message>
-        <source>semicolons</source>
-        <translation>Semikolons</translation>
-    </message>
-    <message>
         <source>sequence</source>
         <translation>Sequenz</translation>
     </message>
     <message>
-        <source>session {0} cannot be used: {1}</source>
-        <translation>Sitzung {0} ist nicht zu gebrauchen: {1}</translation>
+        <source>session {code} cannot be used: {what}</source>
+        <translation>Sitzung {code} ist nicht zu gebrauchen: {what}</translation>
     </message>
     <message>
-        <source>session {0} is {1}</source>
-        <translation>Sitzung {0} ist {1}</translation>
+        <source>session {code} is {state}</source>
+        <translation>Sitzung {code} ist {state}</translation>
     </message>
     <message>
-        <source>session {0}: {1} was left out, the definition no longer has it</source>
-        <translation>Sitzung {0}: {1} wurde weggelassen, die Definition enthält sie nicht mehr</translation>
+        <source>session {code}: {key} was left out, the definition no longer has it</source>
+        <translation>Sitzung {code}: {key} wurde weggelassen, die Definition enthält sie nicht mehr</translation>
     </message>
     <message>
         <source>set up</source>
@@ -5136,20 +5204,32 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>sortieren Sie die Zeilen nach der Zeit, oder schneiden Sie die Aufnahme dort</translation>
     </message>
     <message>
-        <source>span from {0} s to {1} s</source>
-        <translation>Abschnitt von {0} s bis {1} s</translation>
+        <source>span from {start_s:g} s to {end_s:g} s</source>
+        <translation>Abschnitt von {start_s:g} s bis {end_s:g} s</translation>
     </message>
     <message>
         <source>specific force is acceleration plus the phone&apos;s own gravity</source>
         <translation>die spezifische Kraft ist die Beschleunigung plus die Schwerkraft, wie das Telefon sie angibt</translation>
     </message>
     <message>
-        <source>starts at {0} s, but the clip ends at {1} s</source>
-        <translation>beginnt bei {0} s, aber der Clip endet bei {1} s</translation>
+        <source>starts at {time_s:.3f} s, but the clip ends at {duration_s:.3f} s</source>
+        <translation>beginnt bei {time_s:.3f} s, aber der Clip endet bei {duration_s:.3f} s</translation>
     </message>
     <message>
         <source>stopped</source>
         <translation>beendet</translation>
+    </message>
+    <message>
+        <source>stopped by a button on the grip</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stopped, for the grip is more than 30 mm from the middle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stopped, for the grip was faster than 0.5 m/s</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>switch the Euler output of the board off and record again</source>
@@ -5160,20 +5240,24 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>schalten Sie die Platine auf Sensorausgabe (#osct bei Razor-AHRS)</translation>
     </message>
     <message>
-        <source>tabs</source>
-        <translation>Tabulatoren</translation>
+        <source>telemetry is nested deeper than {most} levels, so it is damaged</source>
+        <translation>die Telemetrie ist tiefer als {most} Ebenen geschachtelt, also beschädigt</translation>
     </message>
     <message>
-        <source>telemetry is nested deeper than {0} levels, so it is damaged</source>
-        <translation>die Telemetrie ist tiefer als {0} Ebenen geschachtelt, also beschädigt</translation>
+        <source>the Falcon answered none of the frames; home it, try again</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>the Falcon could not be {0} ({1}); unplug it and plug it in again</source>
-        <translation>der Falcon konnte nicht {0} werden ({1}); ziehen Sie ihn ab und stecken Sie ihn wieder an</translation>
+        <source>the Falcon could not be {done} ({reason}); unplug it and plug it in again</source>
+        <translation>der Falcon konnte nicht {done} werden ({reason}); ziehen Sie ihn ab und stecken Sie ihn wieder an</translation>
     </message>
     <message>
-        <source>the Falcon did not start in {0} attempts (the last: {1}); unplug its power and USB, plug both in, if you can without a hub, and try again</source>
-        <translation>der Falcon ist in {0} Versuchen nicht gestartet (zuletzt: {1}); ziehen Sie Netzteil und USB ab, stecken Sie beide wieder an, möglichst ohne Hub, und versuchen Sie es noch einmal</translation>
+        <source>the Falcon did not answer after the silence; try again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the Falcon did not start in {attempts} attempts (the last: {reason}); unplug its power and USB, plug both in, if you can without a hub, and try again</source>
+        <translation>der Falcon ist in {attempts} Versuchen nicht gestartet (zuletzt: {reason}); ziehen Sie Netzteil und USB ab, stecken Sie beide wieder an, möglichst ohne Hub, und versuchen Sie es noch einmal</translation>
     </message>
     <message>
         <source>the Falcon does not answer any more; unplug its power and USB, and plug both in</source>
@@ -5192,24 +5276,28 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>der Falcon wird von einem anderen Programm benutzt; schließen Sie es, und versuchen Sie es noch einmal</translation>
     </message>
     <message>
+        <source>the Falcon is not homed; run `hapticplayer device home`</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>the Falcon is not open; choose the device again</source>
         <translation>der Falcon ist nicht geöffnet; wählen Sie das Gerät noch einmal</translation>
     </message>
     <message>
-        <source>the Falcon may not be used by you; copy the udev rule {0} to /etc/udev/rules.d, then unplug the Falcon and plug it in</source>
-        <translation>Sie dürfen den Falcon nicht benutzen; kopieren Sie die udev-Regel {0} nach /etc/udev/rules.d, ziehen Sie den Falcon dann ab und stecken Sie ihn wieder an</translation>
+        <source>the Falcon may not be used by you; copy the udev rule {rule} to /etc/udev/rules.d, then unplug the Falcon and plug it in</source>
+        <translation>Sie dürfen den Falcon nicht benutzen; kopieren Sie die udev-Regel {rule} nach /etc/udev/rules.d, ziehen Sie den Falcon dann ab und stecken Sie ihn wieder an</translation>
     </message>
     <message>
-        <source>the Falcon was not homed within {0} s; pull the grip all the way out, push it all the way in until it locks, and try again</source>
-        <translation>der Falcon hat in {0} s seine Nullstellung nicht gefunden; ziehen Sie den Griff ganz heraus, schieben Sie ihn ganz hinein, bis er einrastet, und versuchen Sie es noch einmal</translation>
+        <source>the Falcon was not homed within {limit_s:.0f} s; pull the grip all the way out, push it all the way in until it locks, and try again</source>
+        <translation>der Falcon hat in {limit_s:.0f} s seine Nullstellung nicht gefunden; ziehen Sie den Griff ganz heraus, schieben Sie ihn ganz hinein, bis er einrastet, und versuchen Sie es noch einmal</translation>
     </message>
     <message>
         <source>the Falcon was unplugged, or its cable is loose; plug it in and choose the device again</source>
         <translation>der Falcon wurde abgezogen, oder sein Kabel ist lose; stecken Sie ihn an, und wählen Sie das Gerät noch einmal</translation>
     </message>
     <message>
-        <source>the Falcon&apos;s firmware is missing ({0}); it may not be passed on with this program: take nvent_firmware.bin from a libnifalcon source archive and install it with `hapticplayer device upload-firmware FILE`, or in the window with Playback &gt; Set up the device</source>
-        <translation>die Firmware des Falcon fehlt ({0}); sie darf mit diesem Programm nicht weitergegeben werden: Nehmen Sie nvent_firmware.bin aus einem Quellarchiv von libnifalcon und installieren Sie sie mit `hapticplayer device upload-firmware FILE`, oder im Fenster mit Wiedergabe &gt; Gerät einrichten</translation>
+        <source>the Falcon&apos;s firmware is missing ({path}); it may not be passed on with this program: take nvent_firmware.bin from a libnifalcon source archive and install it with `hapticplayer device upload-firmware FILE`, or in the window with Playback &gt; Set up the device</source>
+        <translation>die Firmware des Falcon fehlt ({path}); sie darf mit diesem Programm nicht weitergegeben werden: Nehmen Sie nvent_firmware.bin aus einem Quellarchiv von libnifalcon und installieren Sie sie mit `hapticplayer device upload-firmware FILE`, oder im Fenster mit Wiedergabe &gt; Gerät einrichten</translation>
     </message>
     <message>
         <source>the Falcon&apos;s position has jumped and stayed away; home it again, then choose the device again</source>
@@ -5228,8 +5316,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>die Drehrate ist durchweg null, es wird also keine Drehung angenommen</translation>
     </message>
     <message>
-        <source>the angular rate reaches {0} rad/s when it is read in {1}, which no sensor shows</source>
-        <translation>die Drehrate erreicht {0} rad/s, wenn sie in {1} gelesen wird, was kein Sensor zeigt</translation>
+        <source>the angular rate reaches {largest:.3g} rad/s when it is read in {rate_unit}, which no sensor shows</source>
+        <translation>die Drehrate erreicht {largest:.3g} rad/s, wenn sie in {rate_unit} gelesen wird, was kein Sensor zeigt</translation>
     </message>
     <message>
         <source>the angular rate turns gravity about 57 times too fast</source>
@@ -5240,8 +5328,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>die Drehrate dreht die Schwerkraft etwa 57-mal zu langsam</translation>
     </message>
     <message>
-        <source>the answer could not be saved ({0})</source>
-        <translation>die Antwort konnte nicht gespeichert werden ({0})</translation>
+        <source>the answer could not be saved ({reason})</source>
+        <translation>die Antwort konnte nicht gespeichert werden ({reason})</translation>
     </message>
     <message>
         <source>the board&apos;s axes</source>
@@ -5260,28 +5348,36 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>die Spalten stehen in anderer Reihenfolge</translation>
     </message>
     <message>
-        <source>the columns are separated by {0} instead of commas</source>
-        <translation>die Spalten sind durch {0} statt durch Kommas getrennt</translation>
+        <source>the columns have to be {columns}</source>
+        <translation>die Spalten müssen {columns} sein</translation>
     </message>
     <message>
-        <source>the columns have to be {0}</source>
-        <translation>die Spalten müssen {0} sein</translation>
+        <source>the computer stood still time and again; close other programs, measure again</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>the cutoff</source>
         <translation>die Grenzfrequenz</translation>
     </message>
     <message>
-        <source>the entry {0} stands twice in one object</source>
-        <translation>der Eintrag {0} steht zweimal in einem Objekt</translation>
+        <source>the entry {twice!r} stands twice in one object</source>
+        <translation>der Eintrag {twice!r} steht zweimal in einem Objekt</translation>
     </message>
     <message>
         <source>the experiment was paused; its clock ran on without the pause</source>
         <translation>das Experiment wurde angehalten; seine Uhr lief ohne die Pause weiter</translation>
     </message>
     <message>
-        <source>the fades take {0} s</source>
-        <translation>die Überblendungen dauern {0} s</translation>
+        <source>the fades take {fades_s:g} s</source>
+        <translation>die Überblendungen dauern {fades_s:g} s</translation>
+    </message>
+    <message>
+        <source>the file ends at byte {size_bytes} but its header promises {promised_bytes}</source>
+        <translation>die Datei endet bei Byte {size_bytes}, ihr Kopf verspricht aber {promised_bytes}</translation>
+    </message>
+    <message>
+        <source>the file ends at byte {size_bytes} but its index needs {indexed_bytes}</source>
+        <translation>die Datei endet bei Byte {size_bytes}, ihr Index braucht aber {indexed_bytes}</translation>
     </message>
     <message>
         <source>the file was removed</source>
@@ -5300,20 +5396,32 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>der Ordner wurde ersetzt</translation>
     </message>
     <message>
-        <source>the gain {0} would reverse the motion</source>
-        <translation>die Verstärkung {0} würde die Bewegung umkehren</translation>
+        <source>the gain {gain:g} would reverse the motion</source>
+        <translation>die Verstärkung {gain:g} würde die Bewegung umkehren</translation>
     </message>
     <message>
         <source>the game pad is not open; choose the device again</source>
         <translation>das Gamepad ist nicht geöffnet; wählen Sie das Gerät noch einmal</translation>
     </message>
     <message>
+        <source>the grip did not give way to 1 N; hold it more loosely</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the guard did not start, so nothing is measured; run &apos;hapticplayer doctor&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the guard has ended; measure again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>the guard of the haptics process has ended, so there is no force; choose the device again</source>
         <translation>der Wächter des Haptikprozesses ist beendet, es gibt also keine Kraft; wählen Sie das Gerät noch einmal</translation>
     </message>
     <message>
-        <source>the haptics process could not be started: {0}</source>
-        <translation>der Haptikprozess konnte nicht gestartet werden: {0}</translation>
+        <source>the haptics process could not be started: {reason}</source>
+        <translation>der Haptikprozess konnte nicht gestartet werden: {reason}</translation>
     </message>
     <message>
         <source>the haptics process did not become ready; try again, and run &apos;hapticplayer doctor&apos; if it stays so</source>
@@ -5324,16 +5432,20 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>der Haptikprozess ist beendet, es gibt also keine Kraft mehr</translation>
     </message>
     <message>
-        <source>the header is {0}</source>
-        <translation>der Kopf ist {0}</translation>
+        <source>the header is {header!r}</source>
+        <translation>der Kopf ist {header!r}</translation>
     </message>
     <message>
-        <source>the key {0} stands twice</source>
-        <translation>der Schlüssel {0} steht zweimal da</translation>
+        <source>the installed device {name!r} cannot be loaded: {reason}; update or uninstall its package</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>the largest angular rate is {0} rad/s</source>
-        <translation>die größte Drehrate ist {0} rad/s</translation>
+        <source>the key {key!r} stands twice</source>
+        <translation>der Schlüssel {key!r} steht zweimal da</translation>
+    </message>
+    <message>
+        <source>the largest angular rate is {largest:.3g} rad/s</source>
+        <translation>die größte Drehrate ist {largest:.3g} rad/s</translation>
     </message>
     <message>
         <source>the legs cannot be assembled at these joint angles</source>
@@ -5348,24 +5460,28 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>die Liste der Reihenfolgen ist leer</translation>
     </message>
     <message>
-        <source>the log cannot be written ({0})</source>
-        <translation>das Protokoll kann nicht geschrieben werden ({0})</translation>
+        <source>the log cannot be written ({reason})</source>
+        <translation>das Protokoll kann nicht geschrieben werden ({reason})</translation>
     </message>
     <message>
         <source>the log has no times: 50 frames a second are assumed</source>
         <translation>das Protokoll hat keine Zeiten: Es werden 50 Werte je Sekunde angenommen</translation>
     </message>
     <message>
-        <source>the log is not complete ({0})</source>
-        <translation>das Protokoll ist nicht vollständig ({0})</translation>
+        <source>the log is not complete ({reason})</source>
+        <translation>das Protokoll ist nicht vollständig ({reason})</translation>
     </message>
     <message>
-        <source>the magnetometer was left out: {0} of {1} samples are empty</source>
-        <translation>das Magnetometer wurde weggelassen: {0} von {1} Werten sind leer</translation>
+        <source>the low-pass has no heading; choose one of ekf, vqf</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>the median of |(ax, ay, az)| is {0} m/s2</source>
-        <translation>der Median von |(ax, ay, az)| ist {0} m/s2</translation>
+        <source>the magnetometer was left out: {count} of {total} samples are empty</source>
+        <translation>das Magnetometer wurde weggelassen: {count} von {total} Werten sind leer</translation>
+    </message>
+    <message>
+        <source>the median of |(ax, ay, az)| is {norm:.3g} m/s2</source>
+        <translation>der Median von |(ax, ay, az)| ist {norm:.3g} m/s2</translation>
     </message>
     <message>
         <source>the method offset needs one; give --offset S</source>
@@ -5376,72 +5492,76 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>die Bewegung lässt sich nicht von der Schwerkraft trennen</translation>
     </message>
     <message>
-        <source>the motion covers {0} to {1} s of media time, but the clip lasts from 0 to {2} s</source>
-        <translation>die Bewegung reicht von {0} bis {1} s Medienzeit, aber der Clip dauert von 0 bis {2} s</translation>
+        <source>the motion covers {first_s:.1f} to {last_s:.1f} s of media time, but the clip lasts from 0 to {duration_s:.1f} s</source>
+        <translation>die Bewegung reicht von {first_s:.1f} bis {last_s:.1f} s Medienzeit, aber der Clip dauert von 0 bis {duration_s:.1f} s</translation>
     </message>
     <message>
-        <source>the motion covers {0} to {1} s of the clip&apos;s {2} s; there is no force outside</source>
-        <translation>die Bewegung reicht von {0} bis {1} s der {2} s des Clips; außerhalb gibt es keine Kraft</translation>
+        <source>the motion covers {first_s:.1f} to {last_s:.1f} s of the clip&apos;s {duration_s:.1f} s; there is no force outside</source>
+        <translation>die Bewegung reicht von {first_s:.1f} bis {last_s:.1f} s der {duration_s:.1f} s des Clips; außerhalb gibt es keine Kraft</translation>
     </message>
     <message>
         <source>the motion track is empty, so there is no force to render</source>
         <translation>die Bewegungsspur ist leer, es gibt also keine Kraft zu berechnen</translation>
     </message>
     <message>
-        <source>the norm of the specific force is {0} where it is calmest, but gravity is {1} m/s^2</source>
-        <translation>der Betrag der spezifischen Kraft ist {0}, wo sie am ruhigsten ist, aber die Schwerkraft ist {1} m/s^2</translation>
+        <source>the norm of the specific force is {norm:.3g} where it is calmest, but gravity is {gravity:.3g} m/s^2</source>
+        <translation>der Betrag der spezifischen Kraft ist {norm:.3g}, wo sie am ruhigsten ist, aber die Schwerkraft ist {gravity:.3g} m/s^2</translation>
     </message>
     <message>
-        <source>the number of samples is {0}; {1} to {2} can be used</source>
-        <translation>die Zahl der Werte ist {0}; {1} bis {2} sind zu gebrauchen</translation>
+        <source>the number of samples is {count}; {least} to {most} can be used</source>
+        <translation>die Zahl der Werte ist {count}; {least} bis {most} sind zu gebrauchen</translation>
     </message>
     <message>
         <source>the phone&apos;s axes: x right, y top, z out of the screen</source>
         <translation>Achsen des Telefons: x rechts, y oben, z aus dem Bildschirm</translation>
     </message>
     <message>
-        <source>the position {0} is no whole number</source>
-        <translation>die Stelle {0} ist keine ganze Zahl</translation>
+        <source>the position {text!r} is no whole number</source>
+        <translation>die Stelle {text!r} ist keine ganze Zahl</translation>
     </message>
     <message>
         <source>the rate</source>
         <translation>die Rate</translation>
     </message>
     <message>
-        <source>the record cannot be written ({0})</source>
-        <translation>die Aufzeichnung kann nicht geschrieben werden ({0})</translation>
+        <source>the record cannot be written ({reason})</source>
+        <translation>die Aufzeichnung kann nicht geschrieben werden ({reason})</translation>
     </message>
     <message>
-        <source>the sampling rate changes over the recording, {0}</source>
-        <translation>die Abtastrate ändert sich in der Aufnahme, {0}</translation>
+        <source>the recording has no magnetometer to find the heading with</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>the scale of {0} is damaged ({1})</source>
-        <translation>der Maßstab von {0} ist beschädigt ({1})</translation>
+        <source>the sampling rate changes over the recording, {change}</source>
+        <translation>die Abtastrate ändert sich in der Aufnahme, {change}</translation>
     </message>
     <message>
-        <source>the second half could not be drawn ({0})</source>
-        <translation>die zweite Hälfte konnte nicht gezeichnet werden ({0})</translation>
+        <source>the scale of {key} is damaged ({scale})</source>
+        <translation>der Maßstab von {key} ist beschädigt ({scale})</translation>
+    </message>
+    <message>
+        <source>the second half could not be drawn ({reason})</source>
+        <translation>die zweite Hälfte konnte nicht gezeichnet werden ({reason})</translation>
     </message>
     <message>
         <source>the sensor turned so much that gravity does not show its axes</source>
         <translation>der Sensor drehte sich so sehr, dass die Schwerkraft seine Achsen nicht zeigt</translation>
     </message>
     <message>
-        <source>the sequence {0} has changed since this session began</source>
-        <translation>die Sequenz {0} hat sich geändert, seit diese Sitzung begann</translation>
+        <source>the sequence {key!r} has changed since this session began</source>
+        <translation>die Sequenz {key!r} hat sich geändert, seit diese Sitzung begann</translation>
     </message>
     <message>
-        <source>the sequence {0} has no feedback {1}</source>
-        <translation>die Sequenz {0} hat kein Feedback {1}</translation>
+        <source>the sequence {key!r} has no feedback {feedback!r}</source>
+        <translation>die Sequenz {key!r} hat kein Feedback {feedback!r}</translation>
     </message>
     <message>
-        <source>the sequence {0} has no folder with a sequence</source>
-        <translation>zur Sequenz {0} gibt es keinen Ordner mit einer Sequenz</translation>
+        <source>the sequence {key!r} has no folder with a sequence</source>
+        <translation>zur Sequenz {key!r} gibt es keinen Ordner mit einer Sequenz</translation>
     </message>
     <message>
-        <source>the simulated Falcon did not answer within {0} s; try again, and run &apos;hapticplayer doctor&apos; if it stays so</source>
-        <translation>der simulierte Falcon hat in {0} s nicht geantwortet; versuchen Sie es noch einmal, und rufen Sie „hapticplayer doctor“ auf, wenn es so bleibt</translation>
+        <source>the simulated Falcon did not answer within {patience_s:.0f} s; try again, and run &apos;hapticplayer doctor&apos; if it stays so</source>
+        <translation>der simulierte Falcon hat in {patience_s:.0f} s nicht geantwortet; versuchen Sie es noch einmal, und rufen Sie „hapticplayer doctor“ auf, wenn es so bleibt</translation>
     </message>
     <message>
         <source>the simulated Falcon was unplugged: its process has ended; choose the device again to start a new one</source>
@@ -5452,8 +5572,12 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>der simulierte Falcon wurde abgezogen; wählen Sie das Gerät noch einmal</translation>
     </message>
     <message>
-        <source>the sound has the shape {0}, expected (n, 1) or (n, 2)</source>
-        <translation>der Ton hat die Form {0}, erwartet wird (n, 1) oder (n, 2)</translation>
+        <source>the smoother has no heading; choose one of ekf, vqf, offline-vqf for it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the sound has the shape {shape}, expected (n, 1) or (n, 2)</source>
+        <translation>der Ton hat die Form {shape}, erwartet wird (n, 1) oder (n, 2)</translation>
     </message>
     <message>
         <source>the sound holds values that are not finite</source>
@@ -5468,44 +5592,52 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>der Ton ging verloren; Bild und Kraft laufen weiter</translation>
     </message>
     <message>
-        <source>the specific force is {0} m/s2 at rest when it is read in {1}, but gravity is 9.81</source>
-        <translation>die spezifische Kraft ist in Ruhe {0} m/s2, wenn sie in {1} gelesen wird, aber die Schwerkraft ist 9.81</translation>
+        <source>the specific force is {norm:.3g} m/s2 at rest when it is read in {force_unit}, but gravity is 9.81</source>
+        <translation>die spezifische Kraft ist in Ruhe {norm:.3g} m/s2, wenn sie in {force_unit} gelesen wird, aber die Schwerkraft ist 9.81</translation>
     </message>
     <message>
-        <source>the study has no condition {0}</source>
-        <translation>die Studie hat keine Bedingung {0}</translation>
+        <source>the study has no condition {key}</source>
+        <translation>die Studie hat keine Bedingung {key}</translation>
     </message>
     <message>
-        <source>the time {0} ({1} s after {2} s)</source>
-        <translation>die Zeit {0} ({1} s nach {2} s)</translation>
+        <source>the time {fault} ({time_s} s after {last_s} s)</source>
+        <translation>die Zeit {fault} ({time_s} s nach {last_s} s)</translation>
     </message>
     <message>
-        <source>the work was ended from outside (exit status {0}), perhaps for want of memory; nothing was written</source>
-        <translation>die Arbeit wurde von außen beendet (Status {0}), vielleicht aus Mangel an Arbeitsspeicher; nichts wurde geschrieben</translation>
+        <source>the work was ended from outside (exit status {status}), perhaps for want of memory; nothing was written</source>
+        <translation>die Arbeit wurde von außen beendet (Status {status}), vielleicht aus Mangel an Arbeitsspeicher; nichts wurde geschrieben</translation>
     </message>
     <message>
-        <source>the {0} may not be used by you, or is gone; copy the udev rule {1} to /etc/udev/rules.d, then unplug it and plug it in</source>
-        <translation>Sie dürfen das Gerät ({0}) nicht benutzen, oder es ist weg; kopieren Sie die udev-Regel {1} nach /etc/udev/rules.d, ziehen Sie es dann ab und stecken Sie es wieder an</translation>
+        <source>the {title} may not be used by you, or is gone; copy the udev rule {rule} to /etc/udev/rules.d, then unplug it and plug it in</source>
+        <translation>Sie dürfen das Gerät ({title}) nicht benutzen, oder es ist weg; kopieren Sie die udev-Regel {rule} nach /etc/udev/rules.d, ziehen Sie es dann ab und stecken Sie es wieder an</translation>
     </message>
     <message>
-        <source>the {0} was unplugged; plug it in and choose the device again</source>
-        <translation>das Gerät ({0}) wurde abgezogen; stecken Sie es an, und wählen Sie es noch einmal</translation>
+        <source>the {title} was unplugged; plug it in and choose the device again</source>
+        <translation>das Gerät ({title}) wurde abgezogen; stecken Sie es an, und wählen Sie es noch einmal</translation>
     </message>
     <message>
         <source>there are no pictures to write</source>
         <translation>es gibt keine Bilder zu schreiben</translation>
     </message>
     <message>
-        <source>there is a track {0} already; choose another name</source>
-        <translation>eine Spur {0} gibt es schon; wählen Sie einen anderen Namen</translation>
+        <source>there is a track {name!r} already; choose another name</source>
+        <translation>eine Spur {name!r} gibt es schon; wählen Sie einen anderen Namen</translation>
     </message>
     <message>
         <source>there is no device that could have a fault</source>
         <translation>es gibt kein Gerät, das einen Fehler haben könnte</translation>
     </message>
     <message>
-        <source>there is no format {0}; choose one of {1}</source>
-        <translation>es gibt kein Format {0}; wählen Sie eines von {1}</translation>
+        <source>there is no effect {name!r}; there is paper, none, or a share of the paper&apos;s effect such as 0.5</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no format {name!r}; choose one of {known}</source>
+        <translation>es gibt das Format {name!r} nicht; wählen Sie eines von {known}</translation>
+    </message>
+    <message>
+        <source>there is no format {name!r}; there is {known}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>there is no header, the file begins with numbers</source>
@@ -5516,20 +5648,36 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>es gibt kein Urteil, das sich auswerten ließe</translation>
     </message>
     <message>
-        <source>there is no method {0}; choose one of {1}</source>
-        <translation>es gibt kein Verfahren {0}; wählen Sie eines von {1}</translation>
+        <source>there is no measure {measure!r}; there is {known}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>there is no mounting {0}; choose one of {1}, or give right, front and up of the actor in the recorder&apos;s axes, such as --mounting=-x,y,-z</source>
-        <translation>es gibt keine Befestigung {0}; wählen Sie eine von {1}, oder geben Sie rechts, vorn und oben der Person in den Achsen des Recorders an, etwa --mounting=-x,y,-z</translation>
+        <source>there is no method {method!r}; choose one of {known}</source>
+        <translation>es gibt kein Verfahren {method!r}; wählen Sie eines von {known}</translation>
     </message>
     <message>
-        <source>there is no participant {0}</source>
-        <translation>es gibt keine teilnehmende Person {0}</translation>
+        <source>there is no motion scene {name!r}; choose one of {known}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>there is no sequence {0}; {1} are</source>
-        <translation>es gibt keine Sequenz {0}; es gibt {1}</translation>
+        <source>there is no mounting {text!r}; choose one of {known}, or give right, front and up of the actor in the recorder&apos;s axes, such as --mounting=-x,y,-z</source>
+        <translation>es gibt keine Befestigung {text!r}; wählen Sie eine von {known}, oder geben Sie rechts, vorn und oben der Person in den Achsen des Recorders an, etwa --mounting=-x,y,-z</translation>
+    </message>
+    <message>
+        <source>there is no participant {code}</source>
+        <translation>es gibt keine teilnehmende Person {code}</translation>
+    </message>
+    <message>
+        <source>there is no scene {scene!r}; choose one of {known}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no sensor {sensor!r}; choose one of {known}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no sequence {key!r}; {known} are</source>
+        <translation>es gibt keine Sequenz {key!r}; es gibt {known}</translation>
     </message>
     <message>
         <source>there is no sound in which pats could be heard</source>
@@ -5540,88 +5688,92 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>es gibt keine Tonausgabe, der Clip läuft also stumm</translation>
     </message>
     <message>
-        <source>there is no sound output: {0}</source>
-        <translation>es gibt keine Tonausgabe: {0}</translation>
+        <source>there is no sound output: {reason}</source>
+        <translation>es gibt keine Tonausgabe: {reason}</translation>
     </message>
     <message>
         <source>there is no such file</source>
         <translation>diese Datei gibt es nicht</translation>
     </message>
     <message>
-        <source>there is no template {0}; there is {1}</source>
-        <translation>es gibt keine Vorlage {0}; es gibt {1}</translation>
+        <source>there is no template {name!r}; there is {known}</source>
+        <translation>es gibt keine Vorlage {name!r}; es gibt {known}</translation>
     </message>
     <message>
-        <source>there is no track {0}</source>
-        <translation>es gibt keine Spur {0}</translation>
+        <source>there is no track {name!r}</source>
+        <translation>es gibt keine Spur {name!r}</translation>
     </message>
     <message>
-        <source>there is no {0}</source>
-        <translation>es fehlt: {0}</translation>
+        <source>there is no {kind}</source>
+        <translation>es fehlt: {kind}</translation>
     </message>
     <message>
         <source>there is nothing in it</source>
         <translation>es ist nichts darin</translation>
     </message>
     <message>
-        <source>these are two of a kind: {0}</source>
-        <translation>das sind zwei von derselben Art: {0}</translation>
+        <source>these are two of a kind: {names}</source>
+        <translation>das sind zwei von derselben Art: {names}</translation>
     </message>
     <message>
-        <source>this is no firmware for the Falcon: {0}; choose the file nvent_firmware.bin of a libnifalcon source archive</source>
-        <translation>das ist keine Firmware für den Falcon: {0}; wählen Sie die Datei nvent_firmware.bin eines Quellarchivs von libnifalcon</translation>
+        <source>this is no firmware for the Falcon: {reason}; choose the file nvent_firmware.bin of a libnifalcon source archive</source>
+        <translation>das ist keine Firmware für den Falcon: {reason}; wählen Sie die Datei nvent_firmware.bin eines Quellarchivs von libnifalcon</translation>
     </message>
     <message>
-        <source>this is the page {0}, not {1}</source>
-        <translation>dies ist die Seite {0}, nicht {1}</translation>
+        <source>this is the page {page}, not {expected}</source>
+        <translation>dies ist die Seite {page}, nicht {expected}</translation>
     </message>
     <message>
-        <source>this track heats the motors to {0} % of what they bear for ever; they may weaken it</source>
-        <translation>diese Spur erwärmt die Motoren auf {0} % dessen, was sie auf Dauer vertragen; sie könnten sie abschwächen</translation>
+        <source>this method takes no parameters</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>this track would move a {0} hand so that the force stops ({1}) at {2} s</source>
-        <translation>diese Spur würde eine {0} Hand so bewegen, dass die Kraft abschaltet ({1}), bei {2} s</translation>
+        <source>this method takes {expected}, not {given}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>this track would reach {0} % of the workspace with a relaxed hand, at {1} s; beyond {2} % the force outward is weakened</source>
-        <translation>diese Spur würde mit einer lockeren Hand {0} % des Arbeitsraums erreichen, bei {1} s; jenseits von {2} % wird die Kraft nach außen abgeschwächt</translation>
+        <source>this track heats the motors to {heat:.0f} % of what they bear for ever; they may weaken it</source>
+        <translation>diese Spur erwärmt die Motoren auf {heat:.0f} % dessen, was sie auf Dauer vertragen; sie könnten sie abschwächen</translation>
     </message>
     <message>
-        <source>time_s has {0} axes, expected one</source>
-        <translation>time_s hat {0} Achsen, erwartet wird eine</translation>
+        <source>this track would move a {hand} hand so that the force stops ({trip}) at {at_s:.1f} s</source>
+        <translation>diese Spur würde eine {hand} Hand so bewegen, dass die Kraft abschaltet ({trip}), bei {at_s:.1f} s</translation>
     </message>
     <message>
-        <source>time_s jumps back by {0} s at line {1}</source>
-        <translation>time_s springt in Zeile {1} um {0} s zurück</translation>
+        <source>this track would reach {reach:.0f} % of the workspace with a relaxed hand, at {at_s:.1f} s; beyond {far:.0f} % the force outward is weakened</source>
+        <translation>diese Spur würde mit einer lockeren Hand {reach:.0f} % des Arbeitsraums erreichen, bei {at_s:.1f} s; jenseits von {far:.0f} % wird die Kraft nach außen abgeschwächt</translation>
     </message>
     <message>
-        <source>time_s jumps back by {0} s at row {1}</source>
-        <translation>time_s springt in Zeile {1} um {0} s zurück</translation>
+        <source>time_s has {ndim} axes, expected one</source>
+        <translation>time_s hat {ndim} Achsen, erwartet wird eine</translation>
     </message>
     <message>
-        <source>time_s runs at {0} samples a second</source>
-        <translation>time_s läuft mit {0} Werten je Sekunde</translation>
+        <source>time_s jumps back by {jump_s:.6g} s at {place}</source>
+        <translation>time_s springt in {place} um {jump_s:.6g} s zurück</translation>
     </message>
     <message>
-        <source>time_s runs backwards at line {0}, and no order can be found</source>
-        <translation>time_s läuft in Zeile {0} rückwärts, und es findet sich keine Reihenfolge</translation>
+        <source>time_s runs at {rate_hz:.3g} samples a second</source>
+        <translation>time_s läuft mit {rate_hz:.3g} Werten je Sekunde</translation>
     </message>
     <message>
-        <source>time_s runs backwards at row {0}, and no order can be found</source>
-        <translation>time_s läuft in Zeile {0} rückwärts, und es findet sich keine Reihenfolge</translation>
+        <source>time_s runs backwards at {place}, and no order can be found</source>
+        <translation>time_s läuft in {place} rückwärts, und es findet sich keine Reihenfolge</translation>
     </message>
     <message>
-        <source>took telemetry-parser {0} s</source>
-        <translation>brauchte mit telemetry-parser {0} s</translation>
+        <source>timeout</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>took telemetry-parser {time_limit_s:g} s</source>
+        <translation>brauchte mit telemetry-parser {time_limit_s:g} s</translation>
     </message>
     <message>
         <source>true or false</source>
         <translation>true oder false</translation>
     </message>
     <message>
-        <source>turning at {0} rad/s at most</source>
-        <translation>höchste Drehrate {0} rad/s</translation>
+        <source>turning at {largest_radps:.2f} rad/s at most</source>
+        <translation>höchste Drehrate {largest_radps:.2f} rad/s</translation>
     </message>
     <message>
         <source>update hapticplayer</source>
@@ -5632,8 +5784,12 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>aktualisieren Sie das Programm, oder exportieren Sie noch einmal mit dieser Version</translation>
     </message>
     <message>
-        <source>use at most {0} of a-z, 0-9, _ and -</source>
-        <translation>nehmen Sie höchstens {0} Zeichen aus a-z, 0-9, _ und -</translation>
+        <source>use at most {most} of a-z, 0-9, _ and -</source>
+        <translation>nehmen Sie höchstens {most} Zeichen aus a-z, 0-9, _ und -</translation>
+    </message>
+    <message>
+        <source>use the version of hapticplayer that wrote it</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>without a readable number</source>
@@ -5648,376 +5804,364 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>schreiben Sie eine mit --save-template</translation>
     </message>
     <message>
-        <source>writes its times as dates ({0})</source>
-        <translation>schreibt seine Zeiten als Datum ({0})</translation>
+        <source>writes its times as dates ({found})</source>
+        <translation>schreibt seine Zeiten als Datum ({found})</translation>
     </message>
     <message>
-        <source>writing failed ({0})</source>
-        <translation>das Schreiben ist fehlgeschlagen ({0})</translation>
+        <source>writing failed ({reason})</source>
+        <translation>das Schreiben ist fehlgeschlagen ({reason})</translation>
     </message>
     <message>
         <source>written to</source>
         <translation>beschrieben</translation>
     </message>
     <message>
-        <source>{0} (first in line {1})</source>
-        <translation>{0} (zuerst in Zeile {1})</translation>
+        <source>{axes}{words} are right, front, up</source>
+        <translation>{axes}{words} sind rechts, vorn, oben</translation>
     </message>
     <message>
-        <source>{0} (or rate-hz=100)</source>
-        <translation>{0} (oder rate-hz=100)</translation>
+        <source>{clip}: no three pats are both heard and felt; {look}</source>
+        <translation>{clip}: Es gibt kein dreimaliges Klopfen, das zu hören und zu spüren ist; {look}</translation>
     </message>
     <message>
-        <source>{0} Falcons are plugged in: {1}; choose one, such as falcon:{2}</source>
-        <translation>{0} Falcons sind angesteckt: {1}; wählen Sie einen, etwa falcon:{2}</translation>
+        <source>{clip}: the pats are not certain (confidence {confidence:.2f}): the best offset is {offset_s:.3f} s{next_best}; {look}</source>
+        <translation>{clip}: Das Klopfen ist nicht sicher (Konfidenz {confidence:.2f}): Der beste Versatz ist {offset_s:.3f} s{next_best}; {look}</translation>
     </message>
     <message>
-        <source>{0} Hz is above the rate of the samples, {1} Hz</source>
-        <translation>{0} Hz liegen über der Rate der Werte, {1} Hz</translation>
+        <source>{count} Falcons are plugged in: {known}; choose one, such as falcon:{serial}</source>
+        <translation>{count} Falcons sind angesteckt: {known}; wählen Sie einen, etwa falcon:{serial}</translation>
     </message>
     <message>
-        <source>{0} and are marked as not valid</source>
-        <translation>{0} und sind als ungültig markiert</translation>
+        <source>{count} bytes are no whole number of words, or too many</source>
+        <translation>{count} Bytes sind keine ganze Zahl von Wörtern, oder zu viele</translation>
     </message>
     <message>
-        <source>{0} and no {1}</source>
-        <translation>{0} und kein {1}</translation>
+        <source>{count} bytes follow its end</source>
+        <translation>auf das Ende folgen {count} Bytes</translation>
     </message>
     <message>
-        <source>{0} and {1}</source>
-        <translation>{0} und {1}</translation>
+        <source>{count} gaps</source>
+        <translation>{count} Lücken</translation>
     </message>
     <message>
-        <source>{0} and {1} damaged lines</source>
-        <translation>{0} und {1} beschädigte Zeilen</translation>
+        <source>{count} gyroscope values were scaled twice and are left out</source>
+        <translation>{count} Gyroskopwerte waren zweimal skaliert und wurden weggelassen</translation>
     </message>
     <message>
-        <source>{0} and {1} for {2}</source>
-        <translation>{0} und {1} für {2}</translation>
+        <source>{count} lines are damaged and left out (first: line {line})</source>
+        <translation>{count} Zeilen sind beschädigt und wurden weggelassen (die erste: Zeile {line})</translation>
     </message>
     <message>
-        <source>{0} are no axes, so the telemetry is damaged</source>
-        <translation>{0} sind keine Achsen, die Telemetrie ist also beschädigt</translation>
+        <source>{count} missing or wild times were interpolated</source>
+        <translation>{count} fehlende oder wilde Zeiten wurden interpoliert</translation>
     </message>
     <message>
-        <source>{0} bytes are no whole number of words, or too many</source>
-        <translation>{0} Bytes sind keine ganze Zahl von Wörtern, oder zu viele</translation>
+        <source>{count} motion samples are too few; at least {least} are needed</source>
+        <translation>{count} Bewegungswerte sind zu wenige; mindestens {least} werden gebraucht</translation>
     </message>
     <message>
-        <source>{0} bytes follow its end</source>
-        <translation>auf das Ende folgen {0} Bytes</translation>
+        <source>{count} motion samples within {span_ms:.3g} ms are no motion</source>
+        <translation>{count} Bewegungswerte in {span_ms:.3g} ms sind keine Bewegung</translation>
     </message>
     <message>
-        <source>{0} cannot be the name of a track; use up to 40 letters, digits, blanks, dots and hyphens</source>
-        <translation>{0} kann nicht der Name einer Spur sein; nehmen Sie bis zu 40 Buchstaben, Ziffern, Leerzeichen, Punkte und Bindestriche</translation>
+        <source>{count} of {total} rows {done}</source>
+        <translation>{count} von {total} Zeilen {done}</translation>
     </message>
     <message>
-        <source>{0} does not hold numbers only ({1})</source>
-        <translation>{0} enthält nicht nur Zahlen ({1})</translation>
+        <source>{count} of {total} samples of {name} were missing, the first in {place}; they were filled in</source>
+        <translation>{count} von {total} Werten von {name} fehlten, der erste in {place}; sie wurden aufgefüllt</translation>
     </message>
     <message>
-        <source>{0} does not know the clip&apos;s clock; use --method pats or give --offset S</source>
-        <translation>{0} kennt die Uhr des Clips nicht; nehmen Sie --method pats, oder geben Sie --offset S an</translation>
+        <source>{count} packets in a row are damaged</source>
+        <translation>{count} Pakete hintereinander sind beschädigt</translation>
     </message>
     <message>
-        <source>{0} gaps</source>
-        <translation>{0} Lücken</translation>
+        <source>{count} pairs of rows were swapped in time and put in order</source>
+        <translation>{count} Zeilenpaare waren zeitlich vertauscht und wurden geordnet</translation>
     </message>
     <message>
-        <source>{0} gyroscope values were scaled twice and are left out</source>
-        <translation>{0} Gyroskopwerte waren zweimal skaliert und wurden weggelassen</translation>
+        <source>{count} rows without a time were left out, as they stand in a gap</source>
+        <translation>{count} Zeilen ohne Zeit wurden weggelassen, da sie in einer Lücke stehen</translation>
     </message>
     <message>
-        <source>{0} has no feedback {1}; choose one of {2}</source>
-        <translation>{0} hat kein Feedback {1}; wählen Sie eines von {2}</translation>
+        <source>{count} samples have no rate</source>
+        <translation>{count} Werte haben keine Rate</translation>
     </message>
     <message>
-        <source>{0} has the shape {1}, expected {2}</source>
-        <translation>{0} hat die Form {1}, erwartet wird {2}</translation>
+        <source>{count} samples {interval_s} s apart are no recording</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{0} has the shape {1}, expected {2} x 3</source>
-        <translation>{0} hat die Form {1}, erwartet wird {2} x 3</translation>
+        <source>{count} telemetry payloads are damaged; the rest was read.</source>
+        <translation>{count} Telemetrieblöcke sind beschädigt; der Rest wurde gelesen.</translation>
     </message>
     <message>
-        <source>{0} has {1} rows, but there are {2} times</source>
-        <translation>{0} hat {1} Zeilen, aber es gibt {2} Zeiten</translation>
+        <source>{device} is a real device and takes no faults</source>
+        <translation>{device} ist ein echtes Gerät und nimmt keine Fehler an</translation>
     </message>
     <message>
-        <source>{0} has {1} samples, more than is read</source>
-        <translation>{0} hat {1} Werte, mehr als gelesen werden</translation>
+        <source>{early} of {count} sessions have answers and no end</source>
+        <translation>{early} von {count} Sitzungen haben Antworten und kein Ende</translation>
     </message>
     <message>
-        <source>{0} holds a value that is not finite in line {1}</source>
-        <translation>{0} enthält in Zeile {1} einen Wert, der nicht endlich ist</translation>
+        <source>{empty} of {count} sessions hold no answer to a trial</source>
+        <translation>{empty} von {count} Sitzungen enthalten keine Antwort zu einem Durchgang</translation>
     </message>
     <message>
-        <source>{0} holds a value that is not finite in row {1}</source>
-        <translation>{0} enthält in Zeile {1} einen Wert, der nicht endlich ist</translation>
+        <source>{file}, line 1</source>
+        <translation>{file}, Zeile 1</translation>
     </message>
     <message>
-        <source>{0} is a real device and takes no faults</source>
-        <translation>{0} ist ein echtes Gerät und nimmt keine Fehler an</translation>
+        <source>{file}, line {line}</source>
+        <translation>{file}, Zeile {line}</translation>
     </message>
     <message>
-        <source>{0} is missing</source>
-        <translation>{0} fehlt</translation>
+        <source>{file}: columns={columns} {fault}</source>
+        <translation>{file}: columns={columns} {fault}</translation>
     </message>
     <message>
-        <source>{0} is no Falcon; use falcon, or falcon:SERIAL</source>
-        <translation>{0} ist kein Falcon; nehmen Sie falcon oder falcon:SERIAL</translation>
+        <source>{file}: is damaged; the study&apos;s own definition was used</source>
+        <translation>{file}: ist beschädigt; die Definition der Studie wurde verwendet</translation>
     </message>
     <message>
-        <source>{0} is no key</source>
-        <translation>{0} ist kein Schlüssel</translation>
+        <source>{file}: is no table of numbers; choose another log</source>
+        <translation>{file}: ist keine Tabelle mit Zahlen; wählen Sie ein anderes Protokoll</translation>
     </message>
     <message>
-        <source>{0} is no number</source>
-        <translation>{0} ist keine Zahl</translation>
+        <source>{file}: {what}; give --mounting {name}, or another of {known}, or --mounting forward to take it as it is</source>
+        <translation>{file}: {what}; geben Sie --mounting {name} an, oder etwas anderes von {known}, oder --mounting forward, um es so zu nehmen, wie es ist</translation>
     </message>
     <message>
-        <source>{0} is no participant&apos;s code</source>
-        <translation>{0} ist kein Code einer teilnehmenden Person</translation>
+        <source>{force_unit} and {rate_unit} for {ranges}</source>
+        <translation>{force_unit} und {rate_unit} für {ranges}</translation>
     </message>
     <message>
-        <source>{0} is no plain file name</source>
-        <translation>{0} ist kein einfacher Dateiname</translation>
+        <source>{key} has {count} samples, more than is read</source>
+        <translation>{key} hat {count} Werte, mehr als gelesen werden</translation>
     </message>
     <message>
-        <source>{0} is no skew of sound and picture; give seconds between -{1} and {2}</source>
-        <translation>{0} ist kein Versatz von Ton und Bild; geben Sie Sekunden zwischen -{1} und {2} an</translation>
+        <source>{key}={unit} is no unit; choose {known}, or give the factor to SI as a number above zero</source>
+        <translation>{key}={unit} ist keine Einheit; wählen Sie {known}, oder geben Sie den Faktor zu SI als Zahl über null an</translation>
     </message>
     <message>
-        <source>{0} is no whole number</source>
-        <translation>{0} ist keine ganze Zahl</translation>
+        <source>{late_s!r} is no skew of sound and picture; give seconds between -{largest_skew_s:g} and {largest_skew_s:g}</source>
+        <translation>{late_s!r} ist kein Versatz von Ton und Bild; geben Sie Sekunden zwischen -{largest_skew_s:g} und {largest_skew_s:g} an</translation>
     </message>
     <message>
-        <source>{0} is not a number</source>
-        <translation>{0} ist keine Zahl</translation>
+        <source>{leak_mps2:.2f} m/s2 of gravity are left where the recording stands still</source>
+        <translation>{leak_mps2:.2f} m/s2 der Schwerkraft bleiben übrig, wo die Aufnahme stillsteht</translation>
     </message>
     <message>
-        <source>{0} is not a {1}</source>
-        <translation>{0} ist nicht wie verlangt: {1}</translation>
+        <source>{line}, column {column}</source>
+        <translation>{line}, Spalte {column}</translation>
     </message>
     <message>
-        <source>{0} is out of range</source>
-        <translation>{0} liegt außerhalb des Bereichs</translation>
+        <source>{name!r} cannot be the name of a track; use up to 40 letters, digits, blanks, dots and hyphens</source>
+        <translation>{name!r} kann nicht der Name einer Spur sein; nehmen Sie bis zu 40 Buchstaben, Ziffern, Leerzeichen, Punkte und Bindestriche</translation>
     </message>
     <message>
-        <source>{0} is zero, not finite or beyond any sensor in {1} of {2} rows, first in line {3}</source>
-        <translation>{0} ist in {1} von {2} Zeilen null, nicht endlich oder jenseits jedes Sensors, zuerst in Zeile {3}</translation>
+        <source>{name!r} is no Falcon; use falcon, or falcon:SERIAL</source>
+        <translation>{name!r} ist kein Falcon; nehmen Sie falcon oder falcon:SERIAL</translation>
     </message>
     <message>
-        <source>{0} is zero, not finite or beyond any sensor in {1} of {2} rows, first in row {3}</source>
-        <translation>{0} ist in {1} von {2} Zeilen null, nicht endlich oder jenseits jedes Sensors, zuerst in Zeile {3}</translation>
+        <source>{name!r} is no plain file name</source>
+        <translation>{name!r} ist kein einfacher Dateiname</translation>
     </message>
     <message>
-        <source>{0} lies outside {1} to {2}</source>
-        <translation>{0} liegt außerhalb von {1} bis {2}</translation>
+        <source>{name} does not hold numbers only ({reason})</source>
+        <translation>{name} enthält nicht nur Zahlen ({reason})</translation>
     </message>
     <message>
-        <source>{0} lines are damaged and left out (first: line {1})</source>
-        <translation>{0} Zeilen sind beschädigt und wurden weggelassen (die erste: Zeile {1})</translation>
+        <source>{name} does not know the clip&apos;s clock; use --method pats or give --offset S</source>
+        <translation>{name} kennt die Uhr des Clips nicht; nehmen Sie --method pats, oder geben Sie --offset S an</translation>
     </message>
     <message>
-        <source>{0} m/s2 at rest</source>
-        <translation>{0} m/s2 in Ruhe</translation>
+        <source>{name} has the shape {shape}, expected {count} x 3</source>
+        <translation>{name} hat die Form {shape}, erwartet wird {count} x 3</translation>
     </message>
     <message>
-        <source>{0} m/s2 of gravity are left where the recording stands still</source>
-        <translation>{0} m/s2 der Schwerkraft bleiben übrig, wo die Aufnahme stillsteht</translation>
+        <source>{name} has the shape {shape}, expected {expected}</source>
+        <translation>{name} hat die Form {shape}, erwartet wird {expected}</translation>
     </message>
     <message>
-        <source>{0} missing or wild times were interpolated</source>
-        <translation>{0} fehlende oder wilde Zeiten wurden interpoliert</translation>
+        <source>{name} has {count} rows, but there are {expected} times</source>
+        <translation>{name} hat {count} Zeilen, aber es gibt {expected} Zeiten</translation>
     </message>
     <message>
-        <source>{0} motion samples are too few; at least {1} are needed</source>
-        <translation>{0} Bewegungswerte sind zu wenige; mindestens {1} werden gebraucht</translation>
+        <source>{name} holds a value that is not finite in row {row}</source>
+        <translation>{name} enthält in Zeile {row} einen Wert, der nicht endlich ist</translation>
     </message>
     <message>
-        <source>{0} motion samples within {1} ms are no motion</source>
-        <translation>{0} Bewegungswerte in {1} ms sind keine Bewegung</translation>
+        <source>{name} is missing</source>
+        <translation>{name} fehlt</translation>
     </message>
     <message>
-        <source>{0} must be a positive number, got {1}</source>
-        <translation>{0} muss eine positive Zahl sein, war aber {1}</translation>
+        <source>{name} is not a number</source>
+        <translation>{name} ist keine Zahl</translation>
     </message>
     <message>
-        <source>{0} must increase strictly, but line {1} has {2} s after {3} s</source>
-        <translation>{0} muss streng steigen, aber in Zeile {1} stehen {2} s nach {3} s</translation>
+        <source>{name} is out of range</source>
+        <translation>{name} liegt außerhalb des Bereichs</translation>
     </message>
     <message>
-        <source>{0} must increase strictly, but row {1} has {2} s after {3} s</source>
-        <translation>{0} muss streng steigen, aber in Zeile {1} stehen {2} s nach {3} s</translation>
+        <source>{name} is zero, not finite or beyond any sensor in {count} of {total} rows, first in {place}</source>
+        <translation>{name} ist in {count} von {total} Zeilen null, nicht endlich oder jenseits jedes Sensors, zuerst in {place}</translation>
     </message>
     <message>
-        <source>{0} of the force samples reach the force limit</source>
-        <translation>{0} der Kraftwerte erreichen die Grenze der Kraft</translation>
+        <source>{name} must be a positive number, got {value}</source>
+        <translation>{name} muss eine positive Zahl sein, war aber {value}</translation>
     </message>
     <message>
-        <source>{0} of the motion is not to be trusted (gaps, missing or clipped samples); there is no force there</source>
-        <translation>{0} der Bewegung ist nicht zu trauen (Lücken, fehlende oder abgeschnittene Werte); dort gibt es keine Kraft</translation>
+        <source>{name} must be above zero, not {value}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{0} of the samples are at the sensor&apos;s limit</source>
-        <translation>{0} der Werte liegen an der Grenze des Sensors</translation>
+        <source>{name} must be positive and finite, got {value}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{0} of {1} rows {2}</source>
-        <translation>{0} von {1} Zeilen {2}</translation>
+        <source>{name} must increase strictly, but row {row} has {time_s:.6f} s after {last_s:.6f} s</source>
+        <translation>{name} muss streng steigen, aber in Zeile {row} stehen {time_s:.6f} s nach {last_s:.6f} s</translation>
     </message>
     <message>
-        <source>{0} of {1} samples of {2} were missing, the first in line {3}; they were filled in</source>
-        <translation>{0} von {1} Werten von {2} fehlten, der erste in Zeile {3}; sie wurden aufgefüllt</translation>
+        <source>{norm:.2f} m/s2 at rest</source>
+        <translation>{norm:.2f} m/s2 in Ruhe</translation>
     </message>
     <message>
-        <source>{0} of {1} samples of {2} were missing, the first in row {3}; they were filled in</source>
-        <translation>{0} von {1} Werten von {2} fehlten, der erste in Zeile {3}; sie wurden aufgefüllt</translation>
+        <source>{note} (first in line {line})</source>
+        <translation>{note} (zuerst in Zeile {line})</translation>
     </message>
     <message>
-        <source>{0} of {1} sessions are simulated: nobody sat there</source>
-        <translation>{0} von {1} Sitzungen sind simuliert: Niemand saß dort</translation>
+        <source>{option} {word!r} is not understood; give KEY=VALUE with one of {known}</source>
+        <translation>{option} {word!r} wird nicht verstanden; geben Sie KEY=VALUE mit einem von {known} an</translation>
     </message>
     <message>
-        <source>{0} of {1} sessions have answers and no end</source>
-        <translation>{0} von {1} Sitzungen haben Antworten und kein Ende</translation>
+        <source>{order!r} are no axes, so the telemetry is damaged</source>
+        <translation>{order!r} sind keine Achsen, die Telemetrie ist also beschädigt</translation>
     </message>
     <message>
-        <source>{0} of {1} sessions hold no answer to a trial</source>
-        <translation>{0} von {1} Sitzungen enthalten keine Antwort zu einem Durchgang</translation>
+        <source>{path}: cannot be brought back ({reason})</source>
+        <translation>{path}: kann nicht zurückgeholt werden ({reason})</translation>
     </message>
     <message>
-        <source>{0} or {1}</source>
-        <translation>{0} oder {1}</translation>
+        <source>{path}: cannot be read ({reason}); choose another file</source>
+        <translation>{path}: kann nicht gelesen werden ({reason}); wählen Sie eine andere Datei</translation>
     </message>
     <message>
-        <source>{0} packets in a row are damaged</source>
-        <translation>{0} Pakete hintereinander sind beschädigt</translation>
+        <source>{path}: is no log of {name}</source>
+        <translation>{path}: ist kein Protokoll von {name}</translation>
     </message>
     <message>
-        <source>{0} pairs of rows were swapped in time and put in order</source>
-        <translation>{0} Zeilenpaare waren zeitlich vertauscht und wurden geordnet</translation>
+        <source>{path}: the firmware cannot be kept there ({reason}); set {variable} to another path</source>
+        <translation>{path}: Die Firmware kann dort nicht aufbewahrt werden ({reason}); setzen Sie {variable} auf einen anderen Pfad</translation>
     </message>
     <message>
-        <source>{0} rows without a time were left out, as they stand in a gap</source>
-        <translation>{0} Zeilen ohne Zeit wurden weggelassen, da sie in einer Lücke stehen</translation>
+        <source>{path}: {reason}</source>
+        <translation>{path}: {reason}</translation>
     </message>
     <message>
-        <source>{0} s of samples are less than one window of {1} s</source>
-        <translation>{0} s Werte sind weniger als ein Fenster von {1} s</translation>
+        <source>{place} was left out, as its time is more than an hour apart</source>
+        <translation>{place} wurde weggelassen, da ihre Zeit mehr als eine Stunde abliegt</translation>
     </message>
     <message>
-        <source>{0} samples have no rate</source>
-        <translation>{0} Werte haben keine Rate</translation>
+        <source>{rate_hz:g} Hz is above the rate of the samples, {input_rate_hz:.4g} Hz</source>
+        <translation>{rate_hz:g} Hz liegen über der Rate der Werte, {input_rate_hz:.4g} Hz</translation>
     </message>
     <message>
-        <source>{0} telemetry payloads are damaged; the rest was read.</source>
-        <translation>{0} Telemetrieblöcke sind beschädigt; der Rest wurde gelesen.</translation>
+        <source>{reason}; the copy among the answers was used</source>
+        <translation>{reason}; die Kopie bei den Antworten wurde verwendet</translation>
     </message>
     <message>
-        <source>{0} x {1} pixels are too large for a picture</source>
-        <translation>{0} x {1} Pixel sind zu groß für ein Bild</translation>
+        <source>{scenario!r} is no ride; choose one of {known}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{0} {1} is not understood; give KEY=VALUE with one of {2}</source>
-        <translation>{0} {1} wird nicht verstanden; geben Sie KEY=VALUE mit einem von {2} an</translation>
+        <source>{scripted} of {count} sessions are simulated: nobody sat there</source>
+        <translation>{scripted} von {count} Sitzungen sind simuliert: Niemand saß dort</translation>
     </message>
     <message>
-        <source>{0}, but the numbers would fit another unit</source>
-        <translation>{0}, aber die Zahlen würden zu einer anderen Einheit passen</translation>
+        <source>{share:.1%} of the force samples reach the force limit</source>
+        <translation>{share:.1%} der Kraftwerte erreichen die Grenze der Kraft</translation>
     </message>
     <message>
-        <source>{0}, column {1}</source>
-        <translation>{0}, Spalte {1}</translation>
+        <source>{share} of the motion is not to be trusted (gaps, missing or clipped samples); there is no force there</source>
+        <translation>{share} der Bewegung ist nicht zu trauen (Lücken, fehlende oder abgeschnittene Werte); dort gibt es keine Kraft</translation>
     </message>
     <message>
-        <source>{0}, line 1</source>
-        <translation>{0}, Zeile 1</translation>
+        <source>{share} of the samples are at the sensor&apos;s limit</source>
+        <translation>{share} der Werte liegen an der Grenze des Sensors</translation>
     </message>
     <message>
-        <source>{0}, line {1}</source>
-        <translation>{0}, Zeile {1}</translation>
+        <source>{source}: sound, but none of the known images ({known}; SHA-256 {sha256}...); it would run the motors: say that you want it (--accept-unknown)</source>
+        <translation>{source}: einwandfrei, aber keine der bekannten Firmware-Dateien ({known}; SHA-256 {sha256}...); sie würde die Motoren betreiben: Sagen Sie, dass Sie das wollen (--accept-unknown)</translation>
     </message>
     <message>
-        <source>{0}, or {1}</source>
-        <translation>{0}, oder {1}</translation>
+        <source>{text!r} is no participant&apos;s code</source>
+        <translation>{text!r} ist kein Code einer teilnehmenden Person</translation>
     </message>
     <message>
-        <source>{0}, others {1} s</source>
-        <translation>{0}, andere {1} s</translation>
+        <source>{text!r} is not a number</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{0}, {1} m/s2 at rest</source>
-        <translation>{0}, {1} m/s2 in Ruhe</translation>
+        <source>{text} is not a finite number</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{0}: cannot be read ({1}); choose another file</source>
-        <translation>{0}: kann nicht gelesen werden ({1}); wählen Sie eine andere Datei</translation>
+        <source>{time} (or rate-hz=100)</source>
+        <translation>{time} (oder rate-hz=100)</translation>
     </message>
     <message>
-        <source>{0}: columns={1} {2}</source>
-        <translation>{0}: columns={1} {2}</translation>
+        <source>{title} has no feedback {name!r}; choose one of {known}</source>
+        <translation>{title} hat kein Feedback {name!r}; wählen Sie eines von {known}</translation>
     </message>
     <message>
-        <source>{0}: is damaged; the study&apos;s own definition was used</source>
-        <translation>{0}: ist beschädigt; die Definition der Studie wurde verwendet</translation>
+        <source>{total_s:.4g} s of samples are less than one window of {window_s:.4g} s</source>
+        <translation>{total_s:.4g} s Werte sind weniger als ein Fenster von {window_s:.4g} s</translation>
     </message>
     <message>
-        <source>{0}: is no log of {1}</source>
-        <translation>{0}: ist kein Protokoll von {1}</translation>
+        <source>{value!r} is no key</source>
+        <translation>{value!r} ist kein Schlüssel</translation>
     </message>
     <message>
-        <source>{0}: is no table of numbers; choose another log</source>
-        <translation>{0}: ist keine Tabelle mit Zahlen; wählen Sie ein anderes Protokoll</translation>
+        <source>{value:g} is no whole number</source>
+        <translation>{value:g} ist keine ganze Zahl</translation>
     </message>
     <message>
-        <source>{0}: no three pats are both heard and felt; {1}</source>
-        <translation>{0}: Es gibt kein dreimaliges Klopfen, das zu hören und zu spüren ist; {1}</translation>
+        <source>{value} is no number</source>
+        <translation>{value} ist keine Zahl</translation>
     </message>
     <message>
-        <source>{0}: sound, but none of the known images ({1}; SHA-256 {2}...); it would run the motors: say that you want it (--accept-unknown)</source>
-        <translation>{0}: einwandfrei, aber keine der bekannten Firmware-Dateien ({1}; SHA-256 {2}...); sie würde die Motoren betreiben: Sagen Sie, dass Sie das wollen (--accept-unknown)</translation>
+        <source>{value} lies outside {least:g} to {most:g}</source>
+        <translation>{value} liegt außerhalb von {least:g} bis {most:g}</translation>
     </message>
     <message>
-        <source>{0}: the firmware cannot be kept there ({1}); set {2} to another path</source>
-        <translation>{0}: Die Firmware kann dort nicht aufbewahrt werden ({1}); setzen Sie {2} auf einen anderen Pfad</translation>
+        <source>{what} ({reason})</source>
+        <translation>{what} ({reason})</translation>
     </message>
     <message>
-        <source>{0}: the pats are not certain (confidence {1}): the best offset is {2} s{3}; {4}</source>
-        <translation>{0}: Das Klopfen ist nicht sicher (Konfidenz {1}): Der beste Versatz ist {2} s{3}; {4}</translation>
+        <source>{what} and are marked as not valid</source>
+        <translation>{what} und sind als ungültig markiert</translation>
     </message>
     <message>
-        <source>{0}: {1}</source>
-        <translation>{0}: {1}</translation>
+        <source>{what}, but the numbers would fit another unit</source>
+        <translation>{what}, aber die Zahlen würden zu einer anderen Einheit passen</translation>
     </message>
     <message>
-        <source>{0}: {1}; decide with {2}</source>
-        <translation>{0}: {1}; entscheiden Sie mit {2}</translation>
+        <source>{what}; see --mounting</source>
+        <translation>{what}; siehe --mounting</translation>
     </message>
     <message>
-        <source>{0}: {1}; give --mounting {2}, or another of {3}, or --mounting forward to take it as it is</source>
-        <translation>{0}: {1}; geben Sie --mounting {2} an, oder etwas anderes von {3}, oder --mounting forward, um es so zu nehmen, wie es ist</translation>
+        <source>{what}; {remedy}</source>
+        <translation>{what}; {remedy}</translation>
     </message>
     <message>
-        <source>{0}; see --mounting</source>
-        <translation>{0}; siehe --mounting</translation>
+        <source>{where}: {what}</source>
+        <translation>{where}: {what}</translation>
     </message>
     <message>
-        <source>{0}; the copy among the answers was used</source>
-        <translation>{0}; die Kopie bei den Antworten wurde verwendet</translation>
-    </message>
-    <message>
-        <source>{0}; {1}</source>
-        <translation>{0}; {1}</translation>
-    </message>
-    <message>
-        <source>{0}={1} is no unit; choose {2}, or give the factor to SI as a number above zero</source>
-        <translation>{0}={1} ist keine Einheit; wählen Sie {2}, oder geben Sie den Faktor zu SI als Zahl über null an</translation>
-    </message>
-    <message>
-        <source>{0}{1} are right, front, up</source>
-        <translation>{0}{1} sind rechts, vorn, oben</translation>
+        <source>{width} x {height} pixels are too large for a picture</source>
+        <translation>{width} x {height} Pixel sind zu groß für ein Bild</translation>
     </message>
 </context>
 </TS>

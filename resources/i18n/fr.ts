@@ -3212,12 +3212,44 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
 <context>
     <name>engine</name>
     <message>
-        <source>1 g = {0} and 2000 deg/s</source>
-        <translation>1 g = {0} et 2000 °/s</translation>
+        <source> ({words})</source>
+        <translation> ({words})</translation>
     </message>
     <message>
-        <source>1 line is damaged and left out (first: line {0})</source>
-        <translation>1 ligne est endommagée et a été omise (la première&#xa0;: ligne {0})</translation>
+        <source> and </source>
+        <translation> et </translation>
+    </message>
+    <message>
+        <source> and no </source>
+        <translation> et pas de </translation>
+    </message>
+    <message>
+        <source> and {count} damaged lines</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> or </source>
+        <translation> ou </translation>
+    </message>
+    <message>
+        <source>, or </source>
+        <translation>, ou </translation>
+    </message>
+    <message>
+        <source>, others {known} s</source>
+        <translation>, d’autres {known} s</translation>
+    </message>
+    <message>
+        <source>, {norm:.2f} m/s2 at rest</source>
+        <translation>, {norm:.2f} m/s2 au repos</translation>
+    </message>
+    <message>
+        <source>1 g = {counts:.0f} and 2000 deg/s</source>
+        <translation>1 g = {counts:.0f} et 2000 °/s</translation>
+    </message>
+    <message>
+        <source>1 line is damaged and left out (first: line {line})</source>
+        <translation>1 ligne est endommagée et a été omise (la première&#xa0;: ligne {line})</translation>
     </message>
     <message>
         <source>Broken pipe</source>
@@ -3280,12 +3312,12 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>c’est un dossier</translation>
     </message>
     <message>
-        <source>LSL streams cannot be kept on this machine ({0})</source>
-        <translation>les flux LSL ne peuvent pas rester sur cette machine ({0})</translation>
+        <source>LSL streams cannot be kept on this machine ({reason})</source>
+        <translation>les flux LSL ne peuvent pas rester sur cette machine ({reason})</translation>
     </message>
     <message>
-        <source>LSL streams cannot be opened ({0})</source>
-        <translation>les flux LSL ne peuvent pas être ouverts ({0})</translation>
+        <source>LSL streams cannot be opened ({reason})</source>
+        <translation>les flux LSL ne peuvent pas être ouverts ({reason})</translation>
     </message>
     <message>
         <source>LSL streams need pylsl 1.18 or newer with its library</source>
@@ -3316,6 +3348,10 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>ce n’est pas permis</translation>
     </message>
     <message>
+        <source>Operation not supported</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Permission denied</source>
         <translation>accès refusé</translation>
     </message>
@@ -3328,24 +3364,24 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>le disque est en lecture seule</translation>
     </message>
     <message>
-        <source>Sensor Logger ({0})</source>
-        <translation>Sensor Logger ({0})</translation>
+        <source>Sensor Logger ({system})</source>
+        <translation>Sensor Logger ({system})</translation>
     </message>
     <message>
         <source>The compass is left out: the file does not say which axes it has.</source>
         <translation>La boussole est omise&#xa0;: le fichier ne dit pas quels axes elle a.</translation>
     </message>
     <message>
-        <source>The compass is left out: {0}.</source>
-        <translation>La boussole est omise&#xa0;: {0}.</translation>
+        <source>The compass is left out: {what}.</source>
+        <translation>La boussole est omise&#xa0;: {what}.</translation>
     </message>
     <message>
-        <source>The file does not say how the sensor sits in {0}: the axes of a HERO5 are assumed.</source>
-        <translation>Le fichier ne dit pas comment le capteur est placé dans {0}&#xa0;: les axes d’une HERO5 sont supposés.</translation>
+        <source>The file does not say how the sensor sits in {camera!r}: the axes of a HERO5 are assumed.</source>
+        <translation>Le fichier ne dit pas comment le capteur est placé dans {camera!r}&#xa0;: les axes d’une HERO5 sont supposés.</translation>
     </message>
     <message>
-        <source>The log has {0}, the longest of {1} s at {2} s.</source>
-        <translation>Le journal a {0}, la plus longue de {1} s à {2} s.</translation>
+        <source>The log has {count}, the longest of {length_s:.2f} s at {at_s:.2f} s.</source>
+        <translation>Le journal a {count}, la plus longue de {length_s:.2f} s à {at_s:.2f} s.</translation>
     </message>
     <message>
         <source>This camera does not stamp its samples: they may lie 10 to 30 ms off the picture.</source>
@@ -3376,24 +3412,28 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>un plan de Williams contient chaque paire de voisins, aussi ceux d’une même séquence</translation>
     </message>
     <message>
-        <source>a block of {0} words at {1} fits nowhere</source>
-        <translation>un bloc de {0} mots à {1} n’a sa place nulle part</translation>
+        <source>a block of {count} words at {address:X} fits nowhere</source>
+        <translation>un bloc de {count} mots à {address:X} n’a sa place nulle part</translation>
     </message>
     <message>
         <source>a clip cannot be copied onto itself</source>
         <translation>une vidéo ne peut pas être copiée sur elle-même</translation>
     </message>
     <message>
-        <source>a code has {0} letters, as `study status` lists them</source>
-        <translation>un code a {0} lettres, comme `study status` les donne</translation>
+        <source>a code has {length} letters, as `study status` lists them</source>
+        <translation>un code a {length} lettres, comme `study status` les donne</translation>
     </message>
     <message>
         <source>a condition was rated twice although it was sound the first time</source>
         <translation>une condition a été notée deux fois, bien qu’elle ait été valable la première fois</translation>
     </message>
     <message>
-        <source>a cutoff of {0} Hz is not below half the rate of the samples, {1} Hz</source>
-        <translation>une fréquence de coupure de {0} Hz n’est pas inférieure à la moitié de la cadence des mesures, {1} Hz</translation>
+        <source>a cutoff of {cutoff_hz:g} Hz is not below half the rate of the samples, {half_rate_hz:.4g} Hz</source>
+        <translation>une fréquence de coupure de {cutoff_hz:g} Hz n’est pas inférieure à la moitié de la cadence des mesures, {half_rate_hz:.4g} Hz</translation>
+    </message>
+    <message>
+        <source>a duration of {length_s:g} s; give one from 1 to {longest_s:g} s</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>a force that is no number was asked for, a defect of this program; please report it, and choose the device again</source>
@@ -3404,40 +3444,52 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>une piste de force demande au moins une ligne</translation>
     </message>
     <message>
-        <source>a gain span holds a number that is not finite: {0}</source>
-        <translation>une plage de gain contient un nombre qui n’est pas fini&#xa0;: {0}</translation>
+        <source>a gain span holds a number that is not finite: {numbers}</source>
+        <translation>une plage de gain contient un nombre qui n’est pas fini&#xa0;: {numbers}</translation>
     </message>
     <message>
-        <source>a latency of {0} s is not between 0 and 1 s</source>
-        <translation>une latence de {0} s n’est pas entre 0 et 1 s</translation>
+        <source>a latency of {value:g} s is not between 0 and 1 s</source>
+        <translation>une latence de {value:g} s n’est pas entre 0 et 1 s</translation>
     </message>
     <message>
         <source>a list</source>
         <translation>une liste</translation>
     </message>
     <message>
-        <source>a low-pass of order {0} is not possible</source>
-        <translation>un passe-bas d’ordre {0} n’est pas possible</translation>
+        <source>a low-pass of order {order} is not possible</source>
+        <translation>un passe-bas d’ordre {order} n’est pas possible</translation>
     </message>
     <message>
         <source>a number</source>
         <translation>un nombre</translation>
     </message>
     <message>
-        <source>a picture has the shape {0}, expected {1} of uint8</source>
-        <translation>une image a la forme {0}, attendu&#xa0;: {1} en uint8</translation>
+        <source>a picture has the shape {shape}, expected {expected} of uint8</source>
+        <translation>une image a la forme {shape}, attendu&#xa0;: {expected} en uint8</translation>
     </message>
     <message>
-        <source>a rating names the {0} {1}, which there is not</source>
-        <translation>une note désigne&#xa0;: {0} {1}, qui n’existe pas</translation>
+        <source>a pilot needs at least five participants without holes</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>a rating of {0} is outside {1} to {2}</source>
-        <translation>une note de {0} est en dehors de {1} à {2}</translation>
+        <source>a rating names the {kind} {name!r}, which there is not</source>
+        <translation>une note désigne&#xa0;: {kind} {name!r}, qui n’existe pas</translation>
     </message>
     <message>
-        <source>a sound of {0} Hz is too coarse; give 8000 or more</source>
-        <translation>un son de {0} Hz est trop grossier&#xa0;; donnez 8000 ou plus</translation>
+        <source>a rating of {rating} is outside {low} to {high}</source>
+        <translation>une note de {rating} est en dehors de {low} à {high}</translation>
+    </message>
+    <message>
+        <source>a run of {longest} and a flank of {flank} samples are more than half a window, {half_window}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a sensor of {rate_hz:g} Hz averaged to {log_hz:g} Hz; give rates above 0, the second not above the first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a sound of {rate_hz} Hz is too coarse; give 8000 or more</source>
+        <translation>un son de {rate_hz} Hz est trop grossier&#xa0;; donnez 8000 ou plus</translation>
     </message>
     <message>
         <source>a span without a fade makes the force jump</source>
@@ -3452,32 +3504,28 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>un texte</translation>
     </message>
     <message>
-        <source>a time constant can only be set for the method smoother, not for {0}</source>
-        <translation>une constante de temps ne vaut que pour la méthode smoother, pas pour {0}</translation>
+        <source>a time constant can only be set for the method smoother, not for {method}</source>
+        <translation>une constante de temps ne vaut que pour la méthode smoother, pas pour {method}</translation>
     </message>
     <message>
-        <source>a title has 1 to {0} characters</source>
-        <translation>un titre a de 1 à {0} caractères</translation>
+        <source>a title has 1 to {most} characters</source>
+        <translation>un titre a de 1 à {most} caractères</translation>
     </message>
     <message>
-        <source>a {0} has half a character in its name</source>
-        <translation>un demi-caractère se trouve dans le nom&#xa0;: {0}</translation>
+        <source>a {kind} has half a character in its name</source>
+        <translation>un demi-caractère se trouve dans le nom&#xa0;: {kind}</translation>
     </message>
     <message>
-        <source>a {0} is named twice ({1})</source>
-        <translation>nommé deux fois&#xa0;: {0} ({1})</translation>
+        <source>a {kind} is named twice ({name})</source>
+        <translation>nommé deux fois&#xa0;: {kind} ({name})</translation>
     </message>
     <message>
-        <source>about {0} samples were never recorded; the longest gap is {1} s; nothing was put in their place</source>
-        <translation>environ {0} mesures n’ont jamais été enregistrées&#xa0;; la plus longue lacune est de {1} s&#xa0;; rien n’a été mis à leur place</translation>
+        <source>about {count} samples were never recorded; the longest gap is {longest_s:.3g} s; nothing was put in their place</source>
+        <translation>environ {count} mesures n’ont jamais été enregistrées&#xa0;; la plus longue lacune est de {longest_s:.3g} s&#xa0;; rien n’a été mis à leur place</translation>
     </message>
     <message>
-        <source>accel</source>
-        <translation>accel</translation>
-    </message>
-    <message>
-        <source>add a question to {0}</source>
-        <translation>ajoutez une question à {0}</translation>
+        <source>add a question to {page!r}</source>
+        <translation>ajoutez une question à {page!r}</translation>
     </message>
     <message>
         <source>add it</source>
@@ -3488,16 +3536,8 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>ajoutez orders.csv</translation>
     </message>
     <message>
-        <source>after record {0}</source>
-        <translation>après l’entrée {0}</translation>
-    </message>
-    <message>
-        <source>all lines from {0} on carry the same time</source>
-        <translation>toutes les lignes à partir de {0} portent le même temps</translation>
-    </message>
-    <message>
-        <source>all rows from {0} on carry the same time</source>
-        <translation>toutes les lignes à partir de {0} portent le même temps</translation>
+        <source>after record {number}</source>
+        <translation>après l’entrée {number}</translation>
     </message>
     <message>
         <source>all samples are the same, so the sensor was stuck</source>
@@ -3508,12 +3548,20 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>toutes les mesures sont égales&#xa0;: le capteur était-il bloqué&#xa0;?</translation>
     </message>
     <message>
+        <source>alpha and power are shares between 0 and 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>already exists</source>
         <translation>existe déjà</translation>
     </message>
     <message>
-        <source>an entry is missing or of the wrong kind ({0})</source>
-        <translation>une entrée manque ou n’est pas du bon type ({0})</translation>
+        <source>an effect of {share:g} times the paper&apos;s leaves the scale of {low} to {high}; choose a smaller one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an entry is missing or of the wrong kind ({reason})</source>
+        <translation>une entrée manque ou n’est pas du bon type ({reason})</translation>
     </message>
     <message>
         <source>an object</source>
@@ -3524,12 +3572,12 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>un enregistreur inconnu</translation>
     </message>
     <message>
-        <source>angular rate in {0}</source>
-        <translation>vitesse angulaire en {0}</translation>
+        <source>angular rate in {unit}</source>
+        <translation>vitesse angulaire en {unit}</translation>
     </message>
     <message>
-        <source>as stored, orientation {0}</source>
-        <translation>tel qu’enregistré, orientation {0}</translation>
+        <source>as stored, orientation {orientation}</source>
+        <translation>tel qu’enregistré, orientation {orientation}</translation>
     </message>
     <message>
         <source>as telemetry-parser gives them</source>
@@ -3548,40 +3596,40 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>au début</translation>
     </message>
     <message>
-        <source>averaged from {0} to {1} Hz</source>
-        <translation>moyenné de {0} à {1} Hz</translation>
+        <source>averaged from {rate_hz:.1f} to {average_hz:g} Hz</source>
+        <translation>moyenné de {rate_hz:.1f} à {average_hz:g} Hz</translation>
     </message>
     <message>
         <source>axes=RIGHT,FRONT,UP in its axes, such as axes=x,-z,y</source>
         <translation>axes=DROITE,AVANT,HAUT dans ses axes, par exemple axes=x,-z,y</translation>
     </message>
     <message>
-        <source>axes={0} are not three axes; give right, front and up in the axes of the log, for example axes=x,-z,y</source>
-        <translation>axes={0} ne sont pas trois axes&#xa0;; donnez la droite, l’avant et le haut dans les axes du journal, par exemple axes=x,-z,y</translation>
+        <source>axes={axes} are not three axes; give right, front and up in the axes of the log, for example axes=x,-z,y</source>
+        <translation>axes={axes} ne sont pas trois axes&#xa0;; donnez la droite, l’avant et le haut dans les axes du journal, par exemple axes=x,-z,y</translation>
     </message>
     <message>
-        <source>axes={0} mirror the log; turn one sign round, for right, front and up have to follow the right hand</source>
-        <translation>axes={0} inversent le journal en miroir&#xa0;; changez un signe, car droite, avant et haut doivent suivre la main droite</translation>
+        <source>axes={axes} mirror the log; turn one sign round, for right, front and up have to follow the right hand</source>
+        <translation>axes={axes} inversent le journal en miroir&#xa0;; changez un signe, car droite, avant et haut doivent suivre la main droite</translation>
     </message>
     <message>
-        <source>axes={0} or what else was right, front, up</source>
-        <translation>axes={0} ou ce qui était autrement droite, avant, haut</translation>
+        <source>axes={axes} or what else was right, front, up</source>
+        <translation>axes={axes} ou ce qui était autrement droite, avant, haut</translation>
     </message>
     <message>
         <source>begin a new one</source>
         <translation>commencez-en une nouvelle</translation>
     </message>
     <message>
-        <source>begin the file with {0}</source>
-        <translation>commencez le fichier par {0}</translation>
+        <source>begin the file with {header}</source>
+        <translation>commencez le fichier par {header}</translation>
     </message>
     <message>
         <source>begins without a header</source>
         <translation>commence sans en-tête</translation>
     </message>
     <message>
-        <source>belongs to the clip {0}, not to {1}</source>
-        <translation>appartient à la vidéo {0}, pas à {1}</translation>
+        <source>belongs to the clip {found!r}, not to {expected!r}</source>
+        <translation>appartient à la vidéo {found!r}, pas à {expected!r}</translation>
     </message>
     <message>
         <source>bring the old one back, or stop this session</source>
@@ -3592,12 +3640,12 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>ramenez d’abord les flux à des temps communs par interpolation</translation>
     </message>
     <message>
-        <source>byte {0}</source>
-        <translation>l’octet {0}</translation>
+        <source>byte {number}</source>
+        <translation>l’octet {number}</translation>
     </message>
     <message>
-        <source>bytes {0} to {1} (line {2}, {3}) are damaged</source>
-        <translation>les octets {0} à {1} (ligne {2}, {3}) sont endommagés</translation>
+        <source>bytes {begin} to {end} (line {line}, {after}) are damaged</source>
+        <translation>les octets {begin} à {end} (ligne {line}, {after}) sont endommagés</translation>
     </message>
     <message>
         <source>call the experimenter</source>
@@ -3608,40 +3656,40 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>annulé&#xa0;; rien n’a été écrit</translation>
     </message>
     <message>
-        <source>cannot be copied ({0})</source>
-        <translation>ne peut pas être copié ({0})</translation>
+        <source>cannot be copied ({reason})</source>
+        <translation>ne peut pas être copié ({reason})</translation>
     </message>
     <message>
-        <source>cannot be decoded ({0})</source>
-        <translation>ne peut pas être décodé ({0})</translation>
+        <source>cannot be decoded ({reason})</source>
+        <translation>ne peut pas être décodé ({reason})</translation>
     </message>
     <message>
-        <source>cannot be listed ({0})</source>
-        <translation>ne peut pas être listé ({0})</translation>
+        <source>cannot be listed ({reason})</source>
+        <translation>ne peut pas être listé ({reason})</translation>
     </message>
     <message>
         <source>cannot be positioned</source>
         <translation>ne peut pas être positionné</translation>
     </message>
     <message>
-        <source>cannot be reached ({0})</source>
-        <translation>ne peut pas être atteint ({0})</translation>
+        <source>cannot be reached ({reason})</source>
+        <translation>ne peut pas être atteint ({reason})</translation>
     </message>
     <message>
-        <source>cannot be read ({0})</source>
-        <translation>ne peut pas être lu ({0})</translation>
+        <source>cannot be read ({reason})</source>
+        <translation>ne peut pas être lu ({reason})</translation>
     </message>
     <message>
-        <source>cannot be started ({0})</source>
-        <translation>ne peut pas être lancé ({0})</translation>
+        <source>cannot be started ({reason})</source>
+        <translation>ne peut pas être lancé ({reason})</translation>
     </message>
     <message>
         <source>cannot be written</source>
         <translation>ne peut pas être écrit</translation>
     </message>
     <message>
-        <source>cannot be written ({0})</source>
-        <translation>ne peut pas être écrit ({0})</translation>
+        <source>cannot be written ({reason})</source>
+        <translation>ne peut pas être écrit ({reason})</translation>
     </message>
     <message>
         <source>carry the time of their packet and were spread evenly</source>
@@ -3704,24 +3752,20 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>choisissez un autre endroit</translation>
     </message>
     <message>
-        <source>choose another {0}</source>
-        <translation>choisissez autre chose ({0})</translation>
+        <source>choose another {kind}</source>
+        <translation>choisissez autre chose ({kind})</translation>
     </message>
     <message>
-        <source>choose one of {0}</source>
-        <translation>choisissez parmi {0}</translation>
+        <source>choose one of {known}</source>
+        <translation>choisissez parmi {known}</translation>
     </message>
     <message>
-        <source>clipped peaks: {0}</source>
-        <translation>crêtes écrêtées&#xa0;: {0}</translation>
+        <source>clipped peaks: {clipping}</source>
+        <translation>crêtes écrêtées&#xa0;: {clipping}</translation>
     </message>
     <message>
         <source>close it there first</source>
         <translation>fermez-la d’abord là-bas</translation>
-    </message>
-    <message>
-        <source>closed</source>
-        <translation>fermé</translation>
     </message>
     <message>
         <source>columns=time,ax,ay,az,gx,gy,gz (- for what is not wanted)</source>
@@ -3734,6 +3778,10 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     <message>
         <source>convert it to a smaller size</source>
         <translation>convertissez-la dans une taille plus petite</translation>
+    </message>
+    <message>
+        <source>convert it with &apos;hapticplayer export&apos;</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>convert its sound to stereo at 48 kHz</source>
@@ -3768,6 +3816,10 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>copiez encore une fois la séance</translation>
     </message>
     <message>
+        <source>copy the study&apos;s folder to the other machine, then run it there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>correct it</source>
         <translation>corrigez cela</translation>
     </message>
@@ -3776,12 +3828,12 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>corrigez cette ligne</translation>
     </message>
     <message>
-        <source>could be {0}</source>
-        <translation>pourrait être {0}</translation>
+        <source>could be {formats}</source>
+        <translation>pourrait être {formats}</translation>
     </message>
     <message>
-        <source>counts of {0}</source>
-        <translation>unités brutes de {0}</translation>
+        <source>counts of {unit:.4g}</source>
+        <translation>unités brutes de {unit:.4g}</translation>
     </message>
     <message>
         <source>cut it into parts</source>
@@ -3804,8 +3856,8 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>ne décrit pas d’étude</translation>
     </message>
     <message>
-        <source>device {0}: this version has no driver for it; use {1}</source>
-        <translation>appareil {0}&#xa0;: cette version n’a pas de pilote pour lui&#xa0;; prenez {1}</translation>
+        <source>device {name!r}: this version has no driver for it; use {known}</source>
+        <translation>appareil {name!r}&#xa0;: cette version n’a pas de pilote pour lui&#xa0;; prenez {known}</translation>
     </message>
     <message>
         <source>does not say whether it comes from iOS or Android, whose accelerations have opposite signs</source>
@@ -3836,8 +3888,8 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>inscrivez-le sous sequences, ou avec `study new --sequence KEY=FOLDER`</translation>
     </message>
     <message>
-        <source>every sequence has the track {0}; it stays</source>
-        <translation>chaque séquence a la piste {0}&#xa0;; elle reste</translation>
+        <source>every sequence has the track {name!r}; it stays</source>
+        <translation>chaque séquence a la piste {name!r}&#xa0;; elle reste</translation>
     </message>
     <message>
         <source>export the acceleration with gravity, and the gyroscope</source>
@@ -3888,12 +3940,24 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>retour</translation>
     </message>
     <message>
+        <source>field_dip_rad must lie within a right angle, got {field_dip_rad}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>file</source>
         <translation>fichier</translation>
     </message>
     <message>
-        <source>finite number</source>
-        <translation>nombre fini</translation>
+        <source>has {rows} rows of {columns} numbers{more}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the columns are separated by semicolons instead of commas</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the columns are separated by tabs instead of commas</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>firm</source>
@@ -3904,8 +3968,12 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>dossier</translation>
     </message>
     <message>
-        <source>force track refused: {0}</source>
-        <translation>piste de force refusée&#xa0;: {0}</translation>
+        <source>force track refused: {reason}</source>
+        <translation>piste de force refusée&#xa0;: {reason}</translation>
+    </message>
+    <message>
+        <source>force, rate and field must have as many samples</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>force-sign is + or -</source>
@@ -3916,12 +3984,12 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>force-sign=- si son accéléromètre indique -1 g vers le haut</translation>
     </message>
     <message>
-        <source>force-unit={0} to scale it to gravity</source>
-        <translation>force-unit={0} pour l’ajuster à la pesanteur</translation>
+        <source>force-unit={fitting:.6g} to scale it to gravity</source>
+        <translation>force-unit={fitting:.6g} pour l’ajuster à la pesanteur</translation>
     </message>
     <message>
-        <source>force-unit={0} to take it as it is</source>
-        <translation>force-unit={0} pour la prendre telle quelle</translation>
+        <source>force-unit={force_unit} to take it as it is</source>
+        <translation>force-unit={force_unit} pour la prendre telle quelle</translation>
     </message>
     <message>
         <source>format=csv and columns=time,ax,ay,az,gx,gy,gz (- for others)</source>
@@ -3944,12 +4012,24 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>libérez de la place, ou choisissez un dossier où vous pouvez écrire</translation>
     </message>
     <message>
-        <source>from {0} to {1} Hz</source>
-        <translation>de {0} à {1} Hz</translation>
+        <source>from 3 to {most} participants can be tried</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>gcsv of {0}</source>
-        <translation>gcsv de {0}</translation>
+        <source>from {least} to {most} studies can be simulated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>from {lowest_hz:.1f} to {highest_hz:.1f} Hz</source>
+        <translation>de {lowest_hz:.1f} à {highest_hz:.1f} Hz</translation>
+    </message>
+    <message>
+        <source>from {place} on all rows carry the same time</source>
+        <translation>à partir de la {place}, toutes les lignes portent le même temps</translation>
+    </message>
+    <message>
+        <source>gcsv of {logger}</source>
+        <translation>gcsv de {logger}</translation>
     </message>
     <message>
         <source>give --offset S, the media time at which the log&apos;s clock reads 0</source>
@@ -3958,6 +4038,10 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     <message>
         <source>give 0 or more; directions are set by the mapping</source>
         <translation>donnez 0 ou plus&#xa0;; les directions dépendent de la correspondance</translation>
+    </message>
+    <message>
+        <source>give a file that &apos;hapticplayer play --record&apos; has written</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>give a frequency in Hz</source>
@@ -3992,20 +4076,24 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>donnez un enregistrement d’au moins deux mesures</translation>
     </message>
     <message>
-        <source>give an order of 1 to {0}</source>
-        <translation>donnez un ordre de 1 à {0}</translation>
+        <source>give a smaller max_run or flank, or a larger half_window</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give an order of 1 to {most}</source>
+        <translation>donnez un ordre de 1 à {most}</translation>
     </message>
     <message>
         <source>give another --offset</source>
         <translation>donnez un autre --offset</translation>
     </message>
     <message>
-        <source>give at least {0} samples a second</source>
-        <translation>donnez au moins {0} mesures par seconde</translation>
+        <source>give at least {least_hz:g} samples a second</source>
+        <translation>donnez au moins {least_hz:g} mesures par seconde</translation>
     </message>
     <message>
-        <source>give fades above zero, such as {0} s</source>
-        <translation>donnez des fondus supérieurs à zéro, par exemple {0} s</translation>
+        <source>give fades above zero, such as {fade_s} s</source>
+        <translation>donnez des fondus supérieurs à zéro, par exemple {fade_s} s</translation>
     </message>
     <message>
         <source>give shorter fades or a longer span</source>
@@ -4060,8 +4148,8 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>donnez le journal avec --imu LOG --offset S</translation>
     </message>
     <message>
-        <source>give the log with --imu LOG --offset S, and {0} where it is asked</source>
-        <translation>donnez le journal avec --imu LOG --offset S, et {0} là où c’est demandé</translation>
+        <source>give the log with --imu LOG --offset S, and {option} where it is asked</source>
+        <translation>donnez le journal avec --imu LOG --offset S, et {option} là où c’est demandé</translation>
     </message>
     <message>
         <source>give the samples per second</source>
@@ -4104,12 +4192,12 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>donnez des temps en secondes de la vidéo</translation>
     </message>
     <message>
-        <source>gravity is 9.81 m/s2 and not {0}: the accelerometer is doubtful</source>
-        <translation>la pesanteur est de 9.81 m/s2 et non de {0}&#xa0;: l’accéléromètre est douteux</translation>
+        <source>gravity is 9.81 m/s2 and not {norm:.2f}: the accelerometer is doubtful</source>
+        <translation>la pesanteur est de 9.81 m/s2 et non de {norm:.2f}&#xa0;: l’accéléromètre est douteux</translation>
     </message>
     <message>
-        <source>gravity says that {0}{1} of the recorder was up, not its z</source>
-        <translation>selon la pesanteur, {0}{1} de l’enregistreur était en haut, pas son z</translation>
+        <source>gravity says that {sign}{axis} of the recorder was up, not its z</source>
+        <translation>selon la pesanteur, {sign}{axis} de l’enregistreur était en haut, pas son z</translation>
     </message>
     <message>
         <source>gravity seems to be removed already: export the acceleration with gravity</source>
@@ -4120,8 +4208,8 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>la pesanteur semble déjà retirée&#xa0;: donnez l’accélération avec la pesanteur</translation>
     </message>
     <message>
-        <source>gravity shows that {0} was up, not the axis that was chosen</source>
-        <translation>selon la pesanteur, {0} était en haut, pas l’axe choisi</translation>
+        <source>gravity shows that {axis} was up, not the axis that was chosen</source>
+        <translation>selon la pesanteur, {axis} était en haut, pas l’axe choisi</translation>
     </message>
     <message>
         <source>gravity was already removed by the recorder</source>
@@ -4136,10 +4224,6 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>a un en-tête endommagé&#xa0;: pas de ligne t,gx,gy,gz,ax,ay,az</translation>
     </message>
     <message>
-        <source>has a line of more than {0} characters</source>
-        <translation>a une ligne de plus de {0} caractères</translation>
-    </message>
-    <message>
         <source>has an answer that was not offered</source>
         <translation>a une réponse qui n’était pas proposée</translation>
     </message>
@@ -4152,112 +4236,100 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>a changé depuis son écriture (sa somme de contrôle diffère)</translation>
     </message>
     <message>
-        <source>has more than {0} characters</source>
-        <translation>a plus de {0} caractères</translation>
+        <source>has more than {most} characters</source>
+        <translation>a plus de {most} caractères</translation>
     </message>
     <message>
-        <source>has more than {0} rows</source>
-        <translation>a plus de {0} lignes</translation>
+        <source>has more than {most} rows</source>
+        <translation>a plus de {most} lignes</translation>
     </message>
     <message>
-        <source>has no force ({0})</source>
-        <translation>n’a pas de force ({0})</translation>
+        <source>has no answers yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>has no force ({reason})</source>
+        <translation>n’a pas de force ({reason})</translation>
     </message>
     <message>
         <source>has no times, and its firmware has no fixed rate</source>
         <translation>n’a pas de temps, et son micrologiciel n’a pas de cadence fixe</translation>
     </message>
     <message>
-        <source>has only {0} samples per second, in which pats do not show</source>
-        <translation>n’a que {0} mesures par seconde, où des tapes ne se voient pas</translation>
+        <source>has only {rate_hz:.1f} samples per second, in which pats do not show</source>
+        <translation>n’a que {rate_hz:.1f} mesures par seconde, où des tapes ne se voient pas</translation>
     </message>
     <message>
-        <source>has the unknown entry {0}</source>
-        <translation>a l’entrée inconnue {0}</translation>
+        <source>has the unknown entry {name!r}</source>
+        <translation>a l’entrée inconnue {name!r}</translation>
     </message>
     <message>
-        <source>has the unknown name {0}</source>
-        <translation>a le nom inconnu {0}</translation>
+        <source>has the unknown name {unknown!r}</source>
+        <translation>a le nom inconnu {unknown!r}</translation>
     </message>
     <message>
-        <source>has version {0}, this program reads {1}</source>
-        <translation>a la version {0}, ce programme lit {1}</translation>
+        <source>has version {found} of the format, not {version}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>has {0} MB, the limit is {1} MB</source>
-        <translation>a {0} Mo, la limite est de {1} Mo</translation>
+        <source>has version {found}, this program reads {version}</source>
+        <translation>a la version {found}, ce programme lit {version}</translation>
     </message>
     <message>
-        <source>has {0} bytes instead of {1}</source>
-        <translation>a {0} octets au lieu de {1}</translation>
+        <source>has {count} bytes instead of {expected}</source>
+        <translation>a {count} octets au lieu de {expected}</translation>
     </message>
     <message>
-        <source>has {0} bytes, too many</source>
-        <translation>a {0} octets, c’est trop</translation>
+        <source>has {count} bytes, too many</source>
+        <translation>a {count} octets, c’est trop</translation>
     </message>
     <message>
-        <source>has {0} columns, and a Razor M0 does not say which they are</source>
-        <translation>a {0} colonnes, et un Razor M0 ne dit pas lesquelles</translation>
+        <source>has {count} columns, and a Razor M0 does not say which they are</source>
+        <translation>a {count} colonnes, et un Razor M0 ne dit pas lesquelles</translation>
     </message>
     <message>
-        <source>has {0} columns, the header has {1}</source>
-        <translation>a {0} colonnes, l’en-tête en a {1}</translation>
+        <source>has {count} columns, the header has {expected}</source>
+        <translation>a {count} colonnes, l’en-tête en a {expected}</translation>
     </message>
     <message>
-        <source>has {0} entries; {1} to {2} go</source>
-        <translation>a {0} entrées&#xa0;; de {1} à {2} sont possibles</translation>
+        <source>has {count} entries; {least} to {most} go</source>
+        <translation>a {count} entrées&#xa0;; de {least} à {most} sont possibles</translation>
     </message>
     <message>
-        <source>has {0} rows of {1} numbers</source>
-        <translation>a {0} lignes de {1} nombres</translation>
-    </message>
-    <message>
-        <source>has {0} rows, expected {1} to {2}</source>
-        <translation>a {0} lignes, attendu&#xa0;: {1} à {2}</translation>
-    </message>
-    <message>
-        <source>has {0} telemetry payloads, too many</source>
-        <translation>a {0} blocs de télémétrie, c’est trop</translation>
-    </message>
-    <message>
-        <source>the file ends at byte {0} but its header promises {1}</source>
-        <translation>le fichier finit à l’octet {0}, mais son en-tête en promet {1}</translation>
-    </message>
-    <message>
-        <source>the file ends at byte {0} but its index needs {1}</source>
-        <translation>le fichier finit à l’octet {0}, mais son index en demande {1}</translation>
+        <source>has {count} telemetry payloads, too many</source>
+        <translation>a {count} blocs de télémétrie, c’est trop</translation>
     </message>
     <message>
         <source>holds Euler angles and no acceleration</source>
         <translation>contient des angles d’Euler et pas d’accélération</translation>
     </message>
     <message>
-        <source>holds a force of {0} N, beyond any device</source>
-        <translation>contient une force de {0} N, au-delà de tout appareil</translation>
+        <source>holds a force of {largest_n:.3g} N, beyond any device</source>
+        <translation>contient une force de {largest_n:.3g} N, au-delà de tout appareil</translation>
     </message>
     <message>
         <source>holds acceleration from which the recorder has removed gravity, so it cannot be checked or levelled</source>
         <translation>contient une accélération dont l’enregistreur a retiré la pesanteur, elle ne peut donc être ni vérifiée ni mise de niveau</translation>
     </message>
     <message>
-        <source>holds an acceleration of {0} m/s2, beyond any sensor</source>
-        <translation>contient une accélération de {0} m/s2, au-delà de tout capteur</translation>
+        <source>holds an acceleration of {largest:.3g} m/s2, beyond any sensor</source>
+        <translation>contient une accélération de {largest:.3g} m/s2, au-delà de tout capteur</translation>
     </message>
     <message>
         <source>holds angles without angular rates, from which motion cannot be had</source>
         <translation>contient des angles sans vitesses angulaires, dont on ne peut pas tirer de mouvement</translation>
     </message>
     <message>
-        <source>holds counts of an unknown range (norm {0})</source>
-        <translation>contient des unités brutes d’une plage inconnue (norme {0})</translation>
+        <source>holds counts of an unknown range (norm {norm:.4g})</source>
+        <translation>contient des unités brutes d’une plage inconnue (norme {norm:.4g})</translation>
     </message>
     <message>
-        <source>holds more than {0} files</source>
-        <translation>contient plus de {0} fichiers</translation>
+        <source>holds more than {most} files</source>
+        <translation>contient plus de {most} fichiers</translation>
     </message>
     <message>
-        <source>holds no acceleration (only {0})</source>
-        <translation>ne contient pas d’accélération (seulement {0})</translation>
+        <source>holds no acceleration (only {held})</source>
+        <translation>ne contient pas d’accélération (seulement {held})</translation>
     </message>
     <message>
         <source>holds no acceleration with gravity</source>
@@ -4276,8 +4348,8 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>ne contient pas de force</translation>
     </message>
     <message>
-        <source>holds no gyroscope (only {0})</source>
-        <translation>ne contient pas de gyroscope (seulement {0})</translation>
+        <source>holds no gyroscope (only {held})</source>
+        <translation>ne contient pas de gyroscope (seulement {held})</translation>
     </message>
     <message>
         <source>holds no log that is known</source>
@@ -4292,32 +4364,32 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>ne contient pas de réglages de ce programme</translation>
     </message>
     <message>
-        <source>holds no {0}</source>
-        <translation>ne contient pas {0}</translation>
+        <source>holds no {missing} file</source>
+        <translation>ne contient pas de fichier {missing}</translation>
     </message>
     <message>
-        <source>holds no {0} file</source>
-        <translation>ne contient pas de fichier {0}</translation>
+        <source>holds no {name}</source>
+        <translation>ne contient pas {name}</translation>
     </message>
     <message>
-        <source>holds records of version {0}, this program reads {1}</source>
-        <translation>contient des données de la version {0}, ce programme lit {1}</translation>
+        <source>holds records of version {found}, this program reads {version}</source>
+        <translation>contient des données de la version {found}, ce programme lit {version}</translation>
     </message>
     <message>
-        <source>holds several recordings ({0}, {1})</source>
-        <translation>contient plusieurs enregistrements ({0}, {1})</translation>
+        <source>holds several recordings ({first}, {second})</source>
+        <translation>contient plusieurs enregistrements ({first}, {second})</translation>
     </message>
     <message>
-        <source>holds {0} logs ({1})</source>
-        <translation>contient {0} journaux ({1})</translation>
+        <source>holds {count} logs ({known})</source>
+        <translation>contient {count} journaux ({known})</translation>
     </message>
     <message>
-        <source>holds {0} only, no acceleration</source>
-        <translation>contient seulement {0}, pas d’accélération</translation>
+        <source>holds {held} only, no acceleration</source>
+        <translation>contient seulement {held}, pas d’accélération</translation>
     </message>
     <message>
-        <source>holds {0}, a name that points out of the zip</source>
-        <translation>contient {0}, un nom qui mène hors du zip</translation>
+        <source>holds {name!r}, a name that points out of the zip</source>
+        <translation>contient {name!r}, un nom qui mène hors du zip</translation>
     </message>
     <message>
         <source>if it is in g, multiply it by 9.80665; if gravity was removed already, give the acceleration with gravity</source>
@@ -4328,12 +4400,12 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>importez de nouveau</translation>
     </message>
     <message>
-        <source>install hapticplayer[lsl], or {0}</source>
-        <translation>installez hapticplayer[lsl], ou&#xa0;: {0}</translation>
+        <source>install hapticplayer[lsl], or {otherwise}</source>
+        <translation>installez hapticplayer[lsl], ou&#xa0;: {otherwise}</translation>
     </message>
     <message>
-        <source>is a damaged zip ({0})</source>
-        <translation>est un zip endommagé ({0})</translation>
+        <source>is a damaged zip ({reason})</source>
+        <translation>est un zip endommagé ({reason})</translation>
     </message>
     <message>
         <source>is a device, not a file</source>
@@ -4352,8 +4424,8 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>est un socket, pas un fichier</translation>
     </message>
     <message>
-        <source>is a table of {0} columns ({1}) that says not what they are</source>
-        <translation>est un tableau de {0} colonnes ({1}) qui ne dit pas ce qu’elles sont</translation>
+        <source>is a table of {count} columns ({shown}) that says not what they are</source>
+        <translation>est un tableau de {count} colonnes ({shown}) qui ne dit pas ce qu’elles sont</translation>
     </message>
     <message>
         <source>is an Excel workbook</source>
@@ -4364,8 +4436,8 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>est endommagé (sa somme de contrôle diffère)</translation>
     </message>
     <message>
-        <source>is damaged ({0})</source>
-        <translation>est endommagé ({0})</translation>
+        <source>is damaged ({reason})</source>
+        <translation>est endommagé ({reason})</translation>
     </message>
     <message>
         <source>is damaged or missing, and the study&apos;s own definition is another one now</source>
@@ -4376,16 +4448,16 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>est vide (0 octet)</translation>
     </message>
     <message>
-        <source>is larger than the limit of {0} MB</source>
-        <translation>dépasse la limite de {0} Mo</translation>
+        <source>is larger than the limit of {most_mb} MB</source>
+        <translation>dépasse la limite de {most_mb} Mo</translation>
     </message>
     <message>
-        <source>is larger than {0} GB</source>
-        <translation>dépasse {0} Go</translation>
+        <source>is larger than {most_gb} GB</source>
+        <translation>dépasse {most_gb} Go</translation>
     </message>
     <message>
-        <source>is longer than {0} characters</source>
-        <translation>dépasse {0} caractères</translation>
+        <source>is longer than {most} characters</source>
+        <translation>dépasse {most} caractères</translation>
     </message>
     <message>
         <source>is missing</source>
@@ -4420,16 +4492,16 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>n’est pas une séance</translation>
     </message>
     <message>
-        <source>is no template of a log ({0})</source>
-        <translation>n’est pas un modèle de journal ({0})</translation>
+        <source>is no template of a log ({reason})</source>
+        <translation>n’est pas un modèle de journal ({reason})</translation>
     </message>
     <message>
         <source>is no text</source>
         <translation>n’est pas un texte</translation>
     </message>
     <message>
-        <source>is no valid JSON ({0})</source>
-        <translation>n’est pas du JSON valable ({0})</translation>
+        <source>is no valid JSON ({reason})</source>
+        <translation>n’est pas du JSON valable ({reason})</translation>
     </message>
     <message>
         <source>is no video</source>
@@ -4444,6 +4516,10 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>n’est pas un fichier</translation>
     </message>
     <message>
+        <source>is not a plain file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>is not a regular file</source>
         <translation>n’est pas un fichier ordinaire</translation>
     </message>
@@ -4456,32 +4532,28 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>n’a pas encore de réponse</translation>
     </message>
     <message>
-        <source>is not available in {0}</source>
-        <translation>n’existe pas en {0}</translation>
+        <source>is not available in {language!r}</source>
+        <translation>n’existe pas en {language!r}</translation>
     </message>
     <message>
         <source>is not finite or too large</source>
         <translation>n’est pas fini ou est trop grand</translation>
     </message>
     <message>
-        <source>is not text</source>
-        <translation>n’est pas du texte</translation>
+        <source>is not valid ({reason})</source>
+        <translation>n’est pas valable ({reason})</translation>
     </message>
     <message>
-        <source>is not valid ({0})</source>
-        <translation>n’est pas valable ({0})</translation>
-    </message>
-    <message>
-        <source>is nothing that telemetry-parser can read ({0})</source>
-        <translation>n’est rien que telemetry-parser sache lire ({0})</translation>
+        <source>is nothing that telemetry-parser can read ({reason})</source>
+        <translation>n’est rien que telemetry-parser sache lire ({reason})</translation>
     </message>
     <message>
         <source>is of a newer version of this program</source>
         <translation>est d’une version plus récente de ce programme</translation>
     </message>
     <message>
-        <source>is of a {0}, whose axes its telemetry does not tell</source>
-        <translation>est d’une {0}, dont la télémétrie ne dit pas les axes</translation>
+        <source>is of a {name}, whose axes its telemetry does not tell</source>
+        <translation>est d’une {name}, dont la télémétrie ne dit pas les axes</translation>
     </message>
     <message>
         <source>is of another version of the program</source>
@@ -4496,32 +4568,40 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>est du texte en UTF-16</translation>
     </message>
     <message>
+        <source>is the study {found}, not {expected}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>is too large</source>
         <translation>est trop grand</translation>
     </message>
     <message>
-        <source>is {0}</source>
-        <translation>est {0}</translation>
+        <source>is too large to be read at once</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>is {0} instead of a list</source>
-        <translation>est {0} au lieu d’une liste</translation>
+        <source>is {kind} instead of a list</source>
+        <translation>est {kind} au lieu d’une liste</translation>
     </message>
     <message>
-        <source>is {0} instead of a number</source>
-        <translation>est {0} au lieu d’un nombre</translation>
+        <source>is {kind} instead of a number</source>
+        <translation>est {kind} au lieu d’un nombre</translation>
     </message>
     <message>
-        <source>is {0} instead of a text</source>
-        <translation>est {0} au lieu d’un texte</translation>
+        <source>is {kind} instead of a text</source>
+        <translation>est {kind} au lieu d’un texte</translation>
     </message>
     <message>
-        <source>is {0} instead of an object</source>
-        <translation>est {0} au lieu d’un objet</translation>
+        <source>is {kind} instead of an object</source>
+        <translation>est {kind} au lieu d’un objet</translation>
     </message>
     <message>
-        <source>is {0} instead of true or false</source>
-        <translation>est {0} au lieu de true ou false</translation>
+        <source>is {kind} instead of true or false</source>
+        <translation>est {kind} au lieu de true ou false</translation>
+    </message>
+    <message>
+        <source>is {value!r}</source>
+        <translation>est {value!r}</translation>
     </message>
     <message>
         <source>it cannot be decoded any further</source>
@@ -4536,8 +4616,8 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>la suite ne peut pas être lue</translation>
     </message>
     <message>
-        <source>it died, status {0}</source>
-        <translation>il s’est arrêté, état {0}</translation>
+        <source>it died, status {status}</source>
+        <translation>il s’est arrêté, état {status}</translation>
     </message>
     <message>
         <source>it does not begin with the boot loader&apos;s key 08AA</source>
@@ -4548,12 +4628,12 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>il finit dans son en-tête</translation>
     </message>
     <message>
-        <source>it gives {0} s as its duration</source>
-        <translation>il indique {0} s comme durée</translation>
+        <source>it gives {duration_s:.0f} s as its duration</source>
+        <translation>il indique {duration_s:.0f} s comme durée</translation>
     </message>
     <message>
-        <source>it has {0}</source>
-        <translation>elle a {0}</translation>
+        <source>it has {known}</source>
+        <translation>elle a {known}</translation>
     </message>
     <message>
         <source>it holds no accelerations</source>
@@ -4572,12 +4652,12 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>il ne contient pas de vidéo qui puisse être montrée</translation>
     </message>
     <message>
-        <source>it holds {0} motion samples in {1} payloads, as time-lapse recordings do</source>
-        <translation>il contient {0} mesures de mouvement en {1} blocs, comme un enregistrement en accéléré</translation>
+        <source>it holds {count} streams, expected 1 to {most}</source>
+        <translation>il contient {count} flux, attendu&#xa0;: 1 à {most}</translation>
     </message>
     <message>
-        <source>it holds {0} streams, expected 1 to {1}</source>
-        <translation>il contient {0} flux, attendu&#xa0;: 1 à {1}</translation>
+        <source>it holds {samples} motion samples in {payloads} payloads, as time-lapse recordings do</source>
+        <translation>il contient {samples} mesures de mouvement en {payloads} blocs, comme un enregistrement en accéléré</translation>
     </message>
     <message>
         <source>it is cut off</source>
@@ -4608,8 +4688,8 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>cela ressemble à des millisecondes&#xa0;: divisez time_s par 1000</translation>
     </message>
     <message>
-        <source>it may hold texts for {0}</source>
-        <translation>il peut contenir des textes pour {0}</translation>
+        <source>it may hold texts for {known}</source>
+        <translation>il peut contenir des textes pour {known}</translation>
     </message>
     <message>
         <source>it seems to be in deg/s: multiply it by 0.0174532925</source>
@@ -4628,8 +4708,8 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>cela semble avoir été converti deux fois&#xa0;: multipliez par 57.2957795</translation>
     </message>
     <message>
-        <source>it took not all of the data at {0}</source>
-        <translation>il n’a pas pris toutes les données à {0}</translation>
+        <source>it took not all of the data at {place}</source>
+        <translation>il n’a pas pris toutes les données à {place}</translation>
     </message>
     <message>
         <source>its accelerometer and gyro do not overlap in time</source>
@@ -4648,36 +4728,36 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>ses axes (MTRX) ne sont pas une matrice, elle est donc endommagée</translation>
     </message>
     <message>
-        <source>its axes ({0}) mirror the camera, so the telemetry is damaged</source>
-        <translation>ses axes ({0}) inversent la caméra en miroir, la télémétrie est donc endommagée</translation>
+        <source>its axes ({axes}) mirror the camera, so the telemetry is damaged</source>
+        <translation>ses axes ({axes}) inversent la caméra en miroir, la télémétrie est donc endommagée</translation>
     </message>
     <message>
-        <source>its axis {0} was up, so the sensor was not mounted with {1} to the right, front and up{2}</source>
-        <translation>son axe {0} était en haut, le capteur n’était donc pas monté avec {1} vers la droite, l’avant et le haut{2}</translation>
+        <source>its axis {axis} was up, so the sensor was not mounted with {axes} to the right, front and up{words}</source>
+        <translation>son axe {axis} était en haut, le capteur n’était donc pas monté avec {axes} vers la droite, l’avant et le haut{words}</translation>
     </message>
     <message>
         <source>its boot processor does not answer</source>
         <translation>son processeur de démarrage ne répond pas</translation>
     </message>
     <message>
-        <source>its echo at {0} ended after {1} of {2} bytes</source>
-        <translation>son écho à {0} s’est arrêté après {1} octets sur {2}</translation>
+        <source>its echo at {place} ended after {count} of {expected} bytes</source>
+        <translation>son écho à {place} s’est arrêté après {count} octets sur {expected}</translation>
     </message>
     <message>
-        <source>its echo at {0} was wrong</source>
-        <translation>son écho à {0} était faux</translation>
+        <source>its echo at {place} was wrong</source>
+        <translation>son écho à {place} était faux</translation>
     </message>
     <message>
-        <source>its entry point {0} lies in none of its blocks</source>
-        <translation>son point d’entrée {0} n’est dans aucun de ses blocs</translation>
+        <source>its entry point {entry:06X} lies in none of its blocks</source>
+        <translation>son point d’entrée {entry:06X} n’est dans aucun de ses blocs</translation>
     </message>
     <message>
         <source>its gravity cannot be used</source>
         <translation>sa pesanteur n’est pas utilisable</translation>
     </message>
     <message>
-        <source>its gyro file has the norm {0} of gravity, its accel file has not, so the names are exchanged</source>
-        <translation>son fichier gyro a la norme {0} de la pesanteur, son fichier accel ne l’a pas, les noms sont donc échangés</translation>
+        <source>its gyro file has the norm {norm:.3g} of gravity, its accel file has not, so the names are exchanged</source>
+        <translation>son fichier gyro a la norme {norm:.3g} de la pesanteur, son fichier accel ne l’a pas, les noms sont donc échangés</translation>
     </message>
     <message>
         <source>its headers are damaged</source>
@@ -4692,8 +4772,8 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>ses images ont un format inconnu</translation>
     </message>
     <message>
-        <source>its pictures of {0} x {1} pixels are too large (up to 8192 x 4320 are shown)</source>
-        <translation>ses images de {0} x {1} pixels sont trop grandes (jusqu’à 8192 x 4320 sont montrées)</translation>
+        <source>its pictures of {width} x {height} pixels are too large (up to 8192 x 4320 are shown)</source>
+        <translation>ses images de {width} x {height} pixels sont trop grandes (jusqu’à 8192 x 4320 sont montrées)</translation>
     </message>
     <message>
         <source>its sound cannot be resampled</source>
@@ -4704,24 +4784,24 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>son son ne peut pas être préparé</translation>
     </message>
     <message>
-        <source>its sound has {0} channels at {1} Hz</source>
-        <translation>son son a {0} canaux à {1} Hz</translation>
+        <source>its sound has {channels} channels at {rate} Hz</source>
+        <translation>son son a {channels} canaux à {rate} Hz</translation>
     </message>
     <message>
-        <source>its telemetry ({0}) holds no {1} samples</source>
-        <translation>sa télémétrie ({0}) ne contient pas de mesures de {1}</translation>
+        <source>its telemetry ({camera}) holds no {kind} samples</source>
+        <translation>sa télémétrie ({camera}) ne contient pas de mesures de {kind}</translation>
     </message>
     <message>
-        <source>its telemetry claims {0} {1}, beyond what sensors measure</source>
-        <translation>sa télémétrie prétend {0} {1}, au-delà de ce que mesurent des capteurs</translation>
+        <source>its telemetry claims {largest:.3g} {unit}, beyond what sensors measure</source>
+        <translation>sa télémétrie prétend {largest:.3g} {unit}, au-delà de ce que mesurent des capteurs</translation>
     </message>
     <message>
         <source>its telemetry holds no accelerometer samples</source>
         <translation>sa télémétrie ne contient pas de mesures d’accéléromètre</translation>
     </message>
     <message>
-        <source>its telemetry is larger than any camera&apos;s (payload {0} has {1} bytes)</source>
-        <translation>sa télémétrie est plus grande que celle de toute caméra (le bloc {0} a {1} octets)</translation>
+        <source>its telemetry is larger than any camera&apos;s (payload {count} has {size_bytes} bytes)</source>
+        <translation>sa télémétrie est plus grande que celle de toute caméra (le bloc {count} a {size_bytes} octets)</translation>
     </message>
     <message>
         <source>its telemetry track is damaged</source>
@@ -4740,24 +4820,24 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>sa vidéo ne peut pas être préparée</translation>
     </message>
     <message>
-        <source>its {0} is {1}, not a number above zero</source>
-        <translation>son {0} est {1}, pas un nombre supérieur à zéro</translation>
+        <source>its {key} is {value!r}, not a number above zero</source>
+        <translation>son {key} est {value!r}, pas un nombre supérieur à zéro</translation>
     </message>
     <message>
-        <source>known are {0}</source>
-        <translation>sont connus&#xa0;: {0}</translation>
+        <source>known are {known}</source>
+        <translation>sont connus&#xa0;: {known}</translation>
     </message>
     <message>
-        <source>lacks the entry {0}</source>
-        <translation>l’entrée {0} manque</translation>
+        <source>lacks the entry {name!r}</source>
+        <translation>l’entrée {name!r} manque</translation>
     </message>
     <message>
         <source>lacks the object sound_late_s</source>
         <translation>l’objet sound_late_s manque</translation>
     </message>
     <message>
-        <source>lacks {0}</source>
-        <translation>il manque {0}</translation>
+        <source>lacks {missing}</source>
+        <translation>il manque {missing}</translation>
     </message>
     <message>
         <source>leave LSL out</source>
@@ -4768,8 +4848,8 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>libusb manque&#xa0;; installez le paquet libusb-1.0-0 (Windows&#xa0;: mettez libusb-1.0.dll dans le chemin de recherche)</translation>
     </message>
     <message>
-        <source>line {0} was left out, as its time is more than an hour apart</source>
-        <translation>la ligne {0} a été omise, car son temps est à plus d’une heure des autres</translation>
+        <source>line {number}</source>
+        <translation>ligne {number}</translation>
     </message>
     <message>
         <source>look at `hapticplayer sync` with --plot FILE, then give --offset S</source>
@@ -4784,16 +4864,16 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>cherché</translation>
     </message>
     <message>
-        <source>made telemetry-parser answer nonsense ({0})</source>
-        <translation>a fait répondre n’importe quoi à telemetry-parser ({0})</translation>
+        <source>made telemetry-parser answer nonsense ({reason})</source>
+        <translation>a fait répondre n’importe quoi à telemetry-parser ({reason})</translation>
     </message>
     <message>
-        <source>magnetic field in {0}</source>
-        <translation>champ magnétique en {0}</translation>
+        <source>magnetic field in {unit}</source>
+        <translation>champ magnétique en {unit}</translation>
     </message>
     <message>
-        <source>makes {0} conditions; 2 to {1} go</source>
-        <translation>donne {0} conditions&#xa0;; de 2 à {1} sont possibles</translation>
+        <source>makes {count} conditions; 2 to {most} go</source>
+        <translation>donne {count} conditions&#xa0;; de 2 à {most} sont possibles</translation>
     </message>
     <message>
         <source>mapping axes</source>
@@ -4808,16 +4888,12 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>ne peut pas être lu, faute de droits</translation>
     </message>
     <message>
-        <source>motion low-passed at {0} Hz, zero phase</source>
-        <translation>mouvement filtré par un passe-bas à {0} Hz, sans déphasage</translation>
+        <source>motion low-passed at {lowpass_hz:g} Hz, zero phase</source>
+        <translation>mouvement filtré par un passe-bas à {lowpass_hz:g} Hz, sans déphasage</translation>
     </message>
     <message>
         <source>motion track</source>
         <translation>piste de mouvement</translation>
-    </message>
-    <message>
-        <source>name</source>
-        <translation>nom</translation>
     </message>
     <message>
         <source>names a column twice</source>
@@ -4828,20 +4904,20 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>ne nomme qu’une partie de mx, my, mz</translation>
     </message>
     <message>
-        <source>names {0} columns, the table has {1} ({2})</source>
-        <translation>nomme {0} colonnes, le tableau en a {1} ({2})</translation>
+        <source>names {count} columns, the table has {total} ({shown})</source>
+        <translation>nomme {count} colonnes, le tableau en a {total} ({shown})</translation>
     </message>
     <message>
-        <source>needs 1 to {0} characters</source>
-        <translation>demande de 1 à {0} caractères</translation>
+        <source>needs 1 to {most} characters</source>
+        <translation>demande de 1 à {most} caractères</translation>
     </message>
     <message>
-        <source>needs a number from {0} to {1}</source>
-        <translation>demande un nombre de {0} à {1}</translation>
+        <source>needs a number from {least} to {most}</source>
+        <translation>demande un nombre de {least} à {most}</translation>
     </message>
     <message>
-        <source>needs {0} MB and only {1} MB are free</source>
-        <translation>demande {0} Mo, et seulement {1} Mo sont libres</translation>
+        <source>needs {needed_mb} MB and only {free_mb} MB are free</source>
+        <translation>demande {needed_mb} Mo, et seulement {free_mb} Mo sont libres</translation>
     </message>
     <message>
         <source>no --offset was given: the log&apos;s clock is taken as media time</source>
@@ -4856,32 +4932,28 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>aucun Falcon n’est branché&#xa0;; branchez son câble USB et son alimentation</translation>
     </message>
     <message>
-        <source>no Falcon {0} is plugged in; there is: {1}</source>
-        <translation>aucun Falcon {0} n’est branché&#xa0;; il y a&#xa0;: {1}</translation>
+        <source>no Falcon {serial!r} is plugged in; there is: {known}</source>
+        <translation>aucun Falcon {serial!r} n’est branché&#xa0;; il y a&#xa0;: {known}</translation>
     </message>
     <message>
-        <source>no factor may be called {0}, the name of their sum</source>
-        <translation>aucun facteur ne peut s’appeler {0}, le nom de leur somme</translation>
+        <source>no factor may be called {name!r}, the name of their sum</source>
+        <translation>aucun facteur ne peut s’appeler {name!r}, le nom de leur somme</translation>
     </message>
     <message>
         <source>no game pad is plugged in; connect a DualSense or DualShock 4 by USB cable</source>
         <translation>aucune manette n’est branchée&#xa0;; branchez une DualSense ou une DualShock 4 par câble USB</translation>
     </message>
     <message>
-        <source>no leg reaches ({0}, {1}, {2}) mm</source>
-        <translation>aucune jambe n’atteint ({0}, {1}, {2}) mm</translation>
+        <source>no leg reaches ({x:.1f}, {y:.1f}, {z:.1f}) mm</source>
+        <translation>aucune jambe n’atteint ({x:.1f}, {y:.1f}, {z:.1f}) mm</translation>
     </message>
     <message>
         <source>no order was found in which no sequence is played twice in a row</source>
         <translation>aucun ordre n’a été trouvé où aucune séquence ne passe deux fois de suite</translation>
     </message>
     <message>
-        <source>no summary</source>
-        <translation>pas de résumé</translation>
-    </message>
-    <message>
-        <source>nobody&apos;s home folder is known; set {0} to the firmware&apos;s path</source>
-        <translation>le dossier personnel n’est pas connu&#xa0;; donnez à {0} le chemin du micrologiciel</translation>
+        <source>nobody&apos;s home folder is known; set {variable} to the firmware&apos;s path</source>
+        <translation>le dossier personnel n’est pas connu&#xa0;; donnez à {variable} le chemin du micrologiciel</translation>
     </message>
     <message>
         <source>none of its pictures can be decoded</source>
@@ -4896,12 +4968,8 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>normale</translation>
     </message>
     <message>
-        <source>nothing was recorded for {0} s after line {1}</source>
-        <translation>rien n’a été enregistré pendant {0} s après la ligne {1}</translation>
-    </message>
-    <message>
-        <source>nothing was recorded for {0} s after row {1}</source>
-        <translation>rien n’a été enregistré pendant {0} s après la ligne {1}</translation>
+        <source>nothing was recorded for {gap_s:.0f} s after {place}</source>
+        <translation>rien n’a été enregistré pendant {gap_s:.0f} s après la {place}</translation>
     </message>
     <message>
         <source>nothing, but give the file or folder of one of them</source>
@@ -4912,16 +4980,8 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>rien, mais donnez le dossier de l’un d’eux</translation>
     </message>
     <message>
-        <source>number</source>
-        <translation>nombre</translation>
-    </message>
-    <message>
-        <source>of another result</source>
-        <translation>est d’un autre résultat</translation>
-    </message>
-    <message>
-        <source>offset {0} s with rate {1} is no clock map; give finite numbers and a positive rate</source>
-        <translation>le décalage {0} s avec la cadence {1} ne met pas les horloges en correspondance&#xa0;; donnez des nombres finis et une cadence positive</translation>
+        <source>offset {offset_s} s with rate {rate} is no clock map; give finite numbers and a positive rate</source>
+        <translation>le décalage {offset_s} s avec la cadence {rate} ne met pas les horloges en correspondance&#xa0;; donnez des nombres finis et une cadence positive</translation>
     </message>
     <message>
         <source>one feedback alone cannot be compared with anything</source>
@@ -4936,16 +4996,16 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>une seule séquence ne peut que se suivre elle-même</translation>
     </message>
     <message>
-        <source>only {0} of its samples are whole</source>
-        <translation>seulement {0} de ses mesures sont entières</translation>
+        <source>only {count} of {total} rows hold both specific force and angular rate</source>
+        <translation>seulement {count} lignes sur {total} contiennent à la fois la force spécifique et la vitesse angulaire</translation>
     </message>
     <message>
-        <source>only {0} of {1} rows hold both specific force and angular rate</source>
-        <translation>seulement {0} lignes sur {1} contiennent à la fois la force spécifique et la vitesse angulaire</translation>
+        <source>only {count} of {total} times can be used</source>
+        <translation>seulement {count} temps sur {total} sont utilisables</translation>
     </message>
     <message>
-        <source>only {0} of {1} times can be used</source>
-        <translation>seulement {0} temps sur {1} sont utilisables</translation>
+        <source>only {share:.0%} of its samples are whole</source>
+        <translation>seulement {share:.0%} de ses mesures sont entières</translation>
     </message>
     <message>
         <source>open its sequence first, then the log</source>
@@ -4956,44 +5016,48 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>ouvert</translation>
     </message>
     <message>
-        <source>order {0} has a condition twice</source>
-        <translation>l’ordre {0} a une condition deux fois</translation>
+        <source>order {order} has a condition twice</source>
+        <translation>l’ordre {order} a une condition deux fois</translation>
     </message>
     <message>
-        <source>order {0} has two trials at position {1}</source>
-        <translation>l’ordre {0} a deux essais à la position {1}</translation>
+        <source>order {order} has two trials at position {position}</source>
+        <translation>l’ordre {order} a deux essais à la position {position}</translation>
     </message>
     <message>
-        <source>order {0} lacks {1}</source>
-        <translation>dans l’ordre {0}, il manque {1}</translation>
+        <source>order {order} lacks {conditions}</source>
+        <translation>dans l’ordre {order}, il manque {conditions}</translation>
     </message>
     <message>
-        <source>order {0} plays {1} twice in a row</source>
-        <translation>l’ordre {0} joue {1} deux fois de suite</translation>
+        <source>order {order} plays {sequence} twice in a row</source>
+        <translation>l’ordre {order} joue {sequence} deux fois de suite</translation>
     </message>
     <message>
         <source>participant</source>
         <translation>participant</translation>
     </message>
     <message>
-        <source>participant {0}, {1}, {2}, {3}</source>
-        <translation>participant {0}, {1}, {2}, {3}</translation>
+        <source>participant {participant}, {sequence}, {feedback}, {factor}</source>
+        <translation>participant {participant}, {sequence}, {feedback}, {factor}</translation>
     </message>
     <message>
-        <source>rate-hz={0} is no rate; give 100, for example</source>
-        <translation>rate-hz={0} n’est pas une cadence&#xa0;; donnez 100, par exemple</translation>
+        <source>participants: 1 to {most} can be simulated</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>rate-unit={0} to take it as it is</source>
-        <translation>rate-unit={0} pour la prendre telle quelle</translation>
+        <source>rate-hz={rate_hz} is no rate; give 100, for example</source>
+        <translation>rate-hz={rate_hz} n’est pas une cadence&#xa0;; donnez 100, par exemple</translation>
     </message>
     <message>
-        <source>read as telemetry of the camera: specific force in m/s2, angular rate in rad/s, x to its right, y to where it looks, z to its top{0}, turning at {1} rad/s at most</source>
-        <translation>lu comme télémétrie de la caméra&#xa0;: force spécifique en m/s2, vitesse angulaire en rad/s, x vers sa droite, y dans la direction du regard, z vers le haut{0}, vitesse angulaire d’au plus {1} rad/s</translation>
+        <source>rate-unit={rate_unit} to take it as it is</source>
+        <translation>rate-unit={rate_unit} pour la prendre telle quelle</translation>
     </message>
     <message>
-        <source>read as {0}: specific force in {1}</source>
-        <translation>lu comme {0}&#xa0;: force spécifique en {1}</translation>
+        <source>read as telemetry of the camera: specific force in m/s2, angular rate in rad/s, x to its right, y to where it looks, z to its top{rest}, turning at {largest_radps:.2f} rad/s at most</source>
+        <translation>lu comme télémétrie de la caméra&#xa0;: force spécifique en m/s2, vitesse angulaire en rad/s, x vers sa droite, y dans la direction du regard, z vers le haut{rest}, vitesse angulaire d’au plus {largest_radps:.2f} rad/s</translation>
+    </message>
+    <message>
+        <source>read as {name}: specific force in {unit}</source>
+        <translation>lu comme {name}&#xa0;: force spécifique en {unit}</translation>
     </message>
     <message>
         <source>read by telemetry-parser; its times are those of an average rate</source>
@@ -5076,8 +5140,12 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>se répète</translation>
     </message>
     <message>
-        <source>row {0} was left out, as its time is more than an hour apart</source>
-        <translation>la ligne {0} a été omise, car son temps est à plus d’une heure des autres</translation>
+        <source>row {number}</source>
+        <translation>ligne {number}</translation>
+    </message>
+    <message>
+        <source>run a participant</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>run a participant first</source>
@@ -5088,6 +5156,10 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>recule</translation>
     </message>
     <message>
+        <source>samples have the shape {shape}, expected N x 3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>sampling is averaged or instant</source>
         <translation>sampling est averaged ou instant</translation>
     </message>
@@ -5096,24 +5168,20 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>enregistrez-le comme texte en UTF-8</translation>
     </message>
     <message>
-        <source>semicolons</source>
-        <translation>points-virgules</translation>
-    </message>
-    <message>
         <source>sequence</source>
         <translation>séquence</translation>
     </message>
     <message>
-        <source>session {0} cannot be used: {1}</source>
-        <translation>la séance {0} n’est pas utilisable&#xa0;: {1}</translation>
+        <source>session {code} cannot be used: {what}</source>
+        <translation>la séance {code} n’est pas utilisable&#xa0;: {what}</translation>
     </message>
     <message>
-        <source>session {0} is {1}</source>
-        <translation>la séance {0} est {1}</translation>
+        <source>session {code} is {state}</source>
+        <translation>la séance {code} est {state}</translation>
     </message>
     <message>
-        <source>session {0}: {1} was left out, the definition no longer has it</source>
-        <translation>séance {0}&#xa0;: {1} a été omis, la définition ne l’a plus</translation>
+        <source>session {code}: {key} was left out, the definition no longer has it</source>
+        <translation>séance {code}&#xa0;: {key} a été omis, la définition ne l’a plus</translation>
     </message>
     <message>
         <source>set up</source>
@@ -5136,20 +5204,32 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>triez les lignes par temps ou coupez l’enregistrement à cet endroit</translation>
     </message>
     <message>
-        <source>span from {0} s to {1} s</source>
-        <translation>plage de {0} s à {1} s</translation>
+        <source>span from {start_s:g} s to {end_s:g} s</source>
+        <translation>plage de {start_s:g} s à {end_s:g} s</translation>
     </message>
     <message>
         <source>specific force is acceleration plus the phone&apos;s own gravity</source>
         <translation>la force spécifique est l’accélération plus la pesanteur que donne le téléphone</translation>
     </message>
     <message>
-        <source>starts at {0} s, but the clip ends at {1} s</source>
-        <translation>commence à {0} s, mais la vidéo finit à {1} s</translation>
+        <source>starts at {time_s:.3f} s, but the clip ends at {duration_s:.3f} s</source>
+        <translation>commence à {time_s:.3f} s, mais la vidéo finit à {duration_s:.3f} s</translation>
     </message>
     <message>
         <source>stopped</source>
         <translation>arrêtée</translation>
+    </message>
+    <message>
+        <source>stopped by a button on the grip</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stopped, for the grip is more than 30 mm from the middle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stopped, for the grip was faster than 0.5 m/s</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>switch the Euler output of the board off and record again</source>
@@ -5160,20 +5240,24 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>mettez la carte en sortie de capteurs (#osct avec Razor-AHRS)</translation>
     </message>
     <message>
-        <source>tabs</source>
-        <translation>tabulations</translation>
+        <source>telemetry is nested deeper than {most} levels, so it is damaged</source>
+        <translation>la télémétrie est imbriquée sur plus de {most} niveaux, elle est donc endommagée</translation>
     </message>
     <message>
-        <source>telemetry is nested deeper than {0} levels, so it is damaged</source>
-        <translation>la télémétrie est imbriquée sur plus de {0} niveaux, elle est donc endommagée</translation>
+        <source>the Falcon answered none of the frames; home it, try again</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>the Falcon could not be {0} ({1}); unplug it and plug it in again</source>
-        <translation>le Falcon n’a pas pu être {0} ({1})&#xa0;; débranchez-le et rebranchez-le</translation>
+        <source>the Falcon could not be {done} ({reason}); unplug it and plug it in again</source>
+        <translation>le Falcon n’a pas pu être {done} ({reason})&#xa0;; débranchez-le et rebranchez-le</translation>
     </message>
     <message>
-        <source>the Falcon did not start in {0} attempts (the last: {1}); unplug its power and USB, plug both in, if you can without a hub, and try again</source>
-        <translation>le Falcon n’a pas démarré en {0} tentatives (la dernière&#xa0;: {1})&#xa0;; débranchez son alimentation et son USB, rebranchez les deux, si possible sans concentrateur, et réessayez</translation>
+        <source>the Falcon did not answer after the silence; try again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the Falcon did not start in {attempts} attempts (the last: {reason}); unplug its power and USB, plug both in, if you can without a hub, and try again</source>
+        <translation>le Falcon n’a pas démarré en {attempts} tentatives (la dernière&#xa0;: {reason})&#xa0;; débranchez son alimentation et son USB, rebranchez les deux, si possible sans concentrateur, et réessayez</translation>
     </message>
     <message>
         <source>the Falcon does not answer any more; unplug its power and USB, and plug both in</source>
@@ -5192,24 +5276,28 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>le Falcon est utilisé par un autre programme&#xa0;; fermez-le et réessayez</translation>
     </message>
     <message>
+        <source>the Falcon is not homed; run `hapticplayer device home`</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>the Falcon is not open; choose the device again</source>
         <translation>le Falcon n’est pas ouvert&#xa0;; choisissez de nouveau l’appareil</translation>
     </message>
     <message>
-        <source>the Falcon may not be used by you; copy the udev rule {0} to /etc/udev/rules.d, then unplug the Falcon and plug it in</source>
-        <translation>vous n’avez pas le droit d’utiliser le Falcon&#xa0;; copiez la règle udev {0} dans /etc/udev/rules.d, puis débranchez et rebranchez le Falcon</translation>
+        <source>the Falcon may not be used by you; copy the udev rule {rule} to /etc/udev/rules.d, then unplug the Falcon and plug it in</source>
+        <translation>vous n’avez pas le droit d’utiliser le Falcon&#xa0;; copiez la règle udev {rule} dans /etc/udev/rules.d, puis débranchez et rebranchez le Falcon</translation>
     </message>
     <message>
-        <source>the Falcon was not homed within {0} s; pull the grip all the way out, push it all the way in until it locks, and try again</source>
-        <translation>le Falcon n’a pas trouvé son zéro en {0} s&#xa0;; tirez la poignée à fond, poussez-la à fond jusqu’à ce qu’elle se bloque, et réessayez</translation>
+        <source>the Falcon was not homed within {limit_s:.0f} s; pull the grip all the way out, push it all the way in until it locks, and try again</source>
+        <translation>le Falcon n’a pas trouvé son zéro en {limit_s:.0f} s&#xa0;; tirez la poignée à fond, poussez-la à fond jusqu’à ce qu’elle se bloque, et réessayez</translation>
     </message>
     <message>
         <source>the Falcon was unplugged, or its cable is loose; plug it in and choose the device again</source>
         <translation>le Falcon a été débranché, ou son câble est desserré&#xa0;; rebranchez-le et choisissez de nouveau l’appareil</translation>
     </message>
     <message>
-        <source>the Falcon&apos;s firmware is missing ({0}); it may not be passed on with this program: take nvent_firmware.bin from a libnifalcon source archive and install it with `hapticplayer device upload-firmware FILE`, or in the window with Playback &gt; Set up the device</source>
-        <translation>le micrologiciel du Falcon manque ({0})&#xa0;; il ne peut pas être transmis avec ce programme&#xa0;: prenez nvent_firmware.bin dans une archive des sources de libnifalcon et installez-le avec `hapticplayer device upload-firmware FILE`, ou dans la fenêtre avec Lecture &gt; Préparer l’appareil</translation>
+        <source>the Falcon&apos;s firmware is missing ({path}); it may not be passed on with this program: take nvent_firmware.bin from a libnifalcon source archive and install it with `hapticplayer device upload-firmware FILE`, or in the window with Playback &gt; Set up the device</source>
+        <translation>le micrologiciel du Falcon manque ({path})&#xa0;; il ne peut pas être transmis avec ce programme&#xa0;: prenez nvent_firmware.bin dans une archive des sources de libnifalcon et installez-le avec `hapticplayer device upload-firmware FILE`, ou dans la fenêtre avec Lecture &gt; Préparer l’appareil</translation>
     </message>
     <message>
         <source>the Falcon&apos;s position has jumped and stayed away; home it again, then choose the device again</source>
@@ -5228,8 +5316,8 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>la vitesse angulaire est partout nulle, aucune rotation n’est donc supposée</translation>
     </message>
     <message>
-        <source>the angular rate reaches {0} rad/s when it is read in {1}, which no sensor shows</source>
-        <translation>la vitesse angulaire atteint {0} rad/s quand elle est lue en {1}, ce qu’aucun capteur ne montre</translation>
+        <source>the angular rate reaches {largest:.3g} rad/s when it is read in {rate_unit}, which no sensor shows</source>
+        <translation>la vitesse angulaire atteint {largest:.3g} rad/s quand elle est lue en {rate_unit}, ce qu’aucun capteur ne montre</translation>
     </message>
     <message>
         <source>the angular rate turns gravity about 57 times too fast</source>
@@ -5240,8 +5328,8 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>la vitesse angulaire fait tourner la pesanteur environ 57 fois trop lentement</translation>
     </message>
     <message>
-        <source>the answer could not be saved ({0})</source>
-        <translation>la réponse n’a pas pu être enregistrée ({0})</translation>
+        <source>the answer could not be saved ({reason})</source>
+        <translation>la réponse n’a pas pu être enregistrée ({reason})</translation>
     </message>
     <message>
         <source>the board&apos;s axes</source>
@@ -5260,28 +5348,36 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>les colonnes sont dans un autre ordre</translation>
     </message>
     <message>
-        <source>the columns are separated by {0} instead of commas</source>
-        <translation>les colonnes sont séparées par des {0} au lieu de virgules</translation>
+        <source>the columns have to be {columns}</source>
+        <translation>les colonnes doivent être {columns}</translation>
     </message>
     <message>
-        <source>the columns have to be {0}</source>
-        <translation>les colonnes doivent être {0}</translation>
+        <source>the computer stood still time and again; close other programs, measure again</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>the cutoff</source>
         <translation>la fréquence de coupure</translation>
     </message>
     <message>
-        <source>the entry {0} stands twice in one object</source>
-        <translation>l’entrée {0} figure deux fois dans un objet</translation>
+        <source>the entry {twice!r} stands twice in one object</source>
+        <translation>l’entrée {twice!r} figure deux fois dans un objet</translation>
     </message>
     <message>
         <source>the experiment was paused; its clock ran on without the pause</source>
         <translation>l’expérience a été mise en pause&#xa0;; son horloge a continué sans la pause</translation>
     </message>
     <message>
-        <source>the fades take {0} s</source>
-        <translation>les fondus prennent {0} s</translation>
+        <source>the fades take {fades_s:g} s</source>
+        <translation>les fondus prennent {fades_s:g} s</translation>
+    </message>
+    <message>
+        <source>the file ends at byte {size_bytes} but its header promises {promised_bytes}</source>
+        <translation>le fichier finit à l’octet {size_bytes}, mais son en-tête en promet {promised_bytes}</translation>
+    </message>
+    <message>
+        <source>the file ends at byte {size_bytes} but its index needs {indexed_bytes}</source>
+        <translation>le fichier finit à l’octet {size_bytes}, mais son index en demande {indexed_bytes}</translation>
     </message>
     <message>
         <source>the file was removed</source>
@@ -5300,20 +5396,32 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>le dossier a été remplacé</translation>
     </message>
     <message>
-        <source>the gain {0} would reverse the motion</source>
-        <translation>le gain {0} inverserait le mouvement</translation>
+        <source>the gain {gain:g} would reverse the motion</source>
+        <translation>le gain {gain:g} inverserait le mouvement</translation>
     </message>
     <message>
         <source>the game pad is not open; choose the device again</source>
         <translation>la manette n’est pas ouverte&#xa0;; choisissez de nouveau l’appareil</translation>
     </message>
     <message>
+        <source>the grip did not give way to 1 N; hold it more loosely</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the guard did not start, so nothing is measured; run &apos;hapticplayer doctor&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the guard has ended; measure again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>the guard of the haptics process has ended, so there is no force; choose the device again</source>
         <translation>le gardien du processus haptique s’est terminé, il n’y a donc pas de force&#xa0;; choisissez de nouveau l’appareil</translation>
     </message>
     <message>
-        <source>the haptics process could not be started: {0}</source>
-        <translation>le processus haptique n’a pas pu être lancé&#xa0;: {0}</translation>
+        <source>the haptics process could not be started: {reason}</source>
+        <translation>le processus haptique n’a pas pu être lancé&#xa0;: {reason}</translation>
     </message>
     <message>
         <source>the haptics process did not become ready; try again, and run &apos;hapticplayer doctor&apos; if it stays so</source>
@@ -5324,16 +5432,20 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>le processus haptique s’est terminé, il n’y a donc plus de force</translation>
     </message>
     <message>
-        <source>the header is {0}</source>
-        <translation>l’en-tête est {0}</translation>
+        <source>the header is {header!r}</source>
+        <translation>l’en-tête est {header!r}</translation>
     </message>
     <message>
-        <source>the key {0} stands twice</source>
-        <translation>la clé {0} figure deux fois</translation>
+        <source>the installed device {name!r} cannot be loaded: {reason}; update or uninstall its package</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>the largest angular rate is {0} rad/s</source>
-        <translation>la plus grande vitesse angulaire est de {0} rad/s</translation>
+        <source>the key {key!r} stands twice</source>
+        <translation>la clé {key!r} figure deux fois</translation>
+    </message>
+    <message>
+        <source>the largest angular rate is {largest:.3g} rad/s</source>
+        <translation>la plus grande vitesse angulaire est de {largest:.3g} rad/s</translation>
     </message>
     <message>
         <source>the legs cannot be assembled at these joint angles</source>
@@ -5348,24 +5460,28 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>la liste des ordres est vide</translation>
     </message>
     <message>
-        <source>the log cannot be written ({0})</source>
-        <translation>le journal ne peut pas être écrit ({0})</translation>
+        <source>the log cannot be written ({reason})</source>
+        <translation>le journal ne peut pas être écrit ({reason})</translation>
     </message>
     <message>
         <source>the log has no times: 50 frames a second are assumed</source>
         <translation>le journal n’a pas de temps&#xa0;: 50 mesures par seconde sont supposées</translation>
     </message>
     <message>
-        <source>the log is not complete ({0})</source>
-        <translation>le journal n’est pas complet ({0})</translation>
+        <source>the log is not complete ({reason})</source>
+        <translation>le journal n’est pas complet ({reason})</translation>
     </message>
     <message>
-        <source>the magnetometer was left out: {0} of {1} samples are empty</source>
-        <translation>le magnétomètre a été omis&#xa0;: {0} mesures sur {1} sont vides</translation>
+        <source>the low-pass has no heading; choose one of ekf, vqf</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>the median of |(ax, ay, az)| is {0} m/s2</source>
-        <translation>la médiane de |(ax, ay, az)| est de {0} m/s2</translation>
+        <source>the magnetometer was left out: {count} of {total} samples are empty</source>
+        <translation>le magnétomètre a été omis&#xa0;: {count} mesures sur {total} sont vides</translation>
+    </message>
+    <message>
+        <source>the median of |(ax, ay, az)| is {norm:.3g} m/s2</source>
+        <translation>la médiane de |(ax, ay, az)| est de {norm:.3g} m/s2</translation>
     </message>
     <message>
         <source>the method offset needs one; give --offset S</source>
@@ -5376,72 +5492,76 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>le mouvement ne peut pas être séparé de la pesanteur</translation>
     </message>
     <message>
-        <source>the motion covers {0} to {1} s of media time, but the clip lasts from 0 to {2} s</source>
-        <translation>le mouvement couvre {0} à {1} s de temps du média, mais la vidéo dure de 0 à {2} s</translation>
+        <source>the motion covers {first_s:.1f} to {last_s:.1f} s of media time, but the clip lasts from 0 to {duration_s:.1f} s</source>
+        <translation>le mouvement couvre {first_s:.1f} à {last_s:.1f} s de temps du média, mais la vidéo dure de 0 à {duration_s:.1f} s</translation>
     </message>
     <message>
-        <source>the motion covers {0} to {1} s of the clip&apos;s {2} s; there is no force outside</source>
-        <translation>le mouvement couvre {0} à {1} s des {2} s de la vidéo&#xa0;; il n’y a pas de force en dehors</translation>
+        <source>the motion covers {first_s:.1f} to {last_s:.1f} s of the clip&apos;s {duration_s:.1f} s; there is no force outside</source>
+        <translation>le mouvement couvre {first_s:.1f} à {last_s:.1f} s des {duration_s:.1f} s de la vidéo&#xa0;; il n’y a pas de force en dehors</translation>
     </message>
     <message>
         <source>the motion track is empty, so there is no force to render</source>
         <translation>la piste de mouvement est vide, il n’y a donc pas de force à calculer</translation>
     </message>
     <message>
-        <source>the norm of the specific force is {0} where it is calmest, but gravity is {1} m/s^2</source>
-        <translation>la norme de la force spécifique est de {0} là où elle est la plus calme, mais la pesanteur est de {1} m/s^2</translation>
+        <source>the norm of the specific force is {norm:.3g} where it is calmest, but gravity is {gravity:.3g} m/s^2</source>
+        <translation>la norme de la force spécifique est de {norm:.3g} là où elle est la plus calme, mais la pesanteur est de {gravity:.3g} m/s^2</translation>
     </message>
     <message>
-        <source>the number of samples is {0}; {1} to {2} can be used</source>
-        <translation>le nombre de mesures est de {0}&#xa0;; de {1} à {2} sont utilisables</translation>
+        <source>the number of samples is {count}; {least} to {most} can be used</source>
+        <translation>le nombre de mesures est de {count}&#xa0;; de {least} à {most} sont utilisables</translation>
     </message>
     <message>
         <source>the phone&apos;s axes: x right, y top, z out of the screen</source>
         <translation>axes du téléphone&#xa0;: x à droite, y en haut, z hors de l’écran</translation>
     </message>
     <message>
-        <source>the position {0} is no whole number</source>
-        <translation>la position {0} n’est pas un nombre entier</translation>
+        <source>the position {text!r} is no whole number</source>
+        <translation>la position {text!r} n’est pas un nombre entier</translation>
     </message>
     <message>
         <source>the rate</source>
         <translation>la cadence</translation>
     </message>
     <message>
-        <source>the record cannot be written ({0})</source>
-        <translation>l’enregistrement ne peut pas être écrit ({0})</translation>
+        <source>the record cannot be written ({reason})</source>
+        <translation>l’enregistrement ne peut pas être écrit ({reason})</translation>
     </message>
     <message>
-        <source>the sampling rate changes over the recording, {0}</source>
-        <translation>la cadence des mesures change au cours de l’enregistrement, {0}</translation>
+        <source>the recording has no magnetometer to find the heading with</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>the scale of {0} is damaged ({1})</source>
-        <translation>l’échelle de {0} est endommagée ({1})</translation>
+        <source>the sampling rate changes over the recording, {change}</source>
+        <translation>la cadence des mesures change au cours de l’enregistrement, {change}</translation>
     </message>
     <message>
-        <source>the second half could not be drawn ({0})</source>
-        <translation>la seconde moitié n’a pas pu être dessinée ({0})</translation>
+        <source>the scale of {key} is damaged ({scale})</source>
+        <translation>l’échelle de {key} est endommagée ({scale})</translation>
+    </message>
+    <message>
+        <source>the second half could not be drawn ({reason})</source>
+        <translation>la seconde moitié n’a pas pu être dessinée ({reason})</translation>
     </message>
     <message>
         <source>the sensor turned so much that gravity does not show its axes</source>
         <translation>le capteur a tant tourné que la pesanteur ne montre pas ses axes</translation>
     </message>
     <message>
-        <source>the sequence {0} has changed since this session began</source>
-        <translation>la séquence {0} a changé depuis le début de cette séance</translation>
+        <source>the sequence {key!r} has changed since this session began</source>
+        <translation>la séquence {key!r} a changé depuis le début de cette séance</translation>
     </message>
     <message>
-        <source>the sequence {0} has no feedback {1}</source>
-        <translation>la séquence {0} n’a pas de retour {1}</translation>
+        <source>the sequence {key!r} has no feedback {feedback!r}</source>
+        <translation>la séquence {key!r} n’a pas de retour {feedback!r}</translation>
     </message>
     <message>
-        <source>the sequence {0} has no folder with a sequence</source>
-        <translation>la séquence {0} n’a pas de dossier qui contienne une séquence</translation>
+        <source>the sequence {key!r} has no folder with a sequence</source>
+        <translation>la séquence {key!r} n’a pas de dossier qui contienne une séquence</translation>
     </message>
     <message>
-        <source>the simulated Falcon did not answer within {0} s; try again, and run &apos;hapticplayer doctor&apos; if it stays so</source>
-        <translation>le Falcon simulé n’a pas répondu en {0} s&#xa0;; réessayez, et lancez «&#xa0;hapticplayer doctor&#xa0;» si cela persiste</translation>
+        <source>the simulated Falcon did not answer within {patience_s:.0f} s; try again, and run &apos;hapticplayer doctor&apos; if it stays so</source>
+        <translation>le Falcon simulé n’a pas répondu en {patience_s:.0f} s&#xa0;; réessayez, et lancez «&#xa0;hapticplayer doctor&#xa0;» si cela persiste</translation>
     </message>
     <message>
         <source>the simulated Falcon was unplugged: its process has ended; choose the device again to start a new one</source>
@@ -5452,8 +5572,12 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>le Falcon simulé a été débranché&#xa0;; choisissez de nouveau l’appareil</translation>
     </message>
     <message>
-        <source>the sound has the shape {0}, expected (n, 1) or (n, 2)</source>
-        <translation>le son a la forme {0}, attendu&#xa0;: (n, 1) ou (n, 2)</translation>
+        <source>the smoother has no heading; choose one of ekf, vqf, offline-vqf for it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the sound has the shape {shape}, expected (n, 1) or (n, 2)</source>
+        <translation>le son a la forme {shape}, attendu&#xa0;: (n, 1) ou (n, 2)</translation>
     </message>
     <message>
         <source>the sound holds values that are not finite</source>
@@ -5468,44 +5592,52 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>le son a été perdu&#xa0;; l’image et la force continuent</translation>
     </message>
     <message>
-        <source>the specific force is {0} m/s2 at rest when it is read in {1}, but gravity is 9.81</source>
-        <translation>la force spécifique est de {0} m/s2 au repos quand elle est lue en {1}, mais la pesanteur est de 9.81</translation>
+        <source>the specific force is {norm:.3g} m/s2 at rest when it is read in {force_unit}, but gravity is 9.81</source>
+        <translation>la force spécifique est de {norm:.3g} m/s2 au repos quand elle est lue en {force_unit}, mais la pesanteur est de 9.81</translation>
     </message>
     <message>
-        <source>the study has no condition {0}</source>
-        <translation>l’étude n’a pas de condition {0}</translation>
+        <source>the study has no condition {key}</source>
+        <translation>l’étude n’a pas de condition {key}</translation>
     </message>
     <message>
-        <source>the time {0} ({1} s after {2} s)</source>
-        <translation>le temps {0} ({1} s après {2} s)</translation>
+        <source>the time {fault} ({time_s} s after {last_s} s)</source>
+        <translation>le temps {fault} ({time_s} s après {last_s} s)</translation>
     </message>
     <message>
-        <source>the work was ended from outside (exit status {0}), perhaps for want of memory; nothing was written</source>
-        <translation>le travail a été arrêté de l’extérieur (état {0}), peut-être faute de mémoire&#xa0;; rien n’a été écrit</translation>
+        <source>the work was ended from outside (exit status {status}), perhaps for want of memory; nothing was written</source>
+        <translation>le travail a été arrêté de l’extérieur (état {status}), peut-être faute de mémoire&#xa0;; rien n’a été écrit</translation>
     </message>
     <message>
-        <source>the {0} may not be used by you, or is gone; copy the udev rule {1} to /etc/udev/rules.d, then unplug it and plug it in</source>
-        <translation>vous n’avez pas le droit d’utiliser l’appareil ({0}), ou il n’est plus là&#xa0;; copiez la règle udev {1} dans /etc/udev/rules.d, puis débranchez-le et rebranchez-le</translation>
+        <source>the {title} may not be used by you, or is gone; copy the udev rule {rule} to /etc/udev/rules.d, then unplug it and plug it in</source>
+        <translation>vous n’avez pas le droit d’utiliser l’appareil ({title}), ou il n’est plus là&#xa0;; copiez la règle udev {rule} dans /etc/udev/rules.d, puis débranchez-le et rebranchez-le</translation>
     </message>
     <message>
-        <source>the {0} was unplugged; plug it in and choose the device again</source>
-        <translation>l’appareil ({0}) a été débranché&#xa0;; rebranchez-le et choisissez-le de nouveau</translation>
+        <source>the {title} was unplugged; plug it in and choose the device again</source>
+        <translation>l’appareil ({title}) a été débranché&#xa0;; rebranchez-le et choisissez-le de nouveau</translation>
     </message>
     <message>
         <source>there are no pictures to write</source>
         <translation>il n’y a pas d’images à écrire</translation>
     </message>
     <message>
-        <source>there is a track {0} already; choose another name</source>
-        <translation>il y a déjà une piste {0}&#xa0;; choisissez un autre nom</translation>
+        <source>there is a track {name!r} already; choose another name</source>
+        <translation>il y a déjà une piste {name!r}&#xa0;; choisissez un autre nom</translation>
     </message>
     <message>
         <source>there is no device that could have a fault</source>
         <translation>il n’y a pas d’appareil qui puisse avoir une panne</translation>
     </message>
     <message>
-        <source>there is no format {0}; choose one of {1}</source>
-        <translation>il n’y a pas de format {0}&#xa0;; choisissez parmi {1}</translation>
+        <source>there is no effect {name!r}; there is paper, none, or a share of the paper&apos;s effect such as 0.5</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no format {name!r}; choose one of {known}</source>
+        <translation>il n’y a pas de format {name!r}&#xa0;; choisissez parmi {known}</translation>
+    </message>
+    <message>
+        <source>there is no format {name!r}; there is {known}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>there is no header, the file begins with numbers</source>
@@ -5516,20 +5648,36 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>il n’y a pas de jugement à analyser</translation>
     </message>
     <message>
-        <source>there is no method {0}; choose one of {1}</source>
-        <translation>il n’y a pas de méthode {0}&#xa0;; choisissez parmi {1}</translation>
+        <source>there is no measure {measure!r}; there is {known}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>there is no mounting {0}; choose one of {1}, or give right, front and up of the actor in the recorder&apos;s axes, such as --mounting=-x,y,-z</source>
-        <translation>il n’y a pas de fixation {0}&#xa0;; choisissez parmi {1}, ou donnez la droite, l’avant et le haut de la personne dans les axes de l’enregistreur, par exemple --mounting=-x,y,-z</translation>
+        <source>there is no method {method!r}; choose one of {known}</source>
+        <translation>il n’y a pas de méthode {method!r}&#xa0;; choisissez parmi {known}</translation>
     </message>
     <message>
-        <source>there is no participant {0}</source>
-        <translation>il n’y a pas de participant {0}</translation>
+        <source>there is no motion scene {name!r}; choose one of {known}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>there is no sequence {0}; {1} are</source>
-        <translation>il n’y a pas de séquence {0}&#xa0;; il y a {1}</translation>
+        <source>there is no mounting {text!r}; choose one of {known}, or give right, front and up of the actor in the recorder&apos;s axes, such as --mounting=-x,y,-z</source>
+        <translation>il n’y a pas de fixation {text!r}&#xa0;; choisissez parmi {known}, ou donnez la droite, l’avant et le haut de la personne dans les axes de l’enregistreur, par exemple --mounting=-x,y,-z</translation>
+    </message>
+    <message>
+        <source>there is no participant {code}</source>
+        <translation>il n’y a pas de participant {code}</translation>
+    </message>
+    <message>
+        <source>there is no scene {scene!r}; choose one of {known}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no sensor {sensor!r}; choose one of {known}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no sequence {key!r}; {known} are</source>
+        <translation>il n’y a pas de séquence {key!r}&#xa0;; il y a {known}</translation>
     </message>
     <message>
         <source>there is no sound in which pats could be heard</source>
@@ -5540,88 +5688,92 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>il n’y a pas de sortie de son, la vidéo est donc muette</translation>
     </message>
     <message>
-        <source>there is no sound output: {0}</source>
-        <translation>il n’y a pas de sortie de son&#xa0;: {0}</translation>
+        <source>there is no sound output: {reason}</source>
+        <translation>il n’y a pas de sortie de son&#xa0;: {reason}</translation>
     </message>
     <message>
         <source>there is no such file</source>
         <translation>ce fichier n’existe pas</translation>
     </message>
     <message>
-        <source>there is no template {0}; there is {1}</source>
-        <translation>il n’y a pas de modèle {0}&#xa0;; il y a {1}</translation>
+        <source>there is no template {name!r}; there is {known}</source>
+        <translation>il n’y a pas de modèle {name!r}&#xa0;; il y a {known}</translation>
     </message>
     <message>
-        <source>there is no track {0}</source>
-        <translation>il n’y a pas de piste {0}</translation>
+        <source>there is no track {name!r}</source>
+        <translation>il n’y a pas de piste {name!r}</translation>
     </message>
     <message>
-        <source>there is no {0}</source>
-        <translation>il manque&#xa0;: {0}</translation>
+        <source>there is no {kind}</source>
+        <translation>il manque&#xa0;: {kind}</translation>
     </message>
     <message>
         <source>there is nothing in it</source>
         <translation>il n’y a rien dedans</translation>
     </message>
     <message>
-        <source>these are two of a kind: {0}</source>
-        <translation>ce sont deux fichiers du même genre&#xa0;: {0}</translation>
+        <source>these are two of a kind: {names}</source>
+        <translation>ce sont deux fichiers du même genre&#xa0;: {names}</translation>
     </message>
     <message>
-        <source>this is no firmware for the Falcon: {0}; choose the file nvent_firmware.bin of a libnifalcon source archive</source>
-        <translation>ce n’est pas un micrologiciel pour le Falcon&#xa0;: {0}&#xa0;; choisissez le fichier nvent_firmware.bin d’une archive des sources de libnifalcon</translation>
+        <source>this is no firmware for the Falcon: {reason}; choose the file nvent_firmware.bin of a libnifalcon source archive</source>
+        <translation>ce n’est pas un micrologiciel pour le Falcon&#xa0;: {reason}&#xa0;; choisissez le fichier nvent_firmware.bin d’une archive des sources de libnifalcon</translation>
     </message>
     <message>
-        <source>this is the page {0}, not {1}</source>
-        <translation>c’est la page {0}, pas {1}</translation>
+        <source>this is the page {page}, not {expected}</source>
+        <translation>c’est la page {page}, pas {expected}</translation>
     </message>
     <message>
-        <source>this track heats the motors to {0} % of what they bear for ever; they may weaken it</source>
-        <translation>cette piste chauffe les moteurs à {0}&#xa0;% de ce qu’ils supportent sans fin&#xa0;; ils peuvent l’affaiblir</translation>
+        <source>this method takes no parameters</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>this track would move a {0} hand so that the force stops ({1}) at {2} s</source>
-        <translation>cette piste déplacerait une main {0} au point que la force s’arrête ({1}) à {2} s</translation>
+        <source>this method takes {expected}, not {given}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>this track would reach {0} % of the workspace with a relaxed hand, at {1} s; beyond {2} % the force outward is weakened</source>
-        <translation>cette piste atteindrait {0}&#xa0;% de l’espace de travail avec une main détendue, à {1} s&#xa0;; au-delà de {2}&#xa0;%, la force vers l’extérieur est affaiblie</translation>
+        <source>this track heats the motors to {heat:.0f} % of what they bear for ever; they may weaken it</source>
+        <translation>cette piste chauffe les moteurs à {heat:.0f}&#xa0;% de ce qu’ils supportent sans fin&#xa0;; ils peuvent l’affaiblir</translation>
     </message>
     <message>
-        <source>time_s has {0} axes, expected one</source>
-        <translation>time_s a {0} axes, attendu&#xa0;: un</translation>
+        <source>this track would move a {hand} hand so that the force stops ({trip}) at {at_s:.1f} s</source>
+        <translation>cette piste déplacerait une main {hand} au point que la force s’arrête ({trip}) à {at_s:.1f} s</translation>
     </message>
     <message>
-        <source>time_s jumps back by {0} s at line {1}</source>
-        <translation>time_s recule de {0} s à la ligne {1}</translation>
+        <source>this track would reach {reach:.0f} % of the workspace with a relaxed hand, at {at_s:.1f} s; beyond {far:.0f} % the force outward is weakened</source>
+        <translation>cette piste atteindrait {reach:.0f}&#xa0;% de l’espace de travail avec une main détendue, à {at_s:.1f} s&#xa0;; au-delà de {far:.0f}&#xa0;%, la force vers l’extérieur est affaiblie</translation>
     </message>
     <message>
-        <source>time_s jumps back by {0} s at row {1}</source>
-        <translation>time_s recule de {0} s à la ligne {1}</translation>
+        <source>time_s has {ndim} axes, expected one</source>
+        <translation>time_s a {ndim} axes, attendu&#xa0;: un</translation>
     </message>
     <message>
-        <source>time_s runs at {0} samples a second</source>
-        <translation>time_s avance de {0} mesures par seconde</translation>
+        <source>time_s jumps back by {jump_s:.6g} s at {place}</source>
+        <translation>time_s recule de {jump_s:.6g} s à la {place}</translation>
     </message>
     <message>
-        <source>time_s runs backwards at line {0}, and no order can be found</source>
-        <translation>time_s recule à la ligne {0}, et aucun ordre ne peut être trouvé</translation>
+        <source>time_s runs at {rate_hz:.3g} samples a second</source>
+        <translation>time_s avance de {rate_hz:.3g} mesures par seconde</translation>
     </message>
     <message>
-        <source>time_s runs backwards at row {0}, and no order can be found</source>
-        <translation>time_s recule à la ligne {0}, et aucun ordre ne peut être trouvé</translation>
+        <source>time_s runs backwards at {place}, and no order can be found</source>
+        <translation>time_s recule à la {place}, et aucun ordre ne peut être trouvé</translation>
     </message>
     <message>
-        <source>took telemetry-parser {0} s</source>
-        <translation>a occupé telemetry-parser {0} s</translation>
+        <source>timeout</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>took telemetry-parser {time_limit_s:g} s</source>
+        <translation>a occupé telemetry-parser {time_limit_s:g} s</translation>
     </message>
     <message>
         <source>true or false</source>
         <translation>true ou false</translation>
     </message>
     <message>
-        <source>turning at {0} rad/s at most</source>
-        <translation>vitesse angulaire d’au plus {0} rad/s</translation>
+        <source>turning at {largest_radps:.2f} rad/s at most</source>
+        <translation>vitesse angulaire d’au plus {largest_radps:.2f} rad/s</translation>
     </message>
     <message>
         <source>update hapticplayer</source>
@@ -5632,8 +5784,12 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>mettez le programme à jour, ou exportez encore une fois avec cette version</translation>
     </message>
     <message>
-        <source>use at most {0} of a-z, 0-9, _ and -</source>
-        <translation>prenez au plus {0} caractères parmi a-z, 0-9, _ et -</translation>
+        <source>use at most {most} of a-z, 0-9, _ and -</source>
+        <translation>prenez au plus {most} caractères parmi a-z, 0-9, _ et -</translation>
+    </message>
+    <message>
+        <source>use the version of hapticplayer that wrote it</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>without a readable number</source>
@@ -5648,376 +5804,364 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>écrivez-en un avec --save-template</translation>
     </message>
     <message>
-        <source>writes its times as dates ({0})</source>
-        <translation>écrit ses temps sous forme de dates ({0})</translation>
+        <source>writes its times as dates ({found})</source>
+        <translation>écrit ses temps sous forme de dates ({found})</translation>
     </message>
     <message>
-        <source>writing failed ({0})</source>
-        <translation>l’écriture a échoué ({0})</translation>
+        <source>writing failed ({reason})</source>
+        <translation>l’écriture a échoué ({reason})</translation>
     </message>
     <message>
         <source>written to</source>
         <translation>écrit</translation>
     </message>
     <message>
-        <source>{0} (first in line {1})</source>
-        <translation>{0} (d’abord à la ligne {1})</translation>
+        <source>{axes}{words} are right, front, up</source>
+        <translation>{axes}{words} sont droite, avant, haut</translation>
     </message>
     <message>
-        <source>{0} (or rate-hz=100)</source>
-        <translation>{0} (ou rate-hz=100)</translation>
+        <source>{clip}: no three pats are both heard and felt; {look}</source>
+        <translation>{clip}&#xa0;: aucune série de trois tapes n’est à la fois entendue et sentie&#xa0;; {look}</translation>
     </message>
     <message>
-        <source>{0} Falcons are plugged in: {1}; choose one, such as falcon:{2}</source>
-        <translation>{0} Falcon sont branchés&#xa0;: {1}&#xa0;; choisissez-en un, par exemple falcon:{2}</translation>
+        <source>{clip}: the pats are not certain (confidence {confidence:.2f}): the best offset is {offset_s:.3f} s{next_best}; {look}</source>
+        <translation>{clip}&#xa0;: les tapes ne sont pas sûres (confiance {confidence:.2f})&#xa0;: le meilleur décalage est de {offset_s:.3f} s{next_best}&#xa0;; {look}</translation>
     </message>
     <message>
-        <source>{0} Hz is above the rate of the samples, {1} Hz</source>
-        <translation>{0} Hz dépasse la cadence des mesures, {1} Hz</translation>
+        <source>{count} Falcons are plugged in: {known}; choose one, such as falcon:{serial}</source>
+        <translation>{count} Falcon sont branchés&#xa0;: {known}&#xa0;; choisissez-en un, par exemple falcon:{serial}</translation>
     </message>
     <message>
-        <source>{0} and are marked as not valid</source>
-        <translation>{0} et sont marquées comme non valables</translation>
+        <source>{count} bytes are no whole number of words, or too many</source>
+        <translation>{count} octets ne font pas un nombre entier de mots, ou sont trop nombreux</translation>
     </message>
     <message>
-        <source>{0} and no {1}</source>
-        <translation>{0} et pas de {1}</translation>
+        <source>{count} bytes follow its end</source>
+        <translation>{count} octets suivent sa fin</translation>
     </message>
     <message>
-        <source>{0} and {1}</source>
-        <translation>{0} et {1}</translation>
+        <source>{count} gaps</source>
+        <translation>{count} lacunes</translation>
     </message>
     <message>
-        <source>{0} and {1} damaged lines</source>
-        <translation>{0} et {1} lignes endommagées</translation>
+        <source>{count} gyroscope values were scaled twice and are left out</source>
+        <translation>{count} valeurs du gyroscope étaient mises à l’échelle deux fois et ont été omises</translation>
     </message>
     <message>
-        <source>{0} and {1} for {2}</source>
-        <translation>{0} et {1} pour {2}</translation>
+        <source>{count} lines are damaged and left out (first: line {line})</source>
+        <translation>{count} lignes sont endommagées et ont été omises (la première&#xa0;: ligne {line})</translation>
     </message>
     <message>
-        <source>{0} are no axes, so the telemetry is damaged</source>
-        <translation>{0} ne sont pas des axes, la télémétrie est donc endommagée</translation>
+        <source>{count} missing or wild times were interpolated</source>
+        <translation>{count} temps manquants ou aberrants ont été interpolés</translation>
     </message>
     <message>
-        <source>{0} bytes are no whole number of words, or too many</source>
-        <translation>{0} octets ne font pas un nombre entier de mots, ou sont trop nombreux</translation>
+        <source>{count} motion samples are too few; at least {least} are needed</source>
+        <translation>{count} mesures de mouvement sont trop peu&#xa0;; il en faut au moins {least}</translation>
     </message>
     <message>
-        <source>{0} bytes follow its end</source>
-        <translation>{0} octets suivent sa fin</translation>
+        <source>{count} motion samples within {span_ms:.3g} ms are no motion</source>
+        <translation>{count} mesures de mouvement en {span_ms:.3g} ms ne sont pas un mouvement</translation>
     </message>
     <message>
-        <source>{0} cannot be the name of a track; use up to 40 letters, digits, blanks, dots and hyphens</source>
-        <translation>{0} ne peut pas être le nom d’une piste&#xa0;; prenez jusqu’à 40 lettres, chiffres, espaces, points et traits d’union</translation>
+        <source>{count} of {total} rows {done}</source>
+        <translation>{count} lignes sur {total} {done}</translation>
     </message>
     <message>
-        <source>{0} does not hold numbers only ({1})</source>
-        <translation>{0} ne contient pas que des nombres ({1})</translation>
+        <source>{count} of {total} samples of {name} were missing, the first in {place}; they were filled in</source>
+        <translation>{count} mesures sur {total} de {name} manquaient, la première à la {place}&#xa0;; elles ont été complétées</translation>
     </message>
     <message>
-        <source>{0} does not know the clip&apos;s clock; use --method pats or give --offset S</source>
-        <translation>{0} ne connaît pas l’horloge de la vidéo&#xa0;; prenez --method pats ou donnez --offset S</translation>
+        <source>{count} packets in a row are damaged</source>
+        <translation>{count} paquets de suite sont endommagés</translation>
     </message>
     <message>
-        <source>{0} gaps</source>
-        <translation>{0} lacunes</translation>
+        <source>{count} pairs of rows were swapped in time and put in order</source>
+        <translation>{count} paires de lignes étaient inversées dans le temps et ont été remises en ordre</translation>
     </message>
     <message>
-        <source>{0} gyroscope values were scaled twice and are left out</source>
-        <translation>{0} valeurs du gyroscope étaient mises à l’échelle deux fois et ont été omises</translation>
+        <source>{count} rows without a time were left out, as they stand in a gap</source>
+        <translation>{count} lignes sans temps ont été omises, car elles sont dans une lacune</translation>
     </message>
     <message>
-        <source>{0} has no feedback {1}; choose one of {2}</source>
-        <translation>{0} n’a pas de retour {1}&#xa0;; choisissez parmi {2}</translation>
+        <source>{count} samples have no rate</source>
+        <translation>{count} mesures n’ont pas de cadence</translation>
     </message>
     <message>
-        <source>{0} has the shape {1}, expected {2}</source>
-        <translation>{0} a la forme {1}, attendu&#xa0;: {2}</translation>
+        <source>{count} samples {interval_s} s apart are no recording</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{0} has the shape {1}, expected {2} x 3</source>
-        <translation>{0} a la forme {1}, attendu&#xa0;: {2} x 3</translation>
+        <source>{count} telemetry payloads are damaged; the rest was read.</source>
+        <translation>{count} blocs de télémétrie sont endommagés&#xa0;; le reste a été lu.</translation>
     </message>
     <message>
-        <source>{0} has {1} rows, but there are {2} times</source>
-        <translation>{0} a {1} lignes, mais il y a {2} temps</translation>
+        <source>{device} is a real device and takes no faults</source>
+        <translation>{device} est un vrai appareil et n’accepte pas de pannes</translation>
     </message>
     <message>
-        <source>{0} has {1} samples, more than is read</source>
-        <translation>{0} a {1} mesures, plus qu’on n’en lit</translation>
+        <source>{early} of {count} sessions have answers and no end</source>
+        <translation>{early} séances sur {count} ont des réponses et pas de fin</translation>
     </message>
     <message>
-        <source>{0} holds a value that is not finite in line {1}</source>
-        <translation>{0} contient à la ligne {1} une valeur qui n’est pas finie</translation>
+        <source>{empty} of {count} sessions hold no answer to a trial</source>
+        <translation>{empty} séances sur {count} ne contiennent aucune réponse à un essai</translation>
     </message>
     <message>
-        <source>{0} holds a value that is not finite in row {1}</source>
-        <translation>{0} contient à la ligne {1} une valeur qui n’est pas finie</translation>
+        <source>{file}, line 1</source>
+        <translation>{file}, ligne 1</translation>
     </message>
     <message>
-        <source>{0} is a real device and takes no faults</source>
-        <translation>{0} est un vrai appareil et n’accepte pas de pannes</translation>
+        <source>{file}, line {line}</source>
+        <translation>{file}, ligne {line}</translation>
     </message>
     <message>
-        <source>{0} is missing</source>
-        <translation>{0} manque</translation>
+        <source>{file}: columns={columns} {fault}</source>
+        <translation>{file}&#xa0;: columns={columns} {fault}</translation>
     </message>
     <message>
-        <source>{0} is no Falcon; use falcon, or falcon:SERIAL</source>
-        <translation>{0} n’est pas un Falcon&#xa0;; prenez falcon, ou falcon:SERIAL</translation>
+        <source>{file}: is damaged; the study&apos;s own definition was used</source>
+        <translation>{file}&#xa0;: est endommagé&#xa0;; la définition de l’étude a été utilisée</translation>
     </message>
     <message>
-        <source>{0} is no key</source>
-        <translation>{0} n’est pas une clé</translation>
+        <source>{file}: is no table of numbers; choose another log</source>
+        <translation>{file}&#xa0;: n’est pas un tableau de nombres&#xa0;; choisissez un autre journal</translation>
     </message>
     <message>
-        <source>{0} is no number</source>
-        <translation>{0} n’est pas un nombre</translation>
+        <source>{file}: {what}; give --mounting {name}, or another of {known}, or --mounting forward to take it as it is</source>
+        <translation>{file}&#xa0;: {what}&#xa0;; donnez --mounting {name}, ou une autre de {known}, ou --mounting forward pour la prendre telle quelle</translation>
     </message>
     <message>
-        <source>{0} is no participant&apos;s code</source>
-        <translation>{0} n’est pas le code d’un participant</translation>
+        <source>{force_unit} and {rate_unit} for {ranges}</source>
+        <translation>{force_unit} et {rate_unit} pour {ranges}</translation>
     </message>
     <message>
-        <source>{0} is no plain file name</source>
-        <translation>{0} n’est pas un simple nom de fichier</translation>
+        <source>{key} has {count} samples, more than is read</source>
+        <translation>{key} a {count} mesures, plus qu’on n’en lit</translation>
     </message>
     <message>
-        <source>{0} is no skew of sound and picture; give seconds between -{1} and {2}</source>
-        <translation>{0} n’est pas un écart entre le son et l’image&#xa0;; donnez des secondes entre -{1} et {2}</translation>
+        <source>{key}={unit} is no unit; choose {known}, or give the factor to SI as a number above zero</source>
+        <translation>{key}={unit} n’est pas une unité&#xa0;; choisissez {known}, ou donnez le facteur vers le SI, un nombre supérieur à zéro</translation>
     </message>
     <message>
-        <source>{0} is no whole number</source>
-        <translation>{0} n’est pas un nombre entier</translation>
+        <source>{late_s!r} is no skew of sound and picture; give seconds between -{largest_skew_s:g} and {largest_skew_s:g}</source>
+        <translation>{late_s!r} n’est pas un écart entre le son et l’image&#xa0;; donnez des secondes entre -{largest_skew_s:g} et {largest_skew_s:g}</translation>
     </message>
     <message>
-        <source>{0} is not a number</source>
-        <translation>{0} n’est pas un nombre</translation>
+        <source>{leak_mps2:.2f} m/s2 of gravity are left where the recording stands still</source>
+        <translation>{leak_mps2:.2f} m/s2 de pesanteur restent là où l’enregistrement est immobile</translation>
     </message>
     <message>
-        <source>{0} is not a {1}</source>
-        <translation>{0} n’est pas ce qu’il faut&#xa0;: {1}</translation>
+        <source>{line}, column {column}</source>
+        <translation>{line}, colonne {column}</translation>
     </message>
     <message>
-        <source>{0} is out of range</source>
-        <translation>{0} est hors des limites</translation>
+        <source>{name!r} cannot be the name of a track; use up to 40 letters, digits, blanks, dots and hyphens</source>
+        <translation>{name!r} ne peut pas être le nom d’une piste&#xa0;; prenez jusqu’à 40 lettres, chiffres, espaces, points et traits d’union</translation>
     </message>
     <message>
-        <source>{0} is zero, not finite or beyond any sensor in {1} of {2} rows, first in line {3}</source>
-        <translation>{0} est nul, non fini ou au-delà de tout capteur dans {1} lignes sur {2}, d’abord à la ligne {3}</translation>
+        <source>{name!r} is no Falcon; use falcon, or falcon:SERIAL</source>
+        <translation>{name!r} n’est pas un Falcon&#xa0;; prenez falcon, ou falcon:SERIAL</translation>
     </message>
     <message>
-        <source>{0} is zero, not finite or beyond any sensor in {1} of {2} rows, first in row {3}</source>
-        <translation>{0} est nul, non fini ou au-delà de tout capteur dans {1} lignes sur {2}, d’abord à la ligne {3}</translation>
+        <source>{name!r} is no plain file name</source>
+        <translation>{name!r} n’est pas un simple nom de fichier</translation>
     </message>
     <message>
-        <source>{0} lies outside {1} to {2}</source>
-        <translation>{0} est en dehors de {1} à {2}</translation>
+        <source>{name} does not hold numbers only ({reason})</source>
+        <translation>{name} ne contient pas que des nombres ({reason})</translation>
     </message>
     <message>
-        <source>{0} lines are damaged and left out (first: line {1})</source>
-        <translation>{0} lignes sont endommagées et ont été omises (la première&#xa0;: ligne {1})</translation>
+        <source>{name} does not know the clip&apos;s clock; use --method pats or give --offset S</source>
+        <translation>{name} ne connaît pas l’horloge de la vidéo&#xa0;; prenez --method pats ou donnez --offset S</translation>
     </message>
     <message>
-        <source>{0} m/s2 at rest</source>
-        <translation>{0} m/s2 au repos</translation>
+        <source>{name} has the shape {shape}, expected {count} x 3</source>
+        <translation>{name} a la forme {shape}, attendu&#xa0;: {count} x 3</translation>
     </message>
     <message>
-        <source>{0} m/s2 of gravity are left where the recording stands still</source>
-        <translation>{0} m/s2 de pesanteur restent là où l’enregistrement est immobile</translation>
+        <source>{name} has the shape {shape}, expected {expected}</source>
+        <translation>{name} a la forme {shape}, attendu&#xa0;: {expected}</translation>
     </message>
     <message>
-        <source>{0} missing or wild times were interpolated</source>
-        <translation>{0} temps manquants ou aberrants ont été interpolés</translation>
+        <source>{name} has {count} rows, but there are {expected} times</source>
+        <translation>{name} a {count} lignes, mais il y a {expected} temps</translation>
     </message>
     <message>
-        <source>{0} motion samples are too few; at least {1} are needed</source>
-        <translation>{0} mesures de mouvement sont trop peu&#xa0;; il en faut au moins {1}</translation>
+        <source>{name} holds a value that is not finite in row {row}</source>
+        <translation>{name} contient à la ligne {row} une valeur qui n’est pas finie</translation>
     </message>
     <message>
-        <source>{0} motion samples within {1} ms are no motion</source>
-        <translation>{0} mesures de mouvement en {1} ms ne sont pas un mouvement</translation>
+        <source>{name} is missing</source>
+        <translation>{name} manque</translation>
     </message>
     <message>
-        <source>{0} must be a positive number, got {1}</source>
-        <translation>{0} doit être un nombre positif, reçu&#xa0;: {1}</translation>
+        <source>{name} is not a number</source>
+        <translation>{name} n’est pas un nombre</translation>
     </message>
     <message>
-        <source>{0} must increase strictly, but line {1} has {2} s after {3} s</source>
-        <translation>{0} doit croître strictement, mais la ligne {1} a {2} s après {3} s</translation>
+        <source>{name} is out of range</source>
+        <translation>{name} est hors des limites</translation>
     </message>
     <message>
-        <source>{0} must increase strictly, but row {1} has {2} s after {3} s</source>
-        <translation>{0} doit croître strictement, mais la ligne {1} a {2} s après {3} s</translation>
+        <source>{name} is zero, not finite or beyond any sensor in {count} of {total} rows, first in {place}</source>
+        <translation>{name} est nul, non fini ou au-delà de tout capteur dans {count} lignes sur {total}, d’abord à la {place}</translation>
     </message>
     <message>
-        <source>{0} of the force samples reach the force limit</source>
-        <translation>{0} des mesures de force atteignent la limite de force</translation>
+        <source>{name} must be a positive number, got {value}</source>
+        <translation>{name} doit être un nombre positif, reçu&#xa0;: {value}</translation>
     </message>
     <message>
-        <source>{0} of the motion is not to be trusted (gaps, missing or clipped samples); there is no force there</source>
-        <translation>{0} du mouvement n’est pas fiable (lacunes, mesures manquantes ou écrêtées)&#xa0;; il n’y a pas de force à cet endroit</translation>
+        <source>{name} must be above zero, not {value}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{0} of the samples are at the sensor&apos;s limit</source>
-        <translation>{0} des mesures sont à la limite du capteur</translation>
+        <source>{name} must be positive and finite, got {value}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{0} of {1} rows {2}</source>
-        <translation>{0} lignes sur {1} {2}</translation>
+        <source>{name} must increase strictly, but row {row} has {time_s:.6f} s after {last_s:.6f} s</source>
+        <translation>{name} doit croître strictement, mais la ligne {row} a {time_s:.6f} s après {last_s:.6f} s</translation>
     </message>
     <message>
-        <source>{0} of {1} samples of {2} were missing, the first in line {3}; they were filled in</source>
-        <translation>{0} mesures sur {1} de {2} manquaient, la première à la ligne {3}&#xa0;; elles ont été complétées</translation>
+        <source>{norm:.2f} m/s2 at rest</source>
+        <translation>{norm:.2f} m/s2 au repos</translation>
     </message>
     <message>
-        <source>{0} of {1} samples of {2} were missing, the first in row {3}; they were filled in</source>
-        <translation>{0} mesures sur {1} de {2} manquaient, la première à la ligne {3}&#xa0;; elles ont été complétées</translation>
+        <source>{note} (first in line {line})</source>
+        <translation>{note} (d’abord à la ligne {line})</translation>
     </message>
     <message>
-        <source>{0} of {1} sessions are simulated: nobody sat there</source>
-        <translation>{0} séances sur {1} sont simulées&#xa0;: personne n’y était</translation>
+        <source>{option} {word!r} is not understood; give KEY=VALUE with one of {known}</source>
+        <translation>{option} {word!r} n’est pas compris&#xa0;; donnez KEY=VALUE avec l’un de {known}</translation>
     </message>
     <message>
-        <source>{0} of {1} sessions have answers and no end</source>
-        <translation>{0} séances sur {1} ont des réponses et pas de fin</translation>
+        <source>{order!r} are no axes, so the telemetry is damaged</source>
+        <translation>{order!r} ne sont pas des axes, la télémétrie est donc endommagée</translation>
     </message>
     <message>
-        <source>{0} of {1} sessions hold no answer to a trial</source>
-        <translation>{0} séances sur {1} ne contiennent aucune réponse à un essai</translation>
+        <source>{path}: cannot be brought back ({reason})</source>
+        <translation>{path}&#xa0;: ne peut pas être récupéré ({reason})</translation>
     </message>
     <message>
-        <source>{0} or {1}</source>
-        <translation>{0} ou {1}</translation>
+        <source>{path}: cannot be read ({reason}); choose another file</source>
+        <translation>{path}&#xa0;: ne peut pas être lu ({reason})&#xa0;; choisissez un autre fichier</translation>
     </message>
     <message>
-        <source>{0} packets in a row are damaged</source>
-        <translation>{0} paquets de suite sont endommagés</translation>
+        <source>{path}: is no log of {name}</source>
+        <translation>{path}&#xa0;: n’est pas un journal de {name}</translation>
     </message>
     <message>
-        <source>{0} pairs of rows were swapped in time and put in order</source>
-        <translation>{0} paires de lignes étaient inversées dans le temps et ont été remises en ordre</translation>
+        <source>{path}: the firmware cannot be kept there ({reason}); set {variable} to another path</source>
+        <translation>{path}&#xa0;: le micrologiciel ne peut pas être gardé là ({reason})&#xa0;; donnez à {variable} un autre chemin</translation>
     </message>
     <message>
-        <source>{0} rows without a time were left out, as they stand in a gap</source>
-        <translation>{0} lignes sans temps ont été omises, car elles sont dans une lacune</translation>
+        <source>{path}: {reason}</source>
+        <translation>{path}&#xa0;: {reason}</translation>
     </message>
     <message>
-        <source>{0} s of samples are less than one window of {1} s</source>
-        <translation>{0} s de mesures font moins qu’une fenêtre de {1} s</translation>
+        <source>{place} was left out, as its time is more than an hour apart</source>
+        <translation>la {place} a été omise, car son temps est à plus d’une heure des autres</translation>
     </message>
     <message>
-        <source>{0} samples have no rate</source>
-        <translation>{0} mesures n’ont pas de cadence</translation>
+        <source>{rate_hz:g} Hz is above the rate of the samples, {input_rate_hz:.4g} Hz</source>
+        <translation>{rate_hz:g} Hz dépasse la cadence des mesures, {input_rate_hz:.4g} Hz</translation>
     </message>
     <message>
-        <source>{0} telemetry payloads are damaged; the rest was read.</source>
-        <translation>{0} blocs de télémétrie sont endommagés&#xa0;; le reste a été lu.</translation>
+        <source>{reason}; the copy among the answers was used</source>
+        <translation>{reason}&#xa0;; la copie parmi les réponses a été utilisée</translation>
     </message>
     <message>
-        <source>{0} x {1} pixels are too large for a picture</source>
-        <translation>{0} x {1} pixels sont trop pour une image</translation>
+        <source>{scenario!r} is no ride; choose one of {known}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{0} {1} is not understood; give KEY=VALUE with one of {2}</source>
-        <translation>{0} {1} n’est pas compris&#xa0;; donnez KEY=VALUE avec l’un de {2}</translation>
+        <source>{scripted} of {count} sessions are simulated: nobody sat there</source>
+        <translation>{scripted} séances sur {count} sont simulées&#xa0;: personne n’y était</translation>
     </message>
     <message>
-        <source>{0}, but the numbers would fit another unit</source>
-        <translation>{0}, mais les nombres iraient avec une autre unité</translation>
+        <source>{share:.1%} of the force samples reach the force limit</source>
+        <translation>{share:.1%} des mesures de force atteignent la limite de force</translation>
     </message>
     <message>
-        <source>{0}, column {1}</source>
-        <translation>{0}, colonne {1}</translation>
+        <source>{share} of the motion is not to be trusted (gaps, missing or clipped samples); there is no force there</source>
+        <translation>{share} du mouvement n’est pas fiable (lacunes, mesures manquantes ou écrêtées)&#xa0;; il n’y a pas de force à cet endroit</translation>
     </message>
     <message>
-        <source>{0}, line 1</source>
-        <translation>{0}, ligne 1</translation>
+        <source>{share} of the samples are at the sensor&apos;s limit</source>
+        <translation>{share} des mesures sont à la limite du capteur</translation>
     </message>
     <message>
-        <source>{0}, line {1}</source>
-        <translation>{0}, ligne {1}</translation>
+        <source>{source}: sound, but none of the known images ({known}; SHA-256 {sha256}...); it would run the motors: say that you want it (--accept-unknown)</source>
+        <translation>{source}&#xa0;: en bon état, mais aucun des micrologiciels connus ({known}&#xa0;; SHA-256 {sha256}...)&#xa0;; il ferait tourner les moteurs&#xa0;: dites que vous le voulez (--accept-unknown)</translation>
     </message>
     <message>
-        <source>{0}, or {1}</source>
-        <translation>{0}, ou {1}</translation>
+        <source>{text!r} is no participant&apos;s code</source>
+        <translation>{text!r} n’est pas le code d’un participant</translation>
     </message>
     <message>
-        <source>{0}, others {1} s</source>
-        <translation>{0}, d’autres {1} s</translation>
+        <source>{text!r} is not a number</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{0}, {1} m/s2 at rest</source>
-        <translation>{0}, {1} m/s2 au repos</translation>
+        <source>{text} is not a finite number</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{0}: cannot be read ({1}); choose another file</source>
-        <translation>{0}&#xa0;: ne peut pas être lu ({1})&#xa0;; choisissez un autre fichier</translation>
+        <source>{time} (or rate-hz=100)</source>
+        <translation>{time} (ou rate-hz=100)</translation>
     </message>
     <message>
-        <source>{0}: columns={1} {2}</source>
-        <translation>{0}&#xa0;: columns={1} {2}</translation>
+        <source>{title} has no feedback {name!r}; choose one of {known}</source>
+        <translation>{title} n’a pas de retour {name!r}&#xa0;; choisissez parmi {known}</translation>
     </message>
     <message>
-        <source>{0}: is damaged; the study&apos;s own definition was used</source>
-        <translation>{0}&#xa0;: est endommagé&#xa0;; la définition de l’étude a été utilisée</translation>
+        <source>{total_s:.4g} s of samples are less than one window of {window_s:.4g} s</source>
+        <translation>{total_s:.4g} s de mesures font moins qu’une fenêtre de {window_s:.4g} s</translation>
     </message>
     <message>
-        <source>{0}: is no log of {1}</source>
-        <translation>{0}&#xa0;: n’est pas un journal de {1}</translation>
+        <source>{value!r} is no key</source>
+        <translation>{value!r} n’est pas une clé</translation>
     </message>
     <message>
-        <source>{0}: is no table of numbers; choose another log</source>
-        <translation>{0}&#xa0;: n’est pas un tableau de nombres&#xa0;; choisissez un autre journal</translation>
+        <source>{value:g} is no whole number</source>
+        <translation>{value:g} n’est pas un nombre entier</translation>
     </message>
     <message>
-        <source>{0}: no three pats are both heard and felt; {1}</source>
-        <translation>{0}&#xa0;: aucune série de trois tapes n’est à la fois entendue et sentie&#xa0;; {1}</translation>
+        <source>{value} is no number</source>
+        <translation>{value} n’est pas un nombre</translation>
     </message>
     <message>
-        <source>{0}: sound, but none of the known images ({1}; SHA-256 {2}...); it would run the motors: say that you want it (--accept-unknown)</source>
-        <translation>{0}&#xa0;: en bon état, mais aucun des micrologiciels connus ({1}&#xa0;; SHA-256 {2}...)&#xa0;; il ferait tourner les moteurs&#xa0;: dites que vous le voulez (--accept-unknown)</translation>
+        <source>{value} lies outside {least:g} to {most:g}</source>
+        <translation>{value} est en dehors de {least:g} à {most:g}</translation>
     </message>
     <message>
-        <source>{0}: the firmware cannot be kept there ({1}); set {2} to another path</source>
-        <translation>{0}&#xa0;: le micrologiciel ne peut pas être gardé là ({1})&#xa0;; donnez à {2} un autre chemin</translation>
+        <source>{what} ({reason})</source>
+        <translation>{what} ({reason})</translation>
     </message>
     <message>
-        <source>{0}: the pats are not certain (confidence {1}): the best offset is {2} s{3}; {4}</source>
-        <translation>{0}&#xa0;: les tapes ne sont pas sûres (confiance {1})&#xa0;: le meilleur décalage est de {2} s{3}&#xa0;; {4}</translation>
+        <source>{what} and are marked as not valid</source>
+        <translation>{what} et sont marquées comme non valables</translation>
     </message>
     <message>
-        <source>{0}: {1}</source>
-        <translation>{0}&#xa0;: {1}</translation>
+        <source>{what}, but the numbers would fit another unit</source>
+        <translation>{what}, mais les nombres iraient avec une autre unité</translation>
     </message>
     <message>
-        <source>{0}: {1}; decide with {2}</source>
-        <translation>{0}&#xa0;: {1}&#xa0;; décidez avec {2}</translation>
+        <source>{what}; see --mounting</source>
+        <translation>{what}&#xa0;; voir --mounting</translation>
     </message>
     <message>
-        <source>{0}: {1}; give --mounting {2}, or another of {3}, or --mounting forward to take it as it is</source>
-        <translation>{0}&#xa0;: {1}&#xa0;; donnez --mounting {2}, ou une autre de {3}, ou --mounting forward pour la prendre telle quelle</translation>
+        <source>{what}; {remedy}</source>
+        <translation>{what}&#xa0;; {remedy}</translation>
     </message>
     <message>
-        <source>{0}; see --mounting</source>
-        <translation>{0}&#xa0;; voir --mounting</translation>
+        <source>{where}: {what}</source>
+        <translation>{where}&#xa0;: {what}</translation>
     </message>
     <message>
-        <source>{0}; the copy among the answers was used</source>
-        <translation>{0}&#xa0;; la copie parmi les réponses a été utilisée</translation>
-    </message>
-    <message>
-        <source>{0}; {1}</source>
-        <translation>{0}&#xa0;; {1}</translation>
-    </message>
-    <message>
-        <source>{0}={1} is no unit; choose {2}, or give the factor to SI as a number above zero</source>
-        <translation>{0}={1} n’est pas une unité&#xa0;; choisissez {2}, ou donnez le facteur vers le SI, un nombre supérieur à zéro</translation>
-    </message>
-    <message>
-        <source>{0}{1} are right, front, up</source>
-        <translation>{0}{1} sont droite, avant, haut</translation>
+        <source>{width} x {height} pixels are too large for a picture</source>
+        <translation>{width} x {height} pixels sont trop pour une image</translation>
     </message>
 </context>
 </TS>

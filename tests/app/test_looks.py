@@ -2,10 +2,6 @@
 
 import itertools
 import os
-import subprocess
-import sys
-from pathlib import Path
-from xml.etree import ElementTree as ET
 
 import pytest
 from PySide6.QtCore import Qt, QTimer
@@ -23,7 +19,6 @@ from PySide6.QtWidgets import (
 from shiboken6 import isValid
 
 from app.bridge import languages
-from app.bridge.engine_words import CONTEXT
 from app.experimenter.import_wizard import ImportWizard
 from app.experimenter.library_page import LibraryPage
 from app.player.keys_dialog import KeysDialog
@@ -31,9 +26,6 @@ from app.player.remake import OpenWindow, dress
 from app.widgets import theme
 from app.widgets.buttons import text_button
 from hapticplayer.playback.snapshot import Phase
-
-ROOT = Path(__file__).resolve().parents[2]
-OTHERS = [code for code in languages.NAMES if code != languages.ENGLISH]
 
 
 @pytest.fixture
@@ -263,58 +255,3 @@ def test_no_text_is_cut_off(make_window, dressed, source, language):
         if button.isVisible() and button.text():
             wide = button.fontMetrics().horizontalAdvance(button.text())
             assert wide <= button.width() - 8, button.text()
-
-
-def messages(code: str) -> list[ET.Element]:
-    tree = ET.parse(ROOT / "resources" / "i18n" / f"{code}.ts")
-    return list(tree.iter("message"))
-
-
-@pytest.mark.parametrize("code", OTHERS)
-def test_every_text_is_translated(code):
-    todo = [
-        m.findtext("source")
-        for m in messages(code)
-        if m.find("translation").get("type") == "unfinished"
-        or not m.findtext("translation")
-    ]
-    assert todo == []
-
-
-@pytest.mark.parametrize("code", OTHERS)
-def test_a_translation_keeps_places_for_values_and_mnemonics(code):
-    import re
-
-    for m in messages(code):
-        source, text = m.findtext("source"), m.findtext("translation")
-        fields = re.compile(r"\{[a-z_0-9]*")
-        assert sorted(fields.findall(source)) == sorted(fields.findall(text)), source
-        assert bool(re.search(r"&\w", source)) == bool(re.search(r"&\w", text)), source
-
-
-def test_the_files_hold_every_text_of_the_program(tmp_path):
-    """lupdate finds nothing that the .ts files do not have."""
-    lupdate = Path(sys.executable).parent / "pyside6-lupdate"
-    if not lupdate.exists():
-        pytest.skip("pyside6-lupdate is not installed")
-    files = [str(path) for path in sorted((ROOT / "app").rglob("*.py"))]
-    target = tmp_path / "now.ts"
-    done = subprocess.run(
-        [lupdate, *files, "-ts", target],
-        capture_output=True,
-        check=True,
-        env={**os.environ, "LC_ALL": "C.UTF-8"},
-    )
-    assert done.returncode == 0
-
-    def known(path) -> set[tuple[str, str]]:
-        return {
-            (c.findtext("name"), m.findtext("source"))
-            for c in ET.parse(path).iter("context")
-            for m in c.iter("message")
-            if c.findtext("name") != CONTEXT  # the engine's: see test_engine_words
-        }
-
-    now = known(target)
-    for code in OTHERS:
-        assert known(ROOT / "resources" / "i18n" / f"{code}.ts") == now

@@ -23,7 +23,7 @@ from hapticplayer.capture.formats import Confidence
 from hapticplayer.capture.limits import MIN_RATE_HZ
 from hapticplayer.capture.source import Source
 from hapticplayer.capture.streams import RawLog, Stream
-from hapticplayer.errors import UsageError
+from hapticplayer.errors import Message, UsageError, joined
 from hapticplayer.model.arrays import Floats
 
 _LEAST_COLUMNS = 4
@@ -60,7 +60,9 @@ def read(source: Source, choices: LogChoices) -> RawLog:
     where = source.where(name)
     layout = _layout(source, name)
     if layout is None:
-        raise UsageError(f"{where}: is no table of numbers; choose another log")
+        raise UsageError(
+            "{file}: is no table of numbers; choose another log", file=where
+        )
     columns = _columns(choices, layout, where)
     _ask_units(choices, columns, where)
     at = {column: number for number, column in enumerate(columns) if column != _SKIP}
@@ -84,7 +86,7 @@ def read(source: Source, choices: LogChoices) -> RawLog:
     time_s = _times(values, place, choices, time_unit)
     force, rate, field = _streams(values, time_s, place)
     return RawLog(
-        name="CSV with chosen columns",
+        name=Message("CSV with chosen columns"),
         force=force,
         rate=rate,
         field=field,
@@ -102,33 +104,46 @@ def _columns(choices: LogChoices, layout: _Layout, where: str) -> tuple[str, ...
         UsageError: when they are not given or do not fit.
     """
     columns = tuple(c.strip().lower() for c in choices.columns.split(",") if c.strip())
-    shown = layout.separator.join(layout.header)[:120] or "without names"
+    shown = layout.separator.join(layout.header)[:120] or Message("without names")
     if not columns:
         raise LogQuestion(
-            f"is a table of {layout.width} columns ({shown}) that says not what they "
-            "are",
-            ("columns=time,ax,ay,az,gx,gy,gz (- for what is not wanted)",),
+            Message(
+                "is a table of {count} columns ({shown}) that says not what they are",
+                count=layout.width,
+                shown=shown,
+            ),
+            (Message("columns=time,ax,ay,az,gx,gy,gz (- for what is not wanted)"),),
             where,
         )
     known = {_TIME, _SKIP, *(axis for sensor in _SENSORS for axis in sensor)}
     named = [column for column in columns if column != _SKIP]
     missing = [axis for axis in _SENSORS[0] + _SENSORS[1] if axis not in columns]
     if _TIME not in columns and not choices.rate_hz:
-        missing.insert(0, f"{_TIME} (or rate-hz=100)")
+        missing.insert(0, Message("{time} (or rate-hz=100)", time=_TIME))
     has_field = {axis for axis in _SENSORS[2] if axis in columns}
     fault = ""
     if len(columns) != layout.width:
-        fault = f"names {len(columns)} columns, the table has {layout.width} ({shown})"
+        fault = Message(
+            "names {count} columns, the table has {total} ({shown})",
+            count=len(columns),
+            total=layout.width,
+            shown=shown,
+        )
     elif unknown := [column for column in columns if column not in known]:
-        fault = f"has the unknown name {unknown[0]!r}"
+        fault = Message("has the unknown name {unknown!r}", unknown=unknown[0])
     elif len(set(named)) != len(named):
-        fault = "names a column twice"
+        fault = Message("names a column twice")
     elif missing:
-        fault = f"lacks {', '.join(missing)}"
+        fault = Message("lacks {missing}", missing=joined(", ", missing))
     elif len(has_field) not in (0, 3):
-        fault = "names a part of mx, my, mz"
+        fault = Message("names a part of mx, my, mz")
     if fault:
-        raise UsageError(f"{where}: columns={choices.columns} {fault}")
+        raise UsageError(
+            "{file}: columns={columns} {fault}",
+            file=where,
+            columns=choices.columns,
+            fault=fault,
+        )
     return columns
 
 
@@ -144,7 +159,11 @@ def _ask_units(choices: LogChoices, columns: tuple[str, ...], where: str) -> Non
     if "mx" in columns and not choices.field_unit:
         wanted.append(f"field-unit={'|'.join(FIELD_UNITS)}")
     if wanted:
-        raise LogQuestion("its units are not known", (" and ".join(wanted),), where)
+        raise LogQuestion(
+            Message("its units are not known"),
+            (joined(Message(" and "), wanted),),
+            where,
+        )
 
 
 def _times(

@@ -18,7 +18,7 @@ from hapticplayer.capture.csv_table import Shape, read_table
 from hapticplayer.capture.formats import Confidence
 from hapticplayer.capture.source import Source
 from hapticplayer.capture.streams import RawLog, Stream
-from hapticplayer.errors import InputError
+from hapticplayer.errors import InputError, Message
 
 _MARKS = ("GYROFLOW IMU LOG", "CAMERA IMU LOG")
 _DEFAULT_TIME_SCALE = 0.001
@@ -43,9 +43,10 @@ def read(source: Source, _choices: LogChoices) -> RawLog:
     header, columns, lines = _header(source, name)
     if len(columns) < 7:
         raise InputError(
-            f"holds {','.join(columns)} only, no acceleration",
+            "holds {held} only, no acceleration",
             where=where,
             remedy="record the accelerometer too",
+            held=",".join(columns),
         )
     width = len(columns)
     wanted = tuple(range(10 if width >= 10 else 7))
@@ -58,13 +59,20 @@ def read(source: Source, _choices: LogChoices) -> RawLog:
         field = values[:, 7:10] * _scale(header, "mscale", where)
     orientation = header.get("orientation", "")
     return RawLog(
-        name=f"gcsv of {header.get('id', 'an unknown logger')[:40]}",
+        name=Message(
+            "gcsv of {logger}",
+            logger=header.get("id", "")[:40] or Message("an unknown logger"),
+        ),
         force=Stream(time_s, force),
         rate=Stream(time_s, rate),
         field=Stream(time_s, field) if width >= 10 else None,
         force_unit="g",
         field_unit="gauss",
-        axes_words=f"as stored, orientation {orientation[:20]}" if orientation else "",
+        axes_words=Message(
+            "as stored, orientation {orientation}", orientation=orientation[:20]
+        )
+        if orientation
+        else "",
         notes=numbers.notes,
     )
 
@@ -94,9 +102,11 @@ def _scale(header: dict[str, str], key: str, where: str, default: float = 1.0) -
         value = math.nan
     if not math.isfinite(value) or value <= 0.0:
         raise InputError(
-            f"its {key} is {header[key][:20]!r}, not a number above zero",
+            "its {key} is {value!r}, not a number above zero",
             where=where,
             remedy="export the log again",
+            key=key,
+            value=header[key][:20],
         )
     return value
 

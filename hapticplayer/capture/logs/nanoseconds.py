@@ -17,6 +17,7 @@ from hapticplayer.capture.formats import Confidence
 from hapticplayer.capture.limits import FIRST_FRAME_S
 from hapticplayer.capture.source import Source
 from hapticplayer.capture.streams import NANO, RawLog, split
+from hapticplayer.errors import Message
 
 _EUROC = re.compile(r"^#\s*timestamp \[ns\]$")
 _MARS = re.compile(r"^Timestamp\[nanosec\]$")
@@ -46,15 +47,17 @@ def read_euroc(source: Source, _choices: LogChoices) -> RawLog:
         for n in source.names
         if column_names(source.first_line(n), ",")[-1:] == ("filename",)
     ]
-    return _read(source, name, pictures[:1], "EuRoC", "the IMU's axes")
+    return _read(source, name, pictures[:1], "EuRoC", Message("the IMU's axes"))
 
 
 def read_mars(source: Source, _choices: LogChoices) -> RawLog:
     """Return the log."""
     name = _only(_tables(source, _MARS), source)
     pictures = [n for n in source.names if source.base(n) == "frame_timestamps.txt"]
-    words = "the phone's axes: x right, y top, z out of the screen"
-    return _read(source, name, pictures[:1], "MARS logger", words, back_axis="z")
+    words = Message("the phone's axes: x right, y top, z out of the screen")
+    return _read(
+        source, name, pictures[:1], Message("MARS logger"), words, back_axis="z"
+    )
 
 
 def _tables(source: Source, mark: re.Pattern[str]) -> list[str]:
@@ -71,8 +74,12 @@ def _tables(source: Source, mark: re.Pattern[str]) -> list[str]:
 def _only(found: list[str], source: Source) -> str:
     if len(found) > 1:
         raise LogQuestion(
-            f"holds {len(found)} logs ({', '.join(found)[:120]})",
-            ("nothing, but give the file or folder of one of them",),
+            Message(
+                "holds {count} logs ({known})",
+                count=len(found),
+                known=", ".join(found)[:120],
+            ),
+            (Message("nothing, but give the file or folder of one of them"),),
             str(source.path),
         )
     return found[0]

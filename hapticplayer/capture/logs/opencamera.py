@@ -17,7 +17,7 @@ from hapticplayer.capture.limits import COARSE_REST_MPS2
 from hapticplayer.capture.logs.nanoseconds import first_stamp_ns, plausible_frame0_s
 from hapticplayer.capture.source import Source
 from hapticplayer.capture.streams import NANO, RawLog, Sensor, read_sensor
-from hapticplayer.errors import InputError
+from hapticplayer.errors import InputError, Message, joined
 
 _SHAPE = Shape(4, (3, 0, 1, 2), integer=3)
 _ROLES = ("accel", "gyro", "magnetic")
@@ -49,8 +49,12 @@ def read(source: Source, _choices: LogChoices) -> RawLog:
         role = _named(source, name)
         if role in roles:
             raise LogQuestion(
-                f"holds several recordings ({roles[role]}, {name})",
-                ("nothing, but give the folder of one of them",),
+                Message(
+                    "holds several recordings ({first}, {second})",
+                    first=roles[role],
+                    second=name,
+                ),
+                (Message("nothing, but give the folder of one of them"),),
                 where,
             )
         if role:
@@ -58,9 +62,10 @@ def read(source: Source, _choices: LogChoices) -> RawLog:
     missing = [role for role in ("accel", "gyro") if role not in roles]
     if missing:
         raise InputError(
-            f"holds no {' and no '.join(missing)} file",
+            "holds no {missing} file",
             where=where,
             remedy="give the folder with the files of all sensors",
+            missing=joined(Message(" and no "), missing),
         )
     sensors = {role: read_sensor(source, name, _SHAPE) for role, name in roles.items()}
     _check_roles(sensors, where)
@@ -72,7 +77,7 @@ def read(source: Source, _choices: LogChoices) -> RawLog:
         force=force.stream,
         rate=rate.since(origin),
         field=None if field is None else field.since(origin),
-        axes_words="the phone's axes: x right, y top, z out of the screen",
+        axes_words=Message("the phone's axes: x right, y top, z out of the screen"),
         back_axis="z",
         frame0_s=_frame0_s(source, force),
         notes=tuple(note for sensor in sensors.values() for note in sensor.notes),
@@ -103,10 +108,11 @@ def _check_roles(sensors: dict[str, Sensor], where: str) -> None:
     is_swapped = low < norms["gyro"] < high and norms["accel"] < _RATE_NORM
     if is_swapped:
         raise InputError(
-            f"its gyro file has the norm {norms['gyro']:.3g} of gravity, its accel file "
-            "has not, so the names are exchanged",
+            "its gyro file has the norm {norm:.3g} of gravity, its accel file has "
+            "not, so the names are exchanged",
             where=where,
             remedy="give the files the names they were recorded with",
+            norm=norms["gyro"],
         )
 
 

@@ -21,7 +21,7 @@ from hapticplayer.capture.csv_table import (
 from hapticplayer.capture.formats import Confidence
 from hapticplayer.capture.source import Source
 from hapticplayer.capture.streams import RawLog, Stream
-from hapticplayer.errors import InputError
+from hapticplayer.errors import InputError, Message
 
 _TIME = "Time (s)"
 _AXIS = re.compile(
@@ -77,9 +77,10 @@ def read(source: Source, _choices: LogChoices) -> RawLog:
     force = found.get("force") or found.get("linear")
     if force is None:
         raise InputError(
-            f"holds no acceleration (only {', '.join(sorted(found))})",
+            "holds no acceleration (only {held})",
             where=str(source.path),
             remedy="give the whole zip, recorded with accelerometer and gyroscope",
+            held=", ".join(sorted(found)),
         )
     rate, field = found.get("rate"), found.get("field")
     tables: dict[str, _Member] = {}
@@ -88,7 +89,9 @@ def read(source: Source, _choices: LogChoices) -> RawLog:
     field_stream = _stream(source, field, tables) if field else None
     notes = [note for table in tables.values() for note in table.notes]
     if source.text_of("time.csv").count('"START"') > 1:
-        notes.append("the experiment was paused; its clock ran on without the pause")
+        notes.append(
+            Message("the experiment was paused; its clock ran on without the pause")
+        )
     return RawLog(
         name="phyphox",
         force=force_stream,
@@ -97,7 +100,7 @@ def read(source: Source, _choices: LogChoices) -> RawLog:
         force_unit=force.unit,
         rate_unit=rate.unit if rate else "rad/s",
         field_unit=field.unit if field else "uT",
-        axes_words="the phone's axes: x right, y top, z out of the screen",
+        axes_words=Message("the phone's axes: x right, y top, z out of the screen"),
         back_axis="z",
         is_gravity_free=is_free,
         notes=tuple(notes),

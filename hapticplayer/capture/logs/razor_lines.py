@@ -21,7 +21,7 @@ from hapticplayer.capture.csv_table import Shape, read_table
 from hapticplayer.capture.formats import Confidence
 from hapticplayer.capture.source import Source
 from hapticplayer.capture.streams import RawLog, Stream
-from hapticplayer.errors import InputError
+from hapticplayer.errors import InputError, Message
 from hapticplayer.model import STANDARD_GRAVITY_MPS2
 from hapticplayer.model.arrays import Floats
 
@@ -104,7 +104,7 @@ def _frames(rows: Floats) -> Floats:
 def _ahrs(rows: Floats, choices: LogChoices, notes: tuple[str, ...]) -> RawLog:
     rate_hz = choices.sample_rate_hz or 1.0 / FRAME_S
     if choices.sample_rate_hz is None:
-        notes += ("the log has no times: 50 frames a second are assumed",)
+        notes += (Message("the log has no times: 50 frames a second are assumed"),)
     time_s = np.arange(len(rows)) / rate_hz
     return RawLog(
         name="Razor-AHRS",
@@ -113,7 +113,7 @@ def _ahrs(rows: Floats, choices: LogChoices, notes: tuple[str, ...]) -> RawLog:
         force_unit=f"{STANDARD_GRAVITY_MPS2 / COUNTS_PER_G:.10g}",
         rate_unit=f"{np.radians(1.0 / COUNTS_PER_DPS):.10g}",
         axes="y,x,-z",
-        axes_words="the firmware's axes: x forward, y right, z down",
+        axes_words=Message("the firmware's axes: x forward, y right, z down"),
         notes=notes,
     )
 
@@ -121,7 +121,7 @@ def _ahrs(rows: Floats, choices: LogChoices, notes: tuple[str, ...]) -> RawLog:
 def _dollar(source: Source, name: str, choices: LogChoices) -> RawLog:
     if choices.sample_rate_hz is None:
         raise LogQuestion(
-            "has no times, and its firmware has no fixed rate",
+            Message("has no times, and its firmware has no fixed rate"),
             ("rate-hz=50",),
             source.where(name),
         )
@@ -130,12 +130,12 @@ def _dollar(source: Source, name: str, choices: LogChoices) -> RawLog:
     values = numbers.values
     time_s = np.arange(len(values)) / choices.sample_rate_hz
     return RawLog(
-        name="Razor, raw output",
+        name=Message("Razor, raw output"),
         force=Stream(time_s, values[:, 0:3]),
         rate=Stream(time_s, values[:, 3:6]),
         force_unit=f"{STANDARD_GRAVITY_MPS2 / COUNTS_PER_G:.10g}",
         rate_unit=f"{np.radians(1.0 / COUNTS_PER_DPS):.10g}",
-        axes_words="the board's axes",
+        axes_words=Message("the board's axes"),
         notes=numbers.notes,
     )
 

@@ -16,6 +16,7 @@ from hapticplayer.capture.csv_table import Shape, first_numbers, read_table
 from hapticplayer.capture.formats import Confidence
 from hapticplayer.capture.source import Source
 from hapticplayer.capture.streams import RawLog, split
+from hapticplayer.errors import Message
 from hapticplayer.model import STANDARD_GRAVITY_MPS2
 
 _WITH_TIME = {7: False, 10: True, 14: True}
@@ -54,8 +55,11 @@ def read(source: Source, choices: LogChoices) -> RawLog:
     width = len(rows[0]) if rows else 0
     if width not in _WITH_TIME:
         raise LogQuestion(
-            f"has {width} columns, and a Razor M0 does not say which they are",
-            ("format=csv and columns=time,ax,ay,az,gx,gy,gz (- for others)",),
+            Message(
+                "has {count} columns, and a Razor M0 does not say which they are",
+                count=width,
+            ),
+            (Message("format=csv and columns=time,ax,ay,az,gx,gy,gz (- for others)"),),
             source.where(name),
         )
     used = 10 if _WITH_TIME[width] else 7
@@ -74,7 +78,7 @@ def read(source: Source, choices: LogChoices) -> RawLog:
         force_unit=force_unit,
         rate_unit=rate_unit,
         field_unit=field_unit or "uT",
-        axes_words="the chip's axes",
+        axes_words=Message("the chip's axes"),
         notes=numbers.notes,
     )
 
@@ -89,10 +93,17 @@ def _units(norm: float, where: str, choices: LogChoices) -> tuple[str, str, str]
     )
     force_unit = f"force-unit={STANDARD_GRAVITY_MPS2 / nearest:.8g}"
     rate_unit = f"rate-unit={np.radians(1.0 / _COUNTS_PER_DPS):.8g}"
-    ranges = f"1 g = {nearest:.0f} and 2000 deg/s"
+    ranges = Message("1 g = {counts:.0f} and 2000 deg/s", counts=nearest)
     raise LogQuestion(
-        f"holds counts of an unknown range (norm {norm:.4g})",
-        (f"{force_unit} and {rate_unit} for {ranges}",),
+        Message("holds counts of an unknown range (norm {norm:.4g})", norm=norm),
+        (
+            Message(
+                "{force_unit} and {rate_unit} for {ranges}",
+                force_unit=force_unit,
+                rate_unit=rate_unit,
+                ranges=ranges,
+            ),
+        ),
         where,
     )
 

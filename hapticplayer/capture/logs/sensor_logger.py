@@ -25,7 +25,7 @@ from hapticplayer.capture.streams import (
     interpolated,
     read_sensor,
 )
-from hapticplayer.errors import InputError
+from hapticplayer.errors import InputError, Message
 
 _COLUMNS = ("time", "x", "y", "z")
 _IOS, _ANDROID = "ios", "android"
@@ -60,9 +60,10 @@ def read(source: Source, choices: LogChoices) -> RawLog:
     if gyro_name is None:
         held = ", ".join(sorted(found.values()))
         raise InputError(
-            f"holds no gyroscope (only {held[:200]})",
+            "holds no gyroscope (only {held})",
             where=where,
             remedy="give the whole folder or zip, recorded with the gyroscope",
+            held=held[:200],
         )
     force, unit, notes = _force(source, found, system, is_standard=is_standard)
     gyro = _read(source, found[gyro_name])
@@ -72,12 +73,14 @@ def read(source: Source, choices: LogChoices) -> RawLog:
     if field is not None:
         notes += field.notes
     return RawLog(
-        name=f"Sensor Logger ({'iOS' if system == _IOS else 'Android'})",
+        name=Message(
+            "Sensor Logger ({system})", system="iOS" if system == _IOS else "Android"
+        ),
         force=force.stream,
         rate=gyro.since(origin_ns),
         field=None if field is None else field.since(origin_ns),
         force_unit=unit,
-        axes_words="the phone's axes: x right, y top, z out of the screen",
+        axes_words=Message("the phone's axes: x right, y top, z out of the screen"),
         back_axis="z",
         notes=notes + gyro.notes,
     )
@@ -123,8 +126,10 @@ def _force(
         return total, "m/s2", total.notes
     if not system:
         raise LogQuestion(
-            "does not say whether it comes from iOS or Android, whose accelerations "
-            "have opposite signs",
+            Message(
+                "does not say whether it comes from iOS or Android, whose "
+                "accelerations have opposite signs"
+            ),
             ("format=sensor-logger-ios", "format=sensor-logger-android"),
             where,
         )
@@ -164,7 +169,7 @@ def _with_gravity(
         )
     with np.errstate(all="ignore"):
         stream = Stream(linear.stream.time_s, linear.stream.values + at_times)
-    notes = ("specific force is acceleration plus the phone's own gravity",)
+    notes = (Message("specific force is acceleration plus the phone's own gravity"),)
     return (
         Sensor(stream, linear.origin_ns, linear.notes),
         notes + linear.notes + gravity.notes,

@@ -16,7 +16,7 @@ from hapticplayer.capture.formats import Confidence
 from hapticplayer.capture.limits import REST_G
 from hapticplayer.capture.source import Source
 from hapticplayer.capture.streams import RawLog, split
-from hapticplayer.errors import InputError
+from hapticplayer.errors import InputError, Message
 
 _WIDTH = 10
 _EULER_WIDTH = 4
@@ -66,16 +66,21 @@ def read(source: Source, _choices: LogChoices) -> RawLog:
     force, rate, field = split(values, time_s, (4, 1, 7))
     notes = numbers.notes
     if spikes:
-        notes += (f"{spikes} gyroscope values were scaled twice and are left out",)
+        notes += (
+            Message(
+                "{count} gyroscope values were scaled twice and are left out",
+                count=spikes,
+            ),
+        )
     return RawLog(
-        name="Ultimate IMU, stock firmware",
+        name=Message("Ultimate IMU, stock firmware"),
         force=force,
         rate=rate,
         field=field,
         force_unit="g",
         rate_unit="deg/s",
         field_unit="gauss",
-        axes_words="the board's axes",
+        axes_words=Message("the board's axes"),
         notes=notes,
     )
 

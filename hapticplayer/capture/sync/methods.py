@@ -60,4 +60,6 @@ def sync_method(name: str) -> SyncMethod:
         if method.name == name:
             return method
     known = ", ".join(method.name for method in SYNC_METHODS)
-    raise UsageError(f"there is no method {name!r}; choose one of {known}")
+    raise UsageError(
+        "there is no method {method!r}; choose one of {known}", method=name, known=known
+    )

@@ -133,8 +133,9 @@ def by_own_clock(inputs: SyncInput) -> Synchronisation:
     """Take the clock of the recording, which is the clip's."""
     if inputs.own is None:
         raise UsageError(
-            f"{Path(inputs.imu.source).name} does not know the clip's clock; "
-            "use --method pats or give --offset S"
+            "{name} does not know the clip's clock; use --method pats or give "
+            "--offset S",
+            name=Path(inputs.imu.source).name,
         )
     return Synchronisation(inputs.own, "embedded")
 
@@ -192,7 +193,8 @@ def _checked(inputs: SyncInput) -> Sound:
         )
     if not sound.rate_hz >= _LEAST_SOUND_RATE_HZ:
         raise InputError(
-            f"a sound of {sound.rate_hz} Hz is too coarse; give 8000 or more"
+            "a sound of {rate_hz} Hz is too coarse; give 8000 or more",
+            rate_hz=sound.rate_hz,
         )
     if not np.isfinite(sound.samples).all():
         raise InputError("the sound holds values that are not finite")
@@ -202,9 +204,9 @@ def _checked(inputs: SyncInput) -> Sound:
         )
     if inputs.imu.rate_hz < LEAST_IMU_RATE_HZ:
         raise InputError(
-            f"has only {inputs.imu.rate_hz:.1f} samples per second, in which pats do "
-            "not show",
+            "has only {rate_hz:.1f} samples per second, in which pats do not show",
             where=inputs.imu.source,
             remedy="record at 100 Hz or more, or give --offset S",
+            rate_hz=inputs.imu.rate_hz,
         )
     return sound

@@ -26,7 +26,7 @@ from hapticplayer.devices.falcon.transport import (
     Transport,
     open_falcon,
 )
-from hapticplayer.errors import DeviceError
+from hapticplayer.errors import DeviceError, Message
 from hapticplayer.model.device import DeviceReading, Vector
 
 STALE_S = 0.05
@@ -36,13 +36,13 @@ _PERIOD_S = 0.001
 _ZERO: Vector = (0.0, 0.0, 0.0)
 _REST_FRAME = encode_command((0, 0, 0))
 _RED_FRAME = encode_command((0, 0, 0), Lights.RED | Lights.HOMING)
-_PLACE_LOST = (
-    "the Falcon's position has jumped and stayed away; home it again, then choose the "
-    "device again"
+_PLACE_LOST = Message(
+    "the Falcon's position has jumped and stayed away; home it again, "
+    "then choose the device again"
 )
-_NOT_FINITE = (
-    "a force that is no number was asked for, a defect of this program; please report "
-    "it, and choose the device again"
+_NOT_FINITE = Message(
+    "a force that is no number was asked for, a defect of this program; "
+    "please report it, and choose the device again"
 )
 
 

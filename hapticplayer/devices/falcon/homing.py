@@ -102,6 +102,7 @@ def home(driver: FalconDriver, clock: Clock, limit_s: float) -> Iterator[Guidanc
                 return
         clock.sleep_until(clock.now_s() + LOOK_S)
     raise DeviceError(
-        f"the Falcon was not homed within {limit_s:.0f} s; pull the grip all the way "
-        "out, push it all the way in until it locks, and try again"
+        "the Falcon was not homed within {limit_s:.0f} s; pull the grip all "
+        "the way out, push it all the way in until it locks, and try again",
+        limit_s=limit_s,
     )

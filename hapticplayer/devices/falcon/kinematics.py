@@ -35,6 +35,7 @@ from hapticplayer.devices.falcon.matrix3 import (
     transposed_times,
 )
 from hapticplayer.devices.falcon.newton import make_solver
+from hapticplayer.errors import Message
 from hapticplayer.model.device import Vector
 
 Counts = tuple[int, int, int]
@@ -129,7 +130,9 @@ class Kinematics:
             found = self._solve(theta_rad, start)
             if found is not None:
                 return Pose(*found)
-        raise OutOfReachError("the legs cannot be assembled at these joint angles")
+        raise OutOfReachError(
+            Message("the legs cannot be assembled at these joint angles")
+        )
 
     def forward(self, theta_rad: Vector, near_m: Vector | None = None) -> Vector:
         """Return the grip's position for the thighs' angles; see `pose`."""
@@ -235,7 +238,9 @@ def saturated(words: Vector) -> Vector:
 
 def _too_far(position_m: Vector) -> OutOfReachError:
     x, y, z = (1000.0 * part for part in position_m)
-    return OutOfReachError(f"no leg reaches ({x:.1f}, {y:.1f}, {z:.1f}) mm")
+    return OutOfReachError(
+        Message("no leg reaches ({x:.1f}, {y:.1f}, {z:.1f}) mm", x=x, y=y, z=z)
+    )
 
 
 _FALCON = Kinematics()

@@ -52,7 +52,9 @@ def reach_of(name: str, line: int = NO_LINE) -> Reach:
     """
     entry = DEVICES.get(name.partition(":")[0])
     if entry is None or not entry.direct:
-        raise UsageError(f"{name!r} is no Falcon; use falcon, or falcon:SERIAL")
+        raise UsageError(
+            "{name!r} is no Falcon; use falcon, or falcon:SERIAL", name=name
+        )
     found: Reach = load(entry.direct)(line, find_device(name).serial)
     return found
 

@@ -12,7 +12,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import Any, Protocol
 
-from hapticplayer.errors import DeviceError
+from hapticplayer.errors import DeviceError, Message
 
 VENDOR_ID = 0x0403
 PRODUCT_ID = 0xCB48
@@ -100,14 +100,14 @@ class PyUsbTransport:
         self.bus, self.address = device.bus or 0, device.address or 0
         self._packet = array("B", bytes(PACKET_BYTES))
         self._is_open = True
-        with _explained("opened"):
+        with _explained(Message("opened")):
             _detach_kernel_driver(device)
             _configure(device)
             _usb_util().claim_interface(device, _INTERFACE)
 
     def control(self, request: int, value: int, index: int = 0) -> None:
         """Make a vendor request without data."""
-        with _explained("set up"):
+        with _explained(Message("set up")):
             self._device.ctrl_transfer(
                 _VENDOR_OUT, request, value, index, None, _CONTROL_TIMEOUT_MS
             )
@@ -119,7 +119,7 @@ class PyUsbTransport:
         except OSError as problem:
             if _is_timeout(problem):
                 return 0
-            raise _error_for(problem, "written to") from problem
+            raise _error_for(problem, Message("written to")) from problem
 
     def read(self, timeout_s: float) -> bytes:
         """Return the next packet, at most 64 bytes, status bytes first; or nothing."""
@@ -129,7 +129,7 @@ class PyUsbTransport:
         except OSError as problem:
             if _is_timeout(problem):
                 return b""
-            raise _error_for(problem, "read from") from problem
+            raise _error_for(problem, Message("read from")) from problem
         return packet[:count].tobytes()
 
     def close(self) -> None:
@@ -189,12 +189,20 @@ def open_falcon(serial: str = "", backend: Any = None) -> PyUsbTransport:
         return PyUsbTransport(found[serial])
     if "" in found and serial:  # it has not told its number because it may not
         return PyUsbTransport(found[""])
-    known = ", ".join(sorted(filter(None, found))) or "without a readable number"
+    known = ", ".join(sorted(filter(None, found))) or Message(
+        "without a readable number"
+    )
     if serial:
-        raise FalconGoneError(f"no Falcon {serial!r} is plugged in; there is: {known}")
+        raise FalconGoneError(
+            "no Falcon {serial!r} is plugged in; there is: {known}",
+            serial=serial,
+            known=known,
+        )
     raise DeviceError(
-        f"{len(devices)} Falcons are plugged in: {known}; choose one, "
-        f"such as falcon:{min(filter(None, found), default='SERIAL')}"
+        "{count} Falcons are plugged in: {known}; choose one, such as falcon:{serial}",
+        count=len(devices),
+        known=known,
+        serial=min(filter(None, found), default="SERIAL"),
     )
 
 
@@ -212,7 +220,7 @@ def _find_all(backend: Any) -> list[Any]:
             "libusb-1.0.dll on the path)"
         ) from problem
     except OSError as problem:
-        raise _error_for(problem, "looked for") from problem
+        raise _error_for(problem, Message("looked for")) from problem
 
 
 def _address_of(device: Any) -> FalconAddress:
@@ -278,8 +286,9 @@ def _error_for(problem: OSError, doing: str) -> DeviceError:
         )
     if code in (errno.EACCES, errno.EPERM):
         return FalconForbiddenError(
-            "the Falcon may not be used by you; copy the udev rule "
-            f"{UDEV_RULE} to /etc/udev/rules.d, then unplug the Falcon and plug it in"
+            "the Falcon may not be used by you; copy the udev rule {rule} to "
+            "/etc/udev/rules.d, then unplug the Falcon and plug it in",
+            rule=UDEV_RULE,
         )
     if code == errno.EBUSY:
         return FalconBusyError(
@@ -295,5 +304,7 @@ def _error_for(problem: OSError, doing: str) -> DeviceError:
             "the Falcon does not answer; unplug its power and USB, and plug both in"
         )
     return DeviceError(
-        f"the Falcon could not be {doing} ({problem}); unplug it and plug it in again"
+        "the Falcon could not be {done} ({reason}); unplug it and plug it in again",
+        done=doing,
+        reason=problem,
     )

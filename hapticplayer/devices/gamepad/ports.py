@@ -54,9 +54,10 @@ class HidPort:
             self._device.open_path(found.path)
         except OSError as problem:
             raise DeviceError(
-                f"the {found.layout.title} may not be used by you, or is gone; copy the "
-                f"udev rule {UDEV_RULE} to /etc/udev/rules.d, then unplug it and plug "
-                "it in"
+                "the {title} may not be used by you, or is gone; copy the udev rule "
+                "{rule} to /etc/udev/rules.d, then unplug it and plug it in",
+                title=found.layout.title,
+                rule=UDEV_RULE,
             ) from problem
         self._device.set_nonblocking(1)
 
@@ -82,8 +83,8 @@ class HidPort:
 
     def _gone(self) -> DeviceError:
         return DeviceError(
-            f"the {self.layout.title} was unplugged; plug it in and choose the device "
-            "again"
+            "the {title} was unplugged; plug it in and choose the device again",
+            title=self.layout.title,
         )
 
 

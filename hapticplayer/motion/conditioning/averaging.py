@@ -19,6 +19,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
+from hapticplayer.errors import Message
 from hapticplayer.model import ImuLog, MotionTrack, Sampling
 from hapticplayer.model import quaternions as quat
 from hapticplayer.model.arrays import Floats
@@ -160,7 +161,9 @@ def average_motion(
     Raises:
         InputError: as `average`.
     """
-    windows = _windows(track.time_s, track.valid, sampling, rate_hz, "motion track")
+    windows = _windows(
+        track.time_s, track.valid, sampling, rate_hz, Message("motion track")
+    )
     acceleration, covered = windows.means(track.acceleration_mps2)
     gravity, _ = windows.means(track.gravity_mps2)
     sigma = track.gravity_sigma_mps2

@@ -17,7 +17,7 @@ import dataclasses
 import numpy as np
 from numpy.typing import ArrayLike
 
-from hapticplayer.errors import InputError
+from hapticplayer.errors import InputError, Message
 from hapticplayer.model import MotionTrack
 from hapticplayer.model.arrays import Floats
 from hapticplayer.motion.conditioning import timing
@@ -105,7 +105,9 @@ def lowpass_motion(
         InputError: as `lowpass`, against half the median rate.
     """
     if len(track) < 2:
-        timing.positive(cutoff_hz, "the cutoff", "give a frequency in Hz")
+        timing.positive(
+            cutoff_hz, Message("the cutoff"), Message("give a frequency in Hz")
+        )
         return track
     step_s = timing.median_step_s(track.time_s)
     _check(1.0 / step_s, cutoff_hz, order)
@@ -137,16 +139,22 @@ def _stretch(
 
 
 def _check(rate_hz: float, cutoff_hz: float, order: int) -> None:
-    timing.positive(rate_hz, "the rate", "give the samples per second")
-    timing.positive(cutoff_hz, "the cutoff", "give a frequency in Hz")
+    timing.positive(
+        rate_hz, Message("the rate"), Message("give the samples per second")
+    )
+    timing.positive(cutoff_hz, Message("the cutoff"), Message("give a frequency in Hz"))
     if cutoff_hz >= 0.5 * rate_hz:
         raise InputError(
-            f"a cutoff of {cutoff_hz:g} Hz is not below half the rate of the samples, "
-            f"{0.5 * rate_hz:.4g} Hz",
+            "a cutoff of {cutoff_hz:g} Hz is not below half the rate of the "
+            "samples, {half_rate_hz:.4g} Hz",
             remedy="give a lower cutoff, or leave the low-pass out",
+            cutoff_hz=cutoff_hz,
+            half_rate_hz=0.5 * rate_hz,
         )
     if not 1 <= order <= MAX_ORDER:
         raise InputError(
-            f"a low-pass of order {order} is not possible",
-            remedy=f"give an order of 1 to {MAX_ORDER}",
+            "a low-pass of order {order} is not possible",
+            remedy="give an order of 1 to {most}",
+            order=order,
+            most=MAX_ORDER,
         )

@@ -17,7 +17,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from hapticplayer.errors import InputError
+from hapticplayer.errors import InputError, Message
 from hapticplayer.model import MotionTrack
 from hapticplayer.model.arrays import Floats
 
@@ -51,28 +51,36 @@ class GainSpan:
         numbers = (self.start_s, self.end_s, self.gain, self.fade_in_s, self.fade_out_s)
         if not np.isfinite(numbers).all():
             raise InputError(
-                f"a gain span holds a number that is not finite: {numbers}",
+                "a gain span holds a number that is not finite: {numbers}",
                 remedy="give times in seconds and a gain",
+                numbers=numbers,
             )
-        where = f"span from {self.start_s:g} s to {self.end_s:g} s"
+        where = Message(
+            "span from {start_s:g} s to {end_s:g} s",
+            start_s=self.start_s,
+            end_s=self.end_s,
+        )
         if self.gain < 0.0:
             raise InputError(
-                f"the gain {self.gain:g} would reverse the motion",
+                "the gain {gain:g} would reverse the motion",
                 where=where,
                 remedy="give 0 or more; directions are set by the mapping",
+                gain=self.gain,
             )
         if min(self.fade_in_s, self.fade_out_s) <= 0.0:
             raise InputError(
                 "a span without a fade makes the force jump",
                 where=where,
-                remedy=f"give fades above zero, such as {DEFAULT_FADE_S} s",
+                remedy="give fades above zero, such as {fade_s} s",
+                fade_s=DEFAULT_FADE_S,
             )
         # a span of exactly two fades must not fail over an ulp
         if self.fade_in_s + self.fade_out_s > (self.end_s - self.start_s) * (1 + 1e-9):
             raise InputError(
-                f"the fades take {self.fade_in_s + self.fade_out_s:g} s",
+                "the fades take {fades_s:g} s",
                 where=where,
                 remedy="give shorter fades or a longer span",
+                fades_s=self.fade_in_s + self.fade_out_s,
             )
 
 

@@ -51,9 +51,12 @@ class SpikeLimits:
             timing.positive(getattr(self, name), name, "see SpikeLimits for defaults")
         if self.longest + self.flank > self.half_window:
             raise InputError(
-                f"a run of {self.longest} and a flank of {self.flank} samples are more "
-                f"than half a window, {self.half_window}",
+                "a run of {longest} and a flank of {flank} samples are more than half "
+                "a window, {half_window}",
                 remedy="give a smaller max_run or flank, or a larger half_window",
+                longest=self.longest,
+                flank=self.flank,
+                half_window=self.half_window,
             )
 
     @property

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from hapticplayer.errors import InputError
+from hapticplayer.errors import InputError, Message
 from hapticplayer.model import Sampling
 from hapticplayer.model.arrays import Floats
 
@@ -30,8 +30,9 @@ def median_step_s(time_s: Floats) -> float:
     """
     if len(time_s) < 2:
         raise InputError(
-            f"{len(time_s)} samples have no rate",
+            "{count} samples have no rate",
             remedy="give a recording with at least two samples",
+            count=len(time_s),
         )
     return float(np.median(np.diff(time_s)))
 
@@ -174,19 +175,24 @@ def positive(value: float, name: str, remedy: str) -> float:
     """
     if not (np.isfinite(value) and value > 0.0):
         raise InputError(
-            f"{name} must be a positive number, got {value}", remedy=remedy
+            "{name} must be a positive number, got {value}",
+            remedy=remedy,
+            name=name,
+            value=value,
         )
     return float(value)
 
 
 def check_lower_rate(rate_hz: float, input_rate_hz: float, where: str) -> None:
     """Raise InputError unless 0 < rate_hz <= input_rate_hz."""
-    positive(rate_hz, "the rate", "give a rate in Hz, such as 30")
+    positive(rate_hz, Message("the rate"), Message("give a rate in Hz, such as 30"))
     if rate_hz > input_rate_hz * (1.0 + RATE_TOLERANCE):
         raise InputError(
-            f"{rate_hz:g} Hz is above the rate of the samples, {input_rate_hz:.4g} Hz",
+            "{rate_hz:g} Hz is above the rate of the samples, {input_rate_hz:.4g} Hz",
             where=where,
             remedy="give a lower rate; samples can be merged, not made up",
+            rate_hz=rate_hz,
+            input_rate_hz=input_rate_hz,
         )
 
 
@@ -210,9 +216,10 @@ def windows(start_s: Floats, end_s: Floats, rate_hz: float) -> tuple[Floats, Flo
     count = int(np.floor(total_s * rate_hz + ROUNDING))
     if count < 1:
         raise InputError(
-            f"{total_s:.4g} s of samples are less than one window of "
-            f"{1.0 / rate_hz:.4g} s",
+            "{total_s:.4g} s of samples are less than one window of {window_s:.4g} s",
             remedy="give a higher rate or a longer recording",
+            total_s=total_s,
+            window_s=1.0 / rate_hz,
         )
     closed = np.flatnonzero(start_s[1:] > end_s[:-1])  # before a gap
     begins = start_s[np.concatenate(([0], closed + 1))] - origin_s

@@ -102,11 +102,16 @@ class EkfParameters:
                 or value < 0.0
                 or not (value or name in may_be_zero)
             ):
-                raise UsageError(f"{name} must be positive and finite, got {value}")
+                raise UsageError(
+                    "{name} must be positive and finite, got {value}",
+                    name=name,
+                    value=value,
+                )
         if (
             self.field_dip_rad is not None
             and not abs(self.field_dip_rad) <= math.pi / 2
         ):
             raise UsageError(
-                f"field_dip_rad must lie within a right angle, got {self.field_dip_rad}"
+                "field_dip_rad must lie within a right angle, got {field_dip_rad}",
+                field_dip_rad=self.field_dip_rad,
             )

@@ -99,7 +99,11 @@ def run_ekf(
     force, rate = _rows(specific_force_mps2), _rows(angular_rate_radps)
     field = None if magnetic_field_ut is None else _rows(magnetic_field_ut)
     if not len(force) or not np.isfinite(interval_s) or interval_s <= 0.0:
-        raise InputError(f"{len(force)} samples {interval_s} s apart are no recording")
+        raise InputError(
+            "{count} samples {interval_s} s apart are no recording",
+            count=len(force),
+            interval_s=interval_s,
+        )
     if len(rate) != len(force) or (field is not None and len(field) != len(force)):
         raise InputError("force, rate and field must have as many samples")
 
@@ -187,5 +191,7 @@ class _Run:
 def _rows(values: ArrayLike) -> Floats:
     rows = np.ascontiguousarray(values, dtype=np.float64)
     if rows.ndim != 2 or rows.shape[1] != 3:
-        raise InputError(f"samples have the shape {rows.shape}, expected N x 3")
+        raise InputError(
+            "samples have the shape {shape}, expected N x 3", shape=rows.shape
+        )
     return rows

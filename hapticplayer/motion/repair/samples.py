@@ -11,10 +11,16 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from hapticplayer.errors import InputError
+from hapticplayer.errors import InputError, Message
 from hapticplayer.model import STANDARD_GRAVITY_MPS2, ImuLog, Sampling
 from hapticplayer.model.arrays import Floats, all_of_rows
-from hapticplayer.motion.repair.timestamps import Kind, Repair, Timeline, repair_times
+from hapticplayer.motion.repair.timestamps import (
+    Kind,
+    Repair,
+    Timeline,
+    repair_times,
+    row_of,
+)
 from hapticplayer.motion.repair.units import check_force_unit, check_rate_unit
 
 Flags = NDArray[np.bool_]
@@ -140,14 +146,19 @@ def _arrays(
     """Return own copies as float64; the caller's arrays stay as they are."""
     times = _numbers(time_s, "time_s", source)
     if times.ndim != 1:
-        raise InputError(f"time_s has {times.ndim} axes, expected one", where=source)
+        raise InputError(
+            "time_s has {ndim} axes, expected one", where=source, ndim=times.ndim
+        )
     if not MIN_SAMPLES <= len(times) <= MAX_SAMPLES:
         raise InputError(
-            f"the number of samples is {len(times)}; {MIN_SAMPLES} to {MAX_SAMPLES} can be used",
+            "the number of samples is {count}; {least} to {most} can be used",
             where=source,
-            remedy="give a recording of at least a few seconds"
+            remedy=Message("give a recording of at least a few seconds")
             if len(times) < MIN_SAMPLES
-            else "cut it into parts",
+            else Message("cut it into parts"),
+            count=len(times),
+            least=MIN_SAMPLES,
+            most=MAX_SAMPLES,
         )
     given = [(_FORCE, force), (_RATE, rate)]
     if field is not None:
@@ -158,9 +169,12 @@ def _arrays(
         if array.shape != (len(times), 3):
             got = " x ".join(map(str, array.shape))
             raise InputError(
-                f"{sensor.name} has the shape {got}, expected {len(times)} x 3",
+                "{name} has the shape {shape}, expected {count} x 3",
                 where=source,
                 remedy="give three axes for each time",
+                name=sensor.name,
+                shape=got,
+                count=len(times),
             )
         sensors.append(array)
     return times, sensors
@@ -176,7 +190,10 @@ def _numbers(values: ArrayLike, name: str, source: str) -> Floats:
         return np.array(array, dtype=np.float64, order="C")
     except (TypeError, ValueError) as error:
         raise InputError(
-            f"{name} does not hold numbers only ({error})", where=source
+            "{name} does not hold numbers only ({reason})",
+            where=source,
+            name=name,
+            reason=error,
         ) from error
 
 
@@ -225,10 +242,11 @@ def _refuse_unpaired(lost_force: Flags, lost_rate: Flags, source: str) -> None:
     )
     if alone > MIN_UNPAIRED * len(lost_force):
         raise InputError(
-            f"only {pairs} of {len(lost_force)} rows hold both specific force and "
-            f"angular rate",
+            "only {count} of {total} rows hold both specific force and angular rate",
             where=source,
             remedy="bring the streams to common times by interpolation first",
+            count=pairs,
+            total=len(lost_force),
         )
 
 
@@ -238,10 +256,14 @@ def _refuse_missing(sensor: _Sensor, lost: Flags, line: Timeline, source: str) -
         return
     row = int(line.rows[line.starts[int(np.argmax(lost))]])
     raise InputError(
-        f"{sensor.name} is zero, not finite or beyond any sensor in {count} of "
-        f"{len(lost)} rows, first in row {row}",
+        "{name} is zero, not finite or beyond any sensor in {count} of "
+        "{total} rows, first in {place}",
         where=source,
         remedy="give a recording of a sensor that worked",
+        name=sensor.name,
+        count=count,
+        total=len(lost),
+        place=row_of(row),
     )
 
 
@@ -274,12 +296,16 @@ def _fill(
         values[lost, axis] = filled
     number, row = int(np.count_nonzero(lost)), int(np.argmax(lost))
     first_row = int(line.rows[line.starts[row]])
-    what = (
-        f"{number} of {len(lost)} samples of {sensor.name} were missing, the first in "
-        f"row {first_row}; they were filled in"
+    what = Message(
+        "{count} of {total} samples of {name} were missing, the first in "
+        "{place}; they were filled in",
+        count=number,
+        total=len(lost),
+        name=sensor.name,
+        place=row_of(first_row),
     )
     if sensor is not _FIELD:
-        what += " and are marked as not valid"
+        what = Message("{what} and are marked as not valid", what=what)
     repairs.append(Repair(sensor.kind, number, first_row, what))
 
 
@@ -301,8 +327,10 @@ def _field(field: Floats, line: Timeline, repairs: list[Repair]) -> Floats | Non
     if np.count_nonzero(lost) > MAX_MISSING * len(lost):
         row = int(line.rows[line.starts[int(np.argmax(lost))]])
         count = int(np.count_nonzero(lost))
-        what = (
-            f"the magnetometer was left out: {count} of {len(lost)} samples are empty"
+        what = Message(
+            "the magnetometer was left out: {count} of {total} samples are empty",
+            count=count,
+            total=len(lost),
         )
         repairs.append(Repair(Kind.FIELD_DROPPED, count, row, what))
         return None
@@ -323,5 +351,5 @@ def _check_motion(
     check_force_unit(line.time_s, force, source)
     check_rate_unit(line.time_s, force, rate, source)
     if not rate.any():
-        what = "the angular rate is zero throughout, so no rotation is assumed"
+        what = Message("the angular rate is zero throughout, so no rotation is assumed")
         repairs.append(Repair(Kind.NO_ROTATION, len(rate), int(line.rows[0]), what))

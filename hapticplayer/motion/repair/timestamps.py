@@ -12,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from hapticplayer.errors import InputError
+from hapticplayer.errors import InputError, Message
 from hapticplayer.model.arrays import Floats
 
 Rows = NDArray[np.intp]
@@ -66,7 +66,12 @@ class Repair:
     kind: Kind
     count: int
     first_row: int
-    text: str
+    text: Message
+
+
+def row_of(number: int) -> Message:
+    """Return the place of a sample, in an array; a reader names the line of its file."""
+    return Message("row {number}", number=number)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -114,9 +119,10 @@ def repair_times(
     interval_s = _interval(time_s)
     if interval_s <= 0.0:
         raise InputError(
-            f"all rows from {rows[0]} on carry the same time",
+            "from {place} on all rows carry the same time",
             where=source,
             remedy="give the time of each sample in seconds",
+            place=row_of(rows[0]),
         )
     _check_steps(time_s, rows, interval_s, source)
     groups = _groups(time_s, interval_s)
@@ -135,9 +141,11 @@ def _in_order(time_s: Floats, repairs: list[Repair], source: str) -> Rows:
     good = rows[np.isfinite(time_s)]
     if len(good) < 2:
         raise InputError(
-            f"only {len(good)} of {len(time_s)} times can be used",
+            "only {count} of {total} times can be used",
             where=source,
             remedy="give the time of each sample in seconds",
+            count=len(good),
+            total=len(time_s),
         )
     t = np.concatenate([[-np.inf], time_s[good], [np.inf]])
     back = np.flatnonzero(np.diff(t) < 0.0)  # t[back] > t[back + 1]
@@ -150,16 +158,21 @@ def _in_order(time_s: Floats, repairs: list[Repair], source: str) -> Rows:
         first = int(np.argmax(jump))
         row = int(good[back[first]])
         raise InputError(
-            f"time_s jumps back by {high[first] - low[first]:.6g} s at row {row}",
+            "time_s jumps back by {jump_s:.6g} s at {place}",
             where=source,
             remedy="cut the recording there and give the parts one by one",
+            jump_s=high[first] - low[first],
+            place=row_of(row),
         )
     time_s[good[back[is_low]]] = np.nan
     time_s[good[back[is_high] - 1]] = np.nan
     left, right = good[back[is_swap] - 1], good[back[is_swap]]
     rows[left], rows[right] = right, left
     if len(left):
-        what = f"{len(left)} pairs of rows were swapped in time and put in order"
+        what = Message(
+            "{count} pairs of rows were swapped in time and put in order",
+            count=len(left),
+        )
         repairs.append(Repair(Kind.SWAPPED, len(left), int(left[0]), what))
     return rows
 
@@ -172,9 +185,11 @@ def _filled(
     good = np.flatnonzero(np.isfinite(t))
     if 2 * len(good) < len(t):
         raise InputError(
-            f"only {len(good)} of {len(t)} times can be used",
+            "only {count} of {total} times can be used",
             where=source,
             remedy="give the time of each sample in seconds",
+            count=len(good),
+            total=len(t),
         )
     if len(good) == len(t):
         return t, rows
@@ -191,10 +206,15 @@ def _filled(
     count, lost = len(t) - len(good), int(np.count_nonzero(is_lost))
     first = int(rows[np.argmax(~np.isfinite(t))])
     if count > lost:
-        what = f"{count - lost} missing or wild times were interpolated"
+        what = Message(
+            "{count} missing or wild times were interpolated", count=count - lost
+        )
         repairs.append(Repair(Kind.TIME_FILLED, count - lost, first, what))
     if lost:
-        what = f"{lost} rows without a time were left out, as they stand in a gap"
+        what = Message(
+            "{count} rows without a time were left out, as they stand in a gap",
+            count=lost,
+        )
         row = int(rows[np.argmax(is_lost)])
         repairs.append(Repair(Kind.TIME_DROPPED, lost, row, what))
     return filled[~is_lost], rows[~is_lost]
@@ -205,7 +225,10 @@ def _trimmed(time_s: Floats, rows: Rows, repairs: list[Repair]) -> tuple[Floats,
     begin = int(len(time_s) > 2 and time_s[1] - time_s[0] > MAX_GAP_S)
     end = len(time_s) - int(len(time_s) > 2 and time_s[-1] - time_s[-2] > MAX_GAP_S)
     for row in [*rows[:begin], *rows[end:]]:
-        what = f"row {row} was left out, as its time is more than an hour apart"
+        what = Message(
+            "{place} was left out, as its time is more than an hour apart",
+            place=row_of(row),
+        )
         repairs.append(Repair(Kind.TIME_DROPPED, 1, int(row), what))
     return time_s[begin:end], rows[begin:end]
 
@@ -215,9 +238,10 @@ def _refuse_disorder(time_s: Floats, rows: Rows, source: str) -> None:
     if back.any():
         row = int(rows[int(np.argmax(back)) + 1])
         raise InputError(
-            f"time_s runs backwards at row {row}, and no order can be found",
+            "time_s runs backwards at {place}, and no order can be found",
             where=source,
             remedy="sort the rows by time or cut the recording there",
+            place=row_of(row),
         )
 
 
@@ -291,9 +315,9 @@ def _equals_first(
 
 
 _DONE = {
-    Kind.SPREAD: "carry the time of their packet and were spread evenly",
-    Kind.DUPLICATE: "repeat the one before and were left out",
-    Kind.MERGED: "share the time of another and were averaged with it",
+    Kind.SPREAD: Message("carry the time of their packet and were spread evenly"),
+    Kind.DUPLICATE: Message("repeat the one before and were left out"),
+    Kind.MERGED: Message("share the time of another and were averaged with it"),
 }
 
 
@@ -302,7 +326,12 @@ def _note(
 ) -> None:
     count = int(np.count_nonzero(flags))
     if count:
-        what = f"{count} of {len(rows)} rows {_DONE[kind]}"
+        what = Message(
+            "{count} of {total} rows {done}",
+            count=count,
+            total=len(rows),
+            done=_DONE[kind],
+        )
         repairs.append(Repair(kind, count, int(rows[np.argmax(flags)]), what))
 
 
@@ -311,19 +340,24 @@ def _check_steps(time_s: Floats, rows: Rows, interval_s: float, source: str) -> 
     if rate_hz < MIN_RATE_HZ:
         is_milliseconds = 1000.0 * rate_hz >= MIN_RATE_HZ
         raise InputError(
-            f"time_s runs at {rate_hz:.3g} samples a second",
+            "time_s runs at {rate_hz:.3g} samples a second",
             where=source,
-            remedy="it looks like milliseconds: divide time_s by 1000"
+            remedy=Message("it looks like milliseconds: divide time_s by 1000")
             if is_milliseconds
-            else f"give at least {MIN_RATE_HZ:g} samples a second",
+            else Message(
+                "give at least {least_hz:g} samples a second", least_hz=MIN_RATE_HZ
+            ),
+            rate_hz=rate_hz,
         )
     steps = np.diff(time_s)
     if len(steps) and steps.max() > MAX_GAP_S:
         at = int(np.argmax(steps))
         raise InputError(
-            f"nothing was recorded for {steps[at]:.0f} s after row {rows[at]}",
+            "nothing was recorded for {gap_s:.0f} s after {place}",
             where=source,
             remedy="cut the recording there and give the parts one by one",
+            gap_s=steps[at],
+            place=row_of(rows[at]),
         )
 
 
@@ -336,9 +370,11 @@ def _count_lost(groups: _Groups, rows: Rows, repairs: list[Repair]) -> None:
     wide = missing + early[:-2] + early[2:] > LOST * typical
     if wide.any():
         count = int(np.round(missing[wide]).sum())
-        what = (
-            f"about {count} samples were never recorded; the longest gap is "
-            f"{groups.since_s.max():.3g} s; nothing was put in their place"
+        what = Message(
+            "about {count} samples were never recorded; the longest gap is "
+            "{longest_s:.3g} s; nothing was put in their place",
+            count=count,
+            longest_s=groups.since_s.max(),
         )
         row = int(rows[groups.starts[int(np.argmax(wide))]])
         repairs.append(Repair(Kind.LOST, count, row, what))

@@ -8,7 +8,7 @@ import math
 
 import numpy as np
 
-from hapticplayer.errors import InputError
+from hapticplayer.errors import InputError, Message
 from hapticplayer.model import STANDARD_GRAVITY_MPS2
 from hapticplayer.model import quaternions as quat
 from hapticplayer.model.arrays import Floats
@@ -53,10 +53,12 @@ def check_force_unit(time_s: Floats, force: Floats, source: str = "") -> None:
     if low <= norm <= high:
         return
     raise InputError(
-        f"the norm of the specific force is {norm:.3g} where it is calmest, "
-        f"but gravity is {STANDARD_GRAVITY_MPS2:.3g} m/s^2",
+        "the norm of the specific force is {norm:.3g} where it is calmest, "
+        "but gravity is {gravity:.3g} m/s^2",
         where=source,
         remedy=_force_remedy(norm),
+        norm=norm,
+        gravity=STANDARD_GRAVITY_MPS2,
     )
 
 
@@ -79,17 +81,19 @@ def _force_remedy(norm: float) -> str:
     low = PLAUSIBLE_NORM_MPS2[0]
     gravity = STANDARD_GRAVITY_MPS2
     if SURELY_G[0] <= norm <= SURELY_G[1]:
-        return "it seems to be in g: multiply it by 9.80665"
+        return Message("it seems to be in g: multiply it by 9.80665")
     if low / gravity <= norm < low:
-        return (
-            "if it is in g, multiply it by 9.80665; if gravity was removed already, "
-            "give the acceleration with gravity"
+        return Message(
+            "if it is in g, multiply it by 9.80665; if gravity was removed "
+            "already, give the acceleration with gravity"
         )
     if low / gravity <= norm / 1000.0 < low:
-        return "it seems to be in milli-g: multiply it by 0.00980665"
+        return Message("it seems to be in milli-g: multiply it by 0.00980665")
     if norm < low / gravity:
-        return "gravity seems to be removed already: give the acceleration with gravity"
-    return "give the specific force in m/s^2, about 9.8 at rest"
+        return Message(
+            "gravity seems to be removed already: give the acceleration with gravity"
+        )
+    return Message("give the specific force in m/s^2, about 9.8 at rest")
 
 
 def check_rate_unit(

@@ -139,4 +139,8 @@ class SmootherParameters:
         for field in fields(self):
             value = getattr(self, field.name)
             if isinstance(value, float) and not 0.0 < value < float("inf"):
-                raise UsageError(f"{field.name} must be above zero, not {value}")
+                raise UsageError(
+                    "{name} must be above zero, not {value}",
+                    name=field.name,
+                    value=value,
+                )

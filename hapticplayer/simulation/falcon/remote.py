@@ -66,8 +66,9 @@ class RemoteFalcon:
             raise _unplugged()
         if self._newest is None:
             raise DeviceError(
-                f"the simulated Falcon did not answer within {_PATIENCE_S:.0f} s; "
-                "try again, and run 'hapticplayer doctor' if it stays so"
+                "the simulated Falcon did not answer within {patience_s:.0f} s; "
+                "try again, and run 'hapticplayer doctor' if it stays so",
+                patience_s=_PATIENCE_S,
             )
 
     def exchange(self, force_n: Vector, now_s: float) -> DeviceReading:

@@ -164,9 +164,10 @@ class SecondPainter:
             assert self._child.stderr is not None
             told = self._child.stderr.read().decode("utf-8", "replace").split("\n")
             raise MediaError(
-                f"the second half could not be drawn ({told[-2:][0][:200]})",
+                "the second half could not be drawn ({reason})",
                 where=str(self.target.parent),
                 remedy="free some memory and disk, and try again",
+                reason=told[-2:][0][:200],
             )
 
     def close(self) -> None:

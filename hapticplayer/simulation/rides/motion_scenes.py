@@ -120,12 +120,18 @@ def simulate_motion(
     """
     if name not in MOTION_SCENES:
         known = ", ".join(MOTION_SCENES)
-        raise UsageError(f"there is no motion scene {name!r}; choose one of {known}")
+        raise UsageError(
+            "there is no motion scene {name!r}; choose one of {known}",
+            name=name,
+            known=known,
+        )
     scene = MOTION_SCENES[name]
     length_s = scene.duration_s if duration_s is None else duration_s
     if not 1.0 <= length_s <= LONGEST_S:
         raise UsageError(
-            f"a duration of {length_s:g} s; give one from 1 to {LONGEST_S:g} s"
+            "a duration of {length_s:g} s; give one from 1 to {longest_s:g} s",
+            length_s=length_s,
+            longest_s=LONGEST_S,
         )
     trajectory = scene.build(np.random.default_rng([seed, 0]), length_s)
     measured = measure(trajectory, length_s, _sensor(sensor), seed)
@@ -146,7 +152,11 @@ def _sensor(sensor: str | SensorModel) -> SensorModel:
         return sensor
     if sensor not in SENSORS:
         known = ", ".join(SENSORS)
-        raise UsageError(f"there is no sensor {sensor!r}; choose one of {known}")
+        raise UsageError(
+            "there is no sensor {sensor!r}; choose one of {known}",
+            sensor=sensor,
+            known=known,
+        )
     return SENSORS[sensor]
 
 

@@ -123,7 +123,9 @@ def simulate(scene: str, seed: int) -> SimulatedRecording:
     """
     if scene not in SCENES:
         raise UsageError(
-            f"there is no scene {scene!r}; choose one of {', '.join(sorted(SCENES))}"
+            "there is no scene {scene!r}; choose one of {known}",
+            scene=scene,
+            known=", ".join(sorted(SCENES)),
         )
     ridden = SCENES[scene](np.random.default_rng([seed, 0]))
     rng = np.random.default_rng([seed, 1])

@@ -119,8 +119,10 @@ class SensorModel:
         log_hz = self.rate_hz if self.averaged_to_hz is None else self.averaged_to_hz
         if not 0.0 < log_hz <= self.rate_hz < np.inf:
             raise UsageError(
-                f"a sensor of {self.rate_hz:g} Hz averaged to {log_hz:g} Hz; give "
-                "rates above 0, the second not above the first"
+                "a sensor of {rate_hz:g} Hz averaged to {log_hz:g} Hz; give rates "
+                "above 0, the second not above the first",
+                rate_hz=self.rate_hz,
+                log_hz=log_hz,
             )
 
 

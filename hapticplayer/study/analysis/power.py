@@ -51,10 +51,14 @@ class Goal:
         if not 0.0 < self.alpha < 1.0 or not 0.0 < self.power < 1.0:
             raise UsageError("alpha and power are shares between 0 and 1")
         if not 3 <= self.largest <= MOST_PARTICIPANTS:
-            raise UsageError(f"from 3 to {MOST_PARTICIPANTS} participants can be tried")
+            raise UsageError(
+                "from 3 to {most} participants can be tried", most=MOST_PARTICIPANTS
+            )
         if not _BLOCK <= self.studies <= MOST_STUDIES:
             raise UsageError(
-                f"from {_BLOCK} to {MOST_STUDIES} studies can be simulated"
+                "from {least} to {most} studies can be simulated",
+                least=_BLOCK,
+                most=MOST_STUDIES,
             )
 
 

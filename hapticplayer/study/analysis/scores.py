@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from hapticplayer.errors import InputError
+from hapticplayer.errors import InputError, Message
 from hapticplayer.model.arrays import Floats
 from hapticplayer.study.answers import Answers, Rating
 
@@ -190,21 +190,27 @@ def _all(flags: NDArray[np.bool_]) -> NDArray[np.bool_]:
 def _check_design(answers: Answers) -> None:
     codes = tuple(person.code for person in answers.participants)
     for kind, names in (
-        ("participant", codes),
-        ("sequence", answers.sequences),
-        ("feedback", answers.feedbacks),
-        ("factor", answers.factors),
+        (Message("participant"), codes),
+        (Message("sequence"), answers.sequences),
+        (Message("feedback"), answers.feedbacks),
+        (Message("factor"), answers.factors),
     ):
         if len(set(names)) != len(names):
-            raise InputError(f"a {kind} is named twice ({_first_twice(names)})")
+            raise InputError(
+                "a {kind} is named twice ({name})", kind=kind, name=_first_twice(names)
+            )
         if any(name.encode(errors="replace").decode() != name for name in names):
-            raise InputError(f"a {kind} has half a character in its name")
+            raise InputError("a {kind} has half a character in its name", kind=kind)
         if not names:
-            raise InputError(f"there is no {kind}", remedy="run a participant first")
+            raise InputError(
+                "there is no {kind}", remedy="run a participant first", kind=kind
+            )
     if len(answers.feedbacks) < _LEAST_FEEDBACKS:
         raise InputError("one feedback alone cannot be compared with anything")
     if QOE in answers.factors:
-        raise InputError(f"no factor may be called {QOE!r}, the name of their sum")
+        raise InputError(
+            "no factor may be called {name!r}, the name of their sum", name=QOE
+        )
 
 
 def _first_twice(names: Iterable[str]) -> str:
@@ -218,16 +224,33 @@ def _shown_at(feedback: str) -> int:
 
 def _cell(rating: Rating, index: list[dict[str, int]]) -> tuple[int, ...]:
     names = (rating.participant, rating.sequence, rating.feedback, rating.factor)
-    kinds = ("participant", "sequence", "feedback", "factor")
+    kinds = (
+        Message("participant"),
+        Message("sequence"),
+        Message("feedback"),
+        Message("factor"),
+    )
     for kind, name, known in zip(kinds, names, index, strict=True):
         if name not in known:
-            raise InputError(f"a rating names the {kind} {name!r}, which there is not")
+            raise InputError(
+                "a rating names the {kind} {name!r}, which there is not",
+                kind=kind,
+                name=name,
+            )
     low, high = SCALE
     if rating.value is not None and not low <= rating.value <= high:
         raise InputError(
-            f"a rating of {rating.value} is outside {low} to {high}",
-            where=f"participant {rating.participant}, {rating.sequence}, "
-            f"{rating.feedback}, {rating.factor}",
+            "a rating of {rating} is outside {low} to {high}",
+            where=Message(
+                "participant {participant}, {sequence}, {feedback}, {factor}",
+                participant=rating.participant,
+                sequence=rating.sequence,
+                feedback=rating.feedback,
+                factor=rating.factor,
+            ),
+            rating=rating.value,
+            low=low,
+            high=high,
         )
     return tuple(known[name] for name, known in zip(names, index, strict=True))
 
@@ -237,7 +260,12 @@ def _better(before: Rating, after: Rating) -> Rating:
     if before.sound and after.sound:
         raise InputError(
             "a condition was rated twice although it was sound the first time",
-            where=f"participant {after.participant}, {after.sequence}, "
-            f"{after.feedback}, {after.factor}",
+            where=Message(
+                "participant {participant}, {sequence}, {feedback}, {factor}",
+                participant=after.participant,
+                sequence=after.sequence,
+                feedback=after.feedback,
+                factor=after.factor,
+            ),
         )
     return before if before.sound else after

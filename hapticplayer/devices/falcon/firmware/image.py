@@ -11,7 +11,7 @@ import hashlib
 import struct
 from dataclasses import dataclass
 
-from hapticplayer.errors import DeviceError
+from hapticplayer.errors import DeviceError, Message
 
 KEY = 0x08AA
 MAX_IMAGE_BYTES = 1 << 20
@@ -69,20 +69,31 @@ def parse_image(data: bytes) -> FirmwareImage:
         DeviceError: when they are not a whole boot stream; says where it breaks.
     """
     if len(data) % 2 or not 0 < len(data) <= MAX_IMAGE_BYTES:
-        raise _no_image(f"{len(data)} bytes are no whole number of words, or too many")
+        raise _no_image(
+            Message(
+                "{count} bytes are no whole number of words, or too many",
+                count=len(data),
+            )
+        )
     words = struct.unpack(f"<{len(data) // 2}H", data)
     if words[0] != KEY:
-        raise _no_image("it does not begin with the boot loader's key 08AA")
+        raise _no_image(Message("it does not begin with the boot loader's key 08AA"))
     if len(words) <= _HEADER_WORDS:
-        raise _no_image("it ends in its header")
+        raise _no_image(Message("it ends in its header"))
     entry = words[9] << 16 | words[10]
     blocks, end = _blocks(words)
     if end != len(words):
-        raise _no_image(f"{2 * (len(words) - end)} bytes follow its end")
+        raise _no_image(
+            Message("{count} bytes follow its end", count=2 * (len(words) - end))
+        )
     if not blocks:
-        raise _no_image("there is nothing in it")
+        raise _no_image(Message("there is nothing in it"))
     if entry >= _ADDRESSES or not any(_holds(block, entry) for block in blocks):
-        raise _no_image(f"its entry point {entry:06X} lies in none of its blocks")
+        raise _no_image(
+            Message(
+                "its entry point {entry:06X} lies in none of its blocks", entry=entry
+            )
+        )
     return FirmwareImage(data, entry, tuple(blocks), hashlib.sha256(data).hexdigest())
 
 
@@ -109,10 +120,16 @@ def _blocks(words: tuple[int, ...]) -> tuple[list[Block], int]:
         address = words[at + 1] << 16 | words[at + 2]
         total += count
         if address + count > _ADDRESSES or total > _MEMORY_WORDS:
-            raise _no_image(f"a block of {count} words at {address:X} fits nowhere")
+            raise _no_image(
+                Message(
+                    "a block of {count} words at {address:X} fits nowhere",
+                    count=count,
+                    address=address,
+                )
+            )
         blocks.append(Block(address, words[first : first + count]))
         at = first + count
-    raise _no_image("it is cut off")
+    raise _no_image(Message("it is cut off"))
 
 
 def _holds(block: Block, address: int) -> bool:
@@ -121,6 +138,7 @@ def _holds(block: Block, address: int) -> bool:
 
 def _no_image(why: str) -> DeviceError:
     return DeviceError(
-        f"this is no firmware for the Falcon: {why}; choose the file "
-        "nvent_firmware.bin of a libnifalcon source archive"
+        "this is no firmware for the Falcon: {reason}; choose the file "
+        "nvent_firmware.bin of a libnifalcon source archive",
+        reason=why,
     )

@@ -19,7 +19,7 @@ from hapticplayer.devices.falcon.ftdi import (
 )
 from hapticplayer.devices.falcon.protocol import ReplyParser, encode_command
 from hapticplayer.devices.falcon.transport import OpenTransport
-from hapticplayer.errors import Cancelled, DeviceError
+from hapticplayer.errors import Cancelled, DeviceError, Message
 
 HELLO = b"\x0aC\x0d"
 HELLO_ANSWER = b"\x0aD,\x0d"
@@ -111,9 +111,11 @@ def open_running(
         else:
             return ftdi
     raise DeviceError(
-        f"the Falcon did not start in {patience.attempts} attempts (the last: "
-        f"{problem}); unplug its power and USB, plug both in, if you can without a "
-        "hub, and try again"
+        "the Falcon did not start in {attempts} attempts (the last: "
+        "{reason}); unplug its power and USB, plug both in, if you can "
+        "without a hub, and try again",
+        attempts=patience.attempts,
+        reason=problem,
     ) from problem
 
 
@@ -152,7 +154,9 @@ def upload(
     data = image.data
     for start in range(0, len(data), PAYLOAD_BYTES):
         block = data[start : start + PAYLOAD_BYTES]
-        _send_with_echo(ftdi, block, clock, patience.echo_s, f"byte {start}")
+        _send_with_echo(
+            ftdi, block, clock, patience.echo_s, Message("byte {number}", number=start)
+        )
         progress((start + len(block)) / len(data))
     if not is_running(ftdi, clock, patience):
         raise UploadError("the firmware was loaded and does not answer")
@@ -196,7 +200,7 @@ def _find_the_rate(ftdi: Ftdi, clock: Clock, patience: Patience) -> None:
         late = ftdi.read(left_s)
         if ftdi.is_clear_to_send and not late:
             break
-    _send_with_echo(ftdi, AUTOBAUD, clock, patience.echo_s, "the letter A")
+    _send_with_echo(ftdi, AUTOBAUD, clock, patience.echo_s, Message("the letter A"))
 
 
 def _send_with_echo(
@@ -208,18 +212,21 @@ def _send_with_echo(
         UploadError: when they do not.
     """
     if ftdi.write(data, echo_s) != len(data):
-        raise UploadError(f"it took not all of the data at {where}")
+        raise UploadError("it took not all of the data at {place}", place=where)
     echo = b""
     deadline_s = clock.now_s() + echo_s
     while len(echo) < len(data):
         left_s = deadline_s - clock.now_s()
         if left_s <= 0.0:
             raise UploadError(
-                f"its echo at {where} ended after {len(echo)} of {len(data)} bytes"
+                "its echo at {place} ended after {count} of {expected} bytes",
+                place=where,
+                count=len(echo),
+                expected=len(data),
             )
         heard = ftdi.read(left_s)
         if heard:
             echo += heard
             deadline_s = clock.now_s() + echo_s
     if echo != data:
-        raise UploadError(f"its echo at {where} was wrong")
+        raise UploadError("its echo at {place} was wrong", place=where)

@@ -57,10 +57,11 @@ def find_image() -> FirmwareImage:
     path = kept_path()
     if not path.exists():
         raise FirmwareMissingError(
-            f"the Falcon's firmware is missing ({path}); it may not be passed on with "
-            "this program: take nvent_firmware.bin from a libnifalcon source archive "
-            "and install it with `hapticplayer device upload-firmware FILE`, or in the "
-            "window with Playback > Set up the device"
+            "the Falcon's firmware is missing ({path}); it may not be passed on "
+            "with this program: take nvent_firmware.bin from a libnifalcon source "
+            "archive and install it with `hapticplayer device upload-firmware "
+            "FILE`, or in the window with Playback > Set up the device",
+            path=path,
         )
     return read_image(path)
 
@@ -76,12 +77,14 @@ def read_image(path: Path) -> FirmwareImage:
             data = file.read(MAX_IMAGE_BYTES + 1)
     except OSError as problem:
         raise DeviceError(
-            f"{path}: cannot be read ({problem.strerror}); choose another file"
+            "{path}: cannot be read ({reason}); choose another file",
+            path=path,
+            reason=problem,
         ) from problem
     try:
         return parse_image(data)
     except DeviceError as problem:
-        raise DeviceError(f"{path}: {problem}") from problem
+        raise DeviceError("{path}: {reason}", path=path, reason=problem) from problem
 
 
 def install_image(source: Path, *, accept_unknown: bool = False) -> FirmwareImage:
@@ -98,18 +101,23 @@ def install_image(source: Path, *, accept_unknown: bool = False) -> FirmwareImag
     image = read_image(source)
     if not image.known_name and not accept_unknown:
         raise UnknownFirmwareError(
-            f"{source}: sound, but none of the known images "
-            f"({', '.join(sorted(KNOWN_IMAGES.values()))}; SHA-256 "
-            f"{image.sha256[:16]}...); it would run the motors: say that you want it "
-            "(--accept-unknown)"
+            "{source}: sound, but none of the known images ({known}; SHA-256 "
+            "{sha256}...); it would run the motors: say that you want it "
+            "(--accept-unknown)",
+            source=source,
+            known=", ".join(sorted(KNOWN_IMAGES.values())),
+            sha256=image.sha256[:16],
         )
     target = kept_path()
     try:
         _write_whole(target, image.data)
     except OSError as problem:
         raise DeviceError(
-            f"{target}: the firmware cannot be kept there ({problem.strerror}); "
-            f"set {OVERRIDE} to another path"
+            "{path}: the firmware cannot be kept there ({reason}); set {variable} "
+            "to another path",
+            path=target,
+            reason=problem,
+            variable=OVERRIDE,
         ) from problem
     return image
 
@@ -142,5 +150,6 @@ def _data_home() -> Path:
         return Path.home() / ".local" / "share"
     except RuntimeError as problem:
         raise DeviceError(
-            f"nobody's home folder is known; set {OVERRIDE} to the firmware's path"
+            "nobody's home folder is known; set {variable} to the firmware's path",
+            variable=OVERRIDE,
         ) from problem

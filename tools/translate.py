@@ -1,0 +1,115 @@
+"""Bring resources/i18n up to date with the texts of the program.
+
+    .venv/bin/python tools/translate.py
+
+Reads `app/` with Qt's lupdate, and by AST the templates that the engine's messages and
+errors are given. New texts are added to the .ts files, to be translated there (with
+Linguist or an editor), old ones are dropped; the .qm files that the program loads are
+made, and what has no translation yet is listed: it is shown in English.
+"""
+
+import ast
+import errno
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import xml.etree.ElementTree as ET
+from collections.abc import Iterator
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[1]
+LANGUAGES = ("de", "fr")
+CONTEXT = "engine"
+ONLY_ON_A_TERMINAL = ("cli/", "console/", "doctor.py")
+VALUES = (  # that become messages, or parts of them, only when the program runs
+    *("relaxed", "normal", "firm", "simulated camera"),
+    *("complete", "ended", "failed", "ready", "stopped"),
+)
+FROM_SYSTEM = (
+    *("ENOENT", "EACCES", "EPERM", "ENOSPC", "EROFS", "EIO", "EISDIR", "ENOTDIR"),
+    *("EEXIST", "EBUSY", "EFBIG", "EDQUOT", "EMFILE", "ENAMETOOLONG", "ENOMEM"),
+    *("ENODEV", "ETIMEDOUT", "ELOOP", "EINVAL", "EPIPE"),
+)
+
+
+def main() -> int:
+    """Update all languages."""
+    bin_folder = Path(sys.executable).parent
+    sources = sorted(str(path) for path in (ROOT / "app").rglob("*.py"))
+    with tempfile.TemporaryDirectory() as folder:
+        of_engine = Path(folder, "engine.py")
+        of_engine.write_text(
+            "".join(f"translate({CONTEXT!r}, {json.dumps(t)})\n" for t in templates()),
+            encoding="utf-8",
+        )
+        for code in LANGUAGES:
+            ts = ROOT / "resources" / "i18n" / f"{code}.ts"
+            update = ("-no-obsolete", "-locations", "none", "-source-language", "en")
+            _run(
+                bin_folder / "pyside6-lupdate",
+                *(*update, "-target-language", code),
+                *(*sources, str(of_engine), "-ts", str(ts)),
+            )
+            _run(
+                bin_folder / "pyside6-lrelease",
+                *("-silent", str(ts), "-qm", str(ts.with_suffix(".qm"))),
+            )
+            for context, text in untranslated(ts):
+                print(f"{code}: no translation ({context}): {text}")
+    return 0
+
+
+def templates() -> list[str]:
+    """Return what the engine may say in a window, in the order of the alphabet."""
+    found = {*VALUES, *(os.strerror(getattr(errno, name)) for name in FROM_SYSTEM)}
+    for path in (ROOT / "hapticplayer").rglob("*.py"):
+        place = path.relative_to(ROOT / "hapticplayer").as_posix()
+        if not place.startswith(ONLY_ON_A_TERMINAL):
+            found.update(templates_in(path.read_text(encoding="utf-8")))
+    for path in (ROOT / "app").rglob("*.py"):
+        found.update(templates_in(path.read_text(encoding="utf-8")))
+    return sorted(found)
+
+
+def templates_in(source: str) -> Iterator[str]:
+    """Yield the literal templates of the messages and errors in a module."""
+    for node in ast.walk(ast.parse(source)):
+        if isinstance(node, ast.Call) and _is_message(node.func):
+            yield from _literals(*node.args[:1])
+            yield from _literals(*(k.value for k in node.keywords if k.arg == "remedy"))
+
+
+def untranslated(ts: Path) -> list[tuple[str, str]]:
+    """Return context and text of what a language still lacks."""
+    return [
+        (context.findtext("name") or "", message.findtext("source") or "")
+        for context in ET.parse(ts).iter("context")  # noqa: S314 - our own file
+        for message in context.iter("message")
+        if not message.findtext("translation")
+    ]
+
+
+def _is_message(function: ast.expr) -> bool:
+    name = getattr(function, "id", getattr(function, "attr", ""))
+    return name == "Message" or (name.endswith("Error") and name[:-5] not in _PYTHONS)
+
+
+_PYTHONS = {"Value", "Type", "Index", "Key", "Attribute", "OS", "Runtime", "Lookup"}
+
+
+def _literals(*nodes: ast.expr) -> Iterator[str]:
+    for node in nodes:
+        if isinstance(node, ast.Constant) and isinstance(node.value, str):
+            yield node.value
+        elif isinstance(node, ast.IfExp):
+            yield from _literals(node.body, node.orelse)
+
+
+def _run(*command: str | Path) -> None:
+    subprocess.run(command, cwd=ROOT, check=True, stdout=subprocess.DEVNULL)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
