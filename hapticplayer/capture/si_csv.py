@@ -10,7 +10,6 @@ without guessing is, and is said (`motion.repair_samples`).
 """
 
 import os
-import re
 import secrets
 from pathlib import Path
 
@@ -51,8 +50,6 @@ TIME = "time_s"
 LOG_COLUMNS = (TIME, "ax", "ay", "az", "gx", "gy", "gz")
 FIELD_COLUMNS = ("mx", "my", "mz")
 FORCE_COLUMNS = (TIME, "fx_n", "fy_n", "fz_n")
-
-_ROW = re.compile(r"\b(row|rows from) (\d+)\b")
 
 
 def recognises(source: Source) -> Confidence:

@@ -3225,7 +3225,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     </message>
     <message>
         <source> and {count} damaged lines</source>
-        <translation type="unfinished"></translation>
+        <translation> und {count} beschädigte Zeilen</translation>
     </message>
     <message>
         <source> or </source>
@@ -3949,15 +3949,15 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     </message>
     <message>
         <source>has {rows} rows of {columns} numbers{more}</source>
-        <translation type="unfinished"></translation>
+        <translation>hat {rows} Zeilen mit {columns} Zahlen{more}</translation>
     </message>
     <message>
         <source>the columns are separated by semicolons instead of commas</source>
-        <translation type="unfinished"></translation>
+        <translation>die Spalten sind durch Semikolons statt durch Kommas getrennt</translation>
     </message>
     <message>
         <source>the columns are separated by tabs instead of commas</source>
-        <translation type="unfinished"></translation>
+        <translation>die Spalten sind durch Tabulatoren statt durch Kommas getrennt</translation>
     </message>
     <message>
         <source>firm</source>
@@ -6101,11 +6101,11 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     </message>
     <message>
         <source>{text!r} is not a number</source>
-        <translation type="unfinished"></translation>
+        <translation>{text!r} ist keine Zahl</translation>
     </message>
     <message>
         <source>{text} is not a finite number</source>
-        <translation type="unfinished"></translation>
+        <translation>{text} ist keine endliche Zahl</translation>
     </message>
     <message>
         <source>{time} (or rate-hz=100)</source>

@@ -3225,7 +3225,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source> and {count} damaged lines</source>
-        <translation type="unfinished"></translation>
+        <translation> et {count} lignes endommagées</translation>
     </message>
     <message>
         <source> or </source>
@@ -3949,15 +3949,15 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>has {rows} rows of {columns} numbers{more}</source>
-        <translation type="unfinished"></translation>
+        <translation>a {rows} lignes de {columns} nombres{more}</translation>
     </message>
     <message>
         <source>the columns are separated by semicolons instead of commas</source>
-        <translation type="unfinished"></translation>
+        <translation>les colonnes sont séparées par des points-virgules au lieu de virgules</translation>
     </message>
     <message>
         <source>the columns are separated by tabs instead of commas</source>
-        <translation type="unfinished"></translation>
+        <translation>les colonnes sont séparées par des tabulations au lieu de virgules</translation>
     </message>
     <message>
         <source>firm</source>
@@ -6101,11 +6101,11 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>{text!r} is not a number</source>
-        <translation type="unfinished"></translation>
+        <translation>{text!r} n’est pas un nombre</translation>
     </message>
     <message>
         <source>{text} is not a finite number</source>
-        <translation type="unfinished"></translation>
+        <translation>{text} n’est pas un nombre fini</translation>
     </message>
     <message>
         <source>{time} (or rate-hz=100)</source>
