@@ -30,7 +30,7 @@ from hapticplayer.simulation.rides.scenes import Scene
 _GROUP_FRAMES, _GROUP_M = 20, 10.0
 """Pictures that are drawn together; the ground is painted before them."""
 
-_COMMAND = (sys.executable, "-P", "-m", "hapticplayer.simulation.film.film")
+COMMAND = (sys.executable, "-P", "-m", "hapticplayer.simulation.film.film")
 
 
 @dataclass(frozen=True, slots=True)
@@ -138,7 +138,7 @@ class SecondPainter:
         self.target, self.done = target, 0
         self._count = film.frame_count - first
         self._child = subprocess.Popen(
-            [*_COMMAND, target, film.scene.name, *map(str, (*numbers, int(is_quick)))],
+            [*COMMAND, target, film.scene.name, *map(str, (*numbers, int(is_quick)))],
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             stderr=subprocess.PIPE,

@@ -37,7 +37,7 @@ _FORCE_BIAS_MPS2 = 0.04  # SD per axis, what a factory calibration leaves
 _RATE_NOISE_RADPS = 0.003
 _RATE_BIAS_RADPS = 0.004
 
-_WORTH_PX = 150_000_000
+WORTH_PX = 150_000_000
 """So many pixels are drawn by two processes; the second has to load what it needs."""
 
 _LOOK_S = 0.05
@@ -197,7 +197,7 @@ def write_simulated_clip(
     film, is_quick = recorded.film, recorded.board is not None
     count = film.frame_count
     tell = progress or (lambda _share: None)
-    if count * film.width * film.height < _WORTH_PX:
+    if count * film.width * film.height < WORTH_PX:
         first = film.frames(0, count)
         _write(recorded, path, first, is_quick, lambda drawn: tell(drawn / count))
         return

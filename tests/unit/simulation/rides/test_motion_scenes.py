@@ -73,6 +73,16 @@ def longest_s(flags: NDArray[np.bool_]) -> float:
     return float(max(stretches_s(flags), default=0.0))
 
 
+def chained(steps_rad: Floats) -> Rotation:
+    """Rotate by all rotation vectors (N, 3), one after the other."""
+    turned = Rotation.from_rotvec(steps_rad)
+    while len(turned) > 1:
+        odd = turned[-1:] if len(turned) % 2 else None
+        turned = turned[0 : len(turned) // 2 * 2 : 2] * turned[1::2]
+        turned = turned if odd is None else Rotation.concatenate([turned, odd])
+    return turned[0]
+
+
 # --- the truth is consistent ------------------------------------------------
 
 
@@ -80,7 +90,7 @@ def longest_s(flags: NDArray[np.bool_]) -> float:
 def test_force_is_the_second_derivative_of_the_path(name: str) -> None:
     """f = R^T (a + g z), with a from central differences of the position."""
     path = ride(name).trajectory
-    times_s = np.random.default_rng(7).uniform(0.1, 85.0, 4000)
+    times_s = np.random.default_rng(7).uniform(0.1, 85.0, 1000)
     step_s = 2.5e-4
     before, here, after = (
         path.at(times_s + shift).position_m for shift in (-step_s, 0.0, step_s)
@@ -100,7 +110,7 @@ def test_force_is_the_second_derivative_of_the_path(name: str) -> None:
 def test_angular_rate_turns_the_orientation(name: str) -> None:
     """w = log(R(t - h)^T R(t + h)) / 2h."""
     path = ride(name).trajectory
-    times_s = np.random.default_rng(8).uniform(0.1, 85.0, 4000)
+    times_s = np.random.default_rng(8).uniform(0.1, 85.0, 1000)
     step_s = 2.5e-4
     before, after = (
         Rotation.from_quat(path.at(times_s + shift).quaternion_wxyz, scalar_first=True)
@@ -122,10 +132,8 @@ def test_integrated_truth_does_not_drift(name: str) -> None:
     np.testing.assert_allclose(
         gained, truth.velocity_mps[-1] - truth.velocity_mps[0], atol=2e-3
     )
-    turned = Rotation.from_quat(truth.quaternion_wxyz[0], scalar_first=True)
-    steps = Rotation.from_rotvec(motion.imu.angular_rate_radps[1:] / RATE_HZ)
-    for step in steps:
-        turned = turned * step
+    begin = Rotation.from_quat(truth.quaternion_wxyz[0], scalar_first=True)
+    turned = begin * chained(motion.imu.angular_rate_radps[1:] / RATE_HZ)
     end = Rotation.from_quat(truth.quaternion_wxyz[-1], scalar_first=True)
     assert (end.inv() * turned).magnitude() < 1e-8
 
@@ -338,8 +346,8 @@ def test_mountain_biker_falls_and_lands() -> None:
 
 @pytest.mark.parametrize("name", MOTION_SCENES)
 def test_same_seed_gives_the_same_bytes(name: str) -> None:
-    first, again = (simulate_motion(name, 9, duration_s=15.0) for _ in range(2))
-    other = simulate_motion(name, 10, duration_s=15.0)
+    first, again = (simulate_motion(name, 9, duration_s=5.0) for _ in range(2))
+    other = simulate_motion(name, 10, duration_s=5.0)
     for field in ("specific_force_mps2", "angular_rate_radps"):
         logged = getattr(first.imu, field)
         assert logged.tobytes() == getattr(again.imu, field).tobytes()

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from hapticplayer.capture import read_recording, synchronize
 from hapticplayer.capture.choices import parse_choices
 from hapticplayer.capture.si_csv import write_imu_csv
+from hapticplayer.media import write_clip
 from hapticplayer.model import STANDARD_GRAVITY_MPS2, Sampling
 from hapticplayer.simulation.rides.board import PAPER, Board, record
 from hapticplayer.simulation.rides.catalogue import RIDES
@@ -18,7 +19,6 @@ from hapticplayer.simulation.rides.recording import (
     SimulatedRecording,
     simulate,
     write_gopro_clip,
-    write_simulated_clip,
 )
 from hapticplayer.simulation.rides.trajectory import Trajectory
 
@@ -134,7 +134,7 @@ def test_pats_lay_the_log_of_the_board_to_the_clip(name: str) -> None:
 
 
 def test_same_seed_gives_the_same_bits() -> None:
-    first, again, other = (simulate("horse", seed) for seed in (5, 5, 6))
+    first, again, other = (simulate("stairs", seed) for seed in (5, 5, 6))
     assert first.board is not None
     assert again.board is not None
     assert other.board is not None
@@ -151,8 +151,8 @@ def test_same_seed_gives_the_same_bits() -> None:
 
 def test_pictures_in_a_row_are_those_drawn_alone() -> None:
     small = dataclasses.replace(ride("car-turning"), width=160, height=90)
-    drawn = dict(enumerate(small.film.frames(0, 450)))
-    for at in (0, 207, 399, 449):
+    drawn = dict(enumerate(small.film.frames(0, 60)))
+    for at in (0, 29, 59):
         np.testing.assert_array_equal(drawn[at][:, :, :3], small.frame(at))
 
 
@@ -160,7 +160,7 @@ def test_pictures_in_a_row_are_those_drawn_alone() -> None:
 def test_every_part_of_a_picture_is_painted(name: str) -> None:
     small = dataclasses.replace(ride(name), width=320, height=180)
     maker, poses = small.film.studio()
-    for at in range(0, len(poses), len(poses) // 6):
+    for at in (0, len(poses) // 2, len(poses) - 1):
         picture = maker.draw(poses[at])[:, :, :3]
         assert (picture.max(axis=2) == 0).mean() == 0.0
 
@@ -250,8 +250,8 @@ def test_log_and_gopro_clip_are_read_by_the_importers(tmp_path: Path) -> None:
     np.testing.assert_allclose(
         log.specific_force_mps2, recorded.board.imu.specific_force_mps2, rtol=1e-8
     )
-    small = dataclasses.replace(recorded, width=64, height=36, frame_rate_hz=2)
-    write_simulated_clip(small, tmp_path / "clip.mp4")
+    grey = (np.full((36, 64, 3), 90, np.uint8) for _ in range(90))
+    write_clip(tmp_path / "clip.mp4", grey, frame_rate_hz=2)
     write_gopro_clip(recorded, tmp_path / "clip.mp4", tmp_path / "gopro.mp4")
     camera = read_recording(tmp_path / "gopro.mp4")
     assert camera.camera == "HERO9 Black"

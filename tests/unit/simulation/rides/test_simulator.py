@@ -10,8 +10,10 @@ from scipy.spatial.transform import Rotation
 from hapticplayer.errors import Cancelled, MediaError, UsageError
 from hapticplayer.media import AudioDecoder, VideoDecoder, probe
 from hapticplayer.model import STANDARD_GRAVITY_MPS2
+from hapticplayer.simulation.film import film
 from hapticplayer.simulation.film.picture import PictureMaker
 from hapticplayer.simulation.film.view import Pose
+from hapticplayer.simulation.rides import recording
 from hapticplayer.simulation.rides.catalogue import SCENES
 from hapticplayer.simulation.rides.recording import (
     SimulatedRecording,
@@ -36,6 +38,40 @@ def rotations(ride: SimulatedRecording, time_s: NDArray[np.float64]) -> Rotation
     """Orientation by scipy, which has no code in common with the simulator."""
     quaternion = ride.scene.trajectory.at(time_s).quaternion_wxyz
     return Rotation.from_quat(quaternion, scalar_first=True)
+
+
+def small(ride: SimulatedRecording) -> SimulatedRecording:
+    """Fifty small pictures of it."""
+    return dataclasses.replace(ride, width=160, height=90, frame_rate_hz=5)
+
+
+def tiny(ride: SimulatedRecording) -> SimulatedRecording:
+    return dataclasses.replace(ride, width=64, height=36, frame_rate_hz=1)
+
+
+def write(ride: SimulatedRecording, path: Path, painters: int) -> Path:
+    """Write its clip; progress only grows, to 1."""
+    told: list[float] = []
+    with pytest.MonkeyPatch.context() as patch:
+        if painters == 2:
+            patch.setattr(recording, "WORTH_PX", 0)
+        write_simulated_clip(ride, path, told.append)
+    assert told[-1] == 1.0
+    assert np.diff(told).min() >= 0.0
+    return path
+
+
+@pytest.fixture(scope="module")
+def clip(ride: SimulatedRecording, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return write(small(ride), tmp_path_factory.mktemp("one") / "clip.mp4", 1)
+
+
+@pytest.fixture(scope="module")
+def clip_of_two(
+    ride: SimulatedRecording, tmp_path_factory: pytest.TempPathFactory
+) -> Path:
+    """The same by two painters."""
+    return write(small(ride), tmp_path_factory.mktemp("two") / "clip.mp4", 2)
 
 
 TIMES_S = np.arange(0.05, 9.95, 0.00371)
@@ -261,21 +297,15 @@ def test_drawing_does_not_depend_on_what_was_drawn_before(
 
 
 def test_clip_is_written_with_pictures_and_sound(
-    tmp_path: Path, ride: SimulatedRecording
+    clip: Path, ride: SimulatedRecording
 ) -> None:
-    small = dataclasses.replace(ride, width=160, height=90, frame_rate_hz=5)
-    path = tmp_path / "demo.mp4"
-    told: list[float] = []
-    write_simulated_clip(small, path, told.append)
-    info = probe(path)
+    info = probe(clip)
     assert (info.width, info.height, info.frame_count) == (160, 90, 50)
     assert info.duration_s == pytest.approx(10.0, abs=0.01)
-    assert told[-1] == 1.0
-    assert np.diff(told).min() >= 0.0
-    with VideoDecoder(path) as video:
+    with VideoDecoder(clip) as video:
         assert sum(1 for _ in video.frames()) == 50
     hit_s = ride.scene.bumps[0].time_s
-    with AudioDecoder(path) as sound:
+    with AudioDecoder(clip) as sound:
         sound.seek(hit_s - 0.02)
         blocks = [sound.next_block() for _ in range(3)]
         heard = np.concatenate([block.samples for block in blocks if block])
@@ -290,9 +320,8 @@ def test_cancelled_clip_leaves_nothing(
     def stop(_fraction: float) -> None:
         raise Cancelled
 
-    small = dataclasses.replace(ride, width=64, height=36, frame_rate_hz=2)
     with pytest.raises(Cancelled):
-        write_simulated_clip(small, tmp_path / "demo.mp4", stop)
+        write_simulated_clip(tiny(ride), tmp_path / "demo.mp4", stop)
     assert list(tmp_path.iterdir()) == []
 
 
@@ -304,18 +333,12 @@ def decoded(path: Path) -> NDArray[np.int64]:
 
 
 def test_two_painters_make_the_clip_that_one_makes(
-    tmp_path: Path, ride: SimulatedRecording, monkeypatch: pytest.MonkeyPatch
+    clip: Path, clip_of_two: Path, ride: SimulatedRecording
 ) -> None:
-    small = dataclasses.replace(ride, width=160, height=90, frame_rate_hz=5)
-    write_simulated_clip(small, tmp_path / "one.mp4")
-    monkeypatch.setattr("hapticplayer.simulation.rides.recording._WORTH_PX", 0)
-    told: list[float] = []
-    write_simulated_clip(small, tmp_path / "two.mp4", told.append)
-    assert told[-1] == 1.0
-    one, two = probe(tmp_path / "one.mp4"), probe(tmp_path / "two.mp4")
+    one, two = probe(clip), probe(clip_of_two)
     assert (two.frame_count, two.duration_s) == (one.frame_count, one.duration_s)
-    pictures = decoded(tmp_path / "one.mp4"), decoded(tmp_path / "two.mp4")
-    drawn = np.array([f[:, :, :3].astype(int) for f in small.film.frames(0, 50)])
+    pictures = decoded(clip), decoded(clip_of_two)
+    drawn = np.array([f[:, :, :3].astype(int) for f in small(ride).film.frames(0, 50)])
     lost = [np.abs(coded - drawn).mean(axis=(1, 2, 3)) for coded in pictures]
     np.testing.assert_allclose(lost[1], lost[0], rtol=0.5)  # of equal quality
     assert lost[1].mean() == pytest.approx(lost[0].mean(), rel=0.05)
@@ -326,36 +349,30 @@ def test_two_painters_make_the_clip_that_one_makes(
     ):  # and drawn alike: no picture is lost or comes twice
         near = np.abs(drawn[k] - pictures[1][k - 1 : k + 2]).mean(axis=(1, 2, 3))
         assert np.argmin(near) == 1
-    with VideoDecoder(tmp_path / "two.mp4") as video:
+    with VideoDecoder(clip_of_two) as video:
         times_s = [frame.pts_s for frame in video.frames()]
     np.testing.assert_allclose(np.diff(times_s), 0.2, atol=1e-6)
     sounds = []
-    for name in ("one.mp4", "two.mp4"):
-        with AudioDecoder(tmp_path / name) as sound:
+    for path in (clip, clip_of_two):
+        with AudioDecoder(path) as sound:
             blocks = iter(sound.next_block, None)
             sounds.append(np.concatenate([block.samples for block in blocks]))
     np.testing.assert_array_equal(*sounds)
 
 
 def test_the_same_seed_gives_the_same_clip_byte_for_byte(
-    tmp_path: Path, ride: SimulatedRecording, monkeypatch: pytest.MonkeyPatch
+    tmp_path: Path, clip_of_two: Path, ride: SimulatedRecording
 ) -> None:
-    monkeypatch.setattr("hapticplayer.simulation.rides.recording._WORTH_PX", 0)
-    small = dataclasses.replace(ride, width=64, height=36, frame_rate_hz=5)
-    written = []
-    for name in ("first.mp4", "again.mp4"):
-        write_simulated_clip(small, tmp_path / name)
-        written.append((tmp_path / name).read_bytes())
-    assert written[0] == written[1]
+    again = write(small(ride), tmp_path / "again.mp4", 2)
+    assert again.read_bytes() == clip_of_two.read_bytes()
 
 
 def test_a_painter_that_dies_is_told_and_leaves_nothing(
     tmp_path: Path, ride: SimulatedRecording, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("hapticplayer.simulation.rides.recording._WORTH_PX", 0)
+    monkeypatch.setattr(recording, "WORTH_PX", 0)
     broken = (sys.executable, "-c", "raise SystemExit('no memory')")
-    monkeypatch.setattr("hapticplayer.simulation.film.film._COMMAND", broken)
-    small = dataclasses.replace(ride, width=64, height=36, frame_rate_hz=2)
+    monkeypatch.setattr(film, "COMMAND", broken)
     with pytest.raises(MediaError, match="no memory"):
-        write_simulated_clip(small, tmp_path / "demo.mp4")
+        write_simulated_clip(tiny(ride), tmp_path / "demo.mp4")
     assert list(tmp_path.iterdir()) == []
