@@ -7,9 +7,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from hapticplayer.capture.recording import Recording
 from hapticplayer.clock import ManualClock
-from hapticplayer.model import STANDARD_GRAVITY_MPS2, ImuLog
+from hapticplayer.media import probe, write_clip
+from hapticplayer.model import STANDARD_GRAVITY_MPS2, ClockMap, ImuLog
 from hapticplayer.model import quaternions as quat
+from hapticplayer.sequence.build import Choices, write_sequence
 
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 # a run in the background ignores Ctrl-C, and so would every program that a test starts
@@ -73,3 +76,23 @@ def swing() -> tuple[ImuLog, np.ndarray]:
     acceleration = quat.rotate(to_sensor, earth)
     gravity = quat.rotate(to_sensor, np.array([0, 0, STANDARD_GRAVITY_MPS2]))
     return ImuLog(t, acceleration + gravity, rate, source="swing"), acceleration
+
+
+@pytest.fixture(scope="session")
+def tiny_clip(tmp_path_factory):
+    path = tmp_path_factory.mktemp("clip") / "ride.mp4"
+    grey = (np.full((36, 64, 3), 40 + 2 * k, dtype=np.uint8) for k in range(60))
+    write_clip(path, grey, frame_rate_hz=30)
+    return probe(path)
+
+
+@pytest.fixture
+def recording(still_log):
+    return Recording(still_log, ClockMap(offset_s=0.5), "test camera", ("a note",), {})
+
+
+@pytest.fixture
+def sequence_folder(tmp_path, tiny_clip, recording):
+    return write_sequence(
+        tiny_clip, recording, tmp_path / "ride", choices=Choices(title="Ride", seed=5)
+    )

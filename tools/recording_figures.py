@@ -8,7 +8,7 @@ from pathlib import Path
 
 from hapticplayer.capture import synchronize
 from hapticplayer.capture.sync.synchronize import Sound
-from hapticplayer.cli.sync_plot import draw_sync
+from hapticplayer.cli.plots import draw_sync
 from hapticplayer.simulation.rides.sync_clips import simulate_pats
 
 DOCS = Path(__file__).parents[1] / "docs"

@@ -15,17 +15,16 @@ from app.player.remake import OpenWindow, dress
 from app.player.video_surface import SurfaceSink, VideoSurface
 from app.player.window import DEVICE, PlayerWindow
 from app.widgets.icons import icon
-from hapticplayer.clock import SystemClock
-from hapticplayer.console import (
+from hapticplayer.cli.common import complain, say
+from hapticplayer.cli.play import (
     attach_log,
-    complain,
     record_target,
-    say,
     until_s,
     wanted_scheduling,
     wanted_speed,
 )
-from hapticplayer.devices import DEVICES
+from hapticplayer.clock import SystemClock
+from hapticplayer.devices import installed_devices
 from hapticplayer.haptics.process import Health
 from hapticplayer.haptics.scheduling import hasten_window
 from hapticplayer.media.memory import keep_freed_memory
@@ -179,5 +178,5 @@ def _run_until_closed(
 
 def _last_device(settings: Settings) -> str:
     name = settings.text(DEVICE, "simulated")
-    is_known = name.partition(":")[0] in DEVICES or name == NO_DEVICE
+    is_known = name.partition(":")[0] in installed_devices() or name == NO_DEVICE
     return name if is_known else "simulated"

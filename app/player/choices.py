@@ -6,8 +6,7 @@ from typing import NamedTuple
 from PySide6.QtCore import QCoreApplication
 
 from app.player.health import device_name
-from hapticplayer.cli import DEVICE_NAMES
-from hapticplayer.devices import DEVICES
+from hapticplayer.devices import device_names, installed_devices
 from hapticplayer.model import Feedback
 from hapticplayer.playback.haptic_link import NO_DEVICE
 from hapticplayer.playback.replay import FROM_LOG
@@ -52,7 +51,7 @@ def devices(
         falcons: name and serial number of each that is plugged in.
     """
     found: list[Choice] = []
-    for name in DEVICE_NAMES:
+    for name in device_names():
         if name == "falcon":
             text = device_name(name)
             found += [Choice(n, f"{text} {serial}".rstrip()) for n, serial in falcons]
@@ -64,4 +63,5 @@ def devices(
 
 
 def _is_hidden(name: str) -> bool:
-    return name in DEVICES and DEVICES[name].is_for_developers
+    entry = installed_devices().get(name)
+    return entry is not None and entry.is_for_developers

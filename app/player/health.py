@@ -7,6 +7,7 @@ from PySide6.QtCore import QCoreApplication
 
 from app.widgets.numbers import local
 from app.widgets.texts import titled
+from hapticplayer.devices import installed_devices
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.process import Health
 from hapticplayer.haptics.scheduling import Scheduling
@@ -89,7 +90,9 @@ def device_name(name: str) -> str:
         NO_DEVICE: translate("Health", "None"),
     }
     kind, _, serial = name.partition(":")
-    return f"{names.get(kind, kind)} {serial}".rstrip()
+    entry = installed_devices().get(kind)
+    text = names.get(kind, entry.title if entry else kind)
+    return f"{text} {serial}".rstrip()
 
 
 def mode_text(mode: Mode) -> str:

@@ -1,39 +1,50 @@
 """The command line: `hapticplayer COMMAND`.
 
 Exit status: 0 done, 1 refused or failed, 2 wrong usage or a decision is needed.
-Errors are one sentence on stderr. Imports are lazy, so that `--help` needs neither
-numpy nor PyAV nor Qt.
+Errors are one sentence on stderr. Each command has a module, which is imported when it
+is the one that was asked for: `--help` needs neither numpy nor PyAV nor Qt.
 """
 
 import argparse
+import importlib
 import sys
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from typing import NamedTuple
 
 from hapticplayer import __version__
-from hapticplayer.cli import commands as run
-from hapticplayer.cli import options, study, study_analysis
-from hapticplayer.cli.commands import OpenWindow
-from hapticplayer.cli.options import (
-    CLIP_SCENARIOS,
-    DEVICE_NAMES,
-    METHOD_NAMES,
-    MOTION_SCENARIOS,
-    MOUNTING_NAMES,
-    RIDE_SCENARIOS,
-)
 from hapticplayer.errors import HapticPlayerError, UsageError
 
-__all__ = [
-    "CLIP_SCENARIOS",
-    "DEVICE_NAMES",
-    "METHOD_NAMES",
-    "MOTION_SCENARIOS",
-    "MOUNTING_NAMES",
-    "RIDE_SCENARIOS",
-    "OpenWindow",
-    "build_parser",
-    "main",
-]
+OpenWindow = Callable[[argparse.Namespace], int]
+"""Shows the window for a command, and returns the exit status."""
+
+
+class Command(NamedTuple):
+    """A command of the program.
+
+    Attributes:
+        name: as it is typed.
+        summary: for `--help`.
+        module: has `add_options(parser)`, which also sets `run`.
+    """
+
+    name: str
+    summary: str
+    module: str
+
+
+COMMANDS = (
+    Command("play", "play a sequence, or any video with any force track", "play"),
+    Command("import", "make a sequence of a video and its motion", "importing"),
+    Command("sync", "synchronise a motion log with a clip", "sync"),
+    Command(
+        "process", "report how good a recording's motion is; compare methods", "process"
+    ),
+    Command("simulate", "make a simulated ride with known truth", "simulate"),
+    Command("export", "convert a record that `play --record` has written", "export"),
+    Command("study", "run an experiment and keep its data", "study"),
+    Command("device", "haptic devices", "device"),
+    Command("doctor", "list what is missing, by package name", "doctor"),
+)
 
 
 def main(
@@ -46,10 +57,13 @@ def main(
         open_window: shows the window for `play` or no command at all; None where
             there is no display, and everything plays headless.
     """
-    parser = build_parser()
-    chosen = parser.parse_args(argv)
+    words = list(sys.argv[1:] if argv is None else argv)
+    command = next((word for word in words if not word.startswith("-")), None)
     try:
-        return int(chosen.run(chosen, open_window))
+        options = build_parser(command).parse_args(words)
+        if "run" not in options:  # no command: the demo
+            options = build_parser("play").parse_args(["play", ""])
+        return int(options.run(options, open_window))
     except UsageError as problem:
         return _refuse(problem, 2)
     except HapticPlayerError as problem:
@@ -60,25 +74,20 @@ def main(
         return 1
 
 
-def build_parser() -> argparse.ArgumentParser:
-    """Return the parser of all commands."""
+def build_parser(wanted: str | None) -> argparse.ArgumentParser:
+    """Return the parser of all commands, with the options of the one that is wanted."""
     parser = argparse.ArgumentParser(
         prog="hapticplayer",
         description="Play a video and feel the motion of whoever recorded it. "
         "Without a command it opens the window on the built-in demo.",
     )
     parser.add_argument("--version", action="version", version=__version__)
-    parser.set_defaults(run=run.demo, **options.PLAY_DEFAULTS)
     commands = parser.add_subparsers(title="commands", metavar="COMMAND")
-    options.add_play(commands)
-    options.add_import(commands)
-    options.add_sync(commands)
-    options.add_process(commands)
-    options.add_simulate(commands)
-    options.add_export(commands)
-    study.add_study(commands, study_analysis.register)
-    options.add_device(commands)
-    options.add_doctor(commands)
+    for command in COMMANDS:
+        part = commands.add_parser(command.name, help=command.summary)
+        if command.name == wanted:
+            module = importlib.import_module(f"{__name__}.{command.module}")
+            module.add_options(part)
     return parser
 
 

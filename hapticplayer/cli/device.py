@@ -1,46 +1,83 @@
-"""The command `device` and its actions; needs nothing but the standard library."""
+"""The command `device`: list, info, home, upload-firmware, test, measure."""
 
 import argparse
-import math
-from collections.abc import Callable
-from typing import Any, NoReturn
+import contextlib
+import json
+import sys
+from collections.abc import Callable, Iterator
+from dataclasses import asdict
+from pathlib import Path
+from typing import Any
 
-OpenWindow = Callable[[argparse.Namespace], int]
+from hapticplayer.cli.common import (
+    add_device_name,
+    agreed,
+    interruptible,
+    positive,
+    say,
+    say_aside,
+    shown_progress,
+)
+from hapticplayer.cli.device_forces import test_forces
+from hapticplayer.cli.device_measure import measure_falcon
+from hapticplayer.clock import SystemClock
+from hapticplayer.devices import find_device, installed_devices
+from hapticplayer.devices.falcon import firmware
+from hapticplayer.devices.falcon.driver import FalconDriver
+from hapticplayer.devices.falcon.ftdi import Ftdi
+from hapticplayer.devices.falcon.homing import Advice, Guidance, home
+from hapticplayer.devices.falcon.reach import Reach, reach_of
+from hapticplayer.devices.falcon.transport import (
+    FalconGoneError,
+    Transport,
+    list_falcons,
+)
+from hapticplayer.errors import DeviceError
+
+Action = Callable[[argparse.Namespace], int]
 HOMING_S = 120.0
+_EXCHANGES = 5
+_ZERO = (0.0, 0.0, 0.0)
+_ENCODERS = ("top", "right", "lower left")
 
 
-def add_device(commands: Any, add_name: Callable[..., None]) -> None:
-    """Add the command.
-
-    Args:
-        commands: what argparse returned for the sub-commands.
-        add_name: adds the option `--device` with this default to a parser.
-    """
-    command = commands.add_parser("device", help="haptic devices")
-    command.set_defaults(run=lambda *_: _usage(command))
+def add_options(command: argparse.ArgumentParser) -> None:
+    """Add the actions of the command and their options."""
+    command.set_defaults(run=lambda *_: command.error("an action is needed"))
     actions = command.add_subparsers(title="actions", metavar="ACTION")
 
-    def add(name: str, text: str, device: str = "falcon") -> argparse.ArgumentParser:
+    def add(
+        name: str, text: str, run: Action, device: str = "falcon"
+    ) -> argparse.ArgumentParser:
         action: argparse.ArgumentParser = actions.add_parser(
             name, help=text, description=f"{text[0].upper()}{text[1:]}."
         )
-        action.set_defaults(run=_runs(name))
+        action.set_defaults(run=lambda chosen, _open_window: run(chosen))
         if device:
-            add_name(action, device)
+            add_device_name(action, device)
         action.add_argument("--json", action="store_true", help="report as JSON")
         return action
 
-    add("list", "devices that can be chosen, and what is plugged in", device="")
-    add("info", "what a device can do, its firmware, whether it is homed")
-    home = add("home", "let the Falcon find its zero, with guidance")
+    add(
+        "list",
+        "devices that can be chosen, and what is plugged in",
+        list_devices,
+        device="",
+    )
+    add("info", "what a device can do, its firmware, whether it is homed", info)
+    home = add("home", "let the Falcon find its zero, with guidance", home_falcon)
     home.add_argument(
         "--timeout",
-        type=_seconds,
+        type=positive,
         default=HOMING_S,
         metavar="S",
         help=f"give up after S seconds (default {HOMING_S:g})",
     )
-    upload = add("upload-firmware", "keep your copy of the Falcon's firmware, load it")
+    upload = add(
+        "upload-firmware",
+        "keep your copy of the Falcon's firmware, load it",
+        upload_firmware,
+    )
     upload.add_argument(
         "file", nargs="?", metavar="FILE", help="without it: load the one that is kept"
     )
@@ -50,33 +87,172 @@ def add_device(commands: Any, add_name: Callable[..., None]) -> None:
         help="also an image that is sound and not among the known ones",
     )
     _add_yes(upload)
-    _add_yes(add("test", "draw a slow circle of 0.8 N, after asking"))
-    measure = add("measure", "measure what is not known of a Falcon, at low force")
+    _add_yes(add("test", "draw a slow circle of 0.8 N, after asking", test_forces))
+    measure = add(
+        "measure",
+        "measure what is not known of a Falcon, at low force",
+        measure_falcon,
+    )
     measure.add_argument(
         "-o", "--output", metavar="FILE", help="the report, as JSON (a new file)"
     )
     _add_yes(measure)
 
 
-def _seconds(text: str) -> float:
-    value = float(text)
-    if not 0.0 < value < math.inf:
-        raise argparse.ArgumentTypeError(f"{text!r} is no time to wait")
-    return value
-
-
 def _add_yes(action: argparse.ArgumentParser) -> None:
     action.add_argument("--yes", action="store_true", help="do not ask")
 
 
-def _runs(name: str) -> Callable[[argparse.Namespace, OpenWindow | None], int]:
-    def run(options: argparse.Namespace, _open_window: OpenWindow | None) -> int:
-        from hapticplayer.console import devices
+def list_devices(options: argparse.Namespace) -> int:
+    """Print the devices that this version can drive, and what is plugged in."""
+    entries = [{"name": d.name, "title": d.title} for d in installed_devices().values()]
+    entries.append({"name": "none", "title": "no force at all"})
+    falcons: list[dict[str, Any]] = []
+    try:
+        falcons = [asdict(found) for found in list_falcons()]
+    except DeviceError as problem:
+        say_aside(str(problem))
+    if options.json:
+        say(json.dumps({"devices": entries, "falcons": falcons}))
+        return 0
+    for entry in entries:
+        say(f"{entry['name']:<18}{entry['title']}")
+    say("Falcons plugged in: " + ("none" if not falcons else ""))
+    for found in falcons:
+        serial = found["serial"] or "(its number may not be read)"
+        say(f"  {serial:<16}bus {found['bus']}, address {found['address']}")
+    return 0
 
-        return devices.ACTIONS[name](options)
 
-    return run
+def info(options: argparse.Namespace) -> int:
+    """Print what a device can do, and how far a Falcon has come."""
+    entry = find_device(options.device)
+    report: dict[str, Any] = {"device": entry.name, "title": entry.title}
+    report["capabilities"] = asdict(entry.capabilities)
+    if entry.name.startswith("falcon"):
+        report |= _falcon_report(reach_of(entry.name))
+    if options.json:
+        say(json.dumps(report))
+        return 0
+    say(f"{entry.title}")
+    for name, value in report["capabilities"].items():
+        say(f"  {name:<22}{value:g}")
+    for name in ("firmware", "kept_firmware", "homed", "position_m", "buttons"):
+        if name in report:
+            say(f"  {name:<22}{report[name]}")
+    return 0
 
 
-def _usage(parser: argparse.ArgumentParser) -> NoReturn:
-    parser.error("an action is needed")
+def home_falcon(options: argparse.Namespace) -> int:
+    """Guide a person through homing; no force is made."""
+    clock = SystemClock()
+    with interruptible(), _open(reach_of(options.device), clock) as driver:
+        told = _Told(is_quiet=options.json)
+        for guidance in home(driver, clock, options.timeout):
+            told.show(guidance)
+        reading = driver.exchange(_ZERO, clock.now_s())
+    if options.json:
+        say(json.dumps({"homed": True, "position_m": reading.position_m}))
+    else:
+        say("The Falcon is homed; its ring is green.")
+    return 0
+
+
+def upload_firmware(options: argparse.Namespace) -> int:
+    """Keep the user's copy of the firmware, and load it into a Falcon."""
+    reach = reach_of(options.device)
+    if options.file is not None:
+        if not options.json:
+            say(firmware.LICENCE_NOTE)
+        agreed(options, "Do you accept that licence, and may you use this file?")
+        image = firmware.install_image(
+            Path(options.file), accept_unknown=options.accept_unknown
+        )
+        say_aside(f"kept as {firmware.kept_path()}")
+    else:
+        image = reach.image()
+    report: dict[str, Any] = {
+        "image": image.known_name or "unknown",
+        "sha256": image.sha256,
+        "loaded": False,
+    }
+    clock = SystemClock()
+    try:
+        with interruptible(), shown_progress() as progress:
+            driver = reach.driver(clock)
+            driver.open(lambda part: progress(part, "loading the firmware"))
+            driver.close()
+        report["loaded"] = True
+    except FalconGoneError as problem:
+        if options.file is None:
+            raise
+        say_aside(f"{problem}; it will be loaded when a Falcon is chosen")
+    if options.json:
+        say(json.dumps(report))
+    elif report["loaded"]:
+        say("The Falcon runs its firmware.")
+    return 0
+
+
+class _Told:
+    """Shows guidance: on a terminal in one line, else a line for each news."""
+
+    def __init__(self, *, is_quiet: bool) -> None:
+        self._is_terminal = sys.stderr.isatty() and not is_quiet
+        self._is_quiet, self._last = is_quiet, ""
+
+    def show(self, guidance: Guidance) -> None:
+        """Show it if it is news."""
+        if self._is_quiet:
+            return
+        pairs = zip(_ENCODERS, guidance.homed, strict=True)
+        found = ", ".join(name for name, is_homed in pairs if is_homed) or "none yet"
+        text = f"{guidance.advice.value} (encoders homed: {found})"
+        if self._is_terminal:
+            end = "\n" if guidance.advice is Advice.DONE else ""
+            sys.stderr.write(f"\r{text}, {guidance.out:+5.0f} counts   {end}")
+            sys.stderr.flush()
+        elif text != self._last:
+            sys.stderr.write(text + "\n")
+        self._last = text
+
+
+@contextlib.contextmanager
+def _open(reach: Reach, clock: SystemClock) -> Iterator[FalconDriver]:
+    driver = reach.driver(clock)
+    with shown_progress() as progress:
+        driver.open(lambda part: progress(part, "loading the firmware"))
+    try:
+        yield driver
+    finally:
+        driver.close()
+
+
+def _falcon_report(reach: Reach) -> dict[str, Any]:
+    """Look at a Falcon without loading anything into it."""
+    clock = SystemClock()
+    transport: Transport = reach.open_transport()
+    try:
+        runs = firmware.is_running(Ftdi(transport), clock)
+    finally:
+        transport.close()
+    report: dict[str, Any] = {"firmware": "runs" if runs else "not loaded"}
+    try:
+        kept = firmware.find_image()
+        report["kept_firmware"] = kept.known_name or f"unknown ({kept.sha256[:16]})"
+    except DeviceError as problem:
+        report["kept_firmware"] = str(problem)
+    if runs:
+        driver = reach.driver(clock)
+        driver.open()
+        try:
+            reading = driver.exchange(_ZERO, clock.now_s())
+            for _ in range(_EXCHANGES):
+                clock.sleep_until(clock.now_s() + 0.005)
+                reading = driver.exchange(_ZERO, clock.now_s())
+        finally:
+            driver.close()
+        report["homed"] = reading.is_homed
+        report["position_m"] = reading.position_m if reading.is_homed else None
+        report["buttons"] = reading.buttons
+    return report

@@ -1,29 +1,36 @@
-"""The command `study` and its actions; needs nothing but the standard library.
-
-`register` lets other modules add actions of their own to the same command.
-"""
+"""The command `study`: make one, run participants, keep and hand on its data."""
 
 import argparse
+import json
 from collections.abc import Callable
+from dataclasses import asdict
 from pathlib import Path
-from typing import Any, NoReturn
+from typing import Any
 
-from hapticplayer.cli import options
-from hapticplayer.cli.commands import OpenWindow
+from hapticplayer.cli import OpenWindow, study_analysis
+from hapticplayer.cli.common import add_device_name, complain, say, say_aside
+from hapticplayer.clock import SystemClock
+from hapticplayer.errors import StudyError, UsageError
+from hapticplayer.interchange.study_export import FORMATS, export_study
+from hapticplayer.study.answers import collect_answers
+from hapticplayer.study.creation import create_study, sequence_folder
+from hapticplayer.study.merging import merge_sessions
+from hapticplayer.study.reviews import keep_reviewed, text_digest
+from hapticplayer.study.session_folder import State, StoredSession
+from hapticplayer.study.steps import answered_trials
+from hapticplayer.study.study_folder import (
+    Study,
+    delete_participant,
+    drop,
+    open_study,
+)
 
-Action = Callable[[argparse.Namespace, OpenWindow | None], int]
-Register = Callable[[Any], None]
+Run = Callable[[argparse.Namespace], int]
 
 
-def add_study(commands: Any, *register: Register) -> None:
-    """Add the command `study`.
-
-    Args:
-        commands: sub-parsers of the program.
-        register: each is handed the sub-parsers of `study` and adds actions.
-    """
-    command = commands.add_parser("study", help="run an experiment and keep its data")
-    command.set_defaults(run=lambda *_: _usage(command))
+def add_options(command: argparse.ArgumentParser) -> None:
+    """Add the actions of the command and their options."""
+    command.set_defaults(run=lambda *_: command.error("an action is needed"))
     actions = command.add_subparsers(title="actions", metavar="ACTION")
     _add_new(actions)
     _add_run(actions)
@@ -33,42 +40,43 @@ def add_study(commands: Any, *register: Register) -> None:
     _add_merge(actions)
     _add_drop(actions)
     _add_delete(actions)
-    for add in register:
-        add(actions)
+    study_analysis.add_actions(actions)
 
 
-def add_action(actions: Any, name: str, summary: str, run: Action) -> Any:
+def add_action(actions: Any, name: str, summary: str, run: Run | None = None) -> Any:
     """Add an action whose first argument is the study's folder, and return it."""
     action = actions.add_parser(name, help=summary, description=summary)
     action.add_argument("study", metavar="NAME", type=Path, help="folder of the study")
-    action.set_defaults(run=run)
+    if run is not None:
+        action.set_defaults(run=lambda chosen, _open_window: run(chosen))
     return action
 
 
 def _add_new(actions: Any) -> None:
-    new = add_action(actions, "new", "make a study of a template", _console("new"))
-    new.add_argument("--template", default="qoe2012", metavar="T")
-    new.add_argument(
+    action = add_action(actions, "new", "make a study of a template", new)
+    action.add_argument("--template", default="qoe2012", metavar="T")
+    action.add_argument(
         "--sequence",
         action="append",
         default=[],
         metavar="KEY=FOLDER",
         help="where a sequence of the study lies; may be given for each",
     )
-    _add_json(new)
+    _add_json(action)
 
 
 def _add_run(actions: Any) -> None:
-    run = add_action(actions, "run", "run a participant in the window", _run)
-    run.add_argument("--language", metavar="L", help="of the participant's pages")
-    run.add_argument("--resume", metavar="CODE", help="go on with a session")
-    options.add_device_name(run)
-    run.add_argument(
+    action = add_action(actions, "run", "run a participant in the window")
+    action.set_defaults(run=_run)
+    action.add_argument("--language", metavar="L", help="of the participant's pages")
+    action.add_argument("--resume", metavar="CODE", help="go on with a session")
+    add_device_name(action)
+    action.add_argument(
         "--windowed",
         action="store_true",
         help="participant's pages in a window, for trying a study out",
     )
-    run.add_argument(
+    action.add_argument(
         "--lsl",
         action="store_true",
         help="offer markers and force as LSL streams to programs on this machine",
@@ -81,19 +89,19 @@ def _add_status(actions: Any) -> None:
             actions,
             "status",
             "who took part, what is missing, how balanced it is",
-            _console("status"),
+            status,
         )
     )
 
 
 def _add_review(actions: Any) -> None:
-    review = add_action(
+    action = add_action(
         actions,
         "review",
         "read answers in words before they are exported",
-        _console("review"),
+        review,
     )
-    review.add_argument(
+    action.add_argument(
         "--pass",
         dest="passed",
         action="append",
@@ -101,70 +109,246 @@ def _add_review(actions: Any) -> None:
         metavar="CODE[:QUESTION]",
         help="let these be exported: they name nobody",
     )
-    _add_json(review)
+    _add_json(action)
 
 
 def _add_export(actions: Any) -> None:
-    export = add_action(
-        actions, "export", "write the data for other programs", _console("export")
-    )
-    export.add_argument("-o", "--output", required=True, metavar="DIR", type=Path)
-    export.add_argument(
+    action = add_action(actions, "export", "write the data for other programs", export)
+    action.add_argument("-o", "--output", required=True, metavar="DIR", type=Path)
+    action.add_argument(
         "--format",
         default="csv",
-        choices=("csv", "bids", "xdf"),
+        choices=FORMATS,
         help="tidy CSV with a data dictionary, BIDS, or XDF (default: csv)",
     )
-    _add_json(export)
+    _add_json(action)
 
 
 def _add_merge(actions: Any) -> None:
-    merge = add_action(
-        actions, "merge", "add the sessions of another machine", _console("merge")
-    )
-    merge.add_argument("other", metavar="OTHER", type=Path, help="copy of the study")
-    _add_json(merge)
+    action = add_action(actions, "merge", "add the sessions of another machine", merge)
+    action.add_argument("other", metavar="OTHER", type=Path, help="copy of the study")
+    _add_json(action)
 
 
 def _add_drop(actions: Any) -> None:
-    drop = add_action(
-        actions, "drop", "end a session that will not go on", _console("drop")
+    action = add_action(
+        actions, "drop", "end a session that will not go on", drop_session
     )
-    drop.add_argument("code", metavar="CODE")
-    drop.add_argument("--reason", required=True)
+    action.add_argument("code", metavar="CODE")
+    action.add_argument("--reason", required=True)
 
 
 def _add_delete(actions: Any) -> None:
-    delete = add_action(
+    action = add_action(
         actions,
         "delete-participant",
         "remove every trace of a participant; a count stays",
-        _console("delete"),
+        delete,
     )
-    delete.add_argument("code", metavar="CODE")
+    action.add_argument("code", metavar="CODE")
 
 
 def _add_json(action: Any) -> None:
     action.add_argument("--json", action="store_true", help="print a report as JSON")
 
 
-def _console(name: str) -> Action:
-    def run(chosen: argparse.Namespace, _open_window: OpenWindow | None) -> int:
-        from hapticplayer.console import study
-
-        actions: dict[str, Callable[[argparse.Namespace], int]] = study.ACTIONS
-        return actions[name](chosen)
-
-    return run
-
-
 def _run(chosen: argparse.Namespace, open_window: OpenWindow | None) -> int:
-    from hapticplayer.errors import UsageError
-
     if open_window is None:
         raise UsageError("a study is run in a window, and there is no display")
     return open_window(chosen)
 
 
-def _usage(parser: argparse.ArgumentParser) -> NoReturn:
-    parser.error("an action is needed")
+def new(options: argparse.Namespace) -> int:
+    """Make a study."""
+    folders = {}
+    for text in options.sequence:
+        key, is_there, folder = text.partition("=")
+        if not is_there or not folder:
+            raise UsageError(f"--sequence {text!r} has to be KEY=FOLDER")
+        folders[key] = Path(folder)
+    study = create_study(options.study, options.template, folders)
+    missing = _missing(study)
+    report = {
+        "study": str(options.study),
+        "id": study.definition.id,
+        "conditions": len(study.definition.conditions),
+        "missing": missing,
+    }
+    if options.json:
+        say(json.dumps(report))
+    else:
+        say(f"{options.study}: {report['conditions']} conditions; edit study.json")
+    if missing:
+        say_aside(f"no folder is known yet of the sequences {', '.join(missing)}")
+    return 0
+
+
+def status(options: argparse.Namespace) -> int:
+    """Say who took part, what is missing, and how balanced it is."""
+    study = open_study(options.study)
+    sessions, remarks = study.sessions()
+    report = {
+        "title": study.definition.title,
+        "conditions": len(study.definition.conditions),
+        "method": study.definition.order.method.value,
+        "missing_sequences": _missing(study),
+        "sessions": [_session(session) for session in sessions],
+        "deleted": study.deleted_count(),
+        "balance": _balance(study),
+        "unreviewed_texts": len(_unreviewed(study)),
+        "remarks": remarks,
+    }
+    say(json.dumps(report) if options.json else _status_text(report))
+    for remark in remarks:
+        say_aside(remark)
+    return 0
+
+
+def _session(session: StoredSession) -> dict[str, Any]:
+    trials = list(answered_trials(session.records))
+    last = {trial.position: trial for trial in trials}
+    return {
+        "code": session.code,
+        "created_utc": session.plan.created_utc,
+        "state": session.state.value,
+        "answered": len(last),
+        "planned": len(session.plan.assignment.conditions),
+        "not_sound": sum(not trial.sound for trial in last.values()),
+        "resumed": sum(r.kind == "resume" for r in session.records.intact),
+        "damaged": len(session.records.damaged),
+    }
+
+
+def _balance(study: Study) -> dict[str, list[int]]:
+    """Return the least and most often anything has been met."""
+    balance = study.balance()
+    return {
+        "times_at_each_position": list(balance.times_at_each_position()),
+        "times_after_each_other": list(balance.times_after_each_other()),
+    }
+
+
+def _status_text(report: dict[str, Any]) -> str:
+    lines = [
+        f"{report['title']}: {report['conditions']} conditions, {report['method']}"
+    ]
+    lines += [
+        f"  {one['code']}  {one['state']:<11}{one['answered']}/{one['planned']}"
+        f" answered, {one['not_sound']} not sound  {one['created_utc'][:16]}"
+        for one in report["sessions"]
+    ]
+    lines.append(f"  {report['deleted']} deleted")
+    place, pairs = report["balance"].values()
+    lines.append(
+        f"  balance    each condition {place[0]} to {place[1]} times at each position, "
+        f"{pairs[0]} to {pairs[1]} times after each other"
+    )
+    if report["missing_sequences"]:
+        lines.append(f"  missing    {', '.join(report['missing_sequences'])}")
+    if report["unreviewed_texts"]:
+        lines.append(
+            f"  review     {report['unreviewed_texts']} answers in words to be read"
+        )
+    return "\n".join(lines)
+
+
+def _missing(study: Study) -> list[str]:
+    missing = []
+    for sequence in study.definition.sequences:
+        try:
+            sequence_folder(study, sequence.key)
+        except StudyError:
+            missing.append(sequence.key)
+    return missing
+
+
+def review(options: argparse.Namespace) -> int:
+    """Show the answers in words that nobody has read, or let some pass."""
+    study = open_study(options.study)
+    for text in options.passed:
+        code, _, question = text.partition(":")
+        _let_pass(study, code, question)
+    left = _unreviewed(study)
+    if options.json:
+        say(json.dumps({"unreviewed": left}))
+        return 0
+    for one in left:
+        say(f"{one['code']}:{one['question']}  {one['text']}")
+    say_aside(f"{len(left)} answers in words have not been passed")
+    return 0
+
+
+def _unreviewed(study: Study) -> list[dict[str, str]]:
+    return [
+        {
+            "code": answer.participant,
+            "question": _name(answer.question, answer.feedback),
+            "text": answer.text,
+        }
+        for answer in collect_answers(study).open_answers
+        if not answer.reviewed
+    ]
+
+
+def _let_pass(study: Study, code: str, question: str) -> None:
+    folder = study.session(code).folder
+    digests = [
+        text_digest(one["code"], one["question"], one["text"])
+        for one in _unreviewed(study)
+        if one["code"] == folder.name and question in ("", one["question"])
+    ]
+    if not digests:
+        raise StudyError(f"{code}:{question} has no answer in words to pass")
+    keep_reviewed(folder, digests)
+
+
+def _name(question: str, feedback: str) -> str:
+    return f"{question}@{feedback}" if feedback else question
+
+
+def export(options: argparse.Namespace) -> int:
+    """Write the data for other programs."""
+    report = export_study(open_study(options.study), options.output, options.format)
+    say(
+        json.dumps(report)
+        if options.json
+        else f"{options.output}: {report['participants']} participants, "
+        f"{len(report['files'])} files"
+    )
+    for remark in report["remarks"]:
+        say_aside(remark)
+    return 0
+
+
+def merge(options: argparse.Namespace) -> int:
+    """Add the sessions of another machine; 1 where there were conflicts."""
+    merged = merge_sessions(open_study(options.study), open_study(options.other))
+    if options.json:
+        say(json.dumps(asdict(merged)))
+    else:
+        say(f"{len(merged.added)} sessions added, {len(merged.same)} were here already")
+    for remark in merged.remarks:
+        say_aside(remark)
+    for conflict in merged.conflicts:
+        complain(conflict)
+    return 1 if merged.conflicts else 0
+
+
+def drop_session(options: argparse.Namespace) -> int:
+    """End a session that will not go on."""
+    study = open_study(options.study)
+    if study.session(options.code).state is not State.UNFINISHED:
+        raise StudyError(f"session {options.code.upper()} has ended already")
+    drop(study, options.code, options.reason, SystemClock())
+    say(f"{options.code.upper()} has ended; its place is free again")
+    return 0
+
+
+def delete(options: argparse.Namespace) -> int:
+    """Remove every trace of a participant; 1 where reports still name the code."""
+    study = open_study(options.study)
+    left = delete_participant(study, options.code)
+    say(f"one participant was deleted; {study.deleted_count()} in all")
+    for name in left:
+        complain(f"{name} still names the participant: make it anew or remove it")
+    return 1 if left else 0

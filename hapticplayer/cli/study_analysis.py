@@ -1,85 +1,95 @@
-"""The actions `study analyse`, `simulate` and `power`; standard library only."""
+"""The actions `study analyse`, `simulate` and `power`."""
 
 import argparse
-from collections.abc import Callable
+import json
+from collections.abc import Callable, Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-from hapticplayer.cli.commands import OpenWindow
-
-if TYPE_CHECKING:
-    from hapticplayer.console.study_analysis import StudyStore
+from hapticplayer.cli.common import interruptible, say, shown_progress
+from hapticplayer.clock import SystemClock
+from hapticplayer.errors import UsageError
+from hapticplayer.sequence import files
+from hapticplayer.simulation.effects import draw_effect, effect_named, paper_effect
+from hapticplayer.simulation.participants import (
+    Rate,
+    WriteSession,
+    simulated_answers,
+    write_simulated,
+)
+from hapticplayer.simulation.sessions import write_scripted_session
+from hapticplayer.study.analysis import Analysis, Choices, MissingPolicy, Resampling
+from hapticplayer.study.analysis.consistency import ConsistencyAnalysis
+from hapticplayer.study.analysis.power import (
+    Draw,
+    Goal,
+    Power,
+    draw_pilot,
+    find_power,
+    power_summary,
+)
+from hapticplayer.study.analysis.report import (
+    StudyAnalysis,
+    analyse_study,
+    parts_of,
+    write_report,
+)
+from hapticplayer.study.analysis.scores import sample_of, scores_of
+from hapticplayer.study.analysis.statistic import number, p_value
+from hapticplayer.study.answers import Answers, Participant, collect_answers
+from hapticplayer.study.creation import create_study
+from hapticplayer.study.study_folder import open_study
 
 _SEED = 2012
 
 
-def register(actions: Any) -> None:
-    """Add the actions to the sub-parsers of `study`, on its folders."""
-    add_analysis_commands(actions, _folders)
+def add_actions(actions: Any) -> None:
+    """Add the actions to the sub-parsers of `study`."""
+    _add_analyse(actions)
+    _add_simulate(actions)
+    _add_power(actions)
 
 
-def _folders() -> "StudyStore":
-    from hapticplayer.console.study_store import StudyFolders
-
-    return StudyFolders()
-
-
-def add_analysis_commands(actions: Any, store: "Callable[[], StudyStore]") -> None:
-    """Add the actions to the sub-parsers of `study`.
-
-    Args:
-        actions: sub-parsers.
-        store: gives access to the folders of studies, when it is needed.
-    """
-    _add_analyse(actions, store)
-    _add_simulate(actions, store)
-    _add_power(actions, store)
-
-
-def _add_analyse(actions: Any, store: "Callable[[], StudyStore]") -> None:
-    analyse = _action(
-        actions, "analyse", "statistics and figures of a study", "analyse", store
-    )
-    analyse.add_argument("study", metavar="NAME", type=Path, help="folder of the study")
-    analyse.add_argument(
+def _add_analyse(actions: Any) -> None:
+    action = _action(actions, "analyse", "statistics and figures of a study", analyse)
+    action.add_argument("study", metavar="NAME", type=Path, help="folder of the study")
+    action.add_argument(
         "--output",
         metavar="DIR",
         type=Path,
         help="write the report (HTML, PDF), figures and numbers into a new folder",
     )
-    analyse.add_argument(
+    action.add_argument(
         "--missing",
         choices=("paired", "complete"),
         default="paired",
         help="where answers are missing: leave their sequence out for all feedbacks of "
         "this participant (default), or leave the participant out",
     )
-    analyse.add_argument(
+    action.add_argument(
         "--with-unsound",
         action="store_true",
         help="also count trials whose playback was not sound",
     )
 
 
-def _add_simulate(actions: Any, store: "Callable[[], StudyStore]") -> None:
-    simulate = _action(
-        actions, "simulate", "add simulated participants to a study", "simulate", store
+def _add_simulate(actions: Any) -> None:
+    action = _action(
+        actions, "simulate", "add simulated participants to a study", simulate
     )
-    simulate.add_argument(
+    action.add_argument(
         "study",
         metavar="NAME",
         type=Path,
         help="folder of the study; made from the template qoe2012 if it is missing",
     )
-    simulate.add_argument("--participants", type=int, default=15, metavar="N")
-    _add_effect(simulate)
+    action.add_argument("--participants", type=int, default=15, metavar="N")
+    _add_effect(action)
 
 
-def _add_power(actions: Any, store: "Callable[[], StudyStore]") -> None:
-    power = _action(
-        actions, "power", "how many participants a design needs", "power", store
-    )
-    power.add_argument(
+def _add_power(actions: Any) -> None:
+    action = _action(actions, "power", "how many participants a design needs", power)
+    action.add_argument(
         "study",
         metavar="NAME",
         type=Path,
@@ -87,17 +97,17 @@ def _add_power(actions: Any, store: "Callable[[], StudyStore]") -> None:
         help="a pilot study whose participants stand for the others (default: the "
         "population of --effect)",
     )
-    _add_effect(power)
-    power.add_argument(
+    _add_effect(action)
+    action.add_argument(
         "--measure", default="qoe", help="qoe (default) or the key of a factor"
     )
-    power.add_argument("--sequences", type=int, default=4, metavar="N")
-    power.add_argument("--alpha", type=float, default=0.05)
-    power.add_argument("--power", type=float, default=0.8, metavar="SHARE")
-    power.add_argument(
+    action.add_argument("--sequences", type=int, default=4, metavar="N")
+    action.add_argument("--alpha", type=float, default=0.05)
+    action.add_argument("--power", type=float, default=0.8, metavar="SHARE")
+    action.add_argument(
         "--largest", type=int, default=60, metavar="N", help="participants to try"
     )
-    power.add_argument(
+    action.add_argument(
         "--studies", type=int, default=2000, metavar="N", help="to simulate"
     )
 
@@ -112,20 +122,14 @@ def _add_effect(action: argparse.ArgumentParser) -> None:
 
 
 def _action(
-    actions: Any, name: str, summary: str, run: str, store: "Callable[[], StudyStore]"
+    actions: Any, name: str, summary: str, run: Callable[[argparse.Namespace], int]
 ) -> argparse.ArgumentParser:
     action: argparse.ArgumentParser = actions.add_parser(
         name, help=summary, description=summary
     )
     action.add_argument("--seed", type=_seed, default=_SEED)
     action.add_argument("--json", action="store_true", help="print the result as JSON")
-
-    def start(chosen: argparse.Namespace, _open_window: OpenWindow | None) -> int:
-        from hapticplayer.console import study_analysis
-
-        return int(getattr(study_analysis, run)(chosen, store()))
-
-    action.set_defaults(run=start)
+    action.set_defaults(run=lambda chosen, _open_window: run(chosen))
     return action
 
 
@@ -134,3 +138,182 @@ def _seed(text: str) -> int:
     if value < 0:
         raise argparse.ArgumentTypeError(f"{text!r} is negative")
     return value
+
+
+_MOST_SEQUENCES = 20
+
+
+def analyse(options: argparse.Namespace) -> int:
+    """Print the statistics of a study, and write its report where that is wanted."""
+    if options.output is not None:
+        files.refuse_existing(options.output)
+    choices = Choices(
+        MissingPolicy(options.missing), options.with_unsound, Resampling(options.seed)
+    )
+    with interruptible(), shown_progress() as progress:
+        found = analyse_study(
+            read_study(options.study), choices, lambda f, step: progress(0.5 * f, step)
+        )
+        if options.output is not None:
+            title = f"Study {options.study.resolve().name}"
+            write_report(
+                found,
+                options.output,
+                title,
+                lambda f, step: progress(0.5 + 0.5 * f, step),
+            )
+    numbers = parts_of(found).numbers
+    say(_json(numbers) if options.json else _analysis_text(found, numbers))
+    if options.output is not None and not options.json:
+        say(f"\nreport: {options.output / 'report.html'}")
+    return 0
+
+
+def simulate(options: argparse.Namespace) -> int:
+    """Add simulated participants to a study, as sessions that are marked as such."""
+    effect_named(options.effect)
+    design, paper = read_design(options.study), paper_effect()
+    if set(design.feedbacks) != set(paper.feedbacks) or set(design.factors) != set(
+        paper.factors
+    ):
+        raise UsageError(
+            "only studies with the paper's feedbacks and factors can be simulated "
+            f"({', '.join(paper.feedbacks)}; {', '.join(paper.factors)})"
+        )
+    answers = simulated_answers(
+        options.participants,
+        options.effect,
+        seed=options.seed,
+        sequences=design.sequences,
+    )
+    origin = {"simulated": True, "effect": options.effect, "seed": options.seed}
+    with interruptible():
+        codes = write_simulated(answers, session_writer(options.study, origin))
+    report = {"study": str(options.study), **origin, "participants": codes}
+    told = f"{options.study}: {len(codes)} simulated participants, marked as such"
+    say(_json(report) if options.json else told)
+    return 0
+
+
+def power(options: argparse.Namespace) -> int:
+    """Tell how many participants a design needs."""
+    goal = Goal(
+        options.alpha, options.power, options.largest, options.studies, options.seed
+    )
+    draw, feedbacks, source = _population(options)
+    with interruptible(), shown_progress() as progress:
+        found = find_power(draw, feedbacks, goal, progress)
+    report = {"population": source, "measure": options.measure, **power_summary(found)}
+    say(_json(report) if options.json else _power_text(found, options.measure, source))
+    return 0
+
+
+def _population(options: argparse.Namespace) -> tuple[Draw, tuple[str, ...], str]:
+    if options.study is None:
+        if not 1 <= options.sequences <= _MOST_SEQUENCES:
+            raise UsageError(f"--sequences: 1 to {_MOST_SEQUENCES} can be simulated")
+        effect = effect_named(options.effect)
+        draw = draw_effect(effect, options.measure, options.sequences)
+        return draw, effect.feedbacks, f"effect {effect.name}"
+    scores = scores_of(read_study(options.study))
+    if options.measure not in scores.measures:
+        known = ", ".join(scores.measures)
+        raise UsageError(f"there is no measure {options.measure!r}; there is {known}")
+    pilot = sample_of(scores, options.measure)
+    source = f"{len(pilot.values)} participants of {options.study.name}"
+    return draw_pilot(pilot), pilot.feedbacks, source
+
+
+def _json(report: dict[str, Any]) -> str:
+    return json.dumps(report, ensure_ascii=False, allow_nan=False)
+
+
+def _analysis_text(found: StudyAnalysis, report: dict[str, Any]) -> str:
+    lines = (
+        _curve_lines(found)
+        if isinstance(found, ConsistencyAnalysis)
+        else _test_lines(found)
+    )
+    people = f"{report['missing']['participants']} participants"
+    return "\n".join([people, *lines, *(f"note: {n}" for n in report["warnings"])])
+
+
+def _curve_lines(found: ConsistencyAnalysis) -> list[str]:
+    return [
+        f"  {axis} {sequence}: "
+        + ", ".join(f"{name} {number(v)}" for name, v in curve.values.items())
+        for axis, one in found.axes.items()
+        for sequence, curve in one.curves.items()
+        if curve is not None
+    ]
+
+
+def _test_lines(found: Analysis) -> list[str]:
+    lines = []
+    for name, one in found.measures.items():
+        means = ", ".join(
+            f"{key} {number(part.mean)} (SD {number(part.sd)})"
+            for key, part in one.feedbacks.items()
+        )
+        test = found.found["friedman"][name]
+        lines.append(
+            f"  {name:<13}{means}\n{'':15}Friedman chi2 {number(test['chi2'])}, "
+            f"p {p_value(test['p'])}, exact {p_value(test['p_exact'])}, "
+            f"Holm {p_value(test['p_holm'])}, W {number(test['kendall_w'], 3)}"
+        )
+        lines += [
+            f"{'':15}{pair}: Wilcoxon Holm {p_value(part['p_holm'])}, "
+            f"r {number(part['rank_biserial'])}"
+            for pair, part in found.found["wilcoxon"][name].items()
+        ]
+    return lines
+
+
+def _power_text(found: Power, measure: str, source: str) -> str:
+    goal = found.goal
+    lines = [
+        (
+            f"{measure}, {source}: participants for a power of {goal.power:g} at "
+            f"alpha {goal.alpha:g} ({goal.studies} simulated studies, power known "
+            f"within {2.0 * found.standard_error:.3f})"
+        )
+    ]
+    for name, needed in found.needed.items():
+        told = f"{needed}" if needed is not None else f"more than {goal.largest}"
+        lines.append(f"  {name:<20}{told}")
+    return "\n".join(lines)
+
+
+def read_study(folder: Path) -> Answers:
+    """Return all answers of a study."""
+    return collect_answers(open_study(folder))
+
+
+def read_design(folder: Path) -> Answers:
+    """Return a study's answers; a missing study is made, an empty folder is one."""
+    if folder.is_dir() and not any(folder.iterdir()):
+        folder.rmdir()
+    study = open_study(folder) if folder.exists() else create_study(folder)
+    return collect_answers(study)
+
+
+def session_writer(folder: Path, origin: Mapping[str, Any]) -> WriteSession:
+    """Return what adds scripted sessions, marked by their origin."""
+    study, clock = open_study(folder), SystemClock()
+
+    def write(person: Participant, rate: Rate) -> str:
+        sheet = {
+            "age": person.age,
+            "gender": person.gender,
+            "handedness": person.handedness,
+            "used_device_before": person.used_device_before,
+        }
+        return write_scripted_session(
+            study,
+            sheet,
+            lambda condition: rate(condition.sequence, condition.feedback),
+            clock,
+            origin=origin,
+        )
+
+    return write

@@ -370,7 +370,7 @@ def test_bad_media_get_one_sentence(name, command, clip, tmp_path):
     path = bad_media(name, tmp_path, clip)
     before = sorted(tmp_path.iterdir())
     arguments = ["--headless"] if command == "play" else ["-o", tmp_path / "out"]
-    sentence = refused(hapticplayer(command, path, *arguments, timeout=10))
+    sentence = refused(hapticplayer(command, path, *arguments, timeout=60))
     assert name.split(".")[0] in sentence
     assert sorted(tmp_path.iterdir()) == before
 
@@ -406,7 +406,7 @@ def test_a_bad_log_is_refused_with_line_and_column(content, words, clip, tmp_pat
     log = tmp_path / "log.csv"
     log.write_text(content)
     arguments = ("import", clip, "--imu", log, "--offset", 0, "-o", tmp_path / "out")
-    sentence = refused(hapticplayer(*arguments, timeout=10))
+    sentence = refused(hapticplayer(*arguments, timeout=60))
     assert "log.csv" in sentence
     for word in words:
         assert word in sentence
@@ -426,7 +426,7 @@ def test_a_bad_log_is_refused_with_line_and_column(content, words, clip, tmp_pat
 def test_a_bad_force_track_is_refused(content, clip, tmp_path):
     force = tmp_path / "force.csv"
     force.write_text(content)
-    done = hapticplayer("play", clip, "--force", force, "--headless", timeout=10)
+    done = hapticplayer("play", clip, "--force", force, "--headless", timeout=60)
     assert "force.csv" in refused(done)
 
 
@@ -485,5 +485,5 @@ def test_pipes_and_folders_are_refused_in_place_of_files(clip, tmp_path):
         (*play, "--log", tmp_path),
         ("play", tmp_path, "--headless"),
     ):
-        refused(hapticplayer(*arguments, timeout=10))
+        refused(hapticplayer(*arguments, timeout=60))
     assert [p.name for p in tmp_path.iterdir()] == ["pipe"]

@@ -108,8 +108,8 @@ def test_damaged_logs(key, tmp_path, record, request):
 
 READER = """
 import json, resource, sys, time
-from hapticplayer.capture import read_recording
 from hapticplayer.capture.choices import parse_choices
+from hapticplayer.capture import read_recording
 wall_s, cpu_s = time.perf_counter(), time.process_time()
 imu = read_recording(sys.argv[1], parse_choices(sys.argv[2:])).imu
 wall_s, cpu_s = time.perf_counter() - wall_s, time.process_time() - cpu_s

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from hapticplayer.console.quality_text import quality_text
+from hapticplayer.cli.process import quality_text
 from hapticplayer.devices.dynamics import RELAXED
 from hapticplayer.haptics.centring import Centring, centring_force
 from hapticplayer.haptics.limiter import Limits

@@ -1,15 +1,12 @@
 """What is done to the motion, in which order, and what is said about it."""
 
 import dataclasses
-import subprocess
-import sys
 
 import numpy as np
 import pytest
 
 from hapticplayer import motion
 from hapticplayer.capture.recording import Recording
-from hapticplayer.cli import METHOD_NAMES
 from hapticplayer.clock import ManualClock
 from hapticplayer.errors import InputError, UsageError
 from hapticplayer.model import ClockMap, ImuLog, Sampling
@@ -23,12 +20,6 @@ from hapticplayer.sequence.quality import (
     describe_motion,
     describe_quality,
 )
-
-
-def test_the_names_that_stand_here_are_those_of_the_motion_room():
-    assert motion.DEFAULT_METHOD == DEFAULT_METHOD
-    assert sorted(METHOD_NAMES) == sorted(motion.METHODS)
-    assert METHOD_NAMES[0] == DEFAULT_METHOD
 
 
 def test_nothing_chosen_is_gravity_removal_alone(swing):
@@ -151,7 +142,7 @@ class TickingClock(ManualClock):
 def test_methods_are_compared_on_the_same_samples(swing):
     imu, truth = swing
     rows = list(compare_methods(imu, Processing(), TickingClock()))
-    assert [row.method for row in rows] == list(METHOD_NAMES)
+    assert [row.method for row in rows] == list(motion.METHODS)
     assert rows[0].difference_mps2 == 0.0
     default = motion.remove_gravity(imu)
     for row in rows:
@@ -236,17 +227,3 @@ def test_the_gain_is_estimated_once(tmp_path, tiny_clip, recording, monkeypatch)
     monkeypatch.setattr(motion, "remove_gravity", None)
     write_sequence(tiny_clip, recording, tmp_path / "ride")
     assert len(calls) == 1
-
-
-def test_playing_loads_neither_scipy_nor_the_motion_room():
-    code = (
-        "import sys, hapticplayer.console as c, hapticplayer.simulation.demo;"
-        "c.play; c.attach_log;"
-        "print([m for m in ('scipy', 'vqf', 'matplotlib',"
-        " 'hapticplayer.motion')"
-        " if m in sys.modules])"
-    )
-    result = subprocess.run(
-        [sys.executable, "-c", code], capture_output=True, text=True, check=True
-    )
-    assert result.stdout.strip() == "[]"

@@ -12,10 +12,8 @@ from numpy.typing import NDArray
 from scipy.signal import butter, periodogram, sosfiltfilt
 from scipy.spatial.transform import Rotation
 
-from hapticplayer.cli import CLIP_SCENARIOS, MOTION_SCENARIOS, RIDE_SCENARIOS
 from hapticplayer.errors import UsageError
 from hapticplayer.model import STANDARD_GRAVITY_MPS2, Sampling
-from hapticplayer.simulation.rides.catalogue import RIDES, SCENES
 from hapticplayer.simulation.rides.motion_scenes import (
     MOTION_SCENES,
     SimulatedMotion,
@@ -388,10 +386,3 @@ def test_what_does_not_exist_is_refused_with_what_does() -> None:
     for duration_s in (0.0, -3.0, float("nan"), 1e6):
         with pytest.raises(UsageError, match="give one from 1 to"):
             simulate_motion("walk", 1, duration_s=duration_s)
-
-
-def test_command_line_names_every_scene() -> None:
-    """Written down there, because its help must not import the simulator."""
-    assert tuple(MOTION_SCENES) == MOTION_SCENARIOS
-    assert tuple(SCENES) == (*CLIP_SCENARIOS, *RIDE_SCENARIOS)
-    assert tuple(RIDES) == RIDE_SCENARIOS

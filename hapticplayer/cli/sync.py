@@ -1,24 +1,29 @@
-"""Says how a log lies to a clip, whether pats can be used, and keeps cameras' skews."""
+"""The command `sync`: clock offset and rate, checks of the pats, skews of cameras."""
 
 import argparse
 import dataclasses
 import json
-from collections.abc import Callable
+from collections.abc import Mapping
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Any
 
 from hapticplayer.capture import read_recording
 from hapticplayer.capture.recording import Recording
-from hapticplayer.capture.sync.result import Synchronisation
-from hapticplayer.capture.sync.synchronize import Sound, read_sound
-from hapticplayer.console.processing import plot_target
-from hapticplayer.console.recordings import chosen_log, chosen_sync
-from hapticplayer.console.speech import complain, interruptible, say
-from hapticplayer.console.sync_text import check_text, sync_text
+from hapticplayer.capture.sync.check import check_log, check_sound
+from hapticplayer.capture.sync.synchronize import read_sound
+from hapticplayer.cli.common import complain, interruptible, say
+from hapticplayer.cli.plots import draw_sync
+from hapticplayer.cli.recording_options import (
+    add_reading,
+    add_sync,
+    chosen_log,
+    chosen_sync,
+    plot_target,
+    rarity_text,
+    sync_text,
+)
 from hapticplayer.errors import InputError, MediaError, TelemetryError, UsageError
 from hapticplayer.media import ClipInfo, probe
-from hapticplayer.model import ImuLog
 from hapticplayer.sequence import files
 from hapticplayer.sequence.synchronizing import (
     SyncChoices,
@@ -27,10 +32,34 @@ from hapticplayer.sequence.synchronizing import (
     store_skew,
 )
 
-PLOT_FORMATS = (".png", ".svg")
 
-Draw = Callable[[Path, Sound, ImuLog, Synchronisation], None]
-"""Draws into a new file."""
+def add_options(command: argparse.ArgumentParser) -> None:
+    """Add the options of the command."""
+    command.set_defaults(run=run)
+    command.add_argument(
+        "clip", metavar="CLIP", help="a video; with --check also a log"
+    )
+    command.add_argument(
+        "--imu", metavar="LOG", help="as for `import` (default: the clip's own motion)"
+    )
+    add_reading(command)
+    add_sync(command, "--method")
+    command.add_argument(
+        "--check",
+        action="store_true",
+        help="say whether the pats of a recording can be used, right after making it",
+    )
+    command.add_argument(
+        "--plot",
+        metavar="FILE",
+        help="draw sound and acceleration on one time line (.png or .svg)",
+    )
+    command.add_argument(
+        "--store-skew",
+        action="store_true",
+        help="keep --skew for all clips of --camera",
+    )
+    command.add_argument("--json", action="store_true", help="print the report as JSON")
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -41,13 +70,8 @@ class _Found:
     recording: Recording | None
 
 
-def sync(options: argparse.Namespace, draw: Draw) -> int:
-    """Print how the clocks lie; status 2 where a person has to decide.
-
-    Args:
-        options: of `hapticplayer sync`, see hapticplayer.cli.
-        draw: used for `--plot` only.
-    """
+def run(options: argparse.Namespace, _open_window: object) -> int:
+    """Print clock offset and rate; status 2 where a person has to decide."""
     if options.store_skew:
         _store_skew(options)
     with interruptible():
@@ -60,7 +84,7 @@ def sync(options: argparse.Namespace, draw: Draw) -> int:
         if plot:
             sound = read_sound(clip.path)
             with files.file_written_aside(plot) as part:
-                draw(part, sound, recording.imu, found)
+                draw_sync(part, sound, recording.imu, found)
     described = found.described()
     say(json.dumps(described) if options.json else sync_text(described))
     if plot and not options.json:
@@ -99,8 +123,6 @@ def _read_either(options: argparse.Namespace) -> _Found:
 
 def _check(found: _Found, options: argparse.Namespace, choices: SyncChoices) -> int:
     """Say whether the pats of what there is can be used."""
-    from hapticplayer.capture.sync.check import check_log, check_sound
-
     clip, recording = found.clip, found.recording
     report: dict[str, Any] = {}
     if clip and recording and recording.clock_map.confidence > 0.0:
@@ -131,3 +153,15 @@ _ADVICE = (
     "the pats cannot be used: stand still, pat the camera three times, half a second "
     "apart and harder than anything else, and record again (see docs/recording.md)"
 )
+
+
+def check_text(name: str, found: Mapping[str, Any]) -> str:
+    """Return the sentence on what `StreamCheck.described` holds."""
+    times = ", ".join(f"{at:.2f}" for at in found["pats_s"])
+    if not found["pats_s"]:
+        return f"{name}: no three knocks in a rhythm"
+    verdict = "stand out" if found["is_usable"] else "do not stand out"
+    return (
+        f"{name}: three knocks at {times} s {verdict} "
+        f"(the weakest is {rarity_text(found['rarity_hz'])})"
+    )

@@ -1,51 +1,46 @@
 import argparse
 import json
 from dataclasses import replace
+from types import SimpleNamespace
 
 import pytest
 
-from hapticplayer.cli.study_analysis import add_analysis_commands
+from hapticplayer.cli import study_analysis
 from hapticplayer.errors import SequenceError, UsageError
 from hapticplayer.simulation.participants import simulated_answers
 
 
-class MemoryStore:
-    """A store of one study that keeps what is written."""
+@pytest.fixture
+def study(monkeypatch):
+    """What a folder of the name "rides" holds, and what is written into it."""
+    held = SimpleNamespace(
+        design=replace(simulated_answers(8, seed=1), participants=(), ratings=()),
+        origin=None,
+        rated=[],
+    )
 
-    def __init__(self, feedbacks=("realistic", "none", "random")):
-        self.answers = replace(
-            simulated_answers(8, seed=1), participants=(), ratings=()
-        )
-        self.answers = replace(self.answers, feedbacks=feedbacks)
-        self.origin = None
-        self.rated = []
+    def writer(_folder, origin):
+        held.origin = dict(origin)
 
-    def read(self, folder):
-        return simulated_answers(8, seed=1)
-
-    def design(self, folder):
-        return self.answers
-
-    def writer(self, folder, origin):
-        self.origin = dict(origin)
-
-        def write(person, rate):
-            self.rated.append(rate("horse", "realistic"))
-            return f"C{len(self.rated)}"
+        def write(_person, rate):
+            held.rated.append(rate("horse", "realistic"))
+            return f"C{len(held.rated)}"
 
         return write
 
+    monkeypatch.setattr(
+        study_analysis, "read_study", lambda _: simulated_answers(8, seed=1)
+    )
+    monkeypatch.setattr(study_analysis, "read_design", lambda _: held.design)
+    monkeypatch.setattr(study_analysis, "session_writer", writer)
+    return held
+
 
 @pytest.fixture
-def store() -> MemoryStore:
-    return MemoryStore()
-
-
-@pytest.fixture
-def run(store):
+def run(study):
     def run_with(*words: str) -> int:
         parser = argparse.ArgumentParser()
-        add_analysis_commands(parser.add_subparsers(), lambda: store)
+        study_analysis.add_actions(parser.add_subparsers())
         chosen = parser.parse_args(words)
         return chosen.run(chosen, None)
 
@@ -74,19 +69,19 @@ def test_an_existing_report_is_refused_before_the_work(run, tmp_path):
         run("analyse", "rides", "--output", str(tmp_path))
 
 
-def test_simulate_writes_sessions_that_are_marked(run, store, capsys):
+def test_simulate_writes_sessions_that_are_marked(run, study, capsys):
     assert run("simulate", "rides", "--participants", "3", "--seed", "4", "--json") == 0
     report = json.loads(capsys.readouterr().out)
     assert report["participants"] == ["C1", "C2", "C3"]
-    assert store.origin == {"simulated": True, "effect": "paper", "seed": 4}
-    assert set(store.rated[0]) == {"realism", "sensory", "comfort", "satisfaction"}
+    assert study.origin == {"simulated": True, "effect": "paper", "seed": 4}
+    assert set(study.rated[0]) == {"realism", "sensory", "comfort", "satisfaction"}
 
 
-def test_only_the_papers_design_can_be_simulated(run, store):
-    store.answers = replace(store.answers, feedbacks=("late", "none"))
+def test_only_the_papers_design_can_be_simulated(run, study):
+    study.design = replace(study.design, feedbacks=("late", "none"))
     with pytest.raises(UsageError, match="paper's feedbacks"):
         run("simulate", "rides")
-    assert store.rated == []
+    assert study.rated == []
 
 
 def test_power_tells_how_many_participants_a_design_needs(run, capsys):

@@ -1,4 +1,4 @@
-"""Plays without a window, and says how it went."""
+"""The command `play`, and the demo that plays without a command."""
 
 import argparse
 import json
@@ -6,8 +6,17 @@ from pathlib import Path
 from typing import Any
 
 from hapticplayer import __version__
+from hapticplayer.cli import OpenWindow
+from hapticplayer.cli.common import (
+    add_device_name,
+    complain,
+    interruptible,
+    say,
+    say_aside,
+    seconds,
+    shown_progress,
+)
 from hapticplayer.clock import SystemClock
-from hapticplayer.console.speech import complain, interruptible, say, say_aside
 from hapticplayer.errors import UsageError
 from hapticplayer.haptics.limiter import Limits
 from hapticplayer.haptics.scheduling import Scheduling
@@ -18,6 +27,75 @@ from hapticplayer.playback.log import PlaybackLog
 from hapticplayer.playback.player import FASTEST, SLOWEST, Player
 from hapticplayer.playback.sound_process import SoundProcess
 from hapticplayer.playback.source import Source, choose_feedback, open_source
+
+
+def add_options(parser: argparse.ArgumentParser) -> None:
+    """Add the options of the command."""
+    parser.set_defaults(run=run)
+    parser.add_argument(
+        "source", metavar="SEQUENCE_OR_VIDEO", help="folder of a sequence, or a video"
+    )
+    parser.add_argument(
+        "--feedback",
+        metavar="F",
+        help="realistic, none, random or another of its tracks",
+    )
+    parser.add_argument(
+        "--force",
+        metavar="FILE.csv",
+        help="force track: rows of time_s,fx_n,fy_n,fz_n, held between rows",
+    )
+    add_device_name(parser)
+    parser.add_argument("--headless", action="store_true", help="without a window")
+    parser.add_argument(
+        "--mute",
+        action="store_true",
+        help="silent; without a window no sound is decoded",
+    )
+    parser.add_argument("--fullscreen", action="store_true")
+    parser.add_argument(
+        "--no-plots", dest="plots", action="store_false", help="hide the live plots"
+    )
+    parser.add_argument(
+        "--close-at-end", action="store_true", help="close the window after the clip"
+    )
+    parser.add_argument(
+        "--start", type=seconds, default=0.0, metavar="S", help="media time, s"
+    )
+    parser.add_argument(
+        "--duration", type=seconds, metavar="S", help="stop after S seconds"
+    )
+    parser.add_argument(
+        "--speed", type=float, default=1.0, metavar="X", help="0.5 to 4 (default: 1)"
+    )
+    parser.add_argument(
+        "--log", metavar="FILE", help="write what happened as JSON lines"
+    )
+    parser.add_argument(
+        "--record",
+        metavar="FILE",
+        help="record every tick of the haptic loop; see `export`",
+    )
+    parser.add_argument(
+        "--scheduling",
+        choices=("fifo", "slice", "normal"),
+        help="at most this class for the haptic loop; for measurements "
+        "(default: the best there is)",
+    )
+    parser.add_argument("--json", action="store_true", help="print the summary as JSON")
+
+
+def run(options: argparse.Namespace, open_window: OpenWindow | None) -> int:
+    """Play in the window, or without one."""
+    if open_window is not None and not options.headless:
+        return open_window(options)
+    if not options.source:
+        from hapticplayer.simulation.demo import demo_folder
+
+        with shown_progress() as progress:
+            options.source = demo_folder(progress)
+    return play(options)
+
 
 ROUNDING_N = 1e-3  # tracks are stored as float32
 

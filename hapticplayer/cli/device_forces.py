@@ -8,9 +8,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from hapticplayer.cli.common import agreed, complain, interruptible, say
 from hapticplayer.clock import SystemClock
-from hapticplayer.console.devices import agreed
-from hapticplayer.console.speech import complain, interruptible, say
 from hapticplayer.errors import DeviceError
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.playback.forces import ForcePlayer, moved_along

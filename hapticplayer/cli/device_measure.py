@@ -9,9 +9,8 @@ from pathlib import Path
 from typing import Any
 
 from hapticplayer import __version__
+from hapticplayer.cli.common import agreed, interruptible, say, shown_progress
 from hapticplayer.clock import SystemClock, utc_now_iso
-from hapticplayer.console.devices import agreed
-from hapticplayer.console.speech import interruptible, say, shown_progress
 from hapticplayer.devices import find_device
 from hapticplayer.devices.falcon import measuring
 from hapticplayer.devices.falcon.firmware import open_running

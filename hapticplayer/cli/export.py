@@ -1,4 +1,4 @@
-"""Converts records of the haptic loop."""
+"""The command `export`: records of the haptic loop for other programs."""
 
 import argparse
 import json
@@ -9,17 +9,32 @@ from typing import Any, BinaryIO
 import numpy as np
 from numpy.typing import NDArray
 
-from hapticplayer.console import record_csv
-from hapticplayer.console.speech import interruptible, say, say_aside, shown_progress
+from hapticplayer.cli.common import interruptible, say, say_aside, shown_progress
 from hapticplayer.errors import UsageError
 from hapticplayer.haptics.record_reader import RecordReader
+from hapticplayer.interchange import record_csv
 from hapticplayer.sequence import files
+
+
+def add_options(command: argparse.ArgumentParser) -> None:
+    """Add the options of the command."""
+    command.set_defaults(run=run)
+    command.add_argument("record", metavar="RECORD")
+    command.add_argument("-o", "--output", required=True, metavar="FILE")
+    command.add_argument(
+        "--format",
+        default="csv",
+        metavar="FORMAT",
+        help="csv: a line per tick with the units in the names (default)",
+    )
+    command.add_argument("--json", action="store_true", help="print a report as JSON")
+
 
 FORMATS = ("csv",)
 CHUNK_TICKS = 1 << 14
 
 
-def export(options: argparse.Namespace) -> int:
+def run(options: argparse.Namespace, _open_window: object) -> int:
     """Convert a record, showing the progress, and say what is in it."""
     if options.format not in FORMATS:
         raise UsageError(

@@ -1,0 +1,202 @@
+"""The command `import`: one video, or several, each with the log beside it."""
+
+import argparse
+import json
+from collections.abc import Mapping as Dict
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import Any
+
+from hapticplayer.cli.common import interruptible, number, say, shown_progress
+from hapticplayer.cli.recording_options import (
+    add_mounting,
+    add_processing,
+    add_reading,
+    add_sync,
+    chosen_log,
+    chosen_mounting,
+    chosen_processing,
+    chosen_sync,
+    sync_text,
+)
+from hapticplayer.errors import Cancelled, HapticPlayerError, UsageError
+from hapticplayer.media import read_telemetry_packets
+from hapticplayer.model import Mapping
+from hapticplayer.sequence import build_sequence, open_sequence
+from hapticplayer.sequence.build import Choices
+from hapticplayer.sequence.files import Progress
+
+
+def add_options(command: argparse.ArgumentParser) -> None:
+    """Add the options of the command."""
+    command.set_defaults(run=run)
+    command.add_argument(
+        "videos",
+        metavar="VIDEO",
+        nargs="+",
+        help="with several, each becomes a folder in DIR, with the log that lies beside "
+        "it under its name (ride.mp4, ride.csv), and a summary is printed",
+    )
+    command.add_argument(
+        "--imu",
+        metavar="LOG",
+        help="motion in a file of its own: the log of a logger or a phone (a folder or "
+        "zip where it writes several files), or CSV with the columns "
+        "time_s,ax,ay,az,gx,gy,gz[,mx,my,mz] in SI, x right, y front, z up",
+    )
+    add_reading(command)
+    add_mounting(command)
+    add_sync(command, "--sync")
+    command.add_argument("-o", "--output", required=True, metavar="DIR")
+    command.add_argument("--title", help="default: the name of the video")
+    command.add_argument(
+        "--gain", type=number, metavar="N", help="newtons per m/s^2 (default 0.4)"
+    )
+    command.add_argument(
+        "--seed", type=int, help="of the random feedback (default: from the clip)"
+    )
+    add_processing(command)
+    command.add_argument("--json", action="store_true", help="print a report as JSON")
+
+
+def run(options: argparse.Namespace, _open_window: object) -> int:
+    """Import a video with its motion, showing the progress; several with a summary."""
+    if len(options.videos) > 1:
+        return import_batch(options)
+    with interruptible(), shown_progress() as progress:
+        folder = build_sequence(
+            options.videos[0],
+            options.output,
+            imu_log=options.imu,
+            choices=chosen_import(options),
+            progress=progress,
+        )
+    description = open_sequence(folder).description
+    if options.json:
+        say(json.dumps({"sequence": str(folder), **description}, ensure_ascii=False))
+        return 0
+    _say_imported(folder, description)
+    return 0
+
+
+def chosen_import(options: argparse.Namespace) -> Choices:
+    """Return what the options of an import say."""
+    mapping = (
+        Mapping() if options.gain is None else Mapping(gain_n_per_mps2=options.gain)
+    )
+    return Choices(
+        title=options.title,
+        mapping=mapping,
+        processing=chosen_processing(options),
+        seed=options.seed,
+        log=chosen_log(options),
+        sync=chosen_sync(options),
+        mounting=chosen_mounting(options),
+    )
+
+
+def _say_imported(folder: Path, description: Dict[str, Any]) -> None:
+    made_of = description["provenance"]
+    realistic = description["feedbacks"]["realistic"]
+    say(
+        f"{folder}: {description['clip']['duration_s']:.1f} s of "
+        f"{made_of['camera'] or made_of['motion_source']} at "
+        f"{made_of['imu_rate_hz']:.1f} Hz; force peak {realistic['peak_n']:.2f} N; "
+        f"gravity removed by {made_of['gravity_removal']}; "
+        f"accelerometer gain {made_of['accelerometer_gain']:.4f} "
+        f"({made_of['accelerometer_gain_from']})"
+    )
+    found = made_of.get("synchronisation")
+    if found and found["method"] in ("pats", "variance"):
+        say(sync_text(found))
+    for note in (*made_of["conditioning"], *made_of["notes"]):
+        say(f"note: {note}")
+    say(f"play it with: hapticplayer play {folder}")
+
+
+LOG_ENDINGS = (".csv", ".txt", ".zip", ".gcsv")
+
+
+@dataclass(frozen=True, slots=True)
+class Row:
+    """What became of one video.
+
+    Attributes:
+        video: its name.
+        sequence: the new folder, or "" where there is none.
+        status: 0 done, 1 refused, 2 a person has to decide.
+        text: the offset and its confidence, or what was wrong.
+    """
+
+    video: str
+    sequence: str
+    status: int
+    text: str
+
+
+def import_batch(options: argparse.Namespace) -> int:
+    """Import all videos and print a summary; the status is the worst but 2 of doubt.
+
+    Raises:
+        UsageError: for options that only one video can have.
+    """
+    for name in ("imu", "offset", "title"):
+        if getattr(options, name) is not None:
+            raise UsageError(f"--{name} belongs to one video; import them one by one")
+    videos = [Path(video) for video in options.videos]
+    names = [video.stem for video in videos]
+    if len(set(names)) < len(names):
+        raise UsageError("two videos have one name; import them into different folders")
+    choices, rows = chosen_import(options), []
+    with interruptible():
+        for video in videos:
+            with shown_progress() as progress:
+                target = Path(options.output) / video.stem
+                rows.append(_import(video, target, choices, progress))
+    if options.json:
+        say(json.dumps([asdict(row) for row in rows], ensure_ascii=False))
+    else:
+        _say(rows)
+    statuses = {row.status for row in rows}
+    return 1 if 1 in statuses else max(statuses)
+
+
+def log_beside(video: Path) -> Path | None:
+    """Return the log that has a video's name, where the video has no motion itself."""
+    if read_telemetry_packets(video):
+        return None
+    found = (video.with_suffix(ending) for ending in LOG_ENDINGS)
+    return next((path for path in found if path.is_file()), None)
+
+
+def _import(video: Path, target: Path, choices: Choices, progress: Progress) -> Row:
+    try:
+        log = log_beside(video)
+        folder = build_sequence(
+            video, target, imu_log=log, choices=choices, progress=progress
+        )
+        description = open_sequence(folder).description
+    except Cancelled:
+        raise
+    except UsageError as problem:
+        return Row(video.name, "", 2, str(problem))
+    except HapticPlayerError as problem:
+        return Row(video.name, "", 1, str(problem))
+    clock, made_of = description["clock_map"], description["provenance"]
+    method = made_of["synchronisation"]["method"]
+    text = (
+        f"{description['clip']['duration_s']:.1f} s at {made_of['imu_rate_hz']:.0f} Hz, "
+        f"offset {clock['offset_s']:.3f} s by {method} "
+        f"(confidence {clock['confidence']:.2f}), {len(made_of['notes'])} notes"
+    )
+    return Row(video.name, str(folder), 0, text)
+
+
+def _say(rows: list[Row]) -> None:
+    words = ("done", "refused", "to be decided")
+    width = max(len(row.video) for row in rows)
+    for row in rows:
+        say(f"{row.video:<{width}}  {words[row.status]:<13}  {row.text}")
+    counts = [sum(row.status == status for row in rows) for status in (0, 1, 2)]
+    named = zip(counts, words, strict=True)
+    say(f"{len(rows)} videos: " + ", ".join(f"{n} {word}" for n, word in named))

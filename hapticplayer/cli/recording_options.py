@@ -1,0 +1,206 @@
+"""What `import`, `sync` and `process` share: options, and a synchronisation in words."""
+
+import argparse
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from hapticplayer.capture.choices import LogChoices, parse_choices, write_template
+from hapticplayer.capture.mounting import MOUNTINGS, mounting_axes
+from hapticplayer.capture.sync.methods import AUTO, SYNC_METHODS
+from hapticplayer.cli.common import number, positive
+from hapticplayer.errors import UsageError
+from hapticplayer.motion import METHODS
+from hapticplayer.motion.methods import DEFAULT_METHOD
+from hapticplayer.sequence import files
+from hapticplayer.sequence.processing import Processing
+from hapticplayer.sequence.synchronizing import SyncChoices, checked_skew, stored_skews
+
+PLOT_FORMATS = (".png", ".svg")
+
+
+def add_reading(command: argparse.ArgumentParser) -> None:
+    """Add what decides how a log is read."""
+    command.add_argument(
+        "--read-as",
+        action="append",
+        default=[],
+        metavar="KEY=VALUE",
+        help="decide what a log does not say, such as axes=x,-z,y or force-unit=g or "
+        "template=FILE; the question names the key",
+    )
+    command.add_argument(
+        "--save-template",
+        metavar="FILE",
+        help="keep these decisions for other logs of the same logger",
+    )
+
+
+def add_mounting(command: argparse.ArgumentParser) -> None:
+    """Add how the recorder was mounted."""
+    command.add_argument(
+        "--mounting",
+        metavar="HOW",
+        help="how the camera or logger sat on the actor, who looks to the front: "
+        f"{', '.join(MOUNTINGS)}, or right, front and up of the actor in the "
+        "recorder's axes, such as --mounting=-x,y,-z (default: forward, and gravity has "
+        "to agree)",
+    )
+
+
+def add_sync(command: argparse.ArgumentParser, method: str) -> None:
+    """Add what decides on the synchronisation; `method` names the option."""
+    group = command.add_argument_group("synchronisation")
+    group.add_argument(
+        method,
+        dest="sync_method",
+        choices=[method.name for method in SYNC_METHODS],
+        default=AUTO,
+        help="; ".join(f"{method.name}: {method.text}" for method in SYNC_METHODS)
+        + f" (default: {AUTO})",
+    )
+    group.add_argument(
+        "--offset",
+        type=number,
+        metavar="S",
+        help="media time at which the log's clock reads zero",
+    )
+    group.add_argument(
+        "--camera",
+        metavar="NAME",
+        help="take off the skew that is stored for it (default: "
+        "the camera that the clip names)",
+    )
+    group.add_argument(
+        "--skew",
+        type=number,
+        metavar="S",
+        help="how much later than its picture the camera's sound comes",
+    )
+
+
+def add_processing(command: argparse.ArgumentParser) -> None:
+    """Add how the samples are conditioned and gravity is removed."""
+    group = command.add_argument_group("motion")
+    group.add_argument(
+        "--method",
+        choices=METHODS,
+        help=f"of gravity removal (default {DEFAULT_METHOD})",
+    )
+    group.add_argument(
+        "--time-constant",
+        type=positive,
+        metavar="S",
+        help="of the smoother: accelerations that last much longer count as gravity "
+        "(default: from how fast the recording moves)",
+    )
+    group.add_argument(
+        "--remove-spikes", action="store_true", help="replace isolated spikes"
+    )
+    group.add_argument(
+        "--repair-clipping",
+        action="store_true",
+        help="reconstruct short peaks beyond the sensor's range",
+    )
+    group.add_argument(
+        "--average", type=positive, metavar="HZ", help="average the samples first"
+    )
+    group.add_argument(
+        "--lowpass",
+        type=positive,
+        metavar="HZ",
+        help="low-pass the motion, zero phase",
+    )
+    group.add_argument(
+        "--no-cache",
+        action="store_true",
+        help="without effect: results are no longer cached (kept for scripts)",
+    )
+
+
+def chosen_mounting(options: argparse.Namespace) -> str:
+    """Return the axes of the mounting that was named, or ""."""
+    return "" if options.mounting is None else mounting_axes(options.mounting)
+
+
+def chosen_log(options: argparse.Namespace) -> LogChoices:
+    """Return what the options decide about a log, kept as a template if wanted."""
+    choices = parse_choices(options.read_as)
+    if options.save_template is not None:
+        write_template(Path(options.save_template), choices)
+    return choices
+
+
+def chosen_sync(options: argparse.Namespace) -> SyncChoices:
+    """Return what the options say about the clocks."""
+    late_s = options.skew
+    if late_s is None and options.camera is not None:
+        skews = stored_skews()
+        if options.camera not in skews:
+            known = ", ".join(sorted(skews)) or "none"
+            raise UsageError(
+                f"no skew is stored for the camera {options.camera!r} (stored: {known})"
+                "; store one with sync --camera NAME --skew S --store-skew"
+            )
+        late_s = skews[options.camera]
+    return SyncChoices(
+        method=options.sync_method,
+        offset_s=options.offset,
+        sound_late_s=None if late_s is None else checked_skew(late_s),
+    )
+
+
+def chosen_processing(options: argparse.Namespace) -> Processing:
+    """Return what the options say about the motion."""
+    method = {} if options.method is None else {"method": options.method}
+    return Processing(
+        **method,
+        time_constant_s=options.time_constant,
+        remove_spikes=options.remove_spikes,
+        repair_clipping=options.repair_clipping,
+        average_hz=options.average,
+        lowpass_hz=options.lowpass,
+    )
+
+
+def plot_target(options: argparse.Namespace) -> Path | None:
+    """Return the file to draw, checked before the long work begins."""
+    if options.plot is None:
+        return None
+    target = Path(options.plot)
+    if target.suffix.lower() not in PLOT_FORMATS:
+        raise UsageError(
+            f"--plot {target.name} must end in {' or '.join(PLOT_FORMATS)}"
+        )
+    files.refuse_existing(target, "file")
+    return target
+
+
+def sync_text(found: Mapping[str, Any]) -> str:
+    """Return the sentences on what `Synchronisation.described` holds."""
+    first = (
+        f"offset {found['offset_s']:.3f} s by {found['method']}, "
+        f"confidence {found['confidence']:.2f}, "
+        f"residual {1e3 * found['residual_s']:.1f} ms"
+    )
+    if found["drift_is_fitted"]:
+        first += f", drift {found['drift_ppm']:+.1f} ppm"
+    if found["sound_late_s"]:
+        skew_ms = 1e3 * found["sound_late_s"]
+        first += f", {skew_ms:.0f} ms of the camera's skew taken off"
+    lines = [first]
+    for count, pat in enumerate(found["pats"], start=1):
+        lines.append(
+            f"  pat {count}: heard at {pat['heard_s']:.3f} s, felt at "
+            f"{pat['felt_s']:.3f} s of the log; events so strong are "
+            f"{rarity_text(pat['heard_rarity_hz'])} in the sound, "
+            f"{rarity_text(pat['felt_rarity_hz'])} in the log"
+        )
+    return "\n".join(lines)
+
+
+def rarity_text(rarity_hz: float) -> str:
+    """Return how often events so strong occur."""
+    if rarity_hz < 1 / 60:
+        return "less than one a minute"
+    return f"{60 * rarity_hz:.0f} a minute"
