@@ -21,7 +21,6 @@ from hapticplayer.capture.choices import (
     factor,
 )
 from hapticplayer.capture.formats import Confidence, Reader
-from hapticplayer.capture.limits import CONSTANT_MPS2
 from hapticplayer.capture.mounting import axes_matrix
 from hapticplayer.capture.recording import Recording
 from hapticplayer.capture.source import Source
@@ -238,7 +237,9 @@ def clean(
 
 def _is_constant(time_s: Floats, force: Reals, rate: Reals) -> bool:
     """Whether times are in order and every sample is like the first, about 1 g."""
-    low, high = CONSTANT_MPS2
+    from hapticplayer.motion.repair.units import PLAUSIBLE_NORM_MPS2
+
+    low, high = PLAUSIBLE_NORM_MPS2
     return bool(
         len(time_s) > 1
         and (force[:2] == force[0]).all()  # nearly always settles it

@@ -52,12 +52,6 @@ TIME_LIMIT_S = 60.0
 MAX_ACCELERATION_MPS2 = 500.0
 """No hand-held sensor measures 50 g; GoPro's range is 16 g."""
 
-CONSTANT_MPS2 = (4.0, 40.0)
-"""Norm of a log without any noise that is taken for one at rest."""
-
-MEDIAN_MPS2 = (4.0, 25.0)
-"""Median norm of a log in SI: 1 g at rest, up to 2 g in a rough ride."""
-
 REST_MPS2 = (8.5, 11.0)
 """Norm at rest; cheap accelerometers are up to 10 % off."""
 
@@ -83,9 +77,6 @@ MAX_SI_RATE_RADPS = 40.0
 
 MAX_USUAL_RATE_RADPS = 35.0
 """Sensors end at 2000 deg/s; no hand turns faster for long."""
-
-MIN_RATE_HZ = 5.0
-"""Slower than this is no motion log; mostly it is time in milliseconds."""
 
 GAP_STEPS = 3.0
 """A step of more than this many samples is a gap."""

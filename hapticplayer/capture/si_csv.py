@@ -31,14 +31,11 @@ from hapticplayer.capture.limits import (
     MAX_ANGULAR_RATE_RADPS,
     MAX_FORCE_N,
     MAX_SI_RATE_RADPS,
-    MEDIAN_MPS2,
-    MIN_RATE_HZ,
 )
 from hapticplayer.capture.recording import Recording, gap_notes
 from hapticplayer.capture.source import Source, open_file
 from hapticplayer.errors import InputError, Message
 from hapticplayer.model import (
-    STANDARD_GRAVITY_MPS2,
     ClockMap,
     ForceTrack,
     ImuLog,
@@ -72,9 +69,8 @@ def read(source: Source, _choices: LogChoices) -> Recording:
     """
     numbers = _read_strict(source, LOG_COLUMNS, FIELD_COLUMNS)
     where, values = str(source.path), numbers.values
-    _check_force_unit(values[:, 1:4], where)
-    _check_rate_unit(values[:, 4:7], where)
-    _check_time_unit(values[:, 0], where)
+    _check_force(values[:, 1:4], where)
+    _check_rate(values[:, 4:7], where)
     try:
         imu, repairs = clean(
             values[:, 0],
@@ -271,58 +267,7 @@ def _check_order(numbers: Numbers, where: str) -> None:
     )
 
 
-def _check_force_unit(force: Floats, where: str) -> None:
-    force = force[np.isfinite(force).all(axis=1)]
-    if not len(force):
-        return
-    norm = float(np.median(np.linalg.norm(force, axis=1)))
-    low, high = MEDIAN_MPS2
-    largest = float(np.abs(force).max())
-    if low <= norm <= high and largest <= MAX_ACCELERATION_MPS2:
-        return
-    what = Message("the median of |(ax, ay, az)| is {norm:.3g} m/s2", norm=norm)
-    if low <= norm <= high:
-        what = Message(
-            "holds an acceleration of {largest:.3g} m/s2, beyond any sensor",
-            largest=largest,
-        )
-    raise InputError(what, where=where, remedy=_unit_remedy(norm))
-
-
-def _unit_remedy(norm: float) -> str:
-    low, high = MEDIAN_MPS2
-    gravity = STANDARD_GRAVITY_MPS2
-    if low / gravity <= norm <= high / gravity:
-        return Message("it looks like g: multiply ax, ay, az by 9.80665")
-    if low <= norm * gravity / 1000.0 <= high:
-        return Message("it looks like milli-g: multiply ax, ay, az by 0.00980665")
-    if norm < low / gravity:
-        return Message(
-            "gravity seems to be removed already: export the acceleration with gravity"
-        )
-    return Message("give the specific force in m/s2, about 9.8 at rest")
-
-
-def _check_time_unit(time_s: Floats, where: str) -> None:
-    steps = np.diff(time_s[np.isfinite(time_s)])
-    steps = steps[steps > 0.0]  # repeated and missing times are repaired later
-    rate_hz = 1.0 / float(np.median(steps)) if len(steps) else MIN_RATE_HZ
-    if rate_hz >= MIN_RATE_HZ:
-        return
-    is_milliseconds = 1000.0 * rate_hz >= MIN_RATE_HZ
-    raise InputError(
-        "time_s runs at {rate_hz:.3g} samples a second",
-        where=where,
-        remedy=Message("it looks like milliseconds: divide time_s by 1000")
-        if is_milliseconds
-        else Message(
-            "give at least {least_hz:g} samples a second", least_hz=MIN_RATE_HZ
-        ),
-        rate_hz=rate_hz,
-    )
-
-
-def _check_rate_unit(rate: Floats, where: str) -> None:
+def _check_rate(rate: Floats, where: str) -> None:
     largest = float(np.abs(rate).max(initial=0.0, where=np.isfinite(rate)))
     if largest <= MAX_SI_RATE_RADPS:
         return
@@ -335,3 +280,17 @@ def _check_rate_unit(rate: Floats, where: str) -> None:
         remedy=remedy,
         largest=largest,
     )
+
+
+def _check_force(force: Floats, where: str) -> None:
+    """Refuse an outlier beyond any sensor, in a log whose other samples are none."""
+    size = np.linalg.norm(force[np.isfinite(force).all(axis=1)], axis=1)
+    if not len(size) or size.max() <= MAX_ACCELERATION_MPS2:
+        return
+    if np.median(size) <= MAX_ACCELERATION_MPS2:
+        raise InputError(
+            "holds an acceleration of {largest:.3g} m/s2, beyond any sensor",
+            where=where,
+            remedy="give the specific force in m/s2, about 9.8 at rest",
+            largest=size.max(),
+        )

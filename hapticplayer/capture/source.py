@@ -12,9 +12,10 @@ import re
 import struct
 import zipfile
 import zlib
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from contextlib import AbstractContextManager
 from pathlib import Path, PurePosixPath
-from typing import BinaryIO, Protocol, cast
+from typing import BinaryIO, NamedTuple, cast
 
 from hapticplayer.capture.limits import (
     MAX_CSV_BYTES,
@@ -28,7 +29,7 @@ HEAD_BYTES = 4096
 ZIP_MAGIC = b"PK\x03\x04"
 
 _NO_TEXT = frozenset(
-    (
+    [
         ".jpg",
         ".jpeg",
         ".png",
@@ -40,7 +41,7 @@ _NO_TEXT = frozenset(
         ".mp3",
         ".npz",
         ".zip",
-    )
+    ]
 )
 _ZIP_ERRORS = (
     zipfile.BadZipFile,
@@ -54,20 +55,11 @@ _ZIP_ERRORS = (
 )
 
 
-class _Members(Protocol):
-    """Where the members of a source are kept."""
+class _Member(NamedTuple):
+    """A file of a source: the size that is claimed for it, and how to open it."""
 
-    def names(self) -> tuple[str, ...]:
-        """Return their names relative to the source, with forward slashes."""
-        ...
-
-    def size_bytes(self, name: str, /) -> int:
-        """Return the size that is claimed for one."""
-        ...
-
-    def opened(self, name: str, /) -> contextlib.AbstractContextManager[BinaryIO]:
-        """Open one for reading."""
-        ...
+    size_bytes: int
+    open: Callable[[], AbstractContextManager[BinaryIO]]
 
 
 class Source:
@@ -81,13 +73,13 @@ class Source:
         is_binary: one file that is no text: a video, or raw telemetry.
     """
 
-    def __init__(self, path: Path, members: _Members) -> None:
-        self.path = path
-        self.names = members.names()
-        self.is_one_file = isinstance(members, _File)
+    def __init__(
+        self, path: Path, members: dict[str, _Member], *, is_one_file: bool = False
+    ) -> None:
+        self.path, self.names, self.is_one_file = path, tuple(members), is_one_file
         self._members = members
         self.beginning = functools.cache(self._beginning)
-        self.is_binary = self.is_one_file and not is_text(self.beginning(path.name))
+        self.is_binary = is_one_file and not is_text(self.beginning(path.name))
 
     def where(self, name: str) -> str:
         """Return how a message calls a member."""
@@ -118,7 +110,7 @@ class Source:
         Raises:
             InputError: when it is too large or cannot be read.
         """
-        if self._members.size_bytes(name) > MAX_CSV_BYTES:
+        if self._members[name].size_bytes > MAX_CSV_BYTES:
             raise _too_large(self.where(name))
         with self._readable(name) as stream:
             yield cast(BinaryIO, _Bounded(stream, self.where(name)))
@@ -126,7 +118,7 @@ class Source:
     @contextlib.contextmanager
     def _readable(self, name: str) -> Iterator[BinaryIO]:
         try:
-            with self._members.opened(name) as stream:
+            with self._members[name].open() as stream:
                 yield stream
         except InputError:
             raise
@@ -165,68 +157,34 @@ class _Bounded(io.RawIOBase):
         return content
 
 
-class _File:
-    def __init__(self, path: Path) -> None:
-        self._path = path
-
-    def names(self) -> tuple[str, ...]:
-        return (self._path.name,)
-
-    def size_bytes(self, _name: str) -> int:
-        return self._path.stat().st_size
-
-    def opened(self, _name: str) -> contextlib.AbstractContextManager[BinaryIO]:
-        return self._path.open("rb")
-
-
-class _Folder:
+def _folder_members(folder: Path) -> dict[str, _Member]:
     """Text files below a folder; links and anything special are passed over."""
-
-    def __init__(self, path: Path) -> None:
-        self._path = path
-        self._files = {
-            file.relative_to(path).as_posix(): file
-            for file in sorted(_walk(path, MAX_FOLDER_DEPTH))
-        }
-
-    def names(self) -> tuple[str, ...]:
-        return tuple(self._files)
-
-    def size_bytes(self, name: str) -> int:
-        return self._files[name].stat().st_size
-
-    def opened(self, name: str) -> contextlib.AbstractContextManager[BinaryIO]:
-        return self._files[name].open("rb")
+    files = sorted(_walk(folder, MAX_FOLDER_DEPTH))
+    return {file.relative_to(folder).as_posix(): _file_member(file) for file in files}
 
 
-class _Zip:
-    def __init__(self, path: Path) -> None:
-        self._path = path
-        with zipfile.ZipFile(path) as archive:
-            infos = archive.infolist()
-        if len(infos) > MAX_MEMBERS:
-            raise _too_many(path)
-        for info in infos:
-            _refuse_escape(info.filename, path)
-        self._infos = {
-            info.filename: info
-            for info in sorted(infos, key=lambda info: info.filename)
-            if not info.is_dir() and info.file_size and is_wanted(info.filename)
-        }
+def _file_member(file: Path) -> _Member:
+    return _Member(file.stat().st_size, lambda: file.open("rb"))
 
-    def names(self) -> tuple[str, ...]:
-        return tuple(self._infos)
 
-    def size_bytes(self, name: str) -> int:
-        return self._infos[name].file_size
+def _zip_members(path: Path) -> dict[str, _Member]:
+    with zipfile.ZipFile(path) as archive:
+        infos = archive.infolist()
+    if len(infos) > MAX_MEMBERS:
+        raise _too_many(path)
+    for info in infos:
+        _refuse_escape(info.filename, path)
+    return {
+        info.filename: _Member(info.file_size, functools.partial(_unzipped, path, info))
+        for info in sorted(infos, key=lambda info: info.filename)
+        if not info.is_dir() and info.file_size and is_wanted(info.filename)
+    }
 
-    @contextlib.contextmanager
-    def opened(self, name: str) -> Iterator[BinaryIO]:
-        with (
-            zipfile.ZipFile(self._path) as archive,
-            archive.open(self._infos[name]) as stream,
-        ):
-            yield cast(BinaryIO, stream)
+
+@contextlib.contextmanager
+def _unzipped(path: Path, info: zipfile.ZipInfo) -> Iterator[BinaryIO]:
+    with zipfile.ZipFile(path) as archive, archive.open(info) as stream:
+        yield cast(BinaryIO, stream)
 
 
 def open_source(path: str | os.PathLike[str]) -> Source:
@@ -237,12 +195,12 @@ def open_source(path: str | os.PathLike[str]) -> Source:
     """
     folder = Path(path)
     if folder.is_dir():
-        return Source(folder.resolve(), _Folder(folder.resolve()))
+        return Source(folder.resolve(), _folder_members(folder.resolve()))
     found = open_file(path)
     if not found.beginning(found.names[0]).startswith(ZIP_MAGIC):
         return found
     try:
-        return Source(found.path, _Zip(found.path))
+        return Source(found.path, _zip_members(found.path))
     except InputError:
         raise
     except _ZIP_ERRORS as error:
@@ -261,7 +219,7 @@ def open_file(path: str | os.PathLike[str]) -> Source:
         InputError: when it is no file, or cannot be read.
     """
     file = resolve_regular(path, InputError)
-    return Source(file, _File(file))
+    return Source(file, {file.name: _file_member(file)}, is_one_file=True)
 
 
 def is_text(content: bytes) -> bool:

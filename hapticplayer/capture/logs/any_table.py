@@ -20,7 +20,6 @@ from hapticplayer.capture.choices import (
 )
 from hapticplayer.capture.csv_table import Shape, read_table
 from hapticplayer.capture.formats import Confidence
-from hapticplayer.capture.limits import MIN_RATE_HZ
 from hapticplayer.capture.source import Source
 from hapticplayer.capture.streams import RawLog, Stream
 from hapticplayer.errors import Message, UsageError, joined
@@ -169,9 +168,10 @@ def _ask_units(choices: LogChoices, columns: tuple[str, ...], where: str) -> Non
 def _times(
     values: Floats, place: dict[str, int], choices: LogChoices, unit: str
 ) -> Floats:
-    rate_hz = choices.sample_rate_hz
     if _TIME not in place:
-        return np.arange(len(values)) / (rate_hz or MIN_RATE_HZ)
+        rate_hz = choices.sample_rate_hz
+        assert rate_hz is not None  # checked by _columns
+        return np.arange(len(values)) / rate_hz
     with np.errstate(all="ignore"):
         time_s = values[:, place[_TIME]] * factor(unit, TIME_UNITS, "time-unit")
     return np.asarray(time_s)

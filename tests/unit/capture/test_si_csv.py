@@ -89,6 +89,20 @@ def changed(number: int, line: str) -> list[str]:
     return lines
 
 
+def noisy_lines(
+    count: int = 200, *, scale: float = 1.0, step_s: float = 0.01
+) -> list[str]:
+    """A log at rest; its specific force times a factor, with other time steps."""
+    noise = 0.02 * np.random.default_rng(4).standard_normal((count, 6))
+    rows = noise + np.array([0.1, 0.2, 9.8, 0.0, 0.0, 0.0])
+    rows[:, :3] *= scale
+    cells = (
+        f"{k * step_s:.6g}," + ",".join(f"{v:.6f}" for v in rows[k])
+        for k in range(count)
+    )
+    return [HEADER, *cells]
+
+
 FAULTS = {
     "word": (changed(9, "0.07,0,0,9.8,0,zero,0"), "line 9, column gy: 'zero'"),
     "word beside an empty cell": (
@@ -126,22 +140,11 @@ FAULTS = {
     ),
     "names": (["time,ax,ay,az,gx,gy,gz", *log_lines()[1:]], "the header is 'time,ax"),
     "half a field": ([HEADER + ",mx", *log_lines()[1:]], "the header is"),
-    "in g": (
-        [HEADER, *(f"{t},0,0,1,0,0,0" for t in range(9))],
-        "looks like g: multiply ax, ay, az by 9.80665",
-    ),
-    "in milli-g": (
-        [HEADER, *(f"{t},0,0,1000,0,0,0" for t in range(9))],
-        "looks like milli-g",
-    ),
-    "without gravity": (
-        [HEADER, *(f"{t},0.01,0,0,0,0,0" for t in range(9))],
-        "gravity seems to be removed",
-    ),
-    "in counts": (
-        [HEADER, *(f"{t},0,0,250,0,0,0" for t in range(9))],
-        "give the specific force in m/s2",
-    ),
+    "in g": (noisy_lines(scale=1 / 9.80665), "in g: multiply it by 9.80665"),
+    "in milli-g": (noisy_lines(scale=1000 / 9.80665), "in milli-g: multiply"),
+    "without gravity": (noisy_lines(scale=1e-3), "gravity seems to be removed"),
+    "in counts": (noisy_lines(scale=26.0), "give the specific force in m/s"),
+    "in milliseconds": (noisy_lines(step_s=10.0), "divide time_s by 1000"),
     "one huge value": (
         changed(9, "0.07,0,0,1e30,0,0,0"),
         "acceleration of 1e\\+30 m/s2, beyond any sensor",
@@ -159,15 +162,6 @@ def test_fault_is_named_with_its_place_and_a_remedy(tmp_path: Path, name: str) -
     assert "log.csv" in str(caught.value)
     assert "; " in str(caught.value)
     assert "\n" not in str(caught.value)
-
-
-def noisy_lines(count: int = 200) -> list[str]:
-    noise = 0.02 * np.random.default_rng(4).standard_normal((count, 6))
-    rows = noise + np.array([0.1, 0.2, 9.8, 0.0, 0.0, 0.0])
-    cells = (
-        f"{k / 100}," + ",".join(f"{v:.6f}" for v in rows[k]) for k in range(count)
-    )
-    return [HEADER, *cells]
 
 
 def with_cell(line: str, column: int, cell: str) -> str:
