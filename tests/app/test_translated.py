@@ -1,11 +1,12 @@
 """What the engine says is shown in the language of the window."""
 
-import errno
 import os
 import re
 import xml.etree.ElementTree as ET
+from typing import ClassVar
 
 import pytest
+from PySide6.QtCore import QTranslator
 
 from app.bridge import languages
 from app.bridge.languages import translated
@@ -54,37 +55,39 @@ def test_french_signs_stay_with_their_word():
     assert [text for text in texts if re.search(r" [;:!?\u00bb]|\u00ab ", text)] == []
 
 
-def test_values_that_are_messages_are_translated_too(spoken):
-    place = Message("{file}, line {line}", file="/you and me: or not/log.csv", line=3)
+class Backwards(QTranslator):
+    """Knows some texts, in a language of its own."""
+
+    KNOWN: ClassVar = {
+        "{text!r} is odd": "odd is {text!r}",
+        "{file}, line {line}": "line {line} of {file}",
+        "{where}: {what}": "{what}; {where}",
+        "{what}; {remedy}": "{remedy}: {what}",
+        "mend it": "it mend",
+        "No such file or directory": "no file",
+    }
+
+    def translate(self, context, text, *_more):
+        return self.KNOWN.get(text, "") if context == languages.ENGINE else ""
+
+
+def test_values_that_are_messages_are_translated_too(application):
     problem = InputError(
-        "{text!r} is not a {kind}",
-        where=Message("{line}, column {column}", line=place, column="ax"),
-        remedy="remove the line or correct the number",
+        "{text!r} is odd",
+        where=Message("{file}, line {line}", file="/you: {0}", line=3),
+        remedy="mend it",
         text="{x}",
-        kind=Message("finite number"),
     )
+    missing = InputError("new: {reason}", reason=FileNotFoundError(2, os.strerror(2)))
     assert translated(message_of(problem)) == str(problem)
-    spoken("de")
-    assert translated(message_of(problem)) == (
-        "/you and me: or not/log.csv, Zeile 3, Spalte ax: '{x}' ist nicht wie verlangt: "
-        "endliche Zahl; entfernen Sie die Zeile, oder berichtigen Sie die Zahl"
-    )
-    spoken("fr")
-    missing = InputError("is missing", where="a or b.csv", remedy="copy it again")
-    assert translated(message_of(missing)) == (
-        "a or b.csv\u00a0: manque\u00a0; copiez-le encore une fois"
-    )
-
-
-def test_what_the_system_says_is_translated_within(spoken):
-    spoken("de")
-    problem = InputError(
-        "cannot be read ({reason})",
-        reason=FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT)),
-    )
-    assert translated(message_of(problem)) == (
-        "kann nicht gelesen werden (Datei oder Ordner gibt es nicht)"
-    )
+    translator = Backwards()
+    application.installTranslator(translator)
+    try:
+        said = translated(message_of(problem))
+        assert said == "it mend: odd is '{x}'; line 3 of /you: {0}"
+        assert translated(message_of(missing)) == "new: no file"
+    finally:
+        application.removeTranslator(translator)
 
 
 @pytest.mark.parametrize("code", FOREIGN)
