@@ -12,10 +12,9 @@ from hapticplayer.cli.common import add_device_name, complain, say, say_aside
 from hapticplayer.clock import SystemClock
 from hapticplayer.errors import StudyError, UsageError
 from hapticplayer.interchange.study_export import FORMATS, export_study
-from hapticplayer.study.answers import collect_answers
+from hapticplayer.study.answers import collect_answers, keep_reviewed, text_digest
 from hapticplayer.study.creation import create_study, sequence_folder
 from hapticplayer.study.merging import merge_sessions
-from hapticplayer.study.reviews import keep_reviewed, text_digest
 from hapticplayer.study.session_folder import State, StoredSession
 from hapticplayer.study.steps import answered_trials
 from hapticplayer.study.study_folder import (
@@ -212,7 +211,7 @@ def _session(session: StoredSession) -> dict[str, Any]:
         "created_utc": session.plan.created_utc,
         "state": session.state.value,
         "answered": len(last),
-        "planned": len(session.plan.assignment.conditions),
+        "planned": len(session.plan.order),
         "not_sound": sum(not trial.sound for trial in last.values()),
         "resumed": sum(r.kind == "resume" for r in session.records.intact),
         "damaged": len(session.records.damaged),

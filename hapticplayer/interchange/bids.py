@@ -96,7 +96,7 @@ def _readme(definition: Definition) -> bytes:
         "device: x right, y up, z towards the participant; force_x to force_z is the "
         "force that was sent (type MISC, for BIDS has none for force), media the "
         "position in the clip.\n\n"
-        f"{definition.texts['retention'][language]}\n"
+        f"{definition.texts.retention[language]}\n"
     )
     return text.encode()
 
@@ -144,7 +144,7 @@ def _task(definition: Definition) -> dict[str, Any]:
         "TaskName": TASK,
         "TaskDescription": "watching clips with a haptic device in the hand, and "
         "answering questions after each",
-        "Instructions": definition.texts["consent"][language],
+        "Instructions": definition.texts.consent[language],
     }
 
 

@@ -6,7 +6,7 @@ from typing import Any
 from hapticplayer.clock import Clock
 from hapticplayer.study.definition import Condition
 from hapticplayer.study.journal import Journal
-from hapticplayer.study.plan import describe_condition
+from hapticplayer.study.plan import describe
 from hapticplayer.study.session_folder import ANSWERS
 from hapticplayer.study.steps import SHEET, trial_step
 from hapticplayer.study.study_folder import Study, begin_session
@@ -40,7 +40,7 @@ def write_scripted_session(
     try:
         journal.append("begin", scripted=dict(origin))
         journal.append("answers", step=SHEET, values=dict(sheet))
-        for number, condition in enumerate(session.plan.assignment.conditions):
+        for number, condition in enumerate(session.plan.order):
             _write_trial(journal, number + 1, condition, rate(condition))
         journal.append("end", complete=True, reason="")
     finally:
@@ -51,7 +51,7 @@ def write_scripted_session(
 def _write_trial(
     journal: Journal, position: int, condition: Condition, values: Values | None
 ) -> None:
-    step, described = trial_step(position), describe_condition(condition)
+    step, described = trial_step(position), describe(condition)
     if values is None:
         journal.append("skip", step=step, reason="scripted")
         return

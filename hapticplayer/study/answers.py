@@ -1,11 +1,14 @@
 """What participants answered, as values: all that an analysis needs to know."""
 
-from collections.abc import Iterator
+import hashlib
+import json
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from hapticplayer.errors import Message
+from hapticplayer.errors import Message, StudyError
+from hapticplayer.study import json_files, private
 from hapticplayer.study.definition import (
     LIKERT,
     Condition,
@@ -13,12 +16,12 @@ from hapticplayer.study.definition import (
     QuestionKind,
     TrialKind,
 )
-from hapticplayer.study.reviews import read_reviewed, text_digest
 from hapticplayer.study.session_folder import State, StoredSession
 from hapticplayer.study.steps import AnsweredTrial, answered_trials, page_values
 from hapticplayer.study.study_folder import Study, open_study
 
 SHEET, POST_TEST = "sheet", "post-test"
+REVIEWED = "reviewed.json"
 
 
 @dataclass(frozen=True, slots=True)
@@ -287,3 +290,31 @@ def _of_type(value: Any, kind: Any) -> Any:
     """Return a value if it is what it should be, for files can be edited."""
     is_right = isinstance(value, kind) and isinstance(value, bool) == (kind is bool)
     return value if is_right else None
+
+
+def text_digest(code: str, name: str, text: str) -> str:
+    """Return what stands for one text: another text has to be read anew."""
+    return hashlib.sha256(f"{code}\n{name}\n{text}".encode()).hexdigest()
+
+
+def read_reviewed(session_folder: Path) -> set[str]:
+    """Return the digests of the texts that were let pass; none where it is damaged."""
+    path = session_folder / REVIEWED
+    if not path.exists():
+        return set()
+    try:
+        content = json_files.parse(json_files.read_file(path), str(path))
+        return json_files.convert(content, dict[str, set[str]], str(path))["passed"]
+    except (StudyError, KeyError):
+        return set()  # the safe side: they are read once more
+
+
+def keep_reviewed(session_folder: Path, digests: Iterable[str]) -> None:
+    """Remember that a person let these texts pass.
+
+    Raises:
+        StudyError: when it cannot be written.
+    """
+    passed = sorted(read_reviewed(session_folder) | set(digests))
+    content = json.dumps({"passed": passed}, indent=1) + "\n"
+    private.replace(session_folder / REVIEWED, content.encode())

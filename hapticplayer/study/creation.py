@@ -8,8 +8,8 @@ from typing import Any
 
 from hapticplayer.errors import StudyError, UsageError
 from hapticplayer.study import private
-from hapticplayer.study.codes import LETTERS
 from hapticplayer.study.definition_reader import DEFINITION, parse_definition
+from hapticplayer.study.plan import LETTERS
 from hapticplayer.study.session_folder import sha256
 from hapticplayer.study.study_folder import Study, open_study
 

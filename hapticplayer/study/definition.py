@@ -1,16 +1,32 @@
-"""What a study is, as values: all that `study.json` says."""
+"""What a study is, as values: all that `study.json` says, and what is allowed there."""
 
 import enum
-from collections.abc import Mapping
-from dataclasses import dataclass, field
 from itertools import product
+from typing import Annotated, Literal, TypeVar
+
+from msgspec import Meta, Struct
+
+from hapticplayer.study.json_files import FILLED, KEY, MAX_ITEMS, MAX_TEXT
 
 SCHEMA = "hapticplayer.study"
 VERSION = 1
 LIKERT = (1, 2, 3, 4, 5)
+MAX_CONDITIONS = 400
+MAX_ANSWER = 4000
+_MAX_NUMBER = 1_000_000
 
-Text = Mapping[str, str]
+Item = TypeVar("Item")
+Key = Annotated[str, Meta(pattern=KEY)]
+"""A short name that is safe in files and tables."""
+Line = Annotated[str, Meta(pattern=FILLED, max_length=MAX_TEXT)]
+Text = dict[str, Line]
 """A text in each language of the study."""
+Several = Annotated[tuple[Item, ...], Meta(max_length=MAX_ITEMS)]
+Some = Annotated[tuple[Item, ...], Meta(min_length=1, max_length=MAX_ITEMS)]
+Share = Annotated[float, Meta(ge=0.0, le=1.0)]
+Amount = Annotated[float, Meta(ge=0.0, le=1e6)]
+Whole = Annotated[int, Meta(ge=-_MAX_NUMBER, le=_MAX_NUMBER)]
+Seed = Annotated[int, Meta(ge=0, le=2**53)]
 
 
 class TrialKind(enum.StrEnum):
@@ -42,8 +58,11 @@ class OrderMethod(enum.StrEnum):
     """From orders.csv in the study's folder."""
 
 
-@dataclass(frozen=True, slots=True)
-class Sequence:
+class Entry(Struct, frozen=True, forbid_unknown_fields=True):
+    """An object in the file; a misspelt entry is refused."""
+
+
+class Sequence(Entry, frozen=True):
     """A sequence that is played.
 
     Attributes:
@@ -52,21 +71,19 @@ class Sequence:
         folder: relative to the study's folder, or absolute; empty while unknown.
     """
 
-    key: str
+    key: Key
     title: Text
-    folder: str
+    folder: Annotated[str, Meta(max_length=MAX_TEXT)]
 
 
-@dataclass(frozen=True, slots=True)
-class Choice:
+class Choice(Entry, frozen=True):
     """One of the answers that a question offers."""
 
-    key: str
+    key: Key
     text: Text
 
 
-@dataclass(frozen=True, slots=True)
-class Question:
+class Question(Entry, frozen=True):
     """One question.
 
     Attributes:
@@ -81,34 +98,56 @@ class Question:
         required: whether it has to be answered.
     """
 
-    key: str
+    key: Key
     kind: QuestionKind
     text: Text
     published: Text | None = None
-    least: int = 0
-    most: int = 0
-    choices: tuple[Choice, ...] = ()
+    least: Whole | None = None
+    most: Whole | None = None
+    choices: Several[Choice] = ()
     for_each_feedback: bool = False
     required: bool = True
 
+    def __post_init__(self) -> None:
+        """Refuse what does not fit its kind."""
+        if self.kind is QuestionKind.CHOICE:
+            keys = {choice.key for choice in self.choices}
+            if not 2 <= len(keys) == len(self.choices):
+                raise ValueError("'choices' needs two or more, each with its own 'key'")
+        is_bounded = self.least is not None and self.most is not None
+        if self.kind is QuestionKind.NUMBER and not (
+            is_bounded and self.lowest <= self.highest
+        ):
+            raise ValueError("needs 'least' and 'most', the smaller one first")
+        if self.kind is QuestionKind.TEXT and not 1 <= self.highest <= MAX_ANSWER:
+            raise ValueError(f"'most' must be from 1 to {MAX_ANSWER}")
 
-@dataclass(frozen=True, slots=True)
-class Level:
+    @property
+    def lowest(self) -> int:
+        """The smallest number that is accepted."""
+        return self.least or 0
+
+    @property
+    def highest(self) -> int:
+        """The largest number, or most characters, that are accepted."""
+        return MAX_ANSWER if self.most is None else self.most
+
+
+class Level(Entry, frozen=True):
     """By how much the force of a consistency trial is changed."""
 
-    delay_s: float = 0.0
-    gain: float = 1.0
+    delay_s: Annotated[float, Meta(ge=-5.0, le=5.0)] = 0.0
+    gain: Annotated[float, Meta(ge=0.0, le=10.0)] = 1.0
 
 
-@dataclass(frozen=True, slots=True)
-class Condition:
+class Condition(Entry, frozen=True):
     """What is played in one trial."""
 
-    sequence: str
-    feedback: str
-    delay_s: float = 0.0
-    gain: float = 1.0
-    repeat: int = 1
+    sequence: Key
+    feedback: Key
+    delay_s: Annotated[float, Meta(ge=-5.0, le=5.0)] = 0.0
+    gain: Annotated[float, Meta(ge=0.0, le=10.0)] = 1.0
+    repeat: Annotated[int, Meta(ge=1, le=MAX_CONDITIONS)] = 1
 
     @property
     def key(self) -> str:
@@ -119,8 +158,7 @@ class Condition:
         return made
 
 
-@dataclass(frozen=True, slots=True)
-class Order:
+class Order(Entry, frozen=True):
     """How orders are made.
 
     Attributes:
@@ -130,12 +168,11 @@ class Order:
     """
 
     method: OrderMethod
-    seed: int
+    seed: Seed
     no_sequence_twice_in_a_row: bool = False
 
 
-@dataclass(frozen=True, slots=True)
-class Limits:
+class Limits(Entry, frozen=True):
     """Beyond which a trial's playback is not sound.
 
     Attributes:
@@ -145,14 +182,13 @@ class Limits:
         silence_s: of sound that was missing.
     """
 
-    dropped_share: float = 0.02
-    sync_ms: float = 20.0
-    missed_share: float = 0.01
-    silence_s: float = 0.1
+    dropped_share: Share = 0.02
+    sync_ms: Amount = 20.0
+    missed_share: Share = 0.01
+    silence_s: Amount = 0.1
 
 
-@dataclass(frozen=True, slots=True)
-class Checks:
+class Checks(Entry, frozen=True):
     """What has to be in order before the first trial.
 
     Attributes:
@@ -164,12 +200,50 @@ class Checks:
 
     device: bool = True
     sound: bool = True
-    disk_free_mb: int = 1000
-    scheduling: tuple[str, ...] = ("fifo", "slice")
+    disk_free_mb: Annotated[int, Meta(ge=0, le=10**9)] = 1000
+    scheduling: Some[Literal["fifo", "slice", "normal"]] = ("fifo", "slice")
 
 
-@dataclass(frozen=True, slots=True)
-class Definition:
+class Scale(Entry, frozen=True):
+    """What the ends of the five-point scale say."""
+
+    lowest: Text
+    highest: Text
+
+
+class PageTexts(Entry, frozen=True):
+    """What the pages say; how long data are kept."""
+
+    consent: Text
+    demonstration: Text
+    ready: Text
+    questions: Text
+    post_test: Text
+    thanks: Text
+    retention: Text
+
+
+class ButtonWords(Entry, frozen=True):
+    """What the participant's buttons and short messages say."""
+
+    agree: Text
+    decline: Text
+    next: Text
+    start: Text
+    feel: Text
+    yes: Text
+    no: Text
+    feedback: Text
+    clip: Text
+    missing: Text
+    paused: Text
+    go_on: Text
+    leave: Text
+    stopped: Text
+    problem: Text
+
+
+class Definition(Entry, frozen=True):
     """A study.
 
     Attributes:
@@ -183,39 +257,41 @@ class Definition:
         repeats: how often each consistency trial is played.
         factors: questions after a rating trial, a LIKERT each.
         consistency: the question after a consistency trial, YES_NO.
-        scale: what the ends of the five-point scale say.
+        scale: its ends.
         sheet: questions before the first trial.
         post_test: questions after the last.
-        texts: of the pages, by name.
-        words: on the participant's buttons, by name.
+        texts: of the pages.
+        words: on the participant's buttons.
         use_published: show the published wording where there is one.
         operator_is_blind: the operator's screen does not tell the condition.
         lsl: offer markers and force to other programs on the machine.
         order, limits, checks: see there.
     """
 
-    id: str
-    title: str
-    template: str
-    languages: tuple[str, ...]
+    id: Key
+    title: Line
+    template: Line
+    languages: Some[Key]
     trial: TrialKind
-    sequences: tuple[Sequence, ...]
-    feedbacks: tuple[str, ...]
-    factors: tuple[Question, ...]
-    scale: tuple[Text, Text]
-    sheet: tuple[Question, ...]
-    post_test: tuple[Question, ...]
-    texts: Mapping[str, Text]
-    words: Mapping[str, Text]
+    sequences: Some[Sequence]
+    feedbacks: Some[Key]
+    factors: Several[Question]
+    scale: Scale
+    sheet: Several[Question]
+    post_test: Several[Question]
+    texts: PageTexts
+    words: ButtonWords
     order: Order
-    levels: tuple[Level, ...] = ()
-    repeats: int = 1
+    use_published: bool
+    operator_is_blind: bool
+    limits: Limits
+    checks: Checks
+    levels: Several[Level] = ()
+    repeats: Annotated[int, Meta(ge=1, le=100)] = 1
     consistency: Question | None = None
-    use_published: bool = False
-    operator_is_blind: bool = True
     lsl: bool = False
-    limits: Limits = field(default_factory=Limits)
-    checks: Checks = field(default_factory=Checks)
+    schema: str = SCHEMA
+    version: int = VERSION
 
     @property
     def conditions(self) -> tuple[Condition, ...]:

@@ -9,9 +9,9 @@ from typing import Any
 
 from hapticplayer.clock import Clock, utc_now_iso
 from hapticplayer.errors import Message, StudyError
+from hapticplayer.study.json_files import read_file
 from hapticplayer.study.private import failed
 from hapticplayer.study.records import VERSION, Record, Records, decode, encode
-from hapticplayer.study.tree import read_file
 
 MAX_BYTES = 256 << 20
 

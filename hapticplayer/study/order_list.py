@@ -11,8 +11,8 @@ from typing import NoReturn
 
 from hapticplayer.errors import Message, StudyError
 from hapticplayer.study.definition import Condition, Definition
+from hapticplayer.study.json_files import read_file
 from hapticplayer.study.orders import first_repeat
-from hapticplayer.study.tree import read_file
 
 ORDERS = "orders.csv"
 COLUMNS = ("order", "position", "sequence", "feedback")

@@ -12,8 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hapticplayer.errors import StudyError
-from hapticplayer.study.codes import number_of
 from hapticplayer.study.definition import Condition, Definition, OrderMethod
+from hapticplayer.study.plan import number_of
 
 Row = tuple[int, ...]
 MAX_TRIES = 20_000

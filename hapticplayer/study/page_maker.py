@@ -1,6 +1,6 @@
 """Makes pages in the participant's language."""
 
-from hapticplayer.study.definition import Definition, Question
+from hapticplayer.study.definition import Definition, Question, Text
 from hapticplayer.study.pages import Page, PageKind, ask, feedback_name
 from hapticplayer.study.plan import Plan
 from hapticplayer.study.steps import POST_TEST, SHEET, position_of
@@ -30,28 +30,30 @@ class PageMaker:
                 self._definition,
                 self._questions(step),
                 self._plan.language,
-                self._plan.assignment.labels,
+                self._plan.labels,
             )
             if is_asking
             else (),
             replays=self._replays() if is_asking and step == POST_TEST else (),
             position=position_of(step) or 0,
-            count=len(self._plan.assignment.conditions),
+            count=len(self._plan.order),
             number=number,
         )
 
     def text(self, name: str) -> str:
         """Return a text in the participant's language."""
-        return self._definition.texts[name][self._plan.language]
+        text: Text = getattr(self._definition.texts, name)
+        return text[self._plan.language]
 
     def word(self, name: str) -> str:
         """Return a word of a button in the participant's language."""
-        return self._definition.words[name][self._plan.language]
+        word: Text = getattr(self._definition.words, name)
+        return word[self._plan.language]
 
     def scale(self) -> tuple[str, str]:
         """Return what the ends of the five-point scale say."""
-        lowest, highest = self._definition.scale
-        return lowest[self._plan.language], highest[self._plan.language]
+        scale, language = self._definition.scale, self._plan.language
+        return scale.lowest[language], scale.highest[language]
 
     def _text_of(self, kind: PageKind, step: str) -> str:
         if kind is PageKind.QUESTIONS:
@@ -77,5 +79,5 @@ class PageMaker:
                 feedback_name(self._definition, language, number),
                 tuple((f"{word} {clip}", f"{number}.{clip}") for clip in clips),
             )
-            for number in range(1, 1 + len(self._plan.assignment.labels))
+            for number in range(1, 1 + len(self._plan.labels))
         )

@@ -99,7 +99,7 @@ def ask(
 
 def feedback_name(definition: Definition, language: str, number: int) -> str:
     """Return what a participant knows of a feedback: a number."""
-    return f"{definition.words['feedback'][language]} {number}"
+    return f"{definition.words.feedback[language]} {number}"
 
 
 def _asked(
@@ -114,8 +114,8 @@ def _asked(
         kind=question.kind,
         text=definition.wording(question, language),
         heading=feedback_name(definition, language, number) if feedback else "",
-        least=question.least,
-        most=question.most,
+        least=question.lowest,
+        most=question.highest,
         choices=tuple((c.key, c.text[language]) for c in question.choices),
         required=question.required,
     )

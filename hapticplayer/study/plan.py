@@ -6,24 +6,26 @@ of them may be damaged without harm.
 
 import hashlib
 import json
-from collections.abc import Mapping
-from dataclasses import dataclass
-from typing import Any
+import secrets
+from collections.abc import Collection
+from typing import Annotated, Any
 
-from hapticplayer.errors import Message
-from hapticplayer.study.codes import is_code
-from hapticplayer.study.definition import Condition, OrderMethod
-from hapticplayer.study.definition_reader import MAX_CONDITIONS, MAX_DELAY_S, MAX_GAIN
-from hapticplayer.study.orders import Assignment
-from hapticplayer.study.tree import Branch, parse
+import msgspec
+from msgspec import Meta
+
+from hapticplayer.errors import Message, StudyError
+from hapticplayer.study import json_files
+from hapticplayer.study.definition import Condition, Entry, Key, OrderMethod, Seed
 
 SCHEMA = "hapticplayer.session"
 VERSION = 1
+# without vowels (no words) and without what looks alike
+LETTERS = "CDFGHJKMNPQRTVWXY34679"
+LENGTH = 6
 
 
-@dataclass(frozen=True, slots=True)
-class Plan:
-    """One participant's session as planned.
+class Plan(Entry, frozen=True, kw_only=True):
+    """One participant's session as planned, as `session.json` holds it.
 
     Attributes:
         code: of the participant.
@@ -32,135 +34,111 @@ class Plan:
         program: name and version.
         created_utc: ISO 8601.
         language: of the pages.
-        assignment: the order.
+        method, seed, row: how the order was made, see `orders.Assignment`.
+        order: conditions as they are played.
+        labels: feedbacks in the order in which they are called 1, 2, ...
         clips: SHA-256 of each sequence's description, which holds those of its files.
     """
 
+    schema: str = SCHEMA
+    version: int = VERSION
     code: str
-    study: str
+    study: Key
     definition_sha256: str
     program: str
     created_utc: str
-    language: str
-    assignment: Assignment
-    clips: Mapping[str, str]
+    language: Key
+    method: OrderMethod
+    seed: Seed
+    row: Annotated[int, Meta(ge=0, le=10**6)] | None
+    order: tuple[Condition, ...]
+    labels: tuple[Key, ...]
+    clips: dict[str, str]
+
+    def __post_init__(self) -> None:
+        """Refuse another code than the program makes."""
+        if not is_code(self.code):
+            raise ValueError("'code' is no participant's code")
 
 
-def describe_plan(plan: Plan) -> dict[str, Any]:
-    """Return a plan as it is stored."""
-    assignment = plan.assignment
-    return {
-        "schema": SCHEMA,
-        "version": VERSION,
-        "code": plan.code,
-        "study": plan.study,
-        "definition_sha256": plan.definition_sha256,
-        "program": plan.program,
-        "created_utc": plan.created_utc,
-        "language": plan.language,
-        "method": assignment.method.value,
-        "seed": assignment.seed,
-        "row": assignment.row,
-        "order": [describe_condition(c) for c in assignment.conditions],
-        "labels": list(assignment.labels),
-        "clips": dict(plan.clips),
-    }
-
-
-def describe_condition(condition: Condition) -> dict[str, Any]:
-    """Return a condition as it is stored."""
-    return {
-        "sequence": condition.sequence,
-        "feedback": condition.feedback,
-        "delay_s": condition.delay_s,
-        "gain": condition.gain,
-        "repeat": condition.repeat,
-    }
+def describe(value: Plan | Condition) -> dict[str, Any]:
+    """Return a plan or a condition as it is stored."""
+    described: dict[str, Any] = msgspec.to_builtins(value)
+    return described
 
 
 def plan_file(plan: Plan) -> bytes:
     """Return the content of `session.json`."""
-    described = describe_plan(plan)
+    described = describe(plan)
     whole = {**described, "sha256": _digest(described)}
     return (json.dumps(whole, indent=2, ensure_ascii=False) + "\n").encode()
 
 
-def parse_plan_file(content: bytes, where: str) -> Plan:
+def parse_plan_file(content: bytes, path: str) -> Plan:
     """Return the plan in a `session.json`.
 
     Raises:
         StudyError: when it is damaged.
     """
-
-    def read(root: Branch) -> Plan:
-        described = dict(root.mapping())
-        if described.pop("sha256", None) != _digest(described):
-            root.refuse(
-                Message("is damaged (its checksum differs)"),
-                Message("copy the session again"),
-            )
-        return _plan(Branch(described, where))
-
-    return parse(content, where, read)
+    described = json_files.parse(content, path)
+    if not isinstance(described, dict) or described.get("schema") != SCHEMA:
+        json_files.refuse(path, "", Message("is no session"))
+    if described.pop("sha256", None) != _digest(described):
+        what = Message("is damaged (its checksum differs)")
+        json_files.refuse(path, "", what, Message("copy the session again"))
+    return plan_of_record(described, path)
 
 
-def plan_of_record(content: Mapping[str, Any], where: str) -> Plan:
+def plan_of_record(content: Any, path: str) -> Plan:
     """Return the plan in a record.
 
     Raises:
         StudyError: when it is none.
     """
-    return _plan(Branch(dict(content), where))
+    if isinstance(content, dict) and content.get("version") != VERSION:
+        what = Message("is of another version of the program")
+        json_files.refuse(path, "", what, Message("update hapticplayer"))
+    return json_files.convert(content, Plan, path)
 
 
-def _digest(described: Mapping[str, Any]) -> str:
+def _digest(described: dict[str, Any]) -> str:
     text = json.dumps(described, sort_keys=True, ensure_ascii=False)
     return hashlib.sha256(text.encode()).hexdigest()
 
 
-def _plan(root: Branch) -> Plan:
-    if root.get("schema").value != SCHEMA:
-        root.refuse(Message("is no session"))
-    if root.get("version").value != VERSION:
-        root.refuse(
-            Message("is of another version of the program"),
-            Message("update hapticplayer"),
-        )
-    code = root.get("code").text()
-    if not is_code(code):
-        root.get("code").refuse(Message("is no participant's code"))
-    return Plan(
-        code=code,
-        study=root.get("study").key(),
-        definition_sha256=root.get("definition_sha256").text(),
-        program=root.get("program").text(),
-        created_utc=root.get("created_utc").text(),
-        language=root.get("language").key(),
-        assignment=_assignment(root),
-        clips={name: entry.text() for name, entry in root.members("clips")},
-    )
+def new_code(taken: Collection[str]) -> str:
+    """Return a code that nobody has."""
+    while True:
+        code = "".join(secrets.choice(LETTERS) for _ in range(LENGTH))
+        if code not in taken:
+            return code
 
 
-def _assignment(root: Branch) -> Assignment:
-    return Assignment(
-        conditions=tuple(read_condition(entry) for entry in root.each("order")),
-        labels=tuple(entry.key() for entry in root.each("labels")),
-        method=OrderMethod(root.get("method").one_of(OrderMethod)),
-        row=root.get("row").whole(0, 10**6) if root.has("row") else None,
-        seed=root.get("seed").whole(0, 2**53),
-    )
+def is_code(text: str) -> bool:
+    """Whether a text could be a code."""
+    return len(text) == LENGTH and all(letter in LETTERS for letter in text)
 
 
-def read_condition(entry: Branch) -> Condition:
-    """Return a condition as it was stored.
+def checked_code(text: str) -> str:
+    """Return a code as it is stored, however it was typed.
 
     Raises:
-        StudyError: which entry is wrong.
+        StudyError: where it is none.
     """
-    return Condition(
-        entry.get("sequence").key(),
-        entry.get("feedback").key(),
-        entry.get("delay_s").number(-MAX_DELAY_S, MAX_DELAY_S),
-        entry.get("gain").number(0.0, MAX_GAIN),
-        entry.get("repeat").whole(1, MAX_CONDITIONS),
-    )
+    code = text.strip().upper()
+    if not is_code(code):
+        raise StudyError(
+            "{text!r} is no participant's code",
+            remedy="a code has {length} letters, as `study status` lists them",
+            text=text,
+            length=LENGTH,
+        )
+    return code
+
+
+def number_of(code: str) -> int:
+    """Return the code as a number, to seed what is random for this participant."""
+    number = 0
+    for letter in code:
+        number = number * len(LETTERS) + LETTERS.index(letter)
+    return number

@@ -18,7 +18,7 @@ from hapticplayer.study.definition import Condition
 from hapticplayer.study.journal import Journal
 from hapticplayer.study.page_maker import PageMaker
 from hapticplayer.study.pages import Page, PageKind, check_answers
-from hapticplayer.study.plan import describe_condition
+from hapticplayer.study.plan import describe
 from hapticplayer.study.session_folder import ANSWERS, State
 from hapticplayer.study.stage import Played, Stage
 from hapticplayer.study.steps import (
@@ -111,7 +111,7 @@ class SessionRunner:
         self.problem = ""
         self.last_trial: Played | None = None
         self._clock, self._observer = clock, observer
-        self._conditions = session.plan.assignment.conditions
+        self._conditions = session.plan.order
         self.maker = PageMaker(self.definition, self.plan)
         self._steps = steps_of(self.definition, len(self._conditions))
         self._journal = Journal(session.folder / ANSWERS, clock)
@@ -219,7 +219,7 @@ class SessionRunner:
         }
         if self.condition is not None:
             content["attempt"] = self.attempt
-            content["condition"] = describe_condition(self.condition)
+            content["condition"] = describe(self.condition)
         self._keep("answers", self._complete_step, **content)
 
     def go_on(self) -> None:
@@ -244,7 +244,7 @@ class SessionRunner:
         """Play a clip with one of the feedbacks once more; see `Page.replays`."""
         self._expect(PageKind.QUESTIONS)
         number, _, place = token.partition(".")
-        feedback = self.plan.assignment.labels[int(number) - 1]
+        feedback = self.plan.labels[int(number) - 1]
         sequence = self.definition.sequences[int(place) - 1].key
         self.stage.prepare(Condition(sequence, feedback))
         self._keep("replay", self._show, sequence=sequence, feedback=feedback)
@@ -399,7 +399,7 @@ class SessionRunner:
         return {
             "step": self.step,
             "attempt": self.attempt,
-            "condition": describe_condition(self.condition),
+            "condition": describe(self.condition),
         }
 
     def _play(self) -> None:

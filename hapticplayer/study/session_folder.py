@@ -11,15 +11,15 @@ from hapticplayer.study import private
 from hapticplayer.study.definition import Definition
 from hapticplayer.study.definition_reader import parse_definition
 from hapticplayer.study.journal import read_journal
+from hapticplayer.study.json_files import read_file
 from hapticplayer.study.plan import (
     Plan,
-    describe_plan,
+    describe,
     parse_plan_file,
     plan_file,
     plan_of_record,
 )
 from hapticplayer.study.records import Records, encode
-from hapticplayer.study.tree import read_file
 
 PLAN, DEFINITION_COPY, ANSWERS = "session.json", "study.json", "answers.jsonl"
 
@@ -73,7 +73,7 @@ def create_session(folder: Path, plan: Plan, definition: bytes, clock: Clock) ->
         StudyError: when it cannot be written; nothing is left then.
     """
     utc = utc_now_iso("milliseconds")
-    first = encode(1, utc, clock.now_s(), "plan", {"plan": describe_plan(plan)})
+    first = encode(1, utc, clock.now_s(), "plan", {"plan": describe(plan)})
     with private.folder_written_aside(folder) as aside:
         private.write_new(aside / DEFINITION_COPY, definition)
         private.write_new(aside / PLAN, plan_file(plan))

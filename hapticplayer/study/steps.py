@@ -6,9 +6,8 @@ from typing import Any
 
 from hapticplayer.errors import Message, StudyError
 from hapticplayer.study.definition import Condition, Definition
-from hapticplayer.study.plan import read_condition
+from hapticplayer.study.json_files import convert
 from hapticplayer.study.records import Records
-from hapticplayer.study.tree import Branch
 
 CONSENT, SHEET, DEMONSTRATION, POST_TEST = (
     "consent",
@@ -120,7 +119,7 @@ def _trial(
     trial = played.get((step, attempt), {})
     position, values = position_of(step), answers.get("values")
     try:
-        condition = read_condition(Branch(answers.get("condition"), step))
+        condition = convert(answers.get("condition"), Condition, step)
     except StudyError:
         return None
     if position is None or not isinstance(values, dict):

@@ -17,13 +17,13 @@ from hapticplayer import __version__
 from hapticplayer.clock import Clock, utc_now_iso
 from hapticplayer.errors import Message, StudyError
 from hapticplayer.study import private
-from hapticplayer.study.codes import checked_code, is_code, new_code
 from hapticplayer.study.definition import Condition, Definition, OrderMethod
 from hapticplayer.study.definition_reader import DEFINITION, parse_definition
 from hapticplayer.study.journal import Journal, refuse_if_open
+from hapticplayer.study.json_files import read_file
 from hapticplayer.study.order_list import ORDERS, read_orders
 from hapticplayer.study.orders import Assignment, Balance, assign, balance_of
-from hapticplayer.study.plan import Plan
+from hapticplayer.study.plan import Plan, checked_code, is_code, new_code
 from hapticplayer.study.session_folder import (
     ANSWERS,
     State,
@@ -32,7 +32,6 @@ from hapticplayer.study.session_folder import (
     read_session,
     sha256,
 )
-from hapticplayer.study.tree import read_file
 
 SESSIONS, CONSENTS, DELETED = "sessions", "consents", "deleted"
 _LEAVING = ".leaving-"
@@ -121,9 +120,7 @@ class Study:
     def balance(self) -> Balance:
         """Count the orders of all who did not drop out."""
         sessions, _ = self.sessions()
-        orders = [
-            s.plan.assignment.conditions for s in sessions if s.state != State.STOPPED
-        ]
+        orders = [s.plan.order for s in sessions if s.state != State.STOPPED]
         return balance_of(self.definition, orders)
 
 
@@ -168,6 +165,7 @@ def begin_session(
     with _alone(study.folder / SESSIONS):
         private.remove_scratch(study.folder / SESSIONS)
         code = new_code(study.codes())
+        made = _assignment(study, code)
         plan = Plan(
             code=code,
             study=study.definition.id,
@@ -175,8 +173,12 @@ def begin_session(
             program=f"hapticplayer {__version__}",
             created_utc=utc_now_iso("milliseconds"),
             language=language,
-            assignment=_assignment(study, code),
-            clips=clips,
+            method=made.method,
+            seed=made.seed,
+            row=made.row,
+            order=made.conditions,
+            labels=made.labels,
+            clips=dict(clips),
         )
         create_session(study.session_folder(code), plan, study.content, clock)
     return study.session(code)
@@ -185,7 +187,7 @@ def begin_session(
 def _assignment(study: Study, code: str) -> Assignment:
     sessions, _ = study.sessions()
     used = [
-        s.plan.assignment.row
+        s.plan.row
         for s in sessions
         if s.state != State.STOPPED
         and s.plan.definition_sha256 == sha256(study.content)

@@ -2,8 +2,8 @@
 
 import itertools
 import json
-from dataclasses import replace
 
+import msgspec
 import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
@@ -257,7 +257,7 @@ def test_nothing_is_cut_off_in_any_language(make_study, sit, wait_for, qapp, siz
     ]
     window, runner = session.participant, session.runner
     for language, (kind, step) in itertools.product(["en", "fr", "de"], steps):
-        plan = replace(runner.plan, language=language)
+        plan = msgspec.structs.replace(runner.plan, language=language)
         maker = runner.maker = PageMaker(runner.definition, plan)
         window._show_page(maker.page(kind, step, 99))
         content = window.content

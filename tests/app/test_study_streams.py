@@ -62,7 +62,7 @@ def test_a_trial_is_streamed_without_answers_and_codes(
     session.control.note.returnPressed.emit()
     person.key(Qt.Key.Key_Escape)
     code = session.runner.plan.code
-    condition = session.runner.plan.assignment.conditions[0].key
+    condition = session.runner.plan.order[0].key
     stored = session.study.session(code)
     session.close()
     texts, marked_s = pulled(inlets[MARKERS])

@@ -21,10 +21,10 @@ from hapticplayer.haptics.shared import TICK
 from hapticplayer.interchange.study_export import export_study
 from hapticplayer.interchange.xdf import XdfWriter
 from hapticplayer.simulation.sessions import write_scripted_session
+from hapticplayer.study.answers import keep_reviewed, text_digest
 from hapticplayer.study.creation import create_study
 from hapticplayer.study.journal import Journal
-from hapticplayer.study.plan import describe_condition
-from hapticplayer.study.reviews import keep_reviewed, text_digest
+from hapticplayer.study.plan import describe
 from hapticplayer.study.study_folder import begin_session, open_study
 
 VALUES = {"realism": 3, "sensory": 2, "comfort": 5, "satisfaction": 1}
@@ -233,7 +233,7 @@ def test_simulated_participants_and_answer_times_are_exported(
 ):
     session = begin_session(study, "en", {}, manual_clock)
     journal = Journal(session.folder / "answers.jsonl", manual_clock)
-    condition = describe_condition(session.plan.assignment.conditions[0])
+    condition = describe(session.plan.order[0])
     trial = {"step": "trial-01", "attempt": 1, "condition": condition}
     journal.append("begin", program="hapticplayer", step="consent")
     journal.append("trial", **trial, sound=True, reasons=[], playback={})

@@ -44,7 +44,11 @@ def test_the_built_in_study_is_the_protocol_of_the_paper(template):
 def test_every_template_is_whole_in_every_language(tmp_path, name):
     study = create_study(tmp_path / name, name).definition
     assert study.languages == ("en", "fr", "de")
-    texts = [*study.texts.values(), *study.scale]
+    texts = [
+        getattr(part, name)
+        for part in (study.texts, study.scale)
+        for name in part.__struct_fields__
+    ]
     texts += [q.text for q in (*study.trial_questions, *study.sheet)]
     assert all(len({text[key] for key in study.languages}) == 3 for text in texts)
 
@@ -82,7 +86,13 @@ SPOILT = [
     (lambda d: d.update(factors=[]), "factors"),
     (lambda d: d["texts"].update(consent="yes"), "texts.consent"),
     (lambda d: d["sheet"][0].pop("least"), "'least'"),
-    (lambda d: d["sheet"][1].update(choices=[]), "sheet[1].choices"),
+    (lambda d: d["sheet"][1].update(choices=[]), "sheet[1]: 'choices'"),
+    (
+        lambda d: d["texts"]["consent"].update(fr=3),
+        "texts.consent.fr: is a whole number",
+    ),
+    (lambda d: d["texts"]["consent"].update(fr=" "), "texts.consent.fr"),
+    (lambda d: d["checks"].update(scheduling=["fast"]), "one of fifo, normal, slice"),
     (
         lambda d: d["order"].update(method="williams", no_sequence_twice_in_a_row=True),
         "Williams",

@@ -8,7 +8,6 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from hapticplayer.errors import StudyError
-from hapticplayer.study.codes import LETTERS, checked_code, new_code, number_of
 from hapticplayer.study.creation import change_definition, definition_text
 from hapticplayer.study.definition_reader import parse_definition
 from hapticplayer.study.order_list import read_orders
@@ -21,6 +20,7 @@ from hapticplayer.study.orders import (
     rows_of,
     williams_design,
 )
+from hapticplayer.study.plan import LETTERS, checked_code, new_code, number_of
 from hapticplayer.study.study_folder import begin_session, drop, open_study
 
 codes = st.text(alphabet=LETTERS, min_size=6, max_size=6)
@@ -70,10 +70,10 @@ def test_the_row_of_one_who_dropped_out_is_given_again(template, study, manual_c
     template["order"]["method"] = "williams"
     study = change_definition(study, template)
     first = [begin_session(study, "en", {}, manual_clock) for _ in range(5)]
-    assert sorted(s.plan.assignment.row for s in first) == [0, 1, 2, 3, 4]
+    assert sorted(s.plan.row for s in first) == [0, 1, 2, 3, 4]
     drop(study, first[2].code, "felt sick", manual_clock)
     rest = [begin_session(study, "en", {}, manual_clock) for _ in range(8)]
-    assert sorted(s.plan.assignment.row for s in rest) == [2, 5, 6, 7, 8, 9, 10, 11]
+    assert sorted(s.plan.row for s in rest) == [2, 5, 6, 7, 8, 9, 10, 11]
     balance = study.balance()
     assert (balance.at_position == 1).all()
 
@@ -142,8 +142,8 @@ def test_orders_made_elsewhere_are_given_in_turn(template, study, manual_clock):
     study = change_definition(study, template)
     write_orders(study.folder / "orders.csv", study.definition)
     made = [begin_session(study, "en", {}, manual_clock) for _ in range(4)]
-    assert [s.plan.assignment.row for s in made] == [0, 1, 2, 0]
-    assert made[1].plan.assignment.conditions[0] == study.definition.conditions[1]
+    assert [s.plan.row for s in made] == [0, 1, 2, 0]
+    assert made[1].plan.order[0] == study.definition.conditions[1]
     assert open_study(study.folder).listed_orders()
 
 

@@ -117,7 +117,7 @@ def test_a_whole_session_goes_from_consent_to_thanks(sitting):
     seen.append(sitting.kind)
     page = sitting.runner.page
     assert [q.name for q in page.questions if "@" in q.name] == [
-        f"label@{name}" for name in sitting.runner.plan.assignment.labels
+        f"label@{name}" for name in sitting.runner.plan.labels
     ]
     assert [q.heading for q in page.questions if q.heading] == [
         "Feedback 1",
@@ -132,7 +132,7 @@ def test_a_whole_session_goes_from_consent_to_thanks(sitting):
     assert session.state is State.COMPLETE
     assert not session.records.damaged
     played = sitting.stage.prepared
-    assert played == list(session.plan.assignment.conditions)
+    assert played == list(session.plan.order)
     assert {r.value for r in read_answers(sitting.study.folder).ratings} == {1, 2, 3, 5}
 
 
@@ -410,7 +410,7 @@ def test_the_demonstration_and_replays_come_back_to_their_page(sitting):
     sitting.runner.replay("2.3")
     played = sitting.stage.prepared[-1]
     assert played.sequence == "car-turning"
-    assert played.feedback == sitting.runner.plan.assignment.labels[1]
+    assert played.feedback == sitting.runner.plan.labels[1]
     sitting.stage.ended = True
     sitting.runner.poll()
     assert sitting.kind is PageKind.QUESTIONS

@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 
+import msgspec
 import numpy as np
 import pytest
 
@@ -105,7 +106,9 @@ def test_a_trial_whose_ticks_could_not_be_recorded_is_not_sound(source, monkeypa
 
 def test_limits_make_a_playback_unsound(source):
     strict = Limits(dropped_share=-1.0)
-    stage, clock = stage_of(source, "none", strict, replace(NOTHING, device=True))
+    stage, clock = stage_of(
+        source, "none", strict, msgspec.structs.replace(NOTHING, device=True)
+    )
     try:
         stage.prepare(Condition("clip", "none"))
         stage.begin()

@@ -8,10 +8,14 @@ import numpy as np
 import pytest
 
 from hapticplayer.errors import StudyError
-from hapticplayer.study.answers import collect_answers, read_answers
+from hapticplayer.study.answers import (
+    collect_answers,
+    keep_reviewed,
+    read_answers,
+    text_digest,
+)
 from hapticplayer.study.journal import Journal
-from hapticplayer.study.plan import describe_condition
-from hapticplayer.study.reviews import keep_reviewed, text_digest
+from hapticplayer.study.plan import describe
 from hapticplayer.study.session_folder import State
 from hapticplayer.study.study_folder import (
     begin_session,
@@ -201,11 +205,11 @@ def test_consent_is_kept_apart_and_without_its_text(study, manual_clock):
 
 def test_texts_are_unreviewed_until_a_person_lets_them_pass(study, manual_clock):
     from hapticplayer.study.journal import Journal
-    from hapticplayer.study.plan import describe_condition
+    from hapticplayer.study.plan import describe
 
     session = begin_session(study, "en", {}, manual_clock)
     journal = Journal(session.folder / "answers.jsonl", manual_clock)
-    condition = describe_condition(session.plan.assignment.conditions[0])
+    condition = describe(session.plan.order[0])
     journal.append(
         "answers", step="trial-01", attempt=1, condition=condition, values=VALUES
     )
@@ -227,7 +231,7 @@ def test_who_left_early_and_who_never_was_there_is_told(study, scripted, manual_
     begin_session(study, "en", {}, manual_clock)
     left = begin_session(study, "en", {}, manual_clock)
     journal = Journal(left.folder / "answers.jsonl", manual_clock)
-    condition = describe_condition(left.plan.assignment.conditions[0])
+    condition = describe(left.plan.order[0])
     name = {"step": "trial-01", "attempt": 1, "condition": condition}
     journal.append("answers", **name, values=VALUES)
     journal.close()

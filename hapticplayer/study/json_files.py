@@ -1,0 +1,170 @@
+"""Reads JSON that people edit: whatever is wrong is named by its place in the file."""
+
+import json
+import re
+from collections.abc import Iterable
+from pathlib import Path
+from typing import Any, NoReturn, TypeVar
+
+import msgspec
+from msgspec import inspect
+
+from hapticplayer.errors import Message, StudyError
+
+MAX_BYTES = 4 << 20
+MAX_TEXT = 20_000
+MAX_ITEMS = 2_000
+KEY = "^[a-z0-9_-]{1,40}$"
+FILLED = r"\S"
+
+_KINDS = {
+    "str": Message("a text"),
+    "int": Message("a whole number"),
+    "float": Message("a number"),
+    "bool": Message("true or false"),
+    "array": Message("a list"),
+    "object": Message("an object"),
+}
+
+_CORRECT = Message("correct it")
+
+Kind = TypeVar("Kind")
+
+
+def read_file(path: Path, max_bytes: int = MAX_BYTES) -> bytes:
+    """Return the content of a small file.
+
+    Raises:
+        StudyError: where it cannot be read.
+    """
+    try:
+        if path.stat().st_size > max_bytes:
+            raise StudyError("is too large", where=str(path))
+        return path.read_bytes()
+    except OSError as problem:
+        raise StudyError(
+            "cannot be read ({reason})",
+            where=str(path),
+            remedy="give the folder of a study",
+            reason=problem,
+        ) from problem
+
+
+def parse(content: bytes, path: str) -> Any:
+    """Return what a JSON text holds; `path` is for messages.
+
+    Raises:
+        StudyError: where it is no JSON, or an entry stands twice.
+    """
+    if len(content) > MAX_BYTES:
+        raise StudyError("is too large", where=path)
+    try:
+        return json.loads(
+            content.decode("utf-8-sig"),
+            object_pairs_hook=_object,
+            parse_constant=_constant,
+        )
+    except (ValueError, RecursionError) as problem:
+        raise StudyError(
+            "is no valid JSON ({reason})",
+            where=path,
+            remedy="correct that line",
+            reason=problem,
+        ) from problem
+
+
+def convert(value: Any, kind: type[Kind], path: str) -> Kind:
+    """Return a value from JSON as a typed structure.
+
+    Raises:
+        StudyError: which entry is wrong, and what is allowed there.
+    """
+    try:
+        return msgspec.convert(value, kind)
+    except (msgspec.ValidationError, OverflowError) as problem:
+        said, _, place = str(problem).partition(" - at `$")
+        field, found = _entry(value, inspect.type_info(kind), place.rstrip("`"))
+        _refuse_as_said(path, field, said, found)
+
+
+def _refuse_as_said(path: str, field: str, said: str, found: Any) -> NoReturn:
+    """Say for people what msgspec says, and what is allowed, which it does not list."""
+    what, *named = re.split("[`'](.*?)[`']", said)
+    if what == "Object missing required field ":
+        refuse_missing(path, field, named[0])
+    if what == "Object contains unknown field ":
+        refuse_unknown(path, field, named[0], [f.name for f in found.fields])
+    if what == "Invalid enum value ":
+        known = getattr(found, "values", ()) or [word.value for word in found.cls]
+        remedy = Message("choose one of {known}", known=", ".join(known))
+        refuse(path, field, Message("is {value!r}", value=named[0]), remedy)
+    if what == "Expected " and ", got" in said:
+        is_, wanted = (_KINDS.get(name, name) for name in (named[2], named[0]))
+        what = Message("is {kind} instead of {wanted}", kind=is_, wanted=wanted)
+        refuse(path, field, what)
+    if KEY in said:
+        remedy = Message("use at most {most} of a-z, 0-9, _ and -", most=40)
+        refuse(path, field, Message("is no key"), remedy)
+    if FILLED in said:
+        refuse(path, field, Message("needs 1 to {most} characters", most=MAX_TEXT))
+    if what == "Expected ":  # `int` >= 0, `array` of length >= 1
+        kind, limit = _KINDS.get(named[0], named[0]), named[1]
+        what = Message("is not {kind} {limit}", kind=kind, limit=limit.strip())
+        refuse(path, field, what)
+    refuse(path, field, Message(said))
+
+
+def refuse(
+    path: str, field: str, what: Message, remedy: Message = _CORRECT
+) -> NoReturn:
+    """Raise StudyError for a place in a file, such as `sequences[2].key`."""
+    raise StudyError(what, where=f"{path}, {field}" if field else path, remedy=remedy)
+
+
+def refuse_missing(path: str, field: str, name: str) -> NoReturn:
+    """Refuse an object without an entry that it needs."""
+    what = Message("lacks the entry {name!r}", name=name)
+    refuse(path, field, what, Message("add it"))
+
+
+def refuse_unknown(path: str, field: str, name: str, known: Iterable[str]) -> NoReturn:
+    """Refuse an entry that nobody will read: it is mostly misspelt."""
+    what = Message("has the unknown entry {name!r}", name=name)
+    refuse(path, field, what, Message("known are {known}", known=", ".join(known)))
+
+
+def _entry(value: Any, found: Any, place: str) -> tuple[str, Any]:
+    """Return the name and the type of an entry; msgspec does not tell keys of texts."""
+    field = ""
+    for name, number in re.findall(r"\.(\w+)|\[([\d.]+)\]", place):
+        if isinstance(found, inspect.UnionType):  # this, or nothing
+            found = found.types[0]
+        if isinstance(found, inspect.DictType):
+            key = next((k for k, v in value.items() if not _is_line(v)), "")
+            field, found, value = f"{field}.{key}", found.value_type, value.get(key)
+        elif name:
+            found = next(f.type for f in found.fields if f.name == name)
+            field, value = f"{field}.{name}", value[name]
+        else:
+            field, value = f"{field}[{number}]", value[int(number)]
+            found = found.item_type
+    return field.removeprefix("."), found
+
+
+def _is_line(value: Any) -> bool:
+    return isinstance(value, str) and value.strip() != "" and len(value) <= MAX_TEXT
+
+
+def _object(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+    made = dict(pairs)
+    if len(made) < len(pairs):
+        names = [name for name, _ in pairs]
+        twice = next(name for name in names if names.count(name) > 1)
+        raise ValueError(
+            Message("the entry {twice!r} stands twice in one object", twice=twice)
+        )
+    return made
+
+
+def _constant(name: str) -> NoReturn:
+    raise ValueError(Message("{name} is no number", name=name))
