@@ -3,9 +3,8 @@
     python benchmarks/seeks.py [--seeks 50] [--seed 1]
 
 A 720p30 clip with a key frame every 2 s, paused; the time from `Player.seek` to the
-picture that is handed to the screen, converted to the window's size, and the CPU that
-this takes. Bars: median at most 60 ms, and each picture the one that covers the
-position.
+frame that is handed to the screen, and the CPU that this takes. Bars: median at most
+60 ms, and each frame the one that covers the position.
 """
 
 import argparse
@@ -30,9 +29,9 @@ class Seen:
         self.pts_s = -1.0
         self.count = 0
 
-    def show(self, picture: object) -> None:
+    def show(self, frame: object) -> None:
         """Note it."""
-        self.pts_s, self.count = picture.pts_s, self.count + 1  # type: ignore[attr-defined]
+        self.pts_s, self.count = frame.pts_s, self.count + 1  # type: ignore[attr-defined]
 
 
 def main() -> int:
@@ -58,7 +57,6 @@ def main() -> int:
     took_ms, cpu_ms, exact = [], [], 0
     with tempfile.TemporaryDirectory() as folder:
         clip = scrolling_clip(Path(folder), SECONDS, "1280x720", RATE_HZ)
-        player.set_size(1280, 720)
         player.open(open_source(clip))
         wait(0)
         rng = np.random.default_rng(options.seed)

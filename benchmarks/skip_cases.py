@@ -5,7 +5,6 @@ import os
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass
-from fractions import Fraction
 from pathlib import Path
 from typing import Any
 from unittest import mock
@@ -27,10 +26,9 @@ from hapticplayer.devices.falcon.protocol import Reply, encode_command
 from hapticplayer.devices.falcon.tracker import Tracker
 from hapticplayer.haptics.shared import TICK
 from hapticplayer.haptics.track import LoadedTrack, map_track, to_shared_memory
-from hapticplayer.media import VideoDecoder, open_media, pictures
+from hapticplayer.media import DecodedFrame, VideoDecoder, open_media
 from hapticplayer.media.opening import read_only
 from hapticplayer.model import ForceTrack
-from hapticplayer.playback import feeders
 from hapticplayer.playback.audio import AudioRing
 from hapticplayer.playback.feeders import VideoFeeder
 from hapticplayer.playback.meters import TickHistory
@@ -89,26 +87,10 @@ def off(
         yield
 
 
-class Decoded:
-    """A feeder whose pictures have been decoded already: what follows is measured."""
-
-    def __init__(self, path: Path, count: int = PICTURES) -> None:
-        self.feeder = VideoFeeder(path)
-        self.feeder._open()
-        self.feeder.set_size(WIDTH, HEIGHT)
-        decoder: VideoDecoder = self.feeder._decoder
-        self._frames = [f for f, _ in zip(decoder.frames(), range(count), strict=False)]
-        self._decoder = decoder
-
-    def pictures(self) -> Iterator[Any]:
-        """Yield what the player would get, None for what was left out."""
-        self.feeder._forget()
-        self.feeder.is_at_end = False
-        waiting = iter(self._frames)
-        with mock.patch.object(self._decoder, "next_frame", waiting.__next__):
-            for _ in self._frames:
-                self.feeder._decode()
-                yield self.feeder.pop()
+def decoded(path: Path, count: int = PICTURES) -> list[DecodedFrame]:
+    """Return the first frames of a clip as they were decoded."""
+    with VideoDecoder(path) as decoder:
+        return [f for f, _ in zip(decoder.frames(), range(count), strict=False)]
 
 
 def shown_surface() -> VideoSurface:
@@ -132,22 +114,13 @@ def all_cases(
 ) -> dict[str, Callable[[], Case]]:
     """Return what makes each case, by its name."""
     stack.callback(make_application().processEvents)
-    moving, surface = Decoded(clip), shown_surface()
+    moving, surface = decoded(clip), shown_surface()
     stack.callback(surface.close)
     return {
-        "late pictures: conversion": lambda: late_pictures(moving),
-        "unseen window: conversion, painting": lambda: unseen_pictures(moving, surface),
+        "unseen window: conversion, painting": lambda: unseen_frames(moving, surface),
         "unseen plots: drawing": lambda: unseen_plots(
             open_source(sequence(folder, SHAKEN_S)), stack
         ),
-        "unchanged pictures: conversion, painting": lambda: unchanged_pictures(
-            Decoded(still_clip(folder, clip)), surface
-        ),
-        "the same where all moves: conversion": lambda: moving_pictures(moving),
-        "picture of its place's size: copying": lambda: copied_pictures(
-            moving, surface
-        ),
-        "decoder woken for several pictures: waking": lambda: woken_decoder(clip),
         "streams that nobody shows: reading": lambda: other_streams(
             crowded_clip(folder, clip)
         ),
@@ -158,31 +131,19 @@ def all_cases(
     }
 
 
-def late_pictures(ready: Decoded) -> Case:
-    """Pictures whose time is over before they are converted."""
+def unseen_frames(frames: list[DecodedFrame], surface: VideoSurface) -> Case:
+    """Frames of a window that is hidden, minimised, or known to be covered."""
 
     def run(is_skipping: bool) -> int:
-        with off(VideoFeeder, "_is_late", is_skipping):
-            found = ready.pictures()
-            for number, _ in enumerate(found):
-                if number == 0:
-                    ready.feeder.set_position(1e9)
-        return PICTURES
+        if is_skipping:
+            surface.hide()
+        else:
+            show(surface)
+        for frame in frames:
+            surface.present(frame)
+        return len(frames)
 
-    return Case("picture", run)
-
-
-def unseen_pictures(ready: Decoded, surface: VideoSurface) -> Case:
-    """Pictures of a window that is hidden, minimised, or known to be covered."""
-
-    def run(is_skipping: bool) -> int:
-        ready.feeder.set_seen(is_seen=not is_skipping)
-        for picture in ready.pictures():
-            surface.present(picture)
-        ready.feeder.set_seen(is_seen=True)
-        return PICTURES
-
-    return Case("picture", run)
+    return Case("frame", run)
 
 
 def unseen_plots(source: Source, stack: ExitStack) -> Case:
@@ -210,65 +171,6 @@ def unseen_plots(source: Source, stack: ExitStack) -> Case:
         return PICTURES
 
     return Case("drawing", run)
-
-
-def unchanged_pictures(ready: Decoded, surface: VideoSurface) -> Case:
-    """A clip that stands still: slides, a screen, a camera on a tripod."""
-
-    def run(is_skipping: bool) -> int:
-        with off(pictures, "shows_the_same", is_skipping):
-            for picture in ready.pictures():
-                surface.present(picture)
-        return PICTURES
-
-    return Case("picture", run)
-
-
-def moving_pictures(ready: Decoded) -> Case:
-    """What looking for the same picture costs where everything moves."""
-
-    def run(is_skipping: bool) -> int:
-        with off(pictures, "shows_the_same", is_skipping):
-            for _ in ready.pictures():
-                pass
-        return PICTURES
-
-    return Case("picture", run)
-
-
-def copied_pictures(ready: Decoded, surface: VideoSurface) -> Case:
-    """What is converted in the window's memory needs no copy; both are painted."""
-
-    def run(is_skipping: bool) -> int:
-        ready.feeder.set_size(WIDTH, HEIGHT, is_skipping)
-        with mock.patch.object(pictures, "shows_the_same", never):
-            for picture in ready.pictures():
-                surface.present(picture)
-        ready.feeder.set_size(WIDTH, HEIGHT)
-        return PICTURES
-
-    return Case("picture", run)
-
-
-def woken_decoder(clip: Path) -> Case:
-    """Pictures that are taken one by one, 30 in a second; `clip` has as many."""
-    clock = SystemClock()
-
-    def run(is_skipping: bool) -> int:
-        with off(feeders, "AHEAD_S", is_skipping, 1.0):
-            feeder = VideoFeeder(clip)
-            feeder.set_size(WIDTH, HEIGHT, True)
-            feeder.start()
-            taken, next_s = 0, clock.now_s()
-            while taken < PICTURES:
-                is_there = feeder.pop() is not None
-                taken += is_there
-                next_s += 1.0 / 30.0 if is_there else 0.005
-                clock.sleep_until(next_s)
-            feeder.stop()
-        return PICTURES
-
-    return Case("picture", run)
 
 
 def other_streams(path: Path) -> Case:
@@ -373,7 +275,6 @@ def play_and_seek(source: Source) -> int:
     """Seek in a paused player, and wait for each picture."""
     clock, seen = SystemClock(), Newest()
     player = Player(clock, seen, audio=SilentOut)
-    player.set_size(WIDTH, HEIGHT)
     player.open(source)
     at_s = 0.5
     try:
@@ -389,22 +290,6 @@ def play_and_seek(source: Source) -> int:
     finally:
         player.close()
     return SEEKS
-
-
-def still_clip(folder: Path, clip: Path) -> Path:
-    """Write the first picture of a clip many times, without loss."""
-    path = folder / "still.mkv"
-    with av.open(str(clip)) as moving:
-        picture = next(moving.decode(video=0))
-    with av.open(str(path), "w") as file:
-        stream = file.add_stream("libx264", rate=30, options={"preset": "ultrafast"})
-        stream.width, stream.height, stream.pix_fmt = WIDTH, HEIGHT, "yuv420p"
-        stream.options = {"preset": "ultrafast", "qp": "0"}
-        for number in range(PICTURES + 1):
-            picture.pts, picture.time_base = number, Fraction(1, 30)
-            file.mux(stream.encode(picture))
-        file.mux(stream.encode())
-    return path
 
 
 def crowded_clip(folder: Path, clip: Path) -> Path:

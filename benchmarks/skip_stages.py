@@ -5,11 +5,10 @@ import socket
 from collections.abc import Callable
 from contextlib import ExitStack
 from pathlib import Path
-from unittest import mock
 
 import numpy as np
 from common import HEIGHT, WIDTH
-from skip_cases import PICTURES, TICKS, Decoded, Stage, loaded, never, shown_surface
+from skip_cases import TICKS, Stage, decoded, loaded, shown_surface
 
 from hapticplayer.clock import ManualClock
 from hapticplayer.devices.falcon.kinematics import Kinematics, motor_words
@@ -28,9 +27,9 @@ from hapticplayer.media import (
     AudioBlock,
     AudioDecoder,
     AudioStretcher,
+    FrameConverter,
     VideoDecoder,
     open_media,
-    pictures,
 )
 from hapticplayer.media.opening import read_only
 from hapticplayer.model import ForceTrack, PlaybackClock
@@ -48,7 +47,7 @@ def all_stages(folder: Path, clip: Path, stack: ExitStack) -> list[Stage]:
 
 def picture_stages(clip: Path, stack: ExitStack) -> list[Stage]:
     """From the file to the screen, 1280 x 720."""
-    ready, surface = Decoded(clip), shown_surface()
+    frames, surface = decoded(clip), shown_surface()
     stack.callback(surface.close)
 
     def demux() -> int:
@@ -62,21 +61,21 @@ def picture_stages(clip: Path, stack: ExitStack) -> list[Stage]:
             return sum(1 for _ in decoder.frames())
 
     def convert() -> int:
-        with mock.patch.object(pictures, "shows_the_same", never):
-            return sum(1 for _ in ready.pictures())
-
-    made = [p for p, _ in zip(ready.pictures(), range(4), strict=False)]
+        converter = FrameConverter()
+        for frame in frames:
+            converter.convert(frame, WIDTH, HEIGHT)
+        return len(frames)
 
     def paint() -> int:
-        for number in range(PICTURES):
-            surface.present(made[number % len(made)])
-        return PICTURES
+        for frame in frames:
+            surface.present(frame)
+        return len(frames)
 
     return [
         Stage("demux", "packet", demux),
         Stage("decode (H.264, its demux included)", "picture", decode),
         Stage(f"convert to BGRA, {WIDTH} x {HEIGHT}", "picture", convert),
-        Stage("paint", "picture", paint),
+        Stage("convert and paint", "picture", paint),
     ]
 
 

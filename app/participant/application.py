@@ -97,7 +97,6 @@ class StudySession:
         self.pump = Pump(self.player.poll, clock, self._on_gap)
         self.start_panel.started.connect(self.begin)
         self.start_panel.clip_wanted.connect(self._play_sound)
-        self.surface.target_changed.connect(self.player.set_size)
         self.control.closing.connect(self.close)
 
     def show(self, *, windowed: bool) -> None:

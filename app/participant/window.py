@@ -84,7 +84,6 @@ class ParticipantWindow(QWidget):
 
     def _show_page(self, page: Page) -> None:
         self.unsetCursor()
-        self.surface.resize(self.size())  # pictures are decoded for this size
         made = self._make(page)
         self._drop_content()
         self.content = made

@@ -138,8 +138,8 @@ class OpenWindow(QObject):
         old.session.gateway.uninstall()
         old.hand_over()
         self.window, self._next = made, None
-        if (picture := old.surface.picture) is not None:
-            made.surface.present(picture)  # until the next one comes
+        if (frame := old.surface.frame) is not None:
+            made.surface.present(frame)  # until the next one comes
         made.player.set_sink(SurfaceSink(made.surface))
         made.setGeometry(geometry)
         if is_maximised:

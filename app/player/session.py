@@ -146,12 +146,6 @@ class Session(QObject):
         """Go to the last picture."""
         self.player.seek(self.player.snapshot().duration_s)
 
-    def refresh_picture(self) -> None:
-        """Decode the picture anew for another size, where the clip stands still."""
-        now = self.player.snapshot()
-        if now.phase is Phase.PAUSED:
-            self.player.seek(now.media_s)
-
     def choose_device(self, name: str) -> None:
         """Take another device; none where that fails."""
         now = self.player.snapshot()

@@ -1,6 +1,6 @@
 """The player's window: its parts, and what they do with the session."""
 
-from PySide6.QtCore import Qt, QTimer
+from PySide6.QtCore import Qt
 from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent
 from PySide6.QtWidgets import (
     QMainWindow,
@@ -40,7 +40,6 @@ from hapticplayer.playback.source import Source
 WIDTH_PX, HEIGHT_PX = 1280, 800
 LEAST_SCREEN_PX = 520  # on a lower screen the plots would push STOP out of it
 LEAST_PICTURE_PX = 150  # high, also on a screen of 540 with all that can be shown
-SETTLED_MS = 150  # after the last step of a resize
 DRAW_HZ = 30.0  # what is shown beside the picture needs no more
 WATCH_HZ = 15.0
 LONGEST_TITLE_PX = 600
@@ -101,9 +100,6 @@ class PlayerWindow(QMainWindow):
         self.pump = Pump(player.poll, clock, self._on_gap, self)
         self._draw_turn, self._watch_turn = Cadence(DRAW_HZ), Cadence(WATCH_HZ)
         self._escape = EscapeEverywhere(self.stop, self)
-        self._settled = QTimer(self)
-        self._settled.setSingleShot(True)
-        self._settled.setInterval(SETTLED_MS)
         self._connect()
         self.settings.restore_geometry(self, WIDTH_PX, HEIGHT_PX)
         self._offer_devices()
@@ -148,12 +144,7 @@ class PlayerWindow(QMainWindow):
         session.opening.connect(self._on_opening)
         session.opened.connect(self._on_opened)
         session.changed.connect(self._on_changed)
-        self.surface.target_changed.connect(self._on_target_changed)
-        self.surface.seen_changed.connect(
-            lambda is_on: self.player.set_seen(is_seen=is_on)
-        )
         self.surface.double_clicked.connect(self.toggle_fullscreen)
-        self._settled.timeout.connect(session.refresh_picture)
         self.job_bar.cancelled.connect(session.jobs.cancel)
         transport.play_clicked.connect(self.player.toggle)
         transport.stop_clicked.connect(session.stop_or_rearm)
@@ -285,7 +276,6 @@ class PlayerWindow(QMainWindow):
         now_s = self.clock.now_s()
         if self._watch_turn.is_due(now_s):
             self.session.watch()
-            self.surface.look()
             if not self.fullscreen.is_on:
                 self.job_bar.show_state(self.session.jobs.state(), now_s)
             self.extras.refresh(now_s)
@@ -341,12 +331,6 @@ class PlayerWindow(QMainWindow):
         self.transport.set_devices(choices.devices(name, falcons))
         self.transport.select_device(name)
 
-    def _on_target_changed(
-        self, width_px: int, height_px: int, is_direct: bool
-    ) -> None:
-        self.player.set_size(width_px, height_px, is_direct)
-        self._settled.start()
-
     # --- beginning and end ---------------------------------------------------
 
     def _keep_geometry(self) -> None:
@@ -379,7 +363,6 @@ class PlayerWindow(QMainWindow):
         self.is_over = True
         self.fullscreen.leave()
         self.pump.stop()
-        self._settled.stop()
         self._escape.remove()
         self._keep_geometry()
         self.extras.close()

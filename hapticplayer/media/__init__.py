@@ -10,10 +10,9 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from hapticplayer.media.audio import AudioBlock, AudioDecoder
     from hapticplayer.media.clip_info import ClipInfo, camera_of, probe
-    from hapticplayer.media.direct import DirectPainter
     from hapticplayer.media.encode import write_clip
+    from hapticplayer.media.frames import BgraImage, DecodedFrame, FrameConverter
     from hapticplayer.media.opening import open_media
-    from hapticplayer.media.pictures import Picture
     from hapticplayer.media.small_pictures import Thumbnail, cover_pictures, thumbnails
     from hapticplayer.media.stretch import AudioStretcher
     from hapticplayer.media.telemetry import (
@@ -22,16 +21,16 @@ if TYPE_CHECKING:
         read_telemetry_packets,
     )
     from hapticplayer.media.telemetry_writer import add_telemetry
-    from hapticplayer.media.video import DecodedFrame, VideoDecoder
+    from hapticplayer.media.video import VideoDecoder
 
 _HOMES = {
     "AudioBlock": "audio",
     "AudioDecoder": "audio",
     "AudioStretcher": "stretch",
     "ClipInfo": "clip_info",
-    "DecodedFrame": "video",
-    "DirectPainter": "direct",
-    "Picture": "pictures",
+    "BgraImage": "frames",
+    "DecodedFrame": "frames",
+    "FrameConverter": "frames",
     "TelemetryPacket": "telemetry",
     "Thumbnail": "small_pictures",
     "VideoDecoder": "video",
@@ -50,10 +49,10 @@ __all__ = [
     "AudioBlock",
     "AudioDecoder",
     "AudioStretcher",
+    "BgraImage",
     "ClipInfo",
     "DecodedFrame",
-    "DirectPainter",
-    "Picture",
+    "FrameConverter",
     "TelemetryPacket",
     "Thumbnail",
     "VideoDecoder",

@@ -12,6 +12,7 @@ from av.video.stream import VideoStream
 
 from hapticplayer.errors import MediaError, Message
 from hapticplayer.media.files import COPY_AGAIN
+from hapticplayer.media.frames import rotation_of
 from hapticplayer.media.limits import MAX_DURATION_S
 from hapticplayer.media.opening import (
     CONVERT,
@@ -133,11 +134,6 @@ def frame_rate_hz(video: VideoStream) -> float:
     """Return the average frame rate, or 0 where the file does not say."""
     rate = video.average_rate or video.guessed_rate
     return float(rate) if rate else 0.0
-
-
-def rotation_of(frame: VideoFrame) -> int:
-    """Return the counterclockwise quarter turns a frame asks for, degrees."""
-    return round(frame.rotation / 90.0) % 4 * 90
 
 
 def shown_size(video: VideoStream, rotation_deg: int) -> tuple[int, int]:

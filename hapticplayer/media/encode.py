@@ -19,7 +19,6 @@ from av.video.stream import VideoStream
 from numpy.typing import NDArray
 
 from hapticplayer.errors import MediaError, Message
-from hapticplayer.media.colours import BT709, LIMITED_RANGE
 from hapticplayer.media.opening import media_errors, open_media
 
 KEY_FRAME_INTERVAL_S = 2.0
@@ -31,6 +30,12 @@ _QUICK = {"crf": "26", "preset": "ultrafast", "threads": "1"}
 tree, with which x264 gave five different files in five runs of small pictures. The quick one
 takes a fourth of the time, for a file of about the same size that looks a little worse.
 """
+
+_BT709 = 1
+"""Value of AVColorSpace, AVColorPrimaries and AVColorTransferCharacteristic."""
+
+_LIMITED_RANGE = 1
+"""AVCOL_RANGE_MPEG: luma 16 to 235."""
 
 _FORMATS = {3: "rgb24", 4: "rgba"}
 _AAC_BITS_PER_S = 160_000
@@ -175,8 +180,8 @@ def _video_stream(
     stream.pix_fmt = "yuv420p"
     context = stream.codec_context
     context.time_base = 1 / rate
-    context.colorspace = context.color_primaries = context.color_trc = BT709
-    context.color_range = LIMITED_RANGE
+    context.colorspace = context.color_primaries = context.color_trc = _BT709
+    context.color_range = _LIMITED_RANGE
     return stream
 
 
@@ -194,7 +199,10 @@ def _yuv_frame(
         )
     frame = VideoFrame.from_ndarray(np.ascontiguousarray(picture), format=kind)
     return reformatter.reformat(
-        frame, format="yuv420p", dst_colorspace=Colorspace.ITU709, dst_color_range=1
+        frame,
+        format="yuv420p",
+        dst_colorspace=Colorspace.ITU709,
+        dst_color_range=_LIMITED_RANGE,
     )
 
 

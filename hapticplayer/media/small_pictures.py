@@ -5,10 +5,9 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import NamedTuple
 
-import numpy as np
-
 from hapticplayer.errors import MediaError
 from hapticplayer.media.clip_info import probe
+from hapticplayer.media.frames import FrameConverter
 from hapticplayer.media.video import VideoDecoder
 
 MOST = 400
@@ -49,6 +48,7 @@ def thumbnails(
         MediaError: when the clip cannot be opened.
     """
     made: list[Thumbnail] = []
+    converter = FrameConverter()
     with VideoDecoder(path) as decoder:
         width_px = max(2, round(height_px * decoder.width / decoder.height))
         for number, media_s in enumerate(times_s[:MOST]):
@@ -58,12 +58,11 @@ def thumbnails(
                 frame = decoder.next_frame()
                 if frame is None:
                     continue
-                rgb = decoder.convert(frame, width_px, height_px).as_rgb()
+                rgb = converter.convert(frame, width_px, height_px).as_rgb()
             except MediaError:
                 continue
             height, width = rgb.shape[:2]
-            pixels = np.ascontiguousarray(rgb).tobytes()
-            made.append(Thumbnail(frame.pts_s, width, height, pixels))
+            made.append(Thumbnail(frame.pts_s, width, height, rgb.tobytes()))
     return made
 
 

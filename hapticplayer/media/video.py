@@ -1,13 +1,8 @@
-"""Decodes pictures at exact times and converts only those that will be shown.
-
-Decoding and conversion are separate steps: a picture that is late is dropped
-before anything is spent on its colours (half of the work at 720p).
-"""
+"""Decodes the frames of a clip at exact times; `frames` converts those that are shown."""
 
 import math
 import os
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from av.video.frame import VideoFrame
 
@@ -15,11 +10,11 @@ from hapticplayer.errors import MediaError, Message
 from hapticplayer.media.clip_info import (
     frame_rate_hz,
     require_video,
-    rotation_of,
     shown_size,
 )
 from hapticplayer.media.demux import ClipDecoder, PacketReader
 from hapticplayer.media.files import COPY_AGAIN
+from hapticplayer.media.frames import DecodedFrame, check_convertible, rotation_of
 from hapticplayer.media.limits import MAX_PIXELS
 from hapticplayer.media.opening import (
     media_errors,
@@ -27,7 +22,6 @@ from hapticplayer.media.opening import (
     origin_s,
     read_only,
 )
-from hapticplayer.media.pictures import Picture, PictureConverter
 from hapticplayer.media.threads import choose_threads
 
 _FALLBACK_RATE_HZ = 30.0
@@ -37,21 +31,6 @@ _TIME_TOLERANCE_S = 1e-6
 
 _STEPS_BACK_S = (0.0, 1.0, 10.0, math.inf)
 """Where to seek again when a container lands behind the wanted picture."""
-
-
-@dataclass(frozen=True, slots=True)
-class DecodedFrame:
-    """A decoded picture before conversion.
-
-    Attributes:
-        pts_s: media time at which it appears.
-        duration_s: how long it stays.
-        native: PyAV's frame; only the media room looks inside.
-    """
-
-    pts_s: float
-    duration_s: float
-    native: VideoFrame
 
 
 class VideoDecoder(ClipDecoder[VideoFrame]):
@@ -96,7 +75,6 @@ class VideoDecoder(ClipDecoder[VideoFrame]):
         self._pending: list[DecodedFrame] = []
         self._last: DecodedFrame | None = None
         self._wanted: int | None = None
-        self._converter = PictureConverter()
         first = self.next_frame()
         if first is None:
             raise MediaError(
@@ -104,6 +82,8 @@ class VideoDecoder(ClipDecoder[VideoFrame]):
                 where=str(self._path),
                 remedy=COPY_AGAIN,
             )
+        with media_errors(self._path, Message("its pixel format cannot be converted")):
+            check_convertible(first.native)
         self._pending.append(first)
         rotation_deg = rotation_of(first.native)
         self.width, self.height = shown_size(self._stream, rotation_deg)
@@ -203,28 +183,3 @@ class VideoDecoder(ClipDecoder[VideoFrame]):
             duration_s = native.duration * self._tick_s
         is_sane = 0.0 < duration_s < _LONGEST_FRAME_S
         return duration_s if is_sane else 1.0 / self.frame_rate_hz
-
-    def convert(
-        self,
-        frame: DecodedFrame,
-        width_px: int,
-        height_px: int,
-        is_direct: bool = False,
-    ) -> Picture:
-        """Scale and convert a decoded frame for painting.
-
-        Args:
-            frame: from this decoder.
-            width_px: as shown, after rotation; rounded down to an even number.
-            height_px: as shown.
-            is_direct: a `DirectPainter` takes it as it is where nothing is to be scaled.
-
-        Raises:
-            MediaError: when the picture's format cannot be converted.
-        """
-        with media_errors(
-            self._path, Message("its pictures have a format that is not known")
-        ):
-            return self._converter.convert(
-                frame.native, frame.pts_s, width_px, height_px, is_direct
-            )

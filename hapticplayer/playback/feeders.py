@@ -1,8 +1,7 @@
-"""Decoder threads: pictures and sound ahead of time, in bounded amounts."""
+"""Decoder threads: frames and sound ahead of time, in bounded amounts."""
 
 import abc
 import logging
-import math
 import threading
 from collections import deque
 from pathlib import Path
@@ -13,19 +12,14 @@ from hapticplayer.media import (
     AudioDecoder,
     AudioStretcher,
     DecodedFrame,
-    Picture,
     VideoDecoder,
 )
 from hapticplayer.playback.audio import AudioRing
 from hapticplayer.playback.sound_block import CHANNELS
 
-QUEUE_PICTURES = 5
-AHEAD_S = 0.06
-"""While the queue reaches so far, the decoder sleeps on: to decode three pictures in a row
-takes less than three times one, whose tables are no longer in the cache."""
+QUEUE_FRAMES = 5
 ROOM_S = 0.2  # seconds of sound lie ahead: there is no hurry
 SAME_TIME_S = 1e-6  # far below any time base
-MAX_STARVED_DROPS = 15  # show one picture in half a second whatever happens
 
 
 class Feeder(threading.Thread, abc.ABC):
@@ -126,106 +120,60 @@ class Feeder(threading.Thread, abc.ABC):
 
 
 class VideoFeeder(Feeder):
-    """Decodes pictures and converts those that somebody sees and that are not late.
+    """Decodes frames ahead of time; they are converted when they are shown.
 
     Attributes:
-        dropped: pictures that were late before they were converted.
         damaged: see `VideoDecoder`.
     """
 
     def __init__(self, path: Path) -> None:
         super().__init__("video-decoder", path)
-        self._queue: deque[Picture] = deque()
-        self._wanted = (0, 0, False)
-        self._position_s = float("-inf")
-        self._starved = 0
-        self._taken: Picture | None = None
-        self._hole_s = float("-inf")  # of the last picture that was not kept
-        self._has_other_sizes = False
-        self._is_seen = self._is_filling = True
-        self._low = QUEUE_PICTURES - 1
-        self.dropped = 0
+        self._queue: deque[DecodedFrame] = deque()
+        self._taken: DecodedFrame | None = None
         self.damaged = 0
 
     def request(self, epoch: int, media_s: float) -> None:
-        """Go to a position; pictures that are here already are not decoded again."""
+        """Go to a position; frames that are here already are not decoded again."""
         with self._wake:
             if self._target is None and self._keep_from(media_s):
-                self._position_s = float("-inf")
                 self._wake.notify_all()
                 return
         super().request(epoch, media_s)
 
     def _keep_from(self, media_s: float) -> bool:
-        """Drop what lies before a position, if its picture and the next one are here."""
+        """Drop what lies before a position, if its frame and the next one are here."""
         kept = [*([self._taken] if self._taken else []), *self._queue]
-        covering = sum(p.pts_s <= media_s + SAME_TIME_S for p in kept) - 1
-        if not 0 <= covering < len(kept) - 1 or self._has_other_sizes:
-            return False
-        if kept[covering].pts_s <= self._hole_s:
+        covering = sum(f.pts_s <= media_s + SAME_TIME_S for f in kept) - 1
+        if not 0 <= covering < len(kept) - 1:
             return False
         self._queue, self._taken = deque(kept[covering:]), None
         return True
 
-    def set_seen(self, *, is_seen: bool) -> None:
-        """Say whether anybody sees the pictures; else only their times are kept."""
-        with self._wake:
-            self._is_seen = is_seen
-            self._wake.notify_all()
-
-    def set_size(self, width_px: int, height_px: int, is_direct: bool = False) -> None:
-        """Convert to this size from now on, or leave it to a `DirectPainter`."""
-        wanted = (width_px, height_px, is_direct)
-        self._has_other_sizes |= self._wanted != wanted
-        self._wanted = wanted
-
-    def set_position(self, media_s: float) -> None:
-        """Say where the clock is; pictures before it need no conversion."""
-        self._position_s = media_s
-
-    def peek(self, number: int = 0) -> Picture | None:
-        """Return a queued picture without taking it; asked often, it takes no lock."""
+    def peek(self, number: int = 0) -> DecodedFrame | None:
+        """Return a queued frame without taking it; asked often, it takes no lock."""
         try:
-            picture = self._queue[number]
+            return self._queue[number]
         except IndexError:
             return None
-        return None if self._is_seen and not picture.has_pixels else picture
 
-    def pop(self) -> Picture | None:
-        """Take the next picture."""
+    def pop(self) -> DecodedFrame | None:
+        """Take the next frame."""
         with self._wake:
-            if not self._queue or self._is_to_convert(self._queue[0]):
+            if not self._queue:
                 return None
             self._taken = self._queue.popleft()
-            if len(self._queue) <= self._low:
-                self._wake.notify_all()
+            self._wake.notify_all()
             return self._taken
 
-    def _is_to_convert(self, picture: Picture) -> bool:
-        """Whether somebody sees now what nobody saw when it was decoded."""
-        return self._is_seen and not picture.has_pixels
-
     def _has_work(self) -> bool:
-        count = len(self._queue)
-        if count <= self._low:
-            self._is_filling = True
-        elif count >= QUEUE_PICTURES:
-            self._is_filling = False
-        is_to_decode = self._is_filling and not self.is_at_end
-        return is_to_decode or any(map(self._is_to_convert, self._queue))
+        return not self.is_at_end and len(self._queue) < QUEUE_FRAMES
 
     def _forget(self) -> None:
         self._queue.clear()
-        self._taken, self._has_other_sizes = None, False
-        self._position_s = self._hole_s = float("-inf")
+        self._taken = None
 
     def _open(self) -> None:
         self._decoder = VideoDecoder(self._path)
-        self._set_ahead()
-
-    def _set_ahead(self) -> None:
-        ahead = math.ceil(AHEAD_S * self._decoder.frame_rate_hz)
-        self._low = min(ahead, QUEUE_PICTURES - 1)
 
     def _close(self) -> None:
         if hasattr(self, "_decoder"):
@@ -235,49 +183,15 @@ class VideoFeeder(Feeder):
         self._decoder.seek(media_s)
 
     def _decode(self) -> None:
-        with self._wake:
-            outlines = [p for p in self._queue if self._is_to_convert(p)]
-        if outlines:
-            self._fill_in(outlines[0])
-            return
         frame = self._decoder.next_frame()
         self.damaged = self._decoder.damaged
         if frame is None:
             self._end()
             return
-        if self._is_late(frame):
-            self.dropped += 1
-            self._hole_s = frame.pts_s
-            return
-        picture = self._converted(frame)
         with self._wake:
             if self._target is None:
-                self._queue.append(picture)
+                self._queue.append(frame)
                 self._wake.notify_all()
-
-    def _converted(self, frame: DecodedFrame) -> Picture:
-        if self._is_seen:
-            return self._decoder.convert(frame, *self._wanted_now())
-        return Picture.without_pixels(frame.pts_s, frame)
-
-    def _fill_in(self, outline: Picture) -> None:
-        """Make the pixels of a picture, if it is still wanted then."""
-        picture = self._converted(outline.owner)
-        with self._wake:
-            for number, queued in enumerate(self._queue):
-                if queued is outline:
-                    self._queue[number] = picture
-            self._wake.notify_all()
-
-    def _is_late(self, frame: DecodedFrame) -> bool:
-        is_late = frame.pts_s + frame.duration_s < self._position_s
-        self._starved = self._starved + 1 if is_late else 0
-        return is_late and self._starved % MAX_STARVED_DROPS != 0
-
-    def _wanted_now(self) -> tuple[int, int, bool]:
-        if all(self._wanted[:2]):
-            return self._wanted
-        return self._decoder.width, self._decoder.height, False
 
 
 class AudioFeeder(Feeder):

@@ -44,7 +44,7 @@ class Player:
 
     Args:
         clock: of the machine.
-        sink: where pictures go; None: nobody sees them, so that no pixels are made.
+        sink: where frames go; None for nowhere.
         device: name of the haptic device, or "none".
         audio: makes the sound output, see `SoundKeeper`; None plays without sound.
         scheduling: of the haptics process; None for the best there is.
@@ -80,13 +80,12 @@ class Player:
         self._link = HapticLink(clock, device, scheduling, make=self._make_haptics)
         self._latencies, self._latency = Latencies(), Latency()
         self._farewells = Farewells()
-        self._size, self._is_seen = (0, 0, False), sink is not None
         self._first_sound_by_s = self._pictured_s = 0.0
         self._logged_audio_s = float("-inf")
         self._led_by = ClockSource.MONOTONIC
         self._is_blind = False
         self._leaving: list[VideoFeeder] = []  # told to end, and not waited for
-        self._damaged = self._dropped_before = 0
+        self._damaged = 0
 
     # --- commands -------------------------------------------------------------
 
@@ -98,8 +97,6 @@ class Player:
         self._end_s = source.clip.duration_s
         self._link.load(source.tracks)
         self._video_feeder = VideoFeeder(source.clip.path)
-        self._video_feeder.set_size(*self._size)
-        self._video_feeder.set_seen(is_seen=self._is_seen)
         self._sound.open(source.clip.path, has_sound=source.clip.has_audio)
         self._phase = Phase.PAUSED
         self._go_to(0.0)
@@ -116,7 +113,6 @@ class Player:
             self._video_feeder.leave()
             self._leaving = [f for f in self._leaving if f.is_alive()]
             self._leaving.append(self._video_feeder)
-            self._dropped_before += self._video_feeder.dropped
             self._video_feeder = None
         self._source, self._loop_s = None, None
         self._screen.forget()
@@ -158,13 +154,13 @@ class Player:
         self.pause()
         if frames < 0:
             half_s = 0.5 / (source.clip.frame_rate_hz or 30.0)
-            picture_s = self._screen.picture_s - half_s
-            self.seek(picture_s)
-            self._screen.picture_s = max(0.0, picture_s)
-        elif (picture := feeder.pop()) is not None:
-            self._media.seek(picture.pts_s)
-            self._sound.go_to(picture.pts_s)
-            self._screen.show_still(picture)
+            frame_s = self._screen.frame_s - half_s
+            self.seek(frame_s)
+            self._screen.frame_s = max(0.0, frame_s)
+        elif (frame := feeder.pop()) is not None:
+            self._media.seek(frame.pts_s)
+            self._sound.go_to(frame.pts_s)
+            self._screen.show_still(frame)
 
     def set_speed(self, speed: float) -> None:
         """Play faster or slower from here on; the sound keeps its pitch."""
@@ -184,7 +180,6 @@ class Player:
     def set_sink(self, sink: FrameSink) -> None:
         """Present the pictures somewhere else, at a standstill the present one too."""
         self._screen.sink = sink
-        self.set_seen(is_seen=True)
         if not self._is_playing:  # else the next picture comes soon enough
             self.seek(self._media_s())
 
@@ -248,22 +243,6 @@ class Player:
     def wait_released(self) -> None:
         """Wait until other programs can have the hardware that was let go of."""
         self._farewells.wait(hardware_only=True)
-
-    def set_size(self, width_px: int, height_px: int, is_direct: bool = False) -> None:
-        """Say how large pictures shall be, 0 x 0: as they are; see `VideoFeeder`."""
-        self._size = (width_px, height_px, is_direct)
-        if self._video_feeder is not None:
-            self._video_feeder.set_size(*self._size)
-
-    def set_seen(self, *, is_seen: bool) -> None:
-        """Say whether anybody can see the pictures; decoding goes on in any case."""
-        if is_seen is self._is_seen:
-            return
-        self._is_seen = is_seen
-        if self._video_feeder is not None:
-            self._video_feeder.set_seen(is_seen=is_seen)
-            if is_seen and not self._is_playing:
-                self._go_to(self._media_s())  # what was shown meanwhile has no pixels
 
     def stop_force(self) -> None:
         """Take the force away at once and stand still; `rearm` brings it back."""
@@ -334,7 +313,7 @@ class Player:
             cause=Cause(int(latest["cause"])) if latest is not None else Cause.NONE,
             tick=latest,
             frames_shown=self._screen.shown,
-            frames_dropped=self._frames_dropped,
+            frames_dropped=self._screen.dropped,
             frames_damaged=self._damaged,
             problem=self._problem,
             notices=tuple(self._notices),
@@ -353,19 +332,13 @@ class Player:
         """Return the last differences between force, picture and sound."""
         return SyncTraces(self._link.video_sync.trace(), self._link.audio_sync.trace())
 
-    @property
-    def _frames_dropped(self) -> int:
-        """Pictures that came too late to be shown."""
-        fed = self._video_feeder.dropped if self._video_feeder else 0
-        return self._dropped_before + self._screen.dropped + fed
-
     def summary(self) -> dict[str, Any]:
         """Return what the log ends with."""
         return {
             **self._link.summary(),
             "frames": {
                 "shown": self._screen.shown,
-                "dropped": self._frames_dropped,
+                "dropped": self._screen.dropped,
                 "damaged": self._damaged,
             },
             "audio_underrun_s": round(self._sound.underrun_s, 4),

@@ -78,11 +78,11 @@ def test_the_loop_key_marks_a_then_b_then_forgets(playing):
 def test_the_dot_shows_the_next_picture(playing, wait_for):
     playing.player.pause()
     playing.player.seek(1.0)
-    wait_for(lambda: abs(playing.player._screen.picture_s - 1.0) < 0.02)
+    wait_for(lambda: abs(playing.player._screen.frame_s - 1.0) < 0.02)
     wait_for(lambda: not playing.player._screen._needs_preview)
     wait_for(lambda: playing.player._video_feeder.peek() is not None)
     key(playing, Qt.Key.Key_Period)
-    assert playing.player._screen.picture_s == pytest.approx(1.04, abs=1e-6)
+    assert playing.player._screen.frame_s == pytest.approx(1.04, abs=1e-6)
     assert playing.player.snapshot().phase is Phase.PAUSED
 
 

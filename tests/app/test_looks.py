@@ -62,7 +62,7 @@ def test_another_language_keeps_clip_and_place(shown, wait_for):
     assert shown.window.player is player
     assert player.snapshot().media_s == pytest.approx(1.0)
     assert shown.window.transport.play.accessibleName() == "Abspielen"
-    wait_for(lambda: shown.window.surface._picture is not None)
+    wait_for(lambda: shown.window.surface.frame is not None)
     shown.window.transport.play.click()
     wait_for(lambda: player.snapshot().phase is Phase.PLAYING)
 

@@ -5,13 +5,12 @@ import pytest
 from av.video.frame import VideoFrame
 from hypothesis import given
 from hypothesis import strategies as st
-from PySide6.QtGui import QImage, QPaintEvent
+from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QLabel, QWidget
 
 from app.player.letterbox import letterbox
 from app.player.video_surface import VideoSurface
-from hapticplayer.media import Picture
-from hapticplayer.media.pictures import PictureConverter
+from hapticplayer.media import DecodedFrame, FrameConverter
 
 SIDES = st.integers(2, 8000)
 
@@ -52,15 +51,12 @@ def test_letterboxes_of_common_screens(picture, area, box):
     assert letterbox(picture, area) == box
 
 
-def noise(width: int, height: int, seed: int = 1) -> tuple[Picture, np.ndarray]:
-    """A picture with padded rows, and its RGB."""
-    stride = 4 * width + 32
-    rows = np.zeros((height, stride), np.uint8)
-    rgb = np.random.default_rng(seed).integers(0, 256, (height, width, 3), np.uint8)
-    pixels = np.dstack([rgb[:, :, ::-1], np.full((height, width), 255, np.uint8)])
-    rows[:, : 4 * width] = pixels.reshape(height, -1)
-    flat = rows.reshape(-1)
-    return Picture(0.0, width, height, stride, flat.data, flat), rgb
+def noise(width: int, height: int, seed: int = 1) -> tuple[DecodedFrame, np.ndarray]:
+    """A noisy frame, and its RGB."""
+    rng = np.random.default_rng(seed)
+    rows = rng.integers(0, 256, (height * 3 // 2, width), np.uint8)
+    frame = DecodedFrame(0.0, 0.04, VideoFrame.from_ndarray(rows, "yuv420p"))
+    return frame, FrameConverter().convert(frame, width, height).as_rgb()
 
 
 def grabbed(surface: VideoSurface) -> np.ndarray:
@@ -81,10 +77,10 @@ def surface(qtbot) -> VideoSurface:
     return made
 
 
-def test_a_picture_of_the_target_size_is_painted_pixel_by_pixel(surface):
+def test_a_frame_of_the_target_size_is_painted_pixel_by_pixel(surface):
     box = surface.target
-    picture, rgb = noise(box.width, box.height)
-    surface.present(picture)
+    frame, rgb = noise(box.width, box.height)
+    surface.present(frame)
     shown = grabbed(surface)
     inside = shown[box.y : box.y + box.height, box.x : box.x + box.width]
     assert np.array_equal(inside, rgb)
@@ -92,88 +88,68 @@ def test_a_picture_of_the_target_size_is_painted_pixel_by_pixel(surface):
 
 def test_the_bars_are_black(surface):
     box = surface.target
-    picture, _ = noise(box.width, box.height)
-    surface.present(picture)
+    frame, _ = noise(box.width, box.height)
+    surface.present(frame)
     shown = grabbed(surface)
     assert box.x > 0
     assert not shown[:, : box.x].any()
     assert not shown[:, box.x + box.width :].any()
 
 
-def test_a_picture_of_another_size_fills_the_same_target(surface):
+@pytest.mark.parametrize("size", [(80, 46), (640, 360)])
+def test_a_frame_of_another_size_is_scaled_to_its_place(surface, size):
     box = surface.target
-    flat = np.full((45, 80, 4), 255, np.uint8).reshape(-1)
-    surface.present(Picture(0.0, 80, 45, 320, flat.data, flat))
+    frame, _ = noise(*size)
+    surface.present(frame)
     shown = grabbed(surface)
     inside = shown[box.y : box.y + box.height, box.x : box.x + box.width]
-    assert (inside == 255).all()
+    expected = FrameConverter().convert(frame, box.width, box.height).as_rgb()
+    assert np.array_equal(inside, expected)
 
 
-def test_the_target_follows_the_size(surface, qtbot):
-    with qtbot.waitSignal(surface.target_changed) as told:
-        surface.resize(320, 180)
+def test_after_a_resize_the_frame_has_the_new_size(surface):
+    frame, _ = noise(160, 90)
+    surface.present(frame)
+    surface.resize(320, 180)
     ratio = surface.devicePixelRatioF()
-    assert told.args == [320 * ratio, 180 * ratio, True]
     assert surface.target == (0, 0, 320 * ratio, 180 * ratio)
+    assert (surface.image.width(), surface.image.height()) == surface.target[2:]
 
 
-def test_the_surface_is_black_without_a_picture(surface):
-    picture, _ = noise(surface.target.width, surface.target.height)
-    surface.present(picture)
+def test_the_surface_is_black_without_a_frame(surface):
+    frame, _ = noise(surface.target.width, surface.target.height)
+    surface.present(frame)
     surface.clear()
     assert not grabbed(surface).any()
 
 
-def test_a_hidden_surface_keeps_the_picture_and_paints_nothing(surface, monkeypatch):
-    painted = []
+def test_a_hidden_surface_converts_and_paints_nothing(surface, qtbot, monkeypatch):
+    convert, converted = FrameConverter.convert, []
     surface.hide()
-    monkeypatch.setattr(surface, "repaint", lambda *_: painted.append(1))
-    picture, _ = noise(surface.target.width, surface.target.height)
-    surface.present(picture)
-    assert not painted
-    assert surface.has_picture_of_target_size
+    frame, _ = noise(surface.target.width, surface.target.height)
+    monkeypatch.setattr(
+        FrameConverter, "convert", lambda *a: converted.append(1) or convert(*a)
+    )
+    surface.present(frame)
+    assert surface.frame is frame
+    assert not converted
+    surface.show()
+    qtbot.waitUntil(lambda: bool(converted))
 
 
-# --- pictures that come as they were decoded --------------------------------
-
-
-def decoded(width: int, height: int, seed: int = 2) -> tuple[Picture, np.ndarray]:
-    """A picture that is yet to be converted, and its RGB."""
-    rng = np.random.default_rng(seed)
-    rows = rng.integers(0, 256, (height * 3 // 2, width), np.uint8)
-    frame = VideoFrame.from_ndarray(rows, "yuv420p")
-    rgb = PictureConverter().convert(frame, 0.0, width, height).as_rgb()
-    return PictureConverter().convert(frame, 0.0, width, height, is_direct=True), rgb
-
-
-class Copied(VideoSurface):
-    """Counts what had to be copied."""
-
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.copies = self.paints = 0
-
-    def paintEvent(self, event: QPaintEvent) -> None:
-        self.paints += 1
-        super().paintEvent(event)
-
-    def _draw(self, *arguments) -> None:
-        self.copies += 1
-        super()._draw(*arguments)
+# --- within a window --------------------------------------------------------
 
 
 @pytest.fixture
-def inner(qtbot) -> Iterator[Copied]:
+def inner(qtbot) -> Iterator[VideoSurface]:
     """A surface of 160 x 90 somewhere in a window."""
     window = QWidget()
     window.resize(300, 200)
-    made = Copied(window)
+    made = VideoSurface(window)
     made.setGeometry(37, 21, 160, 90)
     made.set_clip_size(160, 90)
     window.show()
     qtbot.waitExposed(window)
-    qtbot.waitUntil(lambda: made.paints > 0)
-    made.copies = made.paints = 0
     yield made
     window.close()
 
@@ -189,37 +165,15 @@ def in_window(surface: VideoSurface) -> np.ndarray:
     return pixels[y : y + height, x : x + width, 2::-1].copy()
 
 
-def test_a_decoded_picture_is_converted_in_its_place(inner):
-    picture, rgb = decoded(160, 90)
-    inner.present(picture)
-    assert (inner.paints, inner.copies) == (1, 0)
-    assert np.array_equal(in_window(inner), rgb)
-
-
-def test_a_decoded_picture_is_there_for_who_looks_at_its_image(inner):
-    picture, rgb = decoded(160, 90)
-    inner.present(picture)
-    image = inner.image.convertToFormat(QImage.Format.Format_RGB888)
-    rows = np.frombuffer(image.constBits(), np.uint8).reshape(90, -1)[:, : 3 * 160]
-    assert np.array_equal(rows.reshape(90, 160, 3), rgb)
-
-
-def test_a_decoded_picture_of_another_size_is_scaled(inner):
-    picture, _ = decoded(80, 46)
-    inner.present(picture)
-    assert inner.copies == 1
-    assert in_window(inner).any()
-
-
-def test_what_lies_upon_the_picture_stays_there(inner, qtbot):
+def test_what_lies_upon_the_frame_stays_there(inner, qtbot):
     note = QLabel(inner)
     note.setAutoFillBackground(True)
     note.setStyleSheet("background: rgb(1, 2, 3)")
     note.setGeometry(10, 10, 30, 20)
     note.show()
     qtbot.waitUntil(lambda: in_window(inner)[15, 20].tolist() == [1, 2, 3])
-    picture, rgb = decoded(160, 90)
-    inner.present(picture)
+    frame, rgb = noise(160, 90)
+    inner.present(frame)
     inner.repaint(50, 40, 5, 5)  # a part, while the note is not painted anew
     shown = in_window(inner)
     assert (shown[10:30, 10:40] == [1, 2, 3]).all()
@@ -227,26 +181,12 @@ def test_what_lies_upon_the_picture_stays_there(inner, qtbot):
     assert np.array_equal(shown, rgb)
 
 
-def test_who_always_has_to_copy_asks_for_pixels(inner, qtbot):
-    told = []
-    inner.target_changed.connect(lambda *what: told.append(what))
-    for k in range(12):
-        inner._picture = decoded(160, 90, seed=k)[0]
-        inner.repaint(0, 0, 20, 20)
-    assert told == [(160, 90, False)]
-    inner.setGeometry(0, 0, 240, 135)
-    qtbot.waitUntil(lambda: len(told) == 2)
-    assert told[1] == (240, 134, True) or told[1] == (240, 135, True)
-
-
-def test_a_decoded_picture_sits_right_between_its_bars(inner):
+def test_the_frame_sits_right_between_its_bars(inner):
     inner.setGeometry(31, 19, 200, 90)
     inner.repaint()
-    inner.copies = 0
     assert inner.target == (20, 0, 160, 90)
-    picture, rgb = decoded(160, 90)
-    inner.present(picture)
-    assert inner.copies == 0
+    frame, rgb = noise(160, 90)
+    inner.present(frame)
     shown = in_window(inner)
     assert np.array_equal(shown[:, 20:180], rgb)
     assert not shown[:, :20].any()
@@ -268,8 +208,7 @@ def test_a_fault_while_painting_leaves_no_painter_behind(qtbot, qtlog, monkeypat
         surface.update()
         qtbot.waitUntil(lambda: bool(raised))
     assert "a fault of ours" in str(raised[0][1])
-    with qtbot.waitSignal(surface.target_changed):
-        surface.resize(surface.width() + 100, surface.height() + 100)
+    surface.resize(surface.width() + 100, surface.height() + 100)
     surface.repaint()
     qtbot.wait(50)
     assert not [r.message for r in qtlog.records if "painte" in r.message]

@@ -129,10 +129,10 @@ def test_a_video_that_is_dropped_plays_without_force(window, clip, wait_for):
     assert window.transport.feedback.currentData() == "none"
 
 
-def test_pictures_are_decoded_at_the_size_of_the_surface(playing, wait_for):
+def test_frames_have_the_size_of_their_place(playing, wait_for):
     surface = playing.surface
-    wait_for(lambda: surface._picture is not None)
-    wait_for(lambda: surface.has_picture_of_target_size)
+    wait_for(lambda: surface.frame is not None)
+    assert (surface.image.width(), surface.image.height()) == surface.target[2:]
 
 
 def test_space_pauses_and_plays(playing, wait_for):

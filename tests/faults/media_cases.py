@@ -18,7 +18,7 @@ import numpy as np
 
 from hapticplayer.clock import SystemClock
 from hapticplayer.errors import MediaError
-from hapticplayer.media import AudioDecoder, VideoDecoder, probe
+from hapticplayer.media import AudioDecoder, FrameConverter, VideoDecoder, probe
 
 EXTREMES = (b"\xff\xff\xff\xff", b"\x7f\xff\xff\xff", b"\0\0\0\0")
 LONGEST_S = 5.0
@@ -134,7 +134,7 @@ def play(path: Path) -> tuple[int, bool]:
     pictures, info = 0, probe(path)
     with VideoDecoder(path) as video:
         for frame in video.frames():
-            video.convert(frame, 64, 48)
+            FrameConverter().convert(frame, 64, 48)
             pictures += 1
         is_marked = video.damaged > 0
         video.seek(0.5 * info.duration_s)

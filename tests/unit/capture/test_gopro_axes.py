@@ -16,7 +16,7 @@ from hapticplayer.capture.gopro_streams import (
 )
 from hapticplayer.capture.gopro_timing import Clock, sample_times
 from hapticplayer.capture.gpmf import Entry, parse
-from hapticplayer.media import VideoDecoder, read_telemetry_packets
+from hapticplayer.media import FrameConverter, VideoDecoder, read_telemetry_packets
 from hapticplayer.model import ImuLog
 from hapticplayer.model.arrays import Floats
 from tests.unit.capture.conftest import floats, nested, recorded, sensor, text
@@ -137,7 +137,9 @@ def test_picture_moves_as_the_gyro_says() -> None:
     spectra, times_s = [], []
     with VideoDecoder(path) as decoder:
         for frame in decoder.frames():
-            grey = decoder.convert(frame, 160, 90).as_rgb()[:, :, 1].astype(float)
+            grey = (
+                FrameConverter().convert(frame, 160, 90).as_rgb()[:, :, 1].astype(float)
+            )
             spectra.append(np.fft.rfft2((grey - grey.mean()) * window))
             times_s.append(frame.pts_s)
     moved = np.array(

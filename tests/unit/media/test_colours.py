@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from hapticplayer.media import VideoDecoder, probe
+from hapticplayer.media import FrameConverter, VideoDecoder, probe
 
 pytestmark = pytest.mark.skipif(
     shutil.which("ffmpeg") is None, reason="the program ffmpeg is not installed"
@@ -70,7 +70,7 @@ def shown(path: Path) -> np.ndarray:
     """Return what is painted, at the size as shown."""
     with VideoDecoder(path) as decoder:
         frame = decoder.next_frame()
-        return decoder.convert(frame, decoder.width, decoder.height).as_rgb()
+        return FrameConverter().convert(frame, decoder.width, decoder.height).as_rgb()
 
 
 def levels_apart(a: np.ndarray, b: np.ndarray) -> float:

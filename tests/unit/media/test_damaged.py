@@ -9,6 +9,7 @@ import pytest
 from hapticplayer.errors import MediaError
 from hapticplayer.media import (
     AudioDecoder,
+    FrameConverter,
     VideoDecoder,
     probe,
     read_telemetry_packets,
@@ -34,7 +35,7 @@ def play(path: Path) -> None:
         for frame in decoder.frames():
             assert frame.pts_s > last_s
             last_s = frame.pts_s
-            decoder.convert(frame, 64, 48)
+            FrameConverter().convert(frame, 64, 48)
         decoder.seek(1.0)
         decoder.next_frame()
 

@@ -1,4 +1,4 @@
-"""Pictures that follow each other use the same memory: counted in page faults."""
+"""Frames that follow each other use the same memory: counted in page faults."""
 
 import subprocess
 import sys
@@ -11,20 +11,19 @@ from collections import deque
 import numpy as np
 from av.video.frame import VideoFrame
 from hapticplayer.media.memory import keep_freed_memory
-from hapticplayer.media.pictures import PictureConverter
+from hapticplayer.media.frames import DecodedFrame, FrameConverter
 
 keep_freed_memory()
-frames = [VideoFrame.from_ndarray(
-    np.full((1620, 1920), k, np.uint8), format="yuv420p") for k in range(2)]
+frames = [DecodedFrame(0.0, 0.0, VideoFrame.from_ndarray(
+    np.full((1620, 1920), k, np.uint8), format="yuv420p")) for k in range(2)]
 queue, faults = deque(maxlen=5), []
 
 def decode():
-    converter = PictureConverter()
+    converter = FrameConverter()
     for number in range(80):
         if number == 40:
             faults.append(resource.getrusage(resource.RUSAGE_SELF).ru_minflt)
-        picture = converter.convert(frames[number % 2], number / 60, 1920, 1080)
-        queue.append(picture)
+        queue.append(converter.convert(frames[number % 2], 1920, 1080))
     faults.append(resource.getrusage(resource.RUSAGE_SELF).ru_minflt)
 
 thread = threading.Thread(target=decode)
@@ -36,7 +35,7 @@ PAGES = 1920 * 1080 * 4 / 4096
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="of glibc")
-def test_a_picture_costs_no_fresh_memory():
+def test_a_frame_costs_no_fresh_memory():
     done = subprocess.run(
         [sys.executable, "-c", CONVERT], capture_output=True, text=True, check=True
     )

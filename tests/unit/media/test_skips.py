@@ -1,4 +1,4 @@
-"""Streams that nobody shows are not read, and what shows the same is known as that."""
+"""Streams that nobody shows are not read."""
 
 from fractions import Fraction
 
@@ -7,7 +7,6 @@ import numpy as np
 import pytest
 
 from hapticplayer.media import AudioDecoder, VideoDecoder
-from hapticplayer.media.sameness import shows_the_same
 
 PICTURES, RATE_HZ, SOUNDS = 30, 15, 3
 SOUND_HZ = 48_000
@@ -57,54 +56,3 @@ def test_a_decoder_reads_its_own_stream_and_no_other(crowded, decoder):
         mine, read = packets(made._container, index)
     assert read == len(mine) == len(all_mine)
     assert mine == all_mine
-
-
-def frame(**changes):
-    """Return a noisy frame, the same each time but for the changes (plane: index)."""
-    rng = np.random.default_rng(5)
-    made = av.VideoFrame(100, 64, changes.pop("format", "yuv420p"))
-    for number, plane in enumerate(made.planes):
-        content = rng.integers(16, 235, plane.buffer_size).astype(np.uint8)
-        if f"plane{number}" in changes:
-            row, column = changes[f"plane{number}"]
-            content[row * plane.line_size + column] ^= 1
-        plane.update(content.tobytes())
-    if "range" in changes:
-        made.color_range = changes["range"]
-    return made
-
-
-def test_equal_samples_show_the_same():
-    assert shows_the_same(frame(), frame())
-
-
-@pytest.mark.parametrize(
-    "changes",
-    [
-        {"plane0": (63, 99)},  # one bit of the last sample
-        {"plane0": (63, 95)},  # of the last whole word
-        {"plane0": (1, 0)},  # of a row that is not glanced at
-        {"plane1": (31, 49)},
-        {"plane2": (0, 0)},
-        {"format": "yuv422p"},
-        {"range": 2},
-    ],
-)
-def test_the_least_change_is_seen(changes):
-    assert not shows_the_same(frame(), frame(**changes))
-
-
-def test_what_fills_up_the_rows_does_not_count():
-    one = frame()
-    assert one.planes[0].line_size > 100
-    assert shows_the_same(one, frame(plane0=(10, 100)))
-
-
-def test_ten_bits_are_compared_to_the_last_byte():
-    ten = {"format": "yuv420p10le"}
-    assert shows_the_same(frame(**ten), frame(**ten))
-    assert not shows_the_same(frame(**ten), frame(**ten, plane0=(63, 199)))
-
-
-def test_a_format_of_unknown_layout_counts_as_new():
-    assert not shows_the_same(frame(format="rgb24"), frame(format="rgb24"))

@@ -5,7 +5,7 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from hapticplayer.media import AudioDecoder, VideoDecoder
+from hapticplayer.media import AudioDecoder, FrameConverter, VideoDecoder
 from hapticplayer.playback.beats import (
     FIRST_S,
     LENGTH_S,
@@ -22,7 +22,7 @@ def test_flash_beep_and_push_begin_together(tmp_path, monkeypatch):
     with VideoDecoder(source.clip.path) as video:
         shown = []
         while (frame := video.next_frame()) is not None and frame.pts_s < 3.2:
-            picture = video.convert(frame, 64, 36)
+            picture = FrameConverter().convert(frame, 64, 36)
             shown.append((frame.pts_s, picture.as_rgb().mean() > 128))
     flashes_s = [t for (_, before), (t, lit) in pairwise(shown) if lit > before]
     assert flashes_s == pytest.approx(beats_s.tolist(), abs=1e-3)

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from hapticplayer.clock import SystemClock
-from hapticplayer.media import probe, write_clip
+from hapticplayer.media import FrameConverter, probe, write_clip
 from hapticplayer.playback import headless
 from hapticplayer.playback.player import Player
 from hapticplayer.playback.source import open_source
@@ -15,11 +15,12 @@ SHOWN = (1280, 720)
 
 class SizesSink:
     def __init__(self):
-        self.seen = []
+        self.seen, self.converter = [], FrameConverter()
 
-    def show(self, picture):
-        grey = picture.as_rgb()[::90, ::90].mean()
-        self.seen.append((picture.width, picture.height, float(grey)))
+    def show(self, frame):
+        image = self.converter.convert(frame, *SHOWN)
+        grey = image.as_rgb()[::90, ::90].mean()
+        self.seen.append((image.width, image.height, float(grey)))
 
 
 @pytest.fixture(scope="module")
@@ -37,7 +38,6 @@ def test_every_frame_of_a_4k_clip_is_shown_or_counted_as_dropped(large):
     player = Player(clock, sink, audio=None)
     try:
         player.open(open_source(large))
-        player.set_size(*SHOWN)
         headless.run(player, clock, start_s=0.0, until_s=10.0)
         snapshot = player.snapshot()
     finally:

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 from hapticplayer.errors import Cancelled, MediaError, UsageError
-from hapticplayer.media import AudioDecoder, VideoDecoder, probe
+from hapticplayer.media import AudioDecoder, FrameConverter, VideoDecoder, probe
 from hapticplayer.model import STANDARD_GRAVITY_MPS2
 from hapticplayer.simulation.film import film
 from hapticplayer.simulation.film.picture import PictureMaker
@@ -326,10 +326,10 @@ def test_cancelled_clip_leaves_nothing(
 
 
 def decoded(path: Path) -> NDArray[np.int64]:
+    converter = FrameConverter()
     with VideoDecoder(path) as video:
-        return np.array(
-            [video.convert(f, 160, 90).as_rgb().astype(int) for f in video.frames()]
-        )
+        images = [converter.convert(frame, 160, 90) for frame in video.frames()]
+    return np.array([image.as_rgb().astype(int) for image in images])
 
 
 def test_two_painters_make_the_clip_that_one_makes(
