@@ -1,7 +1,7 @@
 """The real program offscreen, with a participant who presses its buttons; to be killed.
 
-Each answer that the program shows as kept (the next page is there) is acknowledged on
-stdout: `ack STEP ATTEMPT VALUES`. Nothing in the program knows of this script.
+Run by `kill`. Each answer that the program shows as kept (the next page is there) is
+acknowledged on stdout: `ack STEP ATTEMPT VALUES`.
 """
 
 import json
@@ -9,9 +9,6 @@ import os
 import sys
 from pathlib import Path
 from typing import Any
-
-os.environ["QT_QPA_PLATFORM"] = "offscreen"
-sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
 from PySide6.QtCore import QTimer
 
@@ -24,8 +21,7 @@ from hapticplayer.study.pages import PageKind
 from hapticplayer.study.session_setup import load_material
 from hapticplayer.study.study_folder import open_study
 
-STEP_MS = 3
-CLIP_S = 0.03
+STEP_MS, CLIP_S = 3, 0.03
 BUTTONS = {
     PageKind.CONSENT: "agree",
     PageKind.DEMONSTRATION: "next",
@@ -35,7 +31,7 @@ BUTTONS = {
 
 
 class Participant:
-    """Answers with numbers that tell the trial, so that nothing can be mixed up."""
+    """Answers every page with numbers that tell it, so that none can be mixed up."""
 
     def __init__(self, session: StudySession) -> None:
         self.session = session
@@ -65,13 +61,12 @@ class Participant:
             self.press(page.kind, page.number)
 
     def press(self, kind: PageKind, number: int) -> None:
-        """Press the button of a page, after answering what it asks."""
+        """Press the button of a page, after answering its questions."""
         content, runner = self.session.participant.content, self.session.runner
         assert runner is not None
         if not isinstance(content, QuestionsPage):
-            name = BUTTONS.get(kind)
-            if name and content is not None:
-                content.buttons[name].click()
+            if kind in BUTTONS and content is not None:
+                content.buttons[BUTTONS[kind]].click()
             return
         for row in content.rows:
             row.set_value(answer_to(row.asked.kind, number))
@@ -92,11 +87,11 @@ def answer_to(kind: QuestionKind, number: int) -> Any:
 
 
 def say(text: str) -> None:
-    """Tell the driver, at once."""
+    """Print a line for the benchmark, at once."""
     os.write(1, f"{text}\n".encode())
 
 
-def run(folder: Path, code: str) -> None:
+def take_part(folder: Path, code: str) -> None:
     """Run or resume one session."""
     application = make_application()
     study = open_study(folder)
@@ -111,22 +106,20 @@ def run(folder: Path, code: str) -> None:
     application.exec()
 
 
-def main() -> int:
-    """Run a program for each line `CODE` on stdin, or a new session for an empty one.
+def main() -> None:
+    """Run a program for each line `CODE` on stdin, a new session for an empty one.
 
     Importing takes longer than a session: it is done once, each program is a fork.
     """
-    folder = Path(sys.argv[1])
     for line in sys.stdin:
         child = os.fork()
         if not child:
-            run(folder, line.strip())
+            take_part(Path(sys.argv[1]), line.strip())
             os._exit(0)
         say(f"pid {child}")
         os.waitpid(child, 0)
         say("gone")
-    return 0
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

@@ -1,24 +1,18 @@
 """What can be seen and heard of a player from outside, on CLOCK_MONOTONIC.
 
-    python benchmarks/sync_watch.py pixel FRAMEBUFFER OUTPUT
-    python benchmarks/sync_watch.py sound OUTPUT
-    python benchmarks/sync_watch.py beeps OUTPUT
-
-`pixel` reads a pixel near the middle of Xvfb's memory at 1 kHz and notes when it changes
-between black and white. `sound` records the monitor of the null sink with the time of
-each read. `beeps` plays beeps through libpulse and writes when PulseAudio says that
-they sound: what the recorder hears earlier or later than that is its own constant
-(a monitor hands samples out a block before they are played). Each writes OUTPUT (.npz)
-when its input closes.
+Run by `outside`, each as a process of its own until its input closes. `pixel` reads a
+pixel near the middle of Xvfb's memory at 1 kHz and notes when it changes between black
+and white. `sound` records the monitor of the null sink with the time of each read.
+`beeps` plays beeps through libpulse and writes when PulseAudio says that they sound:
+what the recorder hears earlier or later than that is its own constant (a monitor hands
+samples out a block before they are played).
 """
 
 import array
 import contextlib
 import ctypes
-import mmap
 import os
 import select
-import struct
 import subprocess
 import sys
 import time
@@ -28,16 +22,16 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from benchmarks.common import ROOT
+from benchmarks.stage import pixel_reader
+from benchmarks.sync.clips import SOUND_HZ, beep
+
 Floats = NDArray[np.float64]
 
-RATE_HZ = 48_000
-POLL_S = 0.001
-BLIND_S = 0.004
-ASIDE_PX = 100  # in the very middle is the mouse pointer, which comes and goes
-PRIORITY = 70  # above the loop's guard: who measures must not be what is late
-BEEP_HZ, BEEP_S, BEEP_LEVEL = 1000.0, 0.1, 0.5
+POLL_S, BLIND_S = 0.001, 0.004
+PRIORITY = 70  # above the loop's guard: the watcher must not be what is late
 ONSET_LEVEL = 0.12  # of full scale: a quarter of the beep, after 0.04 ms of a sine
-SHORTEST_FLASH_S = 0.04
+SHORTEST_FLASH_S, LONGEST_FLASH_S = 0.04, 0.45
 QUIET_S = 0.05  # before an onset
 MONITOR_LATENCY_MS = 4
 
@@ -48,9 +42,10 @@ def watcher(
 ) -> Iterator[None]:
     """Run one of the watchers inside the block; its output is whole at the end."""
     process = subprocess.Popen(
-        [sys.executable, __file__, *arguments],
+        [sys.executable, "-m", "benchmarks.sync.watchers", *arguments],
         stdin=subprocess.PIPE,
         env={**os.environ, **(environment or {}), "OPENBLAS_NUM_THREADS": "1"},
+        cwd=ROOT,
     )
     assert process.stdin
     try:
@@ -59,12 +54,6 @@ def watcher(
         process.stdin.close()
         if process.wait(20.0):
             raise RuntimeError(f"the watcher failed: {' '.join(arguments)}")
-
-
-def beep(seconds: float) -> Floats:
-    """Return a beep of so many seconds, at its full level at once."""
-    t = np.arange(round(seconds * RATE_HZ)) / RATE_HZ
-    return np.asarray(BEEP_LEVEL * np.sin(2.0 * np.pi * BEEP_HZ * t))
 
 
 def _is_asked_to_end() -> bool:
@@ -76,80 +65,63 @@ def _be_punctual() -> None:
         os.sched_setscheduler(0, os.SCHED_FIFO, os.sched_param(PRIORITY))
 
 
-# --- the screen -------------------------------------------------------------
+# --- the screen --------------------------------------------------------------------
 
 
-def watch_pixel(framebuffer: Path, output: Path) -> None:
+def watch_pixel(output: Path, framebuffer: Path) -> None:
     """Note when a pixel near the middle of the screen turns white or black."""
-    with framebuffer.open("rb") as file:
-        memory = mmap.mmap(file.fileno(), 0, prot=mmap.PROT_READ)
-    # XWD header, big-endian: size, version, format, depth, width, height, ...
-    header = struct.unpack(">25I", memory[:100])
-    width, height, row_bytes, colours = header[4], header[5], header[12], header[19]
-    row, column = height // 2 - ASIDE_PX, width // 2 - ASIDE_PX
-    at = header[0] + 12 * colours + row * row_bytes + column * 4 + 1
+    pixel = pixel_reader(framebuffer)
     changes, stalls = array.array("d"), array.array("d")
     _be_punctual()
-    was_white, before_s, polls = memory[at] > 127, time.monotonic(), 0
+    was_white, before_s, polls = pixel()[1] > 127, time.monotonic(), 0
     due_s = before_s
     while polls % 100 or not _is_asked_to_end():
         due_s = max(due_s + POLL_S, before_s)
         time.sleep(max(0.0, due_s - time.monotonic()))
-        is_white, now_s = memory[at] > 127, time.monotonic()
+        is_white, now_s = pixel()[1] > 127, time.monotonic()
         if is_white is not was_white:
             changes.extend((0.5 * (before_s + now_s), float(is_white)))
         if now_s - before_s > BLIND_S:
             stalls.extend((before_s, now_s))
         was_white, before_s, polls = is_white, now_s, polls + 1
-    np.savez(
-        output,
-        changes=np.array(changes).reshape(-1, 2),
-        stalls=np.array(stalls).reshape(-1, 2),
-        polls=polls,
-    )
+    changed, stalled = (np.array(values).reshape(-1, 2) for values in (changes, stalls))
+    np.savez(output, changes=changed, stalls=stalled)
 
 
-def flashes(output: Path, most_s: float) -> tuple[Floats, int]:
-    """Return when the pixel turned white for some pictures, s, and how many went unseen.
+def flashes(output: Path) -> tuple[Floats, int]:
+    """Return when the pixel turned white for some frames, s, and how many went unseen.
 
-    A flash that began while the watcher itself did not run has no time.
-
-    Args:
-        output: of `watch_pixel`.
-        most_s: what stays white for longer is no flash but a window, or the end.
+    What stays white for longer is a window or the end; a flash that began while the
+    watcher itself did not run has no time.
     """
     seen = np.load(output)
     time_s, is_white = seen["changes"].T
     lasted_s = np.diff(time_s, append=np.inf)
-    is_flash = (is_white > 0.5) & (lasted_s > SHORTEST_FLASH_S) & (lasted_s < most_s)
-    found = time_s[is_flash]
+    is_flash = (lasted_s > SHORTEST_FLASH_S) & (lasted_s < LONGEST_FLASH_S)
+    found = time_s[(is_white > 0.5) & is_flash]
     begin_s, end_s = seen["stalls"].T
     is_unseen = ((found[:, None] > begin_s) & (found[:, None] < end_s)).any(axis=1)
     return np.asarray(found[~is_unseen]), int(is_unseen.sum())
 
 
-# --- the sound --------------------------------------------------------------
+# --- the sound ---------------------------------------------------------------------
 
 
 def watch_sound(output: Path) -> None:
     """Record the monitor; where the server goes, begin again when it is back."""
-    parts: list[tuple[bytes, list[tuple[float, int]]]] = []
+    found = [np.empty(0)]
     _be_punctual()
     while not _is_asked_to_end():
-        parts.append(_record_until_it_breaks())
+        sound, reads = _record_until_it_breaks()
+        if len(reads) > 1:
+            found.append(_onsets(np.frombuffer(sound, np.int16), np.array(reads)))
         time.sleep(0.02)
-    samples = [np.frombuffer(sound, np.int16) for sound, _ in parts]
-    onsets = [
-        _onsets(part, np.array(reads))
-        for part, (_, reads) in zip(samples, parts, strict=True)
-        if len(reads) > 1
-    ]
-    np.savez(output, onsets=np.concatenate([np.empty(0), *onsets]))
+    np.savez(output, onsets=np.concatenate(found))
 
 
 def _record_until_it_breaks() -> tuple[bytes, list[tuple[float, int]]]:
     command = ["parec", "--raw", "--device=null.monitor", "--format=s16le"]
-    command += [f"--rate={RATE_HZ}", "--channels=1"]
+    command += [f"--rate={SOUND_HZ}", "--channels=1"]
     command += [f"--latency-msec={MONITOR_LATENCY_MS}"]
     sound, reads = bytearray(), []
     recorder = subprocess.Popen(
@@ -179,23 +151,19 @@ def _onsets(samples: NDArray[np.int16], reads: Floats) -> Floats:
     A read may come late but never early, so the earliest of the reads around a
     sample tells its time.
     """
-    is_loud = np.abs(samples) > ONSET_LEVEL * 32768
-    loud = np.flatnonzero(is_loud)
-    first = loud[np.diff(loud, prepend=-RATE_HZ) > QUIET_S * RATE_HZ]
-    begin_s = reads[:, 0] - reads[:, 1] / RATE_HZ  # of sample 0, were this read prompt
+    loud = np.flatnonzero(np.abs(samples) > ONSET_LEVEL * 32768)
+    first = loud[np.diff(loud, prepend=-SOUND_HZ) > QUIET_S * SOUND_HZ]
+    begin_s = reads[:, 0] - reads[:, 1] / SOUND_HZ  # of sample 0, were this read prompt
     found = []
     for sample in first:
-        near = np.abs(reads[:, 1] - sample) < 0.5 * RATE_HZ
-        found.append(begin_s[near].min() + sample / RATE_HZ)
+        near = np.abs(reads[:, 1] - sample) < 0.5 * SOUND_HZ
+        found.append(begin_s[near].min() + sample / SOUND_HZ)
     return np.array(found)
 
 
 def onsets(output: Path) -> Floats:
     """Return when beeps came to the recorder, s."""
     return np.asarray(np.load(output)["onsets"])
-
-
-# --- what PulseAudio itself says --------------------------------------------
 
 
 class _SampleSpec(ctypes.Structure):
@@ -211,31 +179,29 @@ def play_beeps(output: Path) -> None:
     pulse = ctypes.CDLL("libpulse-simple.so.0")
     pulse.pa_simple_new.restype = ctypes.c_void_p
     pulse.pa_simple_get_latency.restype = ctypes.c_uint64
-    spec, error = _SampleSpec(3, RATE_HZ, 1), ctypes.c_int()  # 3: s16le
+    spec, error = _SampleSpec(3, SOUND_HZ, 1), ctypes.c_int()  # 3: s16le
     stream = pulse.pa_simple_new(
         None, b"beeps", 1, None, b"beeps", ctypes.byref(spec), None, None, None
     )
     if not stream:
         raise OSError("no sound server answers")
     handle = ctypes.c_void_p(stream)
-    block = np.zeros(RATE_HZ // 100, np.int16)
-    tone = (32767 * beep(BEEP_S)).astype(np.int16).reshape(-1, len(block))
+    silence = np.zeros(SOUND_HZ // 100, np.int16)
+    tone = (32767 * beep()).astype(np.int16).reshape(-1, len(silence))
     said: list[float] = []
     count = 0
     while not _is_asked_to_end():
-        turn = count % 50
-        if turn == 0 and count > 100:
+        block = count % 50
+        if block == 0 and count > 100:
             latency_s = 1e-6 * pulse.pa_simple_get_latency(handle, ctypes.byref(error))
             said.append(time.monotonic() + latency_s)
-        piece = tone[turn] if turn < len(tone) and count > 100 else block
-        raw = piece.tobytes()
+        raw = (tone[block] if block < len(tone) and count > 100 else silence).tobytes()
         pulse.pa_simple_write(handle, raw, ctypes.c_size_t(len(raw)), None)
         count += 1
     np.savez(output, said=np.array(said))
 
 
 if __name__ == "__main__":
-    what, *paths = sys.argv[1:]
-    {"pixel": watch_pixel, "sound": watch_sound, "beeps": play_beeps}[what](
-        *map(Path, paths)
+    {"pixel": watch_pixel, "sound": watch_sound, "beeps": play_beeps}[sys.argv[1]](
+        *map(Path, sys.argv[2:])
     )

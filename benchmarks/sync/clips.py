@@ -1,4 +1,4 @@
-"""The clips of benchmarks/sync.py: at the same moments a flash, a beep and a push."""
+"""Clips for `outside`: at the same moments a flash, a beep and a push."""
 
 import subprocess
 from collections.abc import Iterator
@@ -6,16 +6,16 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from common import HEIGHT, RATE_HZ, WIDTH
 from numpy.typing import NDArray
-from sync_watch import BEEP_S, beep
-from sync_watch import RATE_HZ as SOUND_HZ
 
+from benchmarks.stage import HEIGHT, RATE_HZ, WIDTH
+
+Floats = NDArray[np.float64]
 PERIOD_S = 0.5
-FLASH_FRAMES = 3
+FLASH_FRAMES, PATCH_PX = 3, 300
+SOUND_HZ, BEEP_HZ, BEEP_S, BEEP_LEVEL = 48_000, 1000.0, 0.1, 0.5
 FORCE_N = 1.0  # the limiter lets that much through in one tick
 LATE_SOUND_S = 1.75
-PATCH_PX = 300
 LOOP_S, LOOPS = 64.0, 19  # whole packets of sound, and 20 minutes
 
 
@@ -25,10 +25,19 @@ def base_clip(folder: Path, seconds: float) -> Path:
 
     path = folder / "sync.mp4"
     if not path.exists():
-        write_clip(
-            path, _pictures(seconds), frame_rate_hz=RATE_HZ, audio=_sound(seconds)
-        )
+        sound = np.zeros((round(seconds * SOUND_HZ), 2), dtype=np.float32)
+        tone = beep()[:, None]
+        for at_s in _moments(seconds):
+            first = round(at_s * SOUND_HZ)
+            sound[first : first + len(tone)] = tone
+        write_clip(path, _frames(seconds), frame_rate_hz=RATE_HZ, audio=sound)
     return path
+
+
+def beep() -> Floats:
+    """Return a beep, at its full level at once."""
+    t = np.arange(round(BEEP_S * SOUND_HZ)) / SOUND_HZ
+    return np.asarray(BEEP_LEVEL * np.sin(2.0 * np.pi * BEEP_HZ * t))
 
 
 def force_file(folder: Path, seconds: float) -> Path:
@@ -46,7 +55,7 @@ def variant(kind: str, clip: Path) -> Path:
     options = {
         "long": ["-stream_loop", str(LOOPS - 1), "-i", str(clip), "-c", "copy"],
         "silent": ["-i", str(clip), "-c", "copy", "-an"],
-        # pictures are left out here and there, never one that begins a flash
+        # frames are left out here and there, never one that begins a flash
         "vfr": [
             *("-i", str(clip), "-vf", "select=not(mod(n\\,15))+gt(random(1)\\,0.4)"),
             *("-fps_mode", "vfr", "-preset", "veryfast", "-c:a", "copy"),
@@ -63,28 +72,18 @@ def variant(kind: str, clip: Path) -> Path:
     return path
 
 
-def _moments(seconds: float) -> NDArray[np.float64]:
+def _moments(seconds: float) -> Floats:
     return np.arange(PERIOD_S, seconds - BEEP_S, PERIOD_S)
 
 
-def _sound(seconds: float) -> NDArray[np.float32]:
-    sound = np.zeros((round(seconds * SOUND_HZ), 2), dtype=np.float32)
-    tone = beep(BEEP_S)[:, None]
-    for at_s in _moments(seconds):
-        first = round(at_s * SOUND_HZ)
-        sound[first : first + len(tone)] = tone
-    return sound
-
-
-def _pictures(seconds: float) -> Iterator[NDArray[Any]]:
+def _frames(seconds: float) -> Iterator[NDArray[Any]]:
     """Yield textures that move around a patch that flashes."""
     texture = np.random.default_rng(1).integers(40, 200, (HEIGHT // 8, WIDTH // 8, 3))
     texture = np.kron(texture, np.ones((8, 8, 1))).astype(np.uint8)
     top, left = (HEIGHT - PATCH_PX) // 2, (WIDTH - PATCH_PX) // 2
     per_period = round(PERIOD_S * RATE_HZ)
     for number in range(round(seconds * RATE_HZ)):
-        picture = np.roll(texture, (2 * number, 5 * number), (0, 1))
+        frame = np.roll(texture, (2 * number, 5 * number), (0, 1))
         is_white = number >= per_period and number % per_period < FLASH_FRAMES
-        patch = picture[top : top + PATCH_PX, left : left + PATCH_PX]
-        patch[:] = 255 if is_white else 0
-        yield picture
+        frame[top : top + PATCH_PX, left : left + PATCH_PX] = 255 if is_white else 0
+        yield frame
