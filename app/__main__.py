@@ -5,13 +5,10 @@ Qt is imported only when a window is needed.
 
 import argparse
 import atexit
-import builtins
 import contextlib
-import gc
 import os
 import sys
-from collections.abc import Callable, Iterator, Sequence
-from typing import Any
+from collections.abc import Sequence
 
 from hapticplayer import cli
 from hapticplayer.doctor import explain_import_error, x_server_answers
@@ -51,55 +48,17 @@ def has_display() -> bool:
 
 def _open_window(options: argparse.Namespace) -> int:
     try:
-        with _quick_imports():
-            import hapticplayer.playback.player  # noqa: F401 - before Qt, see below
+        from app.bridge.interrupts import hold_signals
 
-            plain = builtins.__import__
-            from app.bridge.interrupts import hold_signals
-
-            hold_signals()
-            with _imports_by(plain):
-                if getattr(options, "study", None) is not None:
-                    from app.participant.application import run
-                else:
-                    from app.player.application import run
+        hold_signals()
+        if getattr(options, "study", None) is not None:
+            from app.participant.application import run
+        else:
+            from app.player.application import run
     except ImportError as problem:
         sys.stderr.write(f"hapticplayer: {explain_import_error(problem)}\n")
         return 1
     return run(options)
-
-
-@contextlib.contextmanager
-def _imports_by(function: Callable[..., Any]) -> Iterator[None]:
-    """Import by what was there before Qt, whose own reads the source of each module.
-
-    It looks for its features (`from __feature__ import`), which nothing here uses.
-    """
-    hook, builtins.__import__ = builtins.__import__, function
-    try:
-        yield
-    finally:
-        builtins.__import__ = hook
-
-
-@contextlib.contextmanager
-def _quick_imports() -> Iterator[None]:
-    """Spare what a program that only begins does not need: 0.1 s of CPU.
-
-    Modules are no garbage, and numpy's threads for algebra have nothing to do here.
-    Processes that are started later have them again.
-    """
-    name = "OPENBLAS_NUM_THREADS"
-    chosen = os.environ.get(name)
-    os.environ[name] = chosen or "1"
-    gc.disable()
-    try:
-        yield
-    finally:
-        gc.freeze()
-        gc.enable()
-        if chosen is None:
-            del os.environ[name]
 
 
 if __name__ == "__main__":

@@ -27,7 +27,7 @@ from hapticplayer.devices import DEVICES
 from hapticplayer.devices.falcon.driver import FalconDriver, Options
 from hapticplayer.haptics.scheduling import DEVICE_PRIORITY, acquire, grant
 from hapticplayer.haptics.wakefulness import Wakefulness
-from hapticplayer.simulation.usb import remote
+from hapticplayer.simulation.usb import driver
 
 PERIOD_S = 0.001
 SETTLING_TICKS = 200
@@ -44,7 +44,7 @@ def run(options: Options | None, ticks: int) -> dict[str, float]:
     device, server = None, None
     if options is not None:
         server, descriptor = start_falcon()
-        device = remote.make(descriptor, options)
+        device = driver.make(descriptor, options)
         device.open()
     gc.collect()
     gc.disable()

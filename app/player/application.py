@@ -24,12 +24,11 @@ from hapticplayer.cli.play import (
     wanted_speed,
 )
 from hapticplayer.clock import SystemClock
-from hapticplayer.devices import installed_devices
+from hapticplayer.devices import NO_DEVICE, installed_devices
 from hapticplayer.haptics.process import Health
 from hapticplayer.haptics.scheduling import hasten_window
 from hapticplayer.media.memory import keep_freed_memory
 from hapticplayer.playback.farewell import is_hardware
-from hapticplayer.playback.haptic_link import NO_DEVICE
 from hapticplayer.playback.player import Player
 from hapticplayer.playback.sound_process import SoundProcess
 from hapticplayer.playback.source import Source, choose_feedback, open_source

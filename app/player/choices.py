@@ -5,12 +5,12 @@ from typing import NamedTuple
 
 from PySide6.QtCore import QCoreApplication
 
+from app.bridge.languages import translated
 from app.player.health import device_name
-from hapticplayer.devices import device_names, installed_devices
-from hapticplayer.model import Feedback
-from hapticplayer.playback.haptic_link import NO_DEVICE
+from hapticplayer.devices import NO_DEVICE, device_names, installed_devices
 from hapticplayer.playback.replay import FROM_LOG
 from hapticplayer.playback.source import FROM_FILE
+from hapticplayer.rendering import FEEDBACKS
 
 translate = QCoreApplication.translate
 
@@ -32,9 +32,7 @@ class Choice(NamedTuple):
 def feedbacks(names: Iterable[str]) -> list[Choice]:
     """Return the force tracks of a source as choices."""
     texts = {
-        Feedback.REALISTIC.value: translate("Choices", "Realistic"),
-        Feedback.NONE.value: translate("Choices", "None"),
-        Feedback.RANDOM.value: translate("Choices", "Random"),
+        **{one.name: translated(one.text) for one in FEEDBACKS},
         FROM_FILE: translate("Choices", "From file"),
         FROM_LOG: translate("Choices", "From a log"),
     }

@@ -23,8 +23,8 @@ from app.player.plugged import Plugged
 from app.player.session import Session
 from app.player.video_surface import SurfaceSink
 from hapticplayer.clock import Clock
+from hapticplayer.devices import NO_DEVICE
 from hapticplayer.errors import HapticPlayerError
-from hapticplayer.playback.haptic_link import NO_DEVICE
 from hapticplayer.playback.player import Player
 from hapticplayer.playback.sound_process import SoundProcess
 

@@ -22,11 +22,10 @@ from app.widgets.buttons import set_role, text_button
 from app.widgets.labels import BESIDE
 from app.widgets.room import resize_within_screen
 from hapticplayer.clock import Clock
-from hapticplayer.devices import find_device
+from hapticplayer.devices import NO_DEVICE, find_device
 from hapticplayer.errors import HapticPlayerError
 from hapticplayer.haptics.contract import Mode
 from hapticplayer.haptics.process import Health
-from hapticplayer.playback.haptic_link import NO_DEVICE
 from hapticplayer.playback.snapshot import Snapshot
 from hapticplayer.simulation.faults import Fault, outcome_of
 

@@ -11,11 +11,10 @@ from app.plots.grip_scene import (
     position_of,
     trail_of,
 )
-from hapticplayer.devices import find_device
+from hapticplayer.devices import NO_DEVICE, find_device
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.process import Health
 from hapticplayer.model import Feedback
-from hapticplayer.playback.haptic_link import NO_DEVICE
 from hapticplayer.playback.snapshot import Snapshot, TicksSince
 
 translate = QCoreApplication.translate

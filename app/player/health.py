@@ -5,14 +5,14 @@ from typing import NamedTuple
 
 from PySide6.QtCore import QCoreApplication
 
+from app.bridge.languages import translated
 from app.widgets.numbers import local
 from app.widgets.texts import titled
-from hapticplayer.devices import installed_devices
+from hapticplayer.devices import NO_DEVICE, installed_devices
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.process import Health
 from hapticplayer.haptics.scheduling import Scheduling
 from hapticplayer.model import LoopStats, SyncStats
-from hapticplayer.playback.haptic_link import NO_DEVICE
 from hapticplayer.playback.snapshot import Measurements, Phase, Snapshot
 from hapticplayer.playback.sync_alarm import EARLY_MS, LATE_MS
 
@@ -82,17 +82,11 @@ def _with(name: str, state: str) -> str:
 
 def device_name(name: str) -> str:
     """Return a device's name for people."""
-    names = {
-        "simulated": translate("Health", "Simulated"),
-        "falcon": translate("Health", "Falcon"),
-        "falcon-simulated": translate("Health", "Falcon on simulated USB"),
-        "gamepad": translate("Health", "Game pad"),
-        NO_DEVICE: translate("Health", "None"),
-    }
     kind, _, serial = name.partition(":")
+    if kind == NO_DEVICE:
+        return translate("Health", "None")
     entry = installed_devices().get(kind)
-    text = names.get(kind, entry.title if entry else kind)
-    return f"{text} {serial}".rstrip()
+    return f"{translated(entry.label) if entry else kind} {serial}".rstrip()
 
 
 def mode_text(mode: Mode) -> str:

@@ -37,6 +37,7 @@ from app.widgets.buttons import text_button
 from app.widgets.labels import ElidedLabel
 from app.widgets.room import framed, indent
 from hapticplayer.clock import Clock
+from hapticplayer.devices import NO_DEVICE
 from hapticplayer.errors import HapticPlayerError, message_of
 from hapticplayer.haptics.contract import Mode
 from hapticplayer.model import Feedback
@@ -48,7 +49,6 @@ from hapticplayer.playback.beats import (
     beat_source,
     relative_latencies_s,
 )
-from hapticplayer.playback.haptic_link import NO_DEVICE
 from hapticplayer.playback.latency import MOST_S, Latencies
 from hapticplayer.playback.player import Player
 from hapticplayer.playback.screen import NullSink

@@ -8,12 +8,11 @@ from PySide6.QtCore import QObject, Signal
 from app.bridge.child import in_child
 from app.bridge.errors import ErrorGateway
 from app.bridge.jobs import Jobs, Progress
-from hapticplayer.devices import find_device
+from hapticplayer.devices import NO_DEVICE, find_device
 from hapticplayer.errors import DeviceError, HapticPlayerError, HapticsError
 from hapticplayer.haptics.contract import Mode
 from hapticplayer.haptics.limiter import is_near_middle, limits_of
 from hapticplayer.haptics.process import Health
-from hapticplayer.playback.haptic_link import NO_DEVICE
 from hapticplayer.playback.player import Player
 from hapticplayer.playback.replay import with_log
 from hapticplayer.playback.snapshot import Phase, Snapshot

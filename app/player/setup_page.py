@@ -26,9 +26,9 @@ from app.widgets import theme
 from app.widgets.buttons import text_button
 from app.widgets.texts import PERCENT
 from hapticplayer.clock import Clock
+from hapticplayer.devices import NO_DEVICE
 from hapticplayer.devices.falcon.reach import Reach, reach_of
 from hapticplayer.devices.falcon.setting_up import Progress, Step, set_up
-from hapticplayer.playback.haptic_link import NO_DEVICE
 
 POLL_MS = 33
 LOOK_MS = 1000

@@ -11,8 +11,8 @@ from app.bridge.child import in_child
 from app.bridge.jobs import Job
 from app.player.times import time_text
 from app.widgets.seek_slider import SeekSlider
+from hapticplayer.devices import NO_DEVICE
 from hapticplayer.media import Thumbnail, thumbnails
-from hapticplayer.playback.haptic_link import NO_DEVICE
 from hapticplayer.playback.player import Player
 
 HEIGHT_PX = 90

@@ -33,7 +33,7 @@ from app.widgets.icons import icon
 from app.widgets.job_bar import JobBar
 from app.widgets.message_bar import MessageBar
 from hapticplayer.clock import Clock
-from hapticplayer.playback.haptic_link import NO_DEVICE
+from hapticplayer.devices import NO_DEVICE
 from hapticplayer.playback.player import Player
 from hapticplayer.playback.source import Source
 

@@ -17,16 +17,17 @@ from hapticplayer.cli.common import (
     shown_progress,
 )
 from hapticplayer.clock import SystemClock
+from hapticplayer.devices import NO_DEVICE
 from hapticplayer.errors import UsageError
 from hapticplayer.haptics.limiter import Limits
 from hapticplayer.haptics.scheduling import Scheduling
 from hapticplayer.playback import headless
-from hapticplayer.playback.haptic_link import NO_DEVICE
 from hapticplayer.playback.kept_latencies import kept_latencies
 from hapticplayer.playback.log import PlaybackLog
 from hapticplayer.playback.player import FASTEST, SLOWEST, Player
 from hapticplayer.playback.sound_process import SoundProcess
 from hapticplayer.playback.source import Source, choose_feedback, open_source
+from hapticplayer.rendering import FEEDBACKS
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
@@ -38,7 +39,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--feedback",
         metavar="F",
-        help="realistic, none, random or another of its tracks",
+        help=f"{', '.join(one.name for one in FEEDBACKS)} or another of its tracks",
     )
     parser.add_argument(
         "--force",

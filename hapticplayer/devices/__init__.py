@@ -51,7 +51,8 @@ class DeviceEntry:
 
     Attributes:
         name: for command lines and files.
-        title: for people.
+        label: short, for lists.
+        title: a line about it.
         capabilities: what it can do.
         driver: called with a descriptor, and with a serial number where there may be
             several, returns the `HapticDevice`, not yet open.
@@ -70,6 +71,7 @@ class DeviceEntry:
     """
 
     name: str
+    label: Message
     title: str
     capabilities: DeviceCapabilities
     driver: str
@@ -98,6 +100,7 @@ _SIMULATED = "hapticplayer.simulation"
 _BUILT_IN = (
     DeviceEntry(
         "simulated",
+        Message("Simulated"),
         "simulated Falcon, held by a relaxed hand",
         FALCON,
         f"{_SIMULATED}.falcon.remote:RemoteFalcon",
@@ -107,6 +110,7 @@ _BUILT_IN = (
     ),
     DeviceEntry(
         "falcon",
+        Message("Falcon"),
         "Novint Falcon on USB",
         FALCON,
         "hapticplayer.devices.falcon.driver:make",
@@ -117,18 +121,20 @@ _BUILT_IN = (
     ),
     DeviceEntry(
         "falcon-simulated",
+        Message("Falcon on simulated USB"),
         "the Falcon's own driver on simulated USB, for developers",
         FALCON,
-        f"{_SIMULATED}.usb.remote:make",
+        f"{_SIMULATED}.usb.driver:make",
         f"{_SIMULATED}.usb.remote:silence",
         server=f"{_SIMULATED}.usb",
         faults=f"{_SIMULATED}.faults",
-        direct=f"{_SIMULATED}.usb.reach:simulated",
+        direct=f"{_SIMULATED}.usb.driver:simulated",
         is_for_developers=True,
         patience_s=45.0,
     ),
     DeviceEntry(
         "gamepad",
+        Message("Game pad"),
         "DualSense or DualShock 4 on USB: vibration only",
         GAMEPAD,
         "hapticplayer.devices.gamepad.driver:make",

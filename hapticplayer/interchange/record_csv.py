@@ -4,14 +4,18 @@ Each column becomes a matrix of characters with a row per tick, in which zero me
 "nothing here"; side by side and without the zeros they are the text.
 """
 
-from collections.abc import Mapping
-from typing import Any, NamedTuple
+from collections.abc import Iterator, Mapping
+from typing import Any, BinaryIO, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from hapticplayer.haptics.record_reader import RecordReader
+from hapticplayer.sequence.files import Progress
+
 Characters = NDArray[np.uint8]
 
+CHUNK_TICKS = 1 << 14
 TICK_COLUMN = "tick"
 _AXES = ("x", "y", "z")
 _DECIMALS = {"s": 9, "us": 3, "n": 6, "m": 9, "mps": 6}
@@ -38,6 +42,61 @@ class Column(NamedTuple):
     scale: float = 1.0
     decimals: int | None = None
     names: Mapping[int, str] | None = None
+
+
+def write_csv(
+    reader: RecordReader, out: BinaryIO, progress: Progress
+) -> dict[str, Any]:
+    """Write all intact ticks as CSV, and return what a person wants to know of them.
+
+    Args:
+        reader: at its beginning.
+        out: gets the text.
+        progress: told after each chunk.
+    """
+    columns = columns_of(reader.dtype, reader.header)
+    out.write(head_line(columns))
+    count = 0
+    times_s: list[float] = []
+    for first, ticks in _chunks(reader):
+        out.write(lines(first, ticks, columns))
+        count += len(ticks)
+        if "monotonic_s" in (reader.dtype.names or ()):
+            ends_s = ticks["monotonic_s"][[0, -1]].tolist()
+            times_s = [times_s[0] if times_s else ends_s[0], ends_s[1]]
+        progress(reader.done, "converting")
+    duration_s = times_s[1] - times_s[0] if times_s else 0.0
+    return {
+        "ticks": count,
+        "lost": reader.lost,
+        "is_complete": reader.is_complete,
+        "remark": reader.remark,
+        "duration_s": round(duration_s, 6) if np.isfinite(duration_s) else None,
+        "columns": [TICK_COLUMN, *[column.name for column in columns]],
+        "header": {k: v for k, v in reader.header.items() if k != "dtype"},
+    }
+
+
+def _chunks(reader: RecordReader) -> Iterator[tuple[int, NDArray[Any]]]:
+    """Yield (number of the first, ticks in a row) in pieces worth formatting."""
+    plain = np.dtype((np.void, reader.dtype.itemsize))  # joins much faster
+    held: list[NDArray[Any]] = []
+    first = count = 0
+    for frame in reader.frames():
+        if held and (frame.first != first + count or count >= CHUNK_TICKS):
+            yield from _cut(first, np.concatenate(held).view(reader.dtype))
+            held, count = [], 0
+        if not held:
+            first = frame.first
+        held.append(frame.ticks.view(plain))
+        count += len(frame.ticks)
+    if held:
+        yield from _cut(first, np.concatenate(held).view(reader.dtype))
+
+
+def _cut(first: int, ticks: NDArray[Any]) -> Iterator[tuple[int, NDArray[Any]]]:
+    for begin in range(0, len(ticks), CHUNK_TICKS):
+        yield first + begin, ticks[begin : begin + CHUNK_TICKS]
 
 
 def columns_of(dtype: np.dtype[Any], header: Mapping[str, Any]) -> list[Column]:

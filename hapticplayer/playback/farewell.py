@@ -2,8 +2,8 @@
 
 import threading
 
-from hapticplayer.devices import find_device
-from hapticplayer.playback.haptic_link import NO_DEVICE, HapticLink
+from hapticplayer.devices import NO_DEVICE, find_device
+from hapticplayer.playback.haptic_link import HapticLink
 
 
 class Farewells:

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hapticplayer.clock import Clock
-from hapticplayer.devices import find_device
+from hapticplayer.devices import NO_DEVICE, find_device
 from hapticplayer.errors import Message, UsageError
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.process import HapticsProcess, Health
@@ -21,7 +21,6 @@ from hapticplayer.playback.snapshot import Measurements
 from hapticplayer.playback.sync_alarm import SyncAlarm
 from hapticplayer.rendering import adapted
 
-NO_DEVICE = "none"
 SYNC_LOG_PERIOD_S = 1.0
 TICKS_BEFORE_S = 0.02  # of an event: the tick that it falls into, even a late one
 COMPARE_PERIOD_S = 0.2  # an alarm looks at half a second

@@ -14,6 +14,7 @@ from typing import Any
 from numpy.typing import NDArray
 
 from hapticplayer.clock import Clock
+from hapticplayer.devices import NO_DEVICE
 from hapticplayer.errors import Message
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.process import HapticsProcess
@@ -22,7 +23,7 @@ from hapticplayer.playback.clock import AudioReport, MediaClock
 from hapticplayer.playback.clock import Source as ClockSource
 from hapticplayer.playback.farewell import Farewells, is_hardware
 from hapticplayer.playback.feeders import VideoFeeder
-from hapticplayer.playback.haptic_link import NO_DEVICE, HapticLink
+from hapticplayer.playback.haptic_link import HapticLink
 from hapticplayer.playback.latency import Latencies, Latency
 from hapticplayer.playback.log import PlaybackLog
 from hapticplayer.playback.screen import POLL_S, FrameSink, NullSink, Screen

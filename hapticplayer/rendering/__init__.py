@@ -5,10 +5,17 @@ A pure room: no I/O, no threads, no clocks.
 
 from hapticplayer.rendering.adaptation import adapted
 from hapticplayer.rendering.demonstration import circle, demonstration
-from hapticplayer.rendering.feedback import no_feedback, random_feedback
+from hapticplayer.rendering.feedback import (
+    FEEDBACKS,
+    FeedbackCondition,
+    no_feedback,
+    random_feedback,
+)
 from hapticplayer.rendering.force import render_force
 
 __all__ = [
+    "FEEDBACKS",
+    "FeedbackCondition",
     "adapted",
     "circle",
     "demonstration",

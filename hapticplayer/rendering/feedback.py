@@ -1,11 +1,15 @@
-"""The two control conditions of the study: no force, and random force.
+"""The feedback conditions of the study, one line each: realistic, none, random.
 
 Source: Danieau et al. 2012: the random feedback is white noise low-passed at
 0.5 Hz; here with the same RMS per axis as the realistic track it stands beside.
 """
 
+from collections.abc import Callable
+from typing import NamedTuple
+
 import numpy as np
 
+from hapticplayer.errors import Message
 from hapticplayer.model import Feedback, ForceTrack, Reconstruction
 
 CUTOFF_HZ = 0.5
@@ -57,3 +61,35 @@ def no_feedback(realistic: ForceTrack) -> ForceTrack:
         force_n=np.zeros((2, 3), dtype=np.float32),
         provenance={"feedback": Feedback.NONE.value},
     )
+
+
+class FeedbackCondition(NamedTuple):
+    """What the hand gets while the clip plays.
+
+    Attributes:
+        name: in files and on the command line.
+        text: for people.
+        make: returns the track for the realistic one and a seed.
+        is_stored: whether a sequence keeps the track in a file of its own; else it is
+            made when the sequence is opened.
+    """
+
+    name: str
+    text: Message
+    make: Callable[[ForceTrack, int], ForceTrack]
+    is_stored: bool = True
+
+
+FEEDBACKS: tuple[FeedbackCondition, ...] = (
+    FeedbackCondition(
+        Feedback.REALISTIC, Message("Realistic"), lambda realistic, _seed: realistic
+    ),
+    FeedbackCondition(
+        Feedback.NONE,
+        Message("None"),
+        lambda realistic, _seed: no_feedback(realistic),
+        is_stored=False,
+    ),
+    FeedbackCondition(Feedback.RANDOM, Message("Random"), random_feedback),
+)
+"""In the order in which people see them. A sequence may hold further tracks."""

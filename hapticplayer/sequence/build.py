@@ -234,8 +234,9 @@ def _render(
         # the same clip gives the same random track, on every machine
         seed = int.from_bytes(hashlib.sha256(clip_hash.encode()).digest()[:4], "big")
     return {
-        Feedback.REALISTIC.value: realistic,
-        Feedback.RANDOM.value: rendering.random_feedback(realistic, seed),
+        condition.name: condition.make(realistic, seed)
+        for condition in rendering.FEEDBACKS
+        if condition.is_stored
     }
 
 
@@ -332,5 +333,7 @@ def _describe_tracks(
         name: describe_track(track, f"force_{name}.npz", excursions[name])
         for name, track in tracks.items()
     }
-    described[Feedback.NONE.value] = {"provenance": {"feedback": "none"}}
+    for condition in rendering.FEEDBACKS:
+        if not condition.is_stored:
+            described[condition.name] = {"provenance": {"feedback": condition.name}}
     return described

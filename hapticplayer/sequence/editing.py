@@ -16,13 +16,13 @@ import numpy as np
 from hapticplayer import rendering
 from hapticplayer.capture.si_csv import read_force_csv
 from hapticplayer.errors import SequenceError, UsageError
-from hapticplayer.model import Feedback, ForceTrack
+from hapticplayer.model import ForceTrack
 from hapticplayer.sequence import files, store
 from hapticplayer.sequence.excursion import predict
 
 LONGEST_TITLE = 300
 _NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9 _.-]{0,39}")
-_OWN = tuple(feedback.value for feedback in Feedback)
+_OWN = tuple(condition.name for condition in rendering.FEEDBACKS)
 
 
 def rename_sequence(folder: Path, title: str) -> None:
@@ -119,11 +119,13 @@ def set_gain(
     sequence = store.open_sequence(folder)
     mapping = dataclasses.replace(sequence.mapping, gain_n_per_mps2=gain_n_per_mps2)
     realistic = rendering.render_force(sequence.motion, mapping)
-    random, real = Feedback.RANDOM.value, Feedback.REALISTIC.value
-    tracks = {real: realistic}
-    if random in sequence.tracks:
-        seed = int(sequence.tracks[random].provenance["seed"])
-        tracks[random] = rendering.random_feedback(realistic, seed)
+    tracks = {
+        condition.name: condition.make(
+            realistic, int(sequence.tracks[condition.name].provenance.get("seed", 0))
+        )
+        for condition in rendering.FEEDBACKS
+        if condition.is_stored and condition.name in sequence.tracks
+    }
     description = {
         **sequence.description,
         "mapping": store.describe_mapping(mapping),

@@ -15,7 +15,7 @@ from hapticplayer.model import (
     Reconstruction,
     Sampling,
 )
-from hapticplayer.rendering import no_feedback
+from hapticplayer.rendering import FEEDBACKS
 from hapticplayer.sequence import files
 
 SCHEMA = "hapticplayer.sequence"
@@ -233,8 +233,10 @@ def _read_tracks(
             entry.get("provenance", {}),
         )
     realistic = tracks[Feedback.REALISTIC.value]
-    tracks[Feedback.NONE.value] = no_feedback(realistic)
-    order = [name.value for name in Feedback]
+    for condition in FEEDBACKS:
+        if not condition.is_stored:
+            tracks[condition.name] = condition.make(realistic, 0)
+    order = [condition.name for condition in FEEDBACKS]
     return dict(sorted(tracks.items(), key=lambda i: [*order, i[0]].index(i[0])))
 
 

@@ -6,9 +6,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from hapticplayer.devices import NO_DEVICE
 from hapticplayer.haptics.contract import Cause
 from hapticplayer.haptics.process import Health
-from hapticplayer.playback.haptic_link import NO_DEVICE
 from hapticplayer.playback.player import Player
 from hapticplayer.playback.snapshot import Snapshot
 from hapticplayer.study.definition import Checks

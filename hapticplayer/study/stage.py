@@ -8,10 +8,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hapticplayer.clock import Clock
+from hapticplayer.devices import NO_DEVICE
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.process import Health
 from hapticplayer.model import ForceTrack, SyncStats
-from hapticplayer.playback.haptic_link import NO_DEVICE
 from hapticplayer.playback.player import Player
 from hapticplayer.playback.snapshot import Measurements, Phase, Snapshot
 from hapticplayer.playback.source import Source

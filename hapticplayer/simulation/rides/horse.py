@@ -14,9 +14,8 @@ import numpy as np
 from hapticplayer.model import STANDARD_GRAVITY_MPS2
 from hapticplayer.model.arrays import Floats
 from hapticplayer.simulation.rides.noise import Shaker
-from hapticplayer.simulation.rides.scenes import smooth_step
 from hapticplayer.simulation.rides.script import KNOT_HZ, Drive, integral
-from hapticplayer.simulation.rides.trajectory import Trajectory
+from hapticplayer.simulation.rides.trajectory import Trajectory, smooth_step
 
 Footfall = tuple[float, float]
 """Time in s and strength, 0 to 1."""

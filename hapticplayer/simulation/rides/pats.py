@@ -14,7 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from hapticplayer.model.arrays import Floats
-from hapticplayer.simulation.rides.scenes import smooth_step
+from hapticplayer.simulation.rides.trajectory import smooth_step
 
 _ONSET_S = 0.012
 _RETURN_S = 0.12

@@ -1,17 +1,15 @@
 """What a scene of the recording simulator is, and the built-in demo's."""
 
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Literal
+from typing import Literal
 
 import numpy as np
 from scipy.signal import lfilter
 
 from hapticplayer.model import STANDARD_GRAVITY_MPS2
 from hapticplayer.model.arrays import Floats
-from hapticplayer.simulation.rides.trajectory import Trajectory
-
-if TYPE_CHECKING:
-    from hapticplayer.simulation.rides.pats import Pat
+from hapticplayer.simulation.rides.pats import Pat
+from hapticplayer.simulation.rides.trajectory import Trajectory, smooth_step
 
 Vehicle = Literal["bicycle", "horse", "car", "foot", "tripod"]
 """What the camera is on: decides what is seen in front of it, and what is heard."""
@@ -73,19 +71,10 @@ class Scene:
     steering_rad: Floats | None = None
     nod_rad: Floats | None = None
     footfalls: tuple[tuple[float, float], ...] = ()
-    pats: "tuple[Pat, ...]" = field(default=())
+    pats: tuple[Pat, ...] = field(default=())
     lead_s: float = 0.0
     tail_s: float = 0.0
     stairs_m: tuple[float, ...] = ()
-
-
-def smooth_step(time_s: Floats, start_s: float, length_s: float) -> Floats:
-    """Return 0 before, 1 after, and a polynomial with three zero derivatives between.
-
-    S(u) = 35 u^4 - 84 u^5 + 70 u^6 - 20 u^7.
-    """
-    u = np.clip((time_s - start_s) / length_s, 0.0, 1.0)
-    return u**4 * (35.0 + u * (-84.0 + u * (70.0 - 20.0 * u)))
 
 
 def demo(rng: np.random.Generator) -> Scene:

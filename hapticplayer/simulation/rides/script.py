@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from hapticplayer.model.arrays import Floats
-from hapticplayer.simulation.rides.scenes import smooth_step
+from hapticplayer.simulation.rides.trajectory import smooth_step
 
 KNOT_HZ = 200
 """Knots of the trajectories: motion up to 80 Hz is resolved."""

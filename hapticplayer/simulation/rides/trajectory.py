@@ -136,3 +136,12 @@ def _body_rate(angles: Floats, rates: Floats) -> Floats:
         ],
         axis=1,
     )
+
+
+def smooth_step(time_s: Floats, start_s: float, length_s: float) -> Floats:
+    """Return 0 before, 1 after, and a polynomial with three zero derivatives between.
+
+    S(u) = 35 u^4 - 84 u^5 + 70 u^6 - 20 u^7.
+    """
+    u = np.clip((time_s - start_s) / length_s, 0.0, 1.0)
+    return u**4 * (35.0 + u * (-84.0 + u * (70.0 - 20.0 * u)))

@@ -10,17 +10,9 @@ import select
 import socket
 import weakref
 from collections.abc import Callable
-from typing import Any
 
 from hapticplayer.clock import Clock, SystemClock
-from hapticplayer.devices.falcon.driver import DEFAULTS, FalconDriver, Options
 from hapticplayer.devices.falcon.protocol import encode_command
-from hapticplayer.devices.falcon.transport import (
-    OpenTransport,
-    Transport,
-    open_falcon,
-)
-from hapticplayer.simulation.usb.board import synthetic_image
 from hapticplayer.simulation.usb.chip import UsbFault
 from hapticplayer.simulation.usb.wire import (
     MAX_BYTES,
@@ -119,27 +111,6 @@ class _Line:
             if answer.serial == self._serial:  # else to one that was given up
                 return answer
         return None
-
-
-def opening(descriptor: int) -> OpenTransport:
-    """Return what opens the Falcon at the other end of a descriptor, which it takes."""
-    bus: list[Any] = []
-
-    def open_transport() -> Transport:
-        # not earlier: pyusb is loaded with it
-        from hapticplayer.simulation.usb import backend
-
-        if not bus:
-            port = backend.SimulatedPort(RemoteChip(descriptor))
-            bus.append(backend.SimulatedBus([port]))
-        return open_falcon(backend=bus[0])
-
-    return open_transport
-
-
-def make(descriptor: int, options: Options = DEFAULTS) -> FalconDriver:
-    """Return the real driver for the Falcon at the other end of a descriptor."""
-    return FalconDriver(opening(descriptor), image=synthetic_image, options=options)
 
 
 def silence(descriptor: int) -> Callable[[], bool]:

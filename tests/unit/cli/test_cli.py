@@ -3,14 +3,25 @@
 import json
 import subprocess
 import sys
+from dataclasses import replace
 
+import numpy as np
 import pytest
 
-from hapticplayer import cli
+from app.player import choices
+from hapticplayer import cli, rendering
+from hapticplayer.cli import play
 from hapticplayer.devices import DeviceEntry
 from hapticplayer.devices.capabilities import FALCON
+from hapticplayer.errors import Message
+from hapticplayer.interchange import exporters
+from hapticplayer.rendering import FeedbackCondition, feedback
+from hapticplayer.sequence import editing, open_sequence, store
+from hapticplayer.sequence.build import write_sequence
 
-WOOD = DeviceEntry("wood", "a Falcon of wood", FALCON, "wood:make", "wood:silence")
+WOOD = DeviceEntry(
+    "wood", Message("Wood"), "a Falcon of wood", FALCON, "wood:make", "wood:silence"
+)
 
 
 _PRINT_MODULES = (
@@ -72,18 +83,46 @@ def test_playing_a_sequence_loads_nothing_that_pretends(sequence_folder):
 
 
 def test_an_installed_device_is_offered_everywhere(monkeypatch, capsys, qapp):
-    from app.player.choices import devices
-
     monkeypatch.setattr("importlib.metadata.entry_points", lambda **_: [Point()])
     with pytest.raises(SystemExit):
         cli.main(["play", "--help"])
     assert "wood" in capsys.readouterr().out
     assert cli.main(["device", "list"]) == 0
     assert "a Falcon of wood" in capsys.readouterr().out
-    assert "wood" in [choice.name for choice in devices()]
+    assert "wood" in [choice.name for choice in choices.devices()]
 
 
 def test_an_entry_point_that_is_no_device_is_told(monkeypatch, capsys):
     monkeypatch.setattr("importlib.metadata.entry_points", lambda **_: [Point(1)])
     assert cli.main(["device", "list"]) == 1
     assert "'wood:ENTRY' cannot be loaded" in capsys.readouterr().err
+
+
+def test_a_new_feedback_condition_is_offered_everywhere(
+    monkeypatch, capsys, tmp_path, tiny_clip, recording, qapp
+):
+    half = FeedbackCondition(
+        "half",
+        Message("Half"),
+        lambda whole, _seed: replace(whole, force_n=whole.force_n / 2),
+    )
+    for module in (feedback, rendering, store, editing, choices, play):
+        if hasattr(module, "FEEDBACKS"):
+            monkeypatch.setattr(module, "FEEDBACKS", (*feedback.FEEDBACKS, half))
+    with pytest.raises(SystemExit):
+        cli.main(["play", "--help"])
+    assert "half" in capsys.readouterr().out
+    folder = write_sequence(tiny_clip, recording, tmp_path / "ride")
+    tracks = open_sequence(folder).tracks
+    np.testing.assert_array_equal(
+        tracks["half"].force_n, tracks["realistic"].force_n / 2
+    )
+    assert "Half" in [choice.text for choice in choices.feedbacks(tracks)]
+
+
+def test_a_new_exporter_is_offered_and_used(monkeypatch, capsys):
+    dummy = exporters.RecordExporter("dots", "a dot per tick", lambda *_: {})
+    monkeypatch.setitem(exporters.RECORD_EXPORTERS, "dots", dummy)
+    with pytest.raises(SystemExit):
+        cli.main(["export", "--help"])
+    assert "dots: a dot per tick" in capsys.readouterr().out
