@@ -395,10 +395,11 @@ def _drop_place(text: str) -> QLabel:
 
 
 def _each(answers: tuple[str, ...]) -> list[str]:
-    """Return the answers, one for each of `KEY=A|B|C`."""
+    """Return the answers, one for each of `KEY=A|B|C`; others stay as they are."""
     shown = []
     for answer in answers:
-        word, blank, more = answer.partition(" ")
-        key, equals, values = word.partition("=")
-        shown += [f"{key}{equals}{value}{blank}{more}" for value in values.split("|")]
+        key, _, values = answer.partition("=")
+        is_list = "|" in values and " " not in answer
+        each = [f"{key}={value}" for value in values.split("|")]
+        shown += each if is_list else [answer]
     return shown

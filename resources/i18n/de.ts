@@ -4200,10 +4200,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>nach der Schwerkraft war {sign}{axis} des Recorders oben, nicht sein z</translation>
     </message>
     <message>
-        <source>gravity seems to be removed already: export the acceleration with gravity</source>
-        <translation>die Schwerkraft scheint schon entfernt zu sein: Exportieren Sie die Beschleunigung mit Schwerkraft</translation>
-    </message>
-    <message>
         <source>gravity seems to be removed already: give the acceleration with gravity</source>
         <translation>die Schwerkraft scheint schon entfernt zu sein: Geben Sie die Beschleunigung mit Schwerkraft an</translation>
     </message>
@@ -4674,14 +4670,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     <message>
         <source>it looks like deg/s: multiply gx, gy, gz by 0.0174532925</source>
         <translation>es sieht nach °/s aus: Multiplizieren Sie gx, gy, gz mit 0.0174532925</translation>
-    </message>
-    <message>
-        <source>it looks like g: multiply ax, ay, az by 9.80665</source>
-        <translation>es sieht nach g aus: Multiplizieren Sie ax, ay, az mit 9.80665</translation>
-    </message>
-    <message>
-        <source>it looks like milli-g: multiply ax, ay, az by 0.00980665</source>
-        <translation>es sieht nach Milli-g aus: Multiplizieren Sie ax, ay, az mit 0.00980665</translation>
     </message>
     <message>
         <source>it looks like milliseconds: divide time_s by 1000</source>
@@ -5478,10 +5466,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     <message>
         <source>the magnetometer was left out: {count} of {total} samples are empty</source>
         <translation>das Magnetometer wurde weggelassen: {count} von {total} Werten sind leer</translation>
-    </message>
-    <message>
-        <source>the median of |(ax, ay, az)| is {norm:.3g} m/s2</source>
-        <translation>der Median von |(ax, ay, az)| ist {norm:.3g} m/s2</translation>
     </message>
     <message>
         <source>the method offset needs one; give --offset S</source>

@@ -4200,10 +4200,6 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>selon la pesanteur, {sign}{axis} de l’enregistreur était en haut, pas son z</translation>
     </message>
     <message>
-        <source>gravity seems to be removed already: export the acceleration with gravity</source>
-        <translation>la pesanteur semble déjà retirée&#xa0;: exportez l’accélération avec la pesanteur</translation>
-    </message>
-    <message>
         <source>gravity seems to be removed already: give the acceleration with gravity</source>
         <translation>la pesanteur semble déjà retirée&#xa0;: donnez l’accélération avec la pesanteur</translation>
     </message>
@@ -4674,14 +4670,6 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     <message>
         <source>it looks like deg/s: multiply gx, gy, gz by 0.0174532925</source>
         <translation>cela ressemble à des °/s&#xa0;: multipliez gx, gy, gz par 0.0174532925</translation>
-    </message>
-    <message>
-        <source>it looks like g: multiply ax, ay, az by 9.80665</source>
-        <translation>cela ressemble à des g&#xa0;: multipliez ax, ay, az par 9.80665</translation>
-    </message>
-    <message>
-        <source>it looks like milli-g: multiply ax, ay, az by 0.00980665</source>
-        <translation>cela ressemble à des milli-g&#xa0;: multipliez ax, ay, az par 0.00980665</translation>
     </message>
     <message>
         <source>it looks like milliseconds: divide time_s by 1000</source>
@@ -5478,10 +5466,6 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     <message>
         <source>the magnetometer was left out: {count} of {total} samples are empty</source>
         <translation>le magnétomètre a été omis&#xa0;: {count} mesures sur {total} sont vides</translation>
-    </message>
-    <message>
-        <source>the median of |(ax, ay, az)| is {norm:.3g} m/s2</source>
-        <translation>la médiane de |(ax, ay, az)| est de {norm:.3g} m/s2</translation>
     </message>
     <message>
         <source>the method offset needs one; give --offset S</source>

@@ -2,15 +2,19 @@
 
 import os
 import re
+import shutil
 import xml.etree.ElementTree as ET
 from typing import ClassVar
 
 import pytest
 from PySide6.QtCore import QTranslator
+from PySide6.QtGui import QGuiApplication
 
 from app.bridge import languages
 from app.bridge.languages import translated
+from app.experimenter.import_wizard import ImportWizard
 from app.player.remake import dress
+from hapticplayer.capture.choices import LogQuestion
 from hapticplayer.errors import DeviceError, InputError, Message, message_of
 
 FOREIGN = [code for code in languages.NAMES if code != languages.ENGLISH]
@@ -68,7 +72,7 @@ class Backwards(QTranslator):
     }
 
     def translate(self, context, text, *_more):
-        return self.KNOWN.get(text, "") if context == languages.ENGINE else ""
+        return self.KNOWN.get(text) if context == languages.ENGINE else None
 
 
 def test_values_that_are_messages_are_translated_too(application):
@@ -102,3 +106,73 @@ def test_what_has_no_translation_stays_english(spoken, code, text):
 
 
 # --- in the window -------------------------------------------------------------
+
+
+def test_a_missing_file_is_shown_in_german_and_copied_in_both(
+    german, wait_for, tmp_path
+):
+    path = tmp_path / "missing.mp4"
+    german.session.open_path(path)
+    wait_for(lambda: "missing.mp4" in german.messages.text())
+    said = german.messages.text()
+    assert (
+        said == f"{path}: diese Datei gibt es nicht; pr\u00fcfen Sie Namen und Ordner"
+    )
+    german.messages.copy.click()
+    lines = QGuiApplication.clipboard().text().splitlines()
+    english = f"{path}: there is no such file; check the name and the folder"
+    assert lines == [said, english]
+
+
+def test_a_damaged_sequence_is_told_in_german(german, sequence, wait_for, tmp_path):
+    broken = tmp_path / "broken"
+    shutil.copytree(sequence, broken)
+    (broken / "sequence.json").write_text("[]")
+    german.session.open_path(broken)
+    wait_for(german.messages.isVisible)
+    assert german.messages.text() == f"{broken / 'sequence.json'}: ist kein JSON-Objekt"
+
+
+def test_a_log_that_cannot_be_read_is_told_in_german(
+    german, clip, wait_for, qtbot, tmp_path
+):
+    log = tmp_path / "log.csv"
+    rows = "".join(f"{k / 100},0,0,9.8,0,0,zero\n" for k in range(300))
+    log.write_text("time_s,ax,ay,az,gx,gy,gz\n" + rows)
+    wizard = ImportWizard("", tmp_path, german)
+    qtbot.addWidget(wizard)
+    wizard.take([clip, log])
+    wait_for(lambda: bool(wizard.files.problem.text()))
+    said = wizard.files.problem.text()
+    wizard.close_jobs()
+    assert said == (
+        f"{log}, Zeile 2, Spalte gz: 'zero' ist keine Zahl; entfernen Sie die Zeile, "
+        "oder berichtigen Sie die Zahl"
+    )
+
+
+def test_a_question_about_a_log_is_asked_in_german(german, qtbot, tmp_path):
+    wizard = ImportWizard("", tmp_path, german)
+    qtbot.addWidget(wizard)
+    question = LogQuestion(
+        Message("its units are not known"),
+        (Message("force-unit={force_unit} to take it as it is", force_unit="g"),),
+        "/x/log.csv",
+    )
+    wizard.files.show_problem(question)
+    asked = wizard.files.question
+    assert asked.text.text() == "log.csv: die Einheiten sind nicht bekannt"
+    (answer,) = asked.answers.buttons()
+    assert answer.text() == "force-unit=g um es so zu nehmen, wie es ist"
+    answer.click()
+    assert asked.other.text() == "force-unit=g"
+    wizard.close_jobs()
+
+
+def test_a_device_that_is_not_there_is_told_in_german(german, wait_for):
+    german.session.choose_device("falcon:NONE")
+    wait_for(german.messages.isVisible)
+    said = german.messages.text()
+    assert re.match(
+        r"kein Falcon |libusb fehlt; |der Falcon |Sie d\u00fcrfen ", said
+    ), said
