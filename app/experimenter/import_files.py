@@ -6,6 +6,7 @@ from PySide6.QtCore import QCoreApplication, Qt, Signal
 from PySide6.QtGui import QDragEnterEvent, QDropEvent
 from PySide6.QtWidgets import (
     QButtonGroup,
+    QComboBox,
     QFrame,
     QGridLayout,
     QHBoxLayout,
@@ -24,6 +25,7 @@ from app.widgets import theme
 from app.widgets.buttons import text_button
 from app.widgets.numbers import local
 from app.widgets.texts import titled
+from hapticplayer.capture import formats
 from hapticplayer.capture.choices import (
     LogChoices,
     LogQuestion,
@@ -58,6 +60,14 @@ class FilesPage(QWidget):
         self.video = self._field(self.tr("Video"))
         self.log = self._field(self.tr("Motion log"))
         self.log.setPlaceholderText(self.tr("inside the video"))
+        self.format = QComboBox()
+        self.format.setAccessibleName(self.tr("Format"))
+        self.format.addItem(self.tr("recognised by its content"), "")
+        for one in formats.FORMATS:
+            self.format.addItem(translated(one.text), one.name)
+        self.format.activated.connect(
+            lambda _row: self._answer([f"format={self.format.currentData()}"])
+        )
         self.facts, self.notes = QLabel(), QLabel()
         for label in (self.facts, self.notes):
             label.setWordWrap(True)
@@ -113,6 +123,10 @@ class FilesPage(QWidget):
             browse.clicked.connect(slot)
             for column, widget in enumerate((caption, field, browse)):
                 grid.addWidget(widget, row, column)
+        caption = QLabel(self.tr("&Format"))
+        caption.setBuddy(self.format)
+        grid.addWidget(caption, len(rows), 0)
+        grid.addWidget(self.format, len(rows), 1)
         texts = QVBoxLayout()
         texts.addWidget(self.facts)
         texts.addWidget(self.notes)
@@ -161,13 +175,15 @@ class FilesPage(QWidget):
         self.place.setVisible(not any(now))
         if now != self._seen:
             self._seen, self._words, self._before = now, [], []
+            self.format.setCurrentIndex(0)
             self._asked = None
             self.changed.emit()
 
     def _answer(self, words: list[str]) -> None:
         keys = {word.partition("=")[0] for word in words}
         kept = [w for w in self._words if w.partition("=")[0] not in keys]
-        self._before, self._words = self._words, [*kept, *words]
+        given = [w for w in words if not w.endswith("=")]
+        self._before, self._words = self._words, [*kept, *given]
         try:
             self.choices()
         except HapticPlayerError as problem:

@@ -6,6 +6,7 @@ import dataclasses
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import (
     QCheckBox,
+    QComboBox,
     QDoubleSpinBox,
     QHBoxLayout,
     QLabel,
@@ -21,6 +22,7 @@ from app.widgets import theme
 from app.widgets.buttons import text_button
 from app.widgets.numbers import local
 from app.widgets.room import indent
+from hapticplayer.capture.sync import methods
 from hapticplayer.capture.sync.result import Synchronisation
 from hapticplayer.errors import HapticPlayerError, message_of
 from hapticplayer.model import ClockMap
@@ -38,9 +40,11 @@ class SyncPage(QWidget):
 
     Signals:
         decided: whether it may go on has changed.
+        method_chosen: the clocks have to be synchronised by another method.
     """
 
     decided = Signal()
+    method_chosen = Signal()
 
     def __init__(self) -> None:
         super().__init__()
@@ -62,6 +66,11 @@ class SyncPage(QWidget):
         self.skew.setToolTip(
             self.tr("How much later than its picture the camera's sound comes")
         )
+        self.method = QComboBox()
+        self.method.setAccessibleName(self.tr("Method"))
+        for one in methods.SYNC_METHODS:
+            self.method.addItem(translated(one.text), one.name)
+        self.method.activated.connect(lambda _row: self.method_chosen.emit())
         self.keep_skew = QCheckBox(self.tr("keep for this camera"))
         self.looked = QCheckBox(
             self.tr("I have looked and listened: this offset is right")
@@ -95,10 +104,15 @@ class SyncPage(QWidget):
         row.addStretch(1)
         late = QLabel(self.tr("S&ound later than picture"))
         late.setBuddy(self.skew)
+        how = QLabel(self.tr("&Method"))
+        how.setBuddy(self.method)
         skew = QHBoxLayout()
-        for part in (late, self.skew, self.keep_skew):
+        for part in (late, self.skew, self.keep_skew, how, self.method):
             skew.addWidget(part)
         skew.addStretch(1)
+        self._lay_out_below(row, skew)
+
+    def _lay_out_below(self, row: QHBoxLayout, skew: QHBoxLayout) -> None:
         hint = QLabel(
             self.tr(
                 "Drag the acceleration until it lies under the sound; the arrow keys "
@@ -271,9 +285,15 @@ class SyncPage(QWidget):
             text = self.tr("Nothing to go by: {why}. Give the offset by hand.")
             return text.format(why=translated(found.problem)), theme.WARN
         choice = self.choice()
-        confidence = local(f"{sync.clock_map.confidence:.2f}")
         if choice is not None and choice.method == "offset":
             return self.tr("The offset was moved by hand."), theme.WARN
+        return self._verdict_of(sync)
+
+    def _verdict_of(self, sync: Synchronisation) -> tuple[str, str]:
+        confidence = local(f"{sync.clock_map.confidence:.2f}")
+        if sync.method != "pats":
+            text = self.tr("Synchronised by {method} (confidence {confidence}).")
+            return text.format(method=sync.method, confidence=confidence), theme.WARN
         if sync.is_confident:
             text = self.tr(
                 "The pats were found (confidence {confidence}, residual {ms} ms)."

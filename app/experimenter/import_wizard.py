@@ -73,6 +73,7 @@ class ImportWizard(QDialog):
         self._lay_out()
         self.files.changed.connect(self._look)
         self.sync.decided.connect(self._show_buttons)
+        self.sync.method_chosen.connect(self._look)
         self._timer = QTimer(self)
         self._timer.timeout.connect(self._poll)
         self._timer.start(_POLL_MS)
@@ -223,10 +224,10 @@ class ImportWizard(QDialog):
         if chosen is None:
             return
         video, log = chosen
-        choices = self.files.choices()
+        choices, method = self.files.choices(), str(self.sync.method.currentData())
 
         def work(progress: Progress) -> Recognised:
-            return in_child(recognise, video, log, choices, progress=progress)
+            return in_child(recognise, video, log, choices, method, progress=progress)
 
         self.jobs.run(
             self.tr("Looking at {0}").format(video.name), work, self._on_found

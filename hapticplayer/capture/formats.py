@@ -6,10 +6,10 @@ imported when there is a file to be read.
 """
 
 import enum
-import importlib
 from collections.abc import Callable
 from typing import TYPE_CHECKING, NamedTuple, cast
 
+from hapticplayer.devices import load
 from hapticplayer.errors import Message
 
 if TYPE_CHECKING:
@@ -52,29 +52,28 @@ class RecordingFormat(NamedTuple):
     """
 
     name: str
-    text: str
+    text: Message
     home: str
 
     def reader(self) -> Reader:
         """Import its reader."""
-        module, _, name = self.home.partition(":")
-        return cast(Reader, getattr(importlib.import_module(module), name))
+        return cast(Reader, load(self.home))
 
 
 _HERE = "hapticplayer.capture"
 FORMATS: tuple[RecordingFormat, ...] = (
-    RecordingFormat("gopro", "GoPro", f"{_HERE}.gopro:READER"),
-    RecordingFormat("camera", "another camera", f"{_HERE}.other_cameras:READER"),
-    RecordingFormat("si-csv", "CSV in SI units", f"{_HERE}.si_csv:READER"),
-    RecordingFormat("sensor-logger", "Sensor Logger", f"{_HERE}.logs.sensor_logger:READER"),
-    RecordingFormat("phyphox", "phyphox", f"{_HERE}.logs.phyphox:READER"),
+    RecordingFormat("gopro", Message("GoPro"), f"{_HERE}.gopro:READER"),
+    RecordingFormat("camera", Message("another camera"), f"{_HERE}.other_cameras:READER"),
+    RecordingFormat("si-csv", Message("CSV in SI units"), f"{_HERE}.si_csv:READER"),
+    RecordingFormat("sensor-logger", Message("Sensor Logger"), f"{_HERE}.logs.sensor_logger:READER"),
+    RecordingFormat("phyphox", Message("phyphox"), f"{_HERE}.logs.phyphox:READER"),
     RecordingFormat("gcsv", Message("Gyroflow gcsv"), f"{_HERE}.logs.gcsv:READER"),
-    RecordingFormat("euroc", "EuRoC", f"{_HERE}.logs.nanoseconds:EUROC"),
+    RecordingFormat("euroc", Message("EuRoC"), f"{_HERE}.logs.nanoseconds:EUROC"),
     RecordingFormat("mars", Message("MARS logger"), f"{_HERE}.logs.nanoseconds:MARS"),
-    RecordingFormat("razor", "Razor 9DOF", f"{_HERE}.logs.razor_lines:READER"),
+    RecordingFormat("razor", Message("Razor 9DOF"), f"{_HERE}.logs.razor_lines:READER"),
     RecordingFormat("ultimate-imu", Message("Ultimate IMU, stock firmware"), f"{_HERE}.logs.ultimate_imu:READER"),
-    RecordingFormat("razor-m0", "Razor M0", f"{_HERE}.logs.razor_m0:READER"),
-    RecordingFormat("opencamera", "OpenCamera Sensors", f"{_HERE}.logs.opencamera:READER"),
+    RecordingFormat("razor-m0", Message("Razor M0"), f"{_HERE}.logs.razor_m0:READER"),
+    RecordingFormat("opencamera", Message("OpenCamera Sensors"), f"{_HERE}.logs.opencamera:READER"),
     RecordingFormat("csv", Message("CSV with chosen columns"), f"{_HERE}.logs.any_table:READER"),
 )  # fmt: skip
 """As they are listed; which one a source is, its content tells."""

@@ -110,7 +110,7 @@ def _chosen(name: str, source: Source) -> RecordingFormat:
         )
     if form.reader().recognises(source) is Confidence.NO:
         raise UsageError(
-            "{path}: is no log of {name}", path=source.path, name=form.text
+            "{path}: is not a log of {name}", path=source.path, name=form.text
         )
     return form
 

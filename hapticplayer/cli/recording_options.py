@@ -5,9 +5,10 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
+from hapticplayer.capture import formats
 from hapticplayer.capture.choices import LogChoices, parse_choices, write_template
 from hapticplayer.capture.mounting import MOUNTINGS, mounting_axes
-from hapticplayer.capture.sync.methods import AUTO, SYNC_METHODS
+from hapticplayer.capture.sync import methods
 from hapticplayer.cli.common import number, positive
 from hapticplayer.errors import UsageError
 from hapticplayer.motion import METHODS
@@ -27,7 +28,8 @@ def add_reading(command: argparse.ArgumentParser) -> None:
         default=[],
         metavar="KEY=VALUE",
         help="decide what a log does not say, such as axes=x,-z,y or force-unit=g or "
-        "template=FILE; the question names the key",
+        "template=FILE; the question names the key. format=NAME is one of "
+        + ", ".join(f"{one.name} ({one.text})" for one in formats.FORMATS),
     )
     command.add_argument(
         "--save-template",
@@ -54,10 +56,10 @@ def add_sync(command: argparse.ArgumentParser, method: str) -> None:
     group.add_argument(
         method,
         dest="sync_method",
-        choices=[method.name for method in SYNC_METHODS],
-        default=AUTO,
-        help="; ".join(f"{method.name}: {method.text}" for method in SYNC_METHODS)
-        + f" (default: {AUTO})",
+        choices=[one.name for one in methods.SYNC_METHODS],
+        default=methods.AUTO,
+        help="; ".join(f"{one.name}: {one.text}" for one in methods.SYNC_METHODS)
+        + f" (default: {methods.AUTO})",
     )
     group.add_argument(
         "--offset",

@@ -11,8 +11,9 @@ from hapticplayer.capture import read_recording
 from hapticplayer.capture.choices import LogChoices
 from hapticplayer.capture.mounting import mean_up
 from hapticplayer.capture.recording import Recording, find_gaps, refuse_gravity_free
+from hapticplayer.capture.sync.methods import AUTO
 from hapticplayer.capture.sync.result import Synchronisation
-from hapticplayer.errors import InputError, message_of
+from hapticplayer.errors import InputError, UsageError, message_of
 from hapticplayer.media import ClipInfo, camera_of, probe
 from hapticplayer.sequence import files
 from hapticplayer.sequence.synchronizing import SyncChoices, find_sync
@@ -71,7 +72,7 @@ def recognise(
     video: Path,
     log: Path | None,
     choices: LogChoices | None = None,
-    sound_late_s: float | None = None,
+    method: str = AUTO,
     *,
     progress: files.Progress = files.no_progress,
 ) -> Recognised:
@@ -81,7 +82,7 @@ def recognise(
         video: the clip.
         log: a separate log of the motion; None for the clip's own telemetry.
         choices: what was decided about a log that does not explain itself.
-        sound_late_s: skew of the camera, None for the stored one.
+        method: of synchronisation, see `capture.sync.methods`.
         progress: told what is being done; stops the work by raising Cancelled.
 
     Raises:
@@ -94,7 +95,7 @@ def recognise(
     recording = read_recording(log or video, choices)
     refuse_gravity_free(recording)
     progress(0.5, "listening")
-    found, problem, sound = _sync(clip, recording, sound_late_s)
+    found, problem, sound = _sync(clip, recording, method)
     imu = recording.imu
     progress(1.0, "")
     return Recognised(
@@ -117,13 +118,13 @@ def recognise(
 
 
 def _sync(
-    clip: ClipInfo, recording: Recording, sound_late_s: float | None
+    clip: ClipInfo, recording: Recording, method: str
 ) -> tuple[Synchronisation | None, str, Curve]:
     """Return how the clocks lie or why nobody knows, and the loudness."""
     nothing = (np.zeros(0), np.zeros(0))
     try:
-        found = find_sync(clip, recording, SyncChoices(sound_late_s=sound_late_s))
-    except InputError as problem:
+        found = find_sync(clip, recording, SyncChoices(method))
+    except (InputError, UsageError) as problem:
         return (
             None,
             message_of(problem),

@@ -13,8 +13,10 @@ from scipy.signal import resample_poly
 from app.experimenter.import_wizard import FILES, MOUNTING, REPORT, SYNC, ImportWizard
 from app.experimenter.sync_strip import SyncStrip, columns, tick_step_s
 from app.experimenter.triad import Triad
-from hapticplayer.capture import read_recording
+from hapticplayer.capture import formats, read_recording
 from hapticplayer.capture.si_csv import write_imu_csv
+from hapticplayer.capture.sync import methods
+from hapticplayer.errors import Message
 from hapticplayer.media import TelemetryPacket, add_telemetry, write_clip
 from hapticplayer.playback.snapshot import Phase
 from hapticplayer.sequence import open_sequence
@@ -403,3 +405,42 @@ def test_no_peak_is_lost_when_many_samples_share_a_column():
 )
 def test_ticks_are_round_numbers(least, step):
     assert tick_step_s(least) == pytest.approx(step)
+
+
+def test_lists_of_formats_and_methods_are_the_engines(wizard):
+    shown = [
+        wizard.files.format.itemData(k) for k in range(wizard.files.format.count())
+    ]
+    assert shown == ["", *(one.name for one in formats.FORMATS)]
+    shown = [wizard.sync.method.itemData(k) for k in range(wizard.sync.method.count())]
+    assert shown == [one.name for one in methods.SYNC_METHODS]
+
+
+def test_a_new_entry_is_in_the_lists(application, qtbot, monkeypatch, tmp_path):
+    form = formats.RecordingFormat("dummy", Message("Dummy logger"), "nowhere:READER")
+    method = methods.SyncMethod("dummy", Message("a dummy method"), "nowhere:by_guess")
+    monkeypatch.setattr(formats, "FORMATS", (*formats.FORMATS, form))
+    monkeypatch.setattr(methods, "SYNC_METHODS", (*methods.SYNC_METHODS, method))
+    made = ImportWizard(str(tmp_path), tmp_path / "library")
+    qtbot.addWidget(made)
+    assert made.files.format.findText("Dummy logger") >= 0
+    assert made.sync.method.findText("a dummy method") >= 0
+    made.close_jobs()
+
+
+def test_another_method_and_format_can_be_chosen(wizard, ride, wait_for):
+    folder, made = ride
+    wizard.take([folder / "ride.mp4", folder / "log.csv"])
+    wait_for(wizard.next.isEnabled)
+    wizard.files.format.setCurrentIndex(wizard.files.format.findData("phyphox"))
+    wizard.files.format.activated.emit(wizard.files.format.currentIndex())
+    wait_for(lambda: not wizard.jobs.is_busy)
+    assert "is not a log of phyphox" in wizard.files.problem.text()
+    wizard.files.format.setCurrentIndex(0)
+    wizard.files.format.activated.emit(0)
+    wait_for(wizard.next.isEnabled)
+    wizard.next.click()
+    wizard.sync.method.setCurrentIndex(wizard.sync.method.findData("variance"))
+    wizard.sync.method.activated.emit(wizard.sync.method.currentIndex())
+    wait_for(lambda: "variance" in wizard.sync.verdict.text())
+    assert wizard.sync.offset.value() == pytest.approx(true_offset_s(made), abs=0.05)

@@ -5,11 +5,11 @@ here and its function. Needs nothing but the standard library: a method is impor
 it is used.
 """
 
-import importlib
 from collections.abc import Callable
 from typing import TYPE_CHECKING, NamedTuple, cast
 
-from hapticplayer.errors import UsageError
+from hapticplayer.devices import load
+from hapticplayer.errors import Message, UsageError
 
 if TYPE_CHECKING:
     from hapticplayer.capture.sync.result import Synchronisation
@@ -26,27 +26,23 @@ class SyncMethod(NamedTuple):
     """
 
     name: str
-    text: str
+    text: Message
     home: str
 
     def function(self) -> "Callable[[SyncInput], Synchronisation]":
         """Import what does it."""
-        module, _, name = self.home.partition(":")
-        return cast(
-            "Callable[[SyncInput], Synchronisation]",
-            getattr(importlib.import_module(module), name),
-        )
+        return cast("Callable[[SyncInput], Synchronisation]", load(self.home))
 
 
 AUTO = "auto"
 
 _HERE = "hapticplayer.capture.sync.synchronize"
 SYNC_METHODS: tuple[SyncMethod, ...] = (
-    SyncMethod(AUTO, "the offset if given, the recording's own clock if it is the clip's, else pats", f"{_HERE}:automatic"),
-    SyncMethod("pats", "three pats on the camera, heard and felt", f"{_HERE}:by_pats"),
-    SyncMethod("variance", "the first sudden rise of sound and motion, as in the paper", f"{_HERE}:by_variance"),
-    SyncMethod("embedded", "the recording's own clock", f"{_HERE}:by_own_clock"),
-    SyncMethod("offset", "the offset that is given", f"{_HERE}:by_given_offset"),
+    SyncMethod(AUTO, Message("the offset if given, the recording's own clock if it is the clip's, else pats"), f"{_HERE}:automatic"),
+    SyncMethod("pats", Message("three pats on the camera, heard and felt"), f"{_HERE}:by_pats"),
+    SyncMethod("variance", Message("the first sudden rise of sound and motion, as in the paper"), f"{_HERE}:by_variance"),
+    SyncMethod("embedded", Message("the recording's own clock"), f"{_HERE}:by_own_clock"),
+    SyncMethod("offset", Message("the offset that is given"), f"{_HERE}:by_given_offset"),
 )  # fmt: skip
 
 

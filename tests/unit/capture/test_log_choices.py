@@ -151,7 +151,7 @@ def test_rows_of_one_sensor_each_are_streams_of_their_own(tmp_path: Path) -> Non
 
 
 def test_format_can_be_chosen_but_not_against_the_content(table: Path) -> None:
-    with pytest.raises(UsageError, match="is no log of Gyroflow"):
+    with pytest.raises(UsageError, match="is not a log of Gyroflow"):
         read_recording(table, parse_choices(["format=gcsv"]))
     with pytest.raises(UsageError, match="there is no format 'xls'"):
         read_recording(table, parse_choices(["format=xls"]))
