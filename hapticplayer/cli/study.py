@@ -11,7 +11,7 @@ from hapticplayer.cli import OpenWindow, study_analysis
 from hapticplayer.cli.common import add_device_name, complain, say, say_aside
 from hapticplayer.clock import SystemClock
 from hapticplayer.errors import StudyError, UsageError
-from hapticplayer.interchange.study_export import FORMATS, export_study
+from hapticplayer.interchange.study_export import EXPORTERS, export_study
 from hapticplayer.study.answers import collect_answers, keep_reviewed, text_digest
 from hapticplayer.study.creation import create_study, sequence_folder
 from hapticplayer.study.merging import merge_sessions
@@ -117,8 +117,9 @@ def _add_export(actions: Any) -> None:
     action.add_argument(
         "--format",
         default="csv",
-        choices=FORMATS,
-        help="tidy CSV with a data dictionary, BIDS, or XDF (default: csv)",
+        choices=list(EXPORTERS),
+        help="; ".join(f"{name}: {one.text}" for name, one in EXPORTERS.items())
+        + " (default: csv)",
     )
     _add_json(action)
 

@@ -19,6 +19,7 @@ from hapticplayer.simulation.participants import (
 )
 from hapticplayer.simulation.sessions import write_scripted_session
 from hapticplayer.study.analysis import Analysis, Choices, MissingPolicy, Resampling
+from hapticplayer.study.analysis.analysis import STATISTICS
 from hapticplayer.study.analysis.consistency import ConsistencyAnalysis
 from hapticplayer.study.analysis.power import (
     Draw,
@@ -52,6 +53,10 @@ def add_actions(actions: Any) -> None:
 
 def _add_analyse(actions: Any) -> None:
     action = _action(actions, "analyse", "statistics and figures of a study", analyse)
+    action.formatter_class = argparse.RawDescriptionHelpFormatter
+    action.epilog = "statistics of ratings:\n" + "\n".join(
+        f"  {name:<20}  {one.title}" for name, one in STATISTICS.items()
+    )
     action.add_argument("study", metavar="NAME", type=Path, help="folder of the study")
     action.add_argument(
         "--output",
@@ -61,8 +66,8 @@ def _add_analyse(actions: Any) -> None:
     )
     action.add_argument(
         "--missing",
-        choices=("paired", "complete"),
-        default="paired",
+        choices=[policy.value for policy in MissingPolicy],
+        default=MissingPolicy.PAIRED.value,
         help="where answers are missing: leave their sequence out for all feedbacks of "
         "this participant (default), or leave the participant out",
     )

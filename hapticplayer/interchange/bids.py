@@ -6,6 +6,7 @@ force: it is MISC with the unit N.
 
 import datetime as dt
 import json
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -13,15 +14,15 @@ import numpy as np
 
 from hapticplayer import __version__
 from hapticplayer.haptics.record_reader import RecordReader
-from hapticplayer.interchange.session_data import (
-    finite,
+from hapticplayer.interchange.study_csv import Column, Table, participants, separated
+from hapticplayer.interchange.study_data import (
+    StudyData,
     markers_of,
     tick_chunks,
     tick_files,
 )
-from hapticplayer.interchange.study_tables import Column, Table, separated
 from hapticplayer.study import private
-from hapticplayer.study.answers import Answers, Participant
+from hapticplayer.study.answers import Answers
 from hapticplayer.study.definition import Definition
 from hapticplayer.study.session_folder import StoredSession
 from hapticplayer.study.steps import AnsweredTrial, answered_trials
@@ -54,25 +55,15 @@ _MAKERS = {"falcon": ("Novint", "Falcon")}
 _TOLD_WITHIN_S = 1.0
 
 
-def write_bids(
-    definition: Definition,
-    answers: Answers,
-    sessions: list[StoredSession],
-    folder: Path,
-    remarks: list[str],
-) -> None:
+def write_bids(data: StudyData, folder: Path) -> None:
     """Write a dataset into an empty folder."""
+    definition = data.definition
     _json(folder / "dataset_description.json", _dataset(definition))
-    _new(folder / "README", _readme(definition))
-    _new(folder / "participants.tsv", _participants(answers))
-    _json(folder / "participants.json", _participants_sidecar())
-    keys = [question.key for question in definition.trial_questions]
+    private.write_new(folder / "README", _readme(definition))
+    _participants(data.answers, folder)
     _json(folder / f"task-{TASK}_beh.json", _beh_sidecar(definition))
-    known = {participant.code for participant in answers.participants}
-    task = _task(definition)
-    for session in sessions:
-        if session.code in known:
-            _subject(session, keys, task, folder / f"sub-{session.code}", remarks)
+    for session in data.sessions:
+        _subject(session, data, folder / f"sub-{session.code}")
     if any(folder.rglob("*_events.tsv")):  # a sidecar of nothing is an error
         _json(folder / f"task-{TASK}_events.json", _events_sidecar())
 
@@ -101,40 +92,24 @@ def _readme(definition: Definition) -> bytes:
     return text.encode()
 
 
-def _participants(answers: Answers) -> bytes:
-    names = (
-        *("participant_id", "age", "gender", "handedness", "used_device_before"),
-        *("complete", "simulated"),
+def _participants(answers: Answers, folder: Path) -> None:
+    """Write who took part, as in the table of the CSV export."""
+    name, columns, rows = participants(answers)
+    first, *others = columns
+    table = Table(
+        name,
+        (Column("participant_id", first.meaning), *others),
+        [(f"sub-{code}", *values) for code, *values in rows],
     )
-    rows = [_participant_row(participant) for participant in answers.participants]
-    columns = [Column(name, "") for name in names]
-    return separated(Table("participants.tsv", columns, rows), "\t", "n/a")
-
-
-def _participant_row(who: Participant) -> tuple[Any, ...]:
-    used = who.used_device_before
-    row = (f"sub-{who.code}", who.age, who.gender, who.handedness, used)
-    return (*row, who.complete, who.simulated)
-
-
-def _participants_sidecar() -> dict[str, Any]:
-    return {
-        "age": {"Description": "age of the participant", "Units": "year"},
-        "gender": {"Description": "as answered"},
-        "handedness": {"Description": "hand that writes"},
-        "used_device_before": {
-            "Description": "whether such a device was known",
-            "Levels": {"true": "yes", "false": "no"},
-        },
-        "complete": {
-            "Description": "whether the session came to its end",
-            "Levels": {"true": "yes", "false": "no"},
-        },
-        "simulated": {
-            "Description": "whether the program made the answers and nobody sat there",
-            "Levels": {"true": "yes", "false": "no"},
-        },
+    _table(folder / "participants.tsv", table)
+    sidecar: dict[str, dict[str, Any]] = {
+        column.name: {"Description": column.meaning} for column in others
     }
+    for column in others:
+        if column.levels == "true|false":
+            sidecar[column.name] |= {"Levels": {"true": "yes", "false": "no"}}
+    sidecar["age"] |= {"Units": "year"}
+    _json(folder / "participants.json", sidecar)
 
 
 def _task(definition: Definition) -> dict[str, Any]:
@@ -173,33 +148,25 @@ def _beh_sidecar(definition: Definition) -> dict[str, Any]:
     return made
 
 
-def _subject(
-    session: StoredSession,
-    keys: list[str],
-    task: dict[str, Any],
-    folder: Path,
-    remarks: list[str],
-) -> None:
+def _subject(session: StoredSession, data: StudyData, folder: Path) -> None:
+    name = folder.name
     behaviour = folder / "beh"
     folder.mkdir(mode=private.FOLDER_MODE)
     behaviour.mkdir(mode=private.FOLDER_MODE)
+    keys = [question.key for question in data.definition.trial_questions]
+    columns = [*_BEH, *(Column(key, "") for key in keys)]
     rows = [_beh_row(trial, keys) for trial in answered_trials(session.records)]
-    columns = [*_BEH, *[Column(key, "") for key in keys]]
-    name = f"sub-{session.code}_task-{TASK}"
-    text = separated(Table("beh", columns, rows), "\t", "n/a")
-    _new(behaviour / f"{name}_beh.tsv", text)
+    table = Table(f"{name}_task-{TASK}_beh.tsv", columns, rows)
+    _table(behaviour / table.name, table)
     scans: list[tuple[str, str]] = []
     for number, path in enumerate(tick_files(session), 1):
-        base = f"{name}_tracksys-{SYSTEM}_run-{number}"
-        span_s = _motion(path, folder / "motion" / base, task, remarks)
+        base = f"{name}_task-{TASK}_tracksys-{SYSTEM}_run-{number}"
+        span_s = _motion(path, folder / "motion" / base, data)
         if span_s is not None:
             _events(session, span_s, folder / "motion" / f"{base}_events.tsv")
-            acquired = _utc(session, span_s[0])
-            scans.append((f"motion/{base}_motion.tsv", acquired))
+            scans.append((f"motion/{base}_motion.tsv", _utc(session, span_s[0])))
     if scans:
-        listed = "".join(f"{file}\t{time}\n" for file, time in scans)
-        head = "filename\tacq_time\n"
-        _new(folder / f"sub-{session.code}_scans.tsv", (head + listed).encode())
+        _rows(folder / f"{name}_scans.tsv", ("filename", "acq_time"), scans)
 
 
 def _beh_row(trial: AnsweredTrial, keys: list[str]) -> tuple[Any, ...]:
@@ -217,9 +184,7 @@ def _beh_row(trial: AnsweredTrial, keys: list[str]) -> tuple[Any, ...]:
     )
 
 
-def _motion(
-    path: Path, base: Path, task: dict[str, Any], remarks: list[str]
-) -> tuple[float, float] | None:
+def _motion(path: Path, base: Path, data: StudyData) -> tuple[float, float] | None:
     """Write the ticks of one run; return the monotonic times of first and last."""
     begun_s: float | None = None
     count, last_s = 0, 0.0
@@ -227,8 +192,8 @@ def _motion(
     table = base.with_name(f"{base.name}_motion.tsv")
     private.write_new(table, b"")
     with table.open("ab") as out:
-        for ticks in tick_chunks(path, remarks):
-            time_s = finite(ticks["monotonic_s"])
+        for ticks in tick_chunks(path, data.remarks):
+            time_s = np.asarray(ticks["monotonic_s"], np.float64)
             begun_s = float(time_s[0]) if begun_s is None else begun_s
             out.write(_motion_lines(ticks, begun_s))
             count, last_s = count + len(ticks), float(time_s[-1]) - begun_s
@@ -243,14 +208,14 @@ def _motion(
         "RecordingDuration": round(last_s, 6),
         "RecordingType": "continuous",
     }
-    sidecar = {**task, **timing, **_system(path)}
+    sidecar = {**_task(data.definition), **timing, **_system(path)}
     _json(base.with_name(f"{base.name}_motion.json"), sidecar)
     return begun_s, begun_s + last_s
 
 
 def _motion_lines(ticks: Any, begun_s: float) -> bytes:
-    columns = [finite(ticks["monotonic_s"]) - begun_s, finite(ticks["media_s"])]
-    columns += [*finite(ticks["position_m"]).T, *finite(ticks["force_n"]).T]
+    columns = [ticks["monotonic_s"] - begun_s, ticks["media_s"]]
+    columns += [*ticks["position_m"].T, *ticks["force_n"].T]
     texts = [
         [f"{v:.{channel[4]}f}" if np.isfinite(v) else "n/a" for v in values.tolist()]
         for values, channel in zip(columns, _CHANNELS, strict=True)
@@ -259,26 +224,20 @@ def _motion_lines(ticks: Any, begun_s: float) -> bytes:
 
 
 def _describe_channels(base: Path) -> None:
-    head = "name\tcomponent\ttype\ttracked_point\tunits\treference_frame\n"
+    head = ("name", "component", "type", "tracked_point", "units", "reference_frame")
     rows = [
-        f"{name}\t{component}\t{kind}\t"
-        f"{'Hand' if component != 'n/a' else 'n/a'}\t{unit}\tdevice\n"
-        for name, component, kind, unit, _ in _CHANNELS
+        (name, part, kind, "n/a" if part == "n/a" else "Hand", unit, "device")
+        for name, part, kind, unit, _ in _CHANNELS
     ]
-    table = base.with_name(f"{base.name}_channels.tsv")
-    _new(table, (head + "".join(rows)).encode())
+    _rows(base.with_name(f"{base.name}_channels.tsv"), head, rows)
     frame = {
-        "Levels": {
-            "device": {
-                "SpatialAxes": "RSP",
-                "RotationRule": "n/a",
-                "RotationOrder": "n/a",
-                "Description": "x right, y up, z towards the participant",
-            }
-        }
+        "SpatialAxes": "RSP",
+        "RotationRule": "n/a",
+        "RotationOrder": "n/a",
+        "Description": "x right, y up, z towards the participant",
     }
     sidecar = base.with_name(f"{base.name}_channels.json")
-    _json(sidecar, {"reference_frame": frame})
+    _json(sidecar, {"reference_frame": {"Levels": {"device": frame}}})
 
 
 def _system(path: Path) -> dict[str, Any]:
@@ -301,13 +260,12 @@ def _system(path: Path) -> dict[str, Any]:
 
 def _events(session: StoredSession, span_s: tuple[float, float], path: Path) -> None:
     begun_s, ended_s = span_s
-    lines = ["onset\tduration\ttrial_type\n"]
-    lines += [
-        f"{marker.monotonic_s - begun_s:.6f}\tn/a\t{marker.text}\n"
+    rows = [
+        (f"{marker.monotonic_s - begun_s:.6f}", "n/a", marker.text)
         for marker in markers_of(session)
         if begun_s <= marker.monotonic_s <= ended_s + _TOLD_WITHIN_S
     ]
-    _new(path, "".join(lines).encode())
+    _rows(path, ("onset", "duration", "trial_type"), rows)
 
 
 def _utc(session: StoredSession, monotonic_s: float) -> str:
@@ -319,8 +277,13 @@ def _utc(session: StoredSession, monotonic_s: float) -> str:
 
 
 def _json(path: Path, content: Any) -> None:
-    _new(path, (json.dumps(content, indent=2, ensure_ascii=False) + "\n").encode())
+    text = json.dumps(content, indent=2, ensure_ascii=False) + "\n"
+    private.write_new(path, text.encode())
 
 
-def _new(path: Path, content: bytes) -> None:
-    private.write_new(path, content)
+def _table(path: Path, table: Table) -> None:
+    private.write_new(path, separated(table, "\t", "n/a"))
+
+
+def _rows(path: Path, head: Sequence[str], rows: Sequence[Sequence[Any]]) -> None:
+    _table(path, Table(path.name, [Column(name, "") for name in head], rows))

@@ -7,15 +7,27 @@ a stream are XML.
 
 import struct
 from collections.abc import Iterable, Sequence
+from pathlib import Path
 from typing import Any, BinaryIO
 from xml.sax.saxutils import escape
 
 import numpy as np
 from numpy.typing import NDArray
 
+from hapticplayer.interchange.study_data import (
+    Marker,
+    StudyData,
+    markers_of,
+    tick_chunks,
+    tick_files,
+)
+from hapticplayer.study import private
+from hapticplayer.study.session_folder import StoredSession
+
 _FILE_HEADER, _STREAM_HEADER, _SAMPLES, _OFFSET, _FOOTER = 1, 2, 3, 4, 6
 _WIDE = b"\x08"  # a length in eight bytes, a time stamp follows
 _CHUNK_SAMPLES = 10_000
+_DEVICE, _MARKERS = 1, 2  # numbers of the streams
 
 
 class XdfWriter:
@@ -114,14 +126,83 @@ class XdfWriter:
         self._out.write(content)
 
 
-def channels_of(
-    names: Sequence[str], kind: str, unit: str
-) -> list[tuple[str, str, str]]:
+def write_xdf(data: StudyData, folder: Path) -> None:
+    """Write one file for each run of a session, markers alone where no device was."""
+    for session in data.sessions:
+        _write_session(session, folder, data.remarks)
+
+
+def _write_session(session: StoredSession, folder: Path, remarks: list[str]) -> None:
+    """Write one file for each run: the device, and markers on the same clock."""
+    markers = markers_of(session)
+    if not tick_files(session):
+        remarks.append(f"{session.code}: there is no record of a device, markers only")
+        _write_markers_alone(folder / f"{session.code}_markers.xdf", markers)
+    for number, path in enumerate(tick_files(session), 1):
+        target = folder / f"{session.code}_run-{number}.xdf"
+        private.write_new(target, b"")
+        with target.open("wb") as out:
+            writer = XdfWriter(out)
+            span_s = _write_device(writer, path, remarks)
+            if span_s is not None:
+                inside = [
+                    (marker.monotonic_s, marker.text)
+                    for marker in markers
+                    if span_s[0] - 1.0 <= marker.monotonic_s <= span_s[1] + 1.0
+                ]
+                _write_markers(writer, inside)
+            private.sync_file(out)
+        if span_s is None:
+            target.unlink()
+
+
+def _write_markers_alone(target: Path, markers: list[Marker]) -> None:
+    private.write_new(target, b"")
+    with target.open("wb") as out:
+        told = [(marker.monotonic_s, marker.text) for marker in markers]
+        _write_markers(XdfWriter(out), told)
+        private.sync_file(out)
+
+
+def _write_device(
+    writer: XdfWriter, path: Path, remarks: list[str]
+) -> tuple[float, float] | None:
+    channels = [
+        *_channels(["PositionX", "PositionY", "PositionZ"], "Position", "meters"),
+        *_channels(["ForceX", "ForceY", "ForceZ"], "Force", "newton"),
+        ("MediaTime", "Time", "seconds"),
+        ("Time", "Time", "seconds"),  # readers that smooth the stamps keep this one
+    ]
+    writer.begin_stream(_DEVICE, "device", "MoCap", channels, 1000.0)
+    first_s, last_s, count = None, 0.0, 0
+    for ticks in tick_chunks(path, remarks):
+        time_s = np.asarray(ticks["monotonic_s"], np.float64)
+        values = _columns(
+            ticks["position_m"], ticks["force_n"], ticks["media_s"], time_s
+        )
+        writer.numbers(_DEVICE, time_s, values)
+        first_s = float(time_s[0]) if first_s is None else first_s
+        last_s, count = float(time_s[-1]), count + len(ticks)
+    if first_s is None:
+        return None
+    writer.end_stream(_DEVICE, first_s, last_s, count)
+    return first_s, last_s
+
+
+def _write_markers(writer: XdfWriter, markers: list[tuple[float, str]]) -> None:
+    channel = [("Marker", "Marker", "n/a")]
+    writer.begin_stream(_MARKERS, "markers", "Markers", channel, 0.0, is_text=True)
+    writer.texts(_MARKERS, markers)
+    if markers:
+        writer.end_stream(_MARKERS, markers[0][0], markers[-1][0], len(markers))
+
+
+def _channels(names: Sequence[str], kind: str, unit: str) -> list[tuple[str, str, str]]:
     """Return the description of channels that share kind and unit."""
     return [(name, kind, unit) for name in names]
 
 
-def as_columns(*columns: Any) -> NDArray[np.float64]:
+def _columns(*columns: Any) -> NDArray[np.float64]:
     """Return (N, channels) of vectors (N,) and matrices (N, k) side by side."""
     parts = [np.atleast_2d(np.asarray(c, dtype=np.float64).T).T for c in columns]
     return np.concatenate(parts, axis=1)

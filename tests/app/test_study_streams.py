@@ -7,7 +7,7 @@ from sitting import KEYS, Person
 
 from hapticplayer.errors import StudyError
 from hapticplayer.interchange.lsl import FORCE, MARKERS, LslStreams
-from hapticplayer.interchange.session_data import tick_chunks, tick_files
+from hapticplayer.interchange.study_data import tick_chunks, tick_files
 from hapticplayer.study.pages import PageKind
 
 WAIT_S, NOW_S = 20.0, 0.5  # what has been sent may still be on its way

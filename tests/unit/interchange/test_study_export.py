@@ -15,10 +15,11 @@ import numpy as np
 import pytest
 import pyxdf
 
+from hapticplayer import cli
 from hapticplayer.errors import StudyError, UsageError
 from hapticplayer.haptics.records import RecordWriter
 from hapticplayer.haptics.shared import TICK
-from hapticplayer.interchange.study_export import export_study
+from hapticplayer.interchange.study_export import EXPORTERS, Exporter, export_study
 from hapticplayer.interchange.xdf import XdfWriter
 from hapticplayer.simulation.sessions import write_scripted_session
 from hapticplayer.study.answers import keep_reviewed, text_digest
@@ -296,3 +297,21 @@ def test_exporting_twice_gives_the_same_bytes(study, tmp_path):
         for path in (tmp_path / form / "a").rglob("*.*"):
             other = tmp_path / form / "b" / path.relative_to(tmp_path / form / "a")
             assert path.read_bytes() == other.read_bytes()
+
+
+def test_an_exporter_in_the_registry_can_be_chosen(
+    study, tmp_path, monkeypatch, capsys
+):
+    def write(data, folder):
+        text = " ".join(one.code for one in data.answers.participants)
+        (folder / "codes.txt").write_text(text)
+
+    monkeypatch.setitem(EXPORTERS, "dummy", Exporter("dummy", "a list of codes", write))
+    with pytest.raises(SystemExit):
+        cli.main(["study", "export", "--help"])
+    assert "dummy: a list of codes" in " ".join(capsys.readouterr().out.split())
+    out = str(tmp_path / "out")
+    arguments = ["study", "export", str(study.folder), "-o", out, "--format", "dummy"]
+    assert cli.main(arguments) == 0
+    codes = (tmp_path / "out" / "codes.txt").read_text().split()
+    assert sorted(codes) == study.codes()

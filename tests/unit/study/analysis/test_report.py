@@ -8,6 +8,7 @@ from html.parser import HTMLParser
 import numpy as np
 import pytest
 
+from hapticplayer import cli
 from hapticplayer.errors import Cancelled, SequenceError
 from hapticplayer.study.analysis import Choices, analyse
 from hapticplayer.study.analysis.analysis import STATISTICS, summary
@@ -139,7 +140,7 @@ def test_a_cancelled_report_leaves_nothing_behind(analysis, tmp_path):
 
 
 def test_a_statistic_in_the_registry_is_in_every_output(
-    make_answers, quick, tmp_path, monkeypatch
+    make_answers, quick, tmp_path, monkeypatch, capsys
 ):
     def spread(sample, _resampling):
         return sample.each_feedback(
@@ -157,3 +158,6 @@ def test_a_statistic_in_the_registry_is_in_every_output(
         f"dummy,qoe,none,ptp,{expected}" in (tmp_path / "x" / "tests.csv").read_text()
     )
     assert "Spread of the participants" in (tmp_path / "x" / "report.html").read_text()
+    with pytest.raises(SystemExit):
+        cli.main(["study", "analyse", "--help"])
+    assert "Spread of the participants" in capsys.readouterr().out

@@ -4,8 +4,11 @@ import csv
 import io
 import json
 from collections.abc import Iterable, Iterator, Sequence
+from pathlib import Path
 from typing import Any, NamedTuple
 
+from hapticplayer.interchange.study_data import StudyData
+from hapticplayer.study import private
 from hapticplayer.study.answers import Answers
 from hapticplayer.study.session_folder import StoredSession
 from hapticplayer.study.steps import answered_trials
@@ -54,22 +57,29 @@ _TRIAL_COLUMNS = (
 )
 
 
-def tables_of(answers: Answers, sessions: Iterable[StoredSession]) -> list[Table]:
-    """Return all tables that hold something; texts that nobody reviewed are left out."""
+def write_csv(data: StudyData, folder: Path) -> None:
+    """Write all tables that hold something, and what each column means.
+
+    Texts that nobody reviewed are left out.
+    """
+    answers = data.answers
     made = [
-        _participants(answers),
+        participants(answers),
         _ratings(answers),
         _judgements(answers),
-        Table("trials.csv", _TRIAL_COLUMNS, list(_trial_rows(sessions))),
+        Table("trials.csv", _TRIAL_COLUMNS, list(_trial_rows(data.sessions))),
         _texts(answers),
     ]
-    return [table for table in made if table.rows]
+    tables = [table for table in made if table.rows]
+    for table in [*tables, _dictionary(tables)]:
+        private.write_new(folder / table.name, separated(table))
 
 
-def _participants(answers: Answers) -> Table:
+def participants(answers: Answers) -> Table:
+    """Return who took part."""
     columns = (
         _WHO,
-        Column("age", "years", "years"),
+        Column("age", "age of the participant", "years"),
         Column("gender", "as answered"),
         Column("handedness", "hand that writes"),
         Column("used_device_before", "knew such a device", "true|false"),
@@ -156,7 +166,7 @@ def _trial_rows(sessions: Iterable[StoredSession]) -> Iterator[Sequence[Any]]:
             )
 
 
-def dictionary_of(tables: Iterable[Table]) -> Table:
+def _dictionary(tables: Iterable[Table]) -> Table:
     """Return the data dictionary: what each column of each table means."""
     columns = (
         Column("file", "name of the table"),

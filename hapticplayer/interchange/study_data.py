@@ -1,15 +1,16 @@
-"""What every export takes from a session: trials, markers, and the device's ticks."""
+"""What every export takes from a study: answers, markers, and the device's ticks."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-import numpy as np
 from numpy.typing import NDArray
 
 from hapticplayer.errors import InputError
 from hapticplayer.haptics.record_reader import RecordReader
+from hapticplayer.study.answers import Answers
+from hapticplayer.study.definition import Definition
 from hapticplayer.study.session_folder import StoredSession
 from hapticplayer.study.session_setup import RECORD
 
@@ -24,6 +25,23 @@ _MARKED = {
     "end": "session end",
 }
 _WANTED = ("monotonic_s", "media_s", "force_n", "position_m")
+
+
+@dataclass(frozen=True, slots=True)
+class StudyData:
+    """A study to be exported.
+
+    Attributes:
+        definition: of the study.
+        answers: of all who answered something.
+        sessions: of the same participants.
+        remarks: what is wrong or left out; exporters add to it.
+    """
+
+    definition: Definition
+    answers: Answers
+    sessions: list[StoredSession]
+    remarks: list[str]
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,8 +91,3 @@ def tick_chunks(path: Path, remarks: list[str]) -> Iterator[NDArray[Any]]:
                 remarks.append(f"{name}: {reader.remark}")
     except InputError as problem:
         remarks.append(f"{name}: {problem.what}")
-
-
-def finite(values: NDArray[Any]) -> NDArray[np.float64]:
-    """Return values as float64."""
-    return np.asarray(values, dtype=np.float64)
