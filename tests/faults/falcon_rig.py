@@ -34,7 +34,7 @@ class VirtualLink:
 
     def newest(self):
         self._write()
-        while self._chip._due_s() <= self._clock.now_s() and not self._is_stalled():
+        while self._chip.due_s() <= self._clock.now_s() and not self._is_stalled():
             data = self._ftdi.read(PERIOD_S)
             now_s = self._clock.now_s()
             if self._freshness.accepts(data, now_s):

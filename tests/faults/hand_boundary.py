@@ -33,7 +33,7 @@ def growth(stiffness_n_per_m, delay_s, ahead_s=0.0, mechanism=SMOOTH, seconds=2.
     simulation = Simulation(
         None, mechanism=mechanism, electronics=Electronics(delay_s=delay_s)
     )
-    simulation._plant.place((_PLUCKED_M, 0.0, 0.0))
+    simulation.place((_PLUCKED_M, 0.0, 0.0))
     hand, reading, way = Hand(), None, []
     centring, limits = Centring(ahead_s=ahead_s), Limits()
     for tick in range(round(seconds / PERIOD_S)):

@@ -13,7 +13,7 @@ import socket
 from collections.abc import Iterator
 from pathlib import Path
 
-_NODE = "/dev/bus/usb/{:03}/{:03}"
+NODE = "/dev/bus/usb/{:03}/{:03}"
 _OPEN_FILES = Path("/proc/self/fd")
 _HELLO = b"usb"
 
@@ -35,7 +35,7 @@ BULK = 3 << 30 | ctypes.sizeof(_Bulk) << 16 | ord("U") << 8 | 2
 
 def open_descriptor(bus: int, address: int) -> int | None:
     """Return this process's descriptor of a device that libusb has opened, if any."""
-    node = _NODE.format(bus, address)
+    node = NODE.format(bus, address)
     with contextlib.suppress(OSError):
         for entry in _OPEN_FILES.iterdir():
             with contextlib.suppress(OSError):  # listing made one that is closed again

@@ -90,7 +90,7 @@ class Chip:
             for first in range(0, len(data), _WRITE_BYTES):
                 part = data[first : first + _WRITE_BYTES]
                 self._line_free_s = start_s = start_s + len(part) * byte_s
-                self._send_back(self.board.receive(part, self._baud, start_s), start_s)
+                self.send_back(self.board.receive(part, self._baud, start_s), start_s)
             return len(data)
 
     def read(self, timeout_s: float) -> bytes | None:
@@ -100,7 +100,7 @@ class Chip:
             with self._lock:
                 self._check()
                 now_s = self._clock.now_s()
-                due_s = max(self._due_s(), self.stalled_until_s)
+                due_s = max(self.due_s(), self.stalled_until_s)
                 if due_s <= now_s:
                     return self._packet(now_s)
             if now_s >= deadline_s:
@@ -119,14 +119,15 @@ class Chip:
         """Pull the cable, whatever is going on; the board loses its firmware."""
         self.is_plugged = False
 
-    def _send_back(self, answer: bytes, at_s: float) -> None:
+    def send_back(self, answer: bytes, at_s: float) -> None:
+        """Put what the board says at a time on the line back."""
         byte_s = BITS_PER_BYTE / self._baud
         self._back_free_s = max(at_s, self._back_free_s)
         for byte in answer:
             self._back_free_s += byte_s
             self._arrivals.append((self._back_free_s, byte))
 
-    def _due_s(self) -> float:
+    def due_s(self) -> float:
         """Return when the next packet is ready, by the chip's four rules."""
         due_s = self._sent_s + self._latency_s
         arrivals = self._arrivals

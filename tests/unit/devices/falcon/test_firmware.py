@@ -218,7 +218,7 @@ def test_a_loader_that_raises_cts_late_or_never_is_served(bench, after_s):
 
 def test_what_is_left_from_before_does_not_disturb_the_hello(bench):
     ftdi = bench.ftdi()
-    bench.chip._send_back(b"<AAAAAAAAAAAAAA>" * 3, bench.clock.now_s())
+    bench.chip.send_back(b"<AAAAAAAAAAAAAA>" * 3, bench.clock.now_s())
     firmware.upload(ftdi, bench.image, bench.clock)
     assert bench.board.stage is Stage.RUNNING
     ftdi.close()

@@ -12,6 +12,7 @@ from hapticplayer.devices.falcon.protocol import Reply, encode_reply
 from hapticplayer.devices.falcon.transport import FalconGoneError
 from hapticplayer.errors import DeviceError
 from hapticplayer.simulation.usb import Stage
+from tests.unit.devices.falcon.conftest import Bench
 
 LONG_S = 20.0  # for what happens at once unless it is broken
 REPLY = Reply((1, -2, 3), 4, 7)
@@ -52,14 +53,14 @@ def gate():
 
 @pytest.fixture
 def link(gate):
-    gate.clock = ManualClock(50.0)
+    gate.clock, before = ManualClock(50.0), set(threading.enumerate())
     link = ThreadedLink(gate, gate.clock)
     yield link
     gate.to_read.put(b"")
     gate.may_write.release(10)
     link.stop()
     gate.to_read.put(b"")
-    for thread in link._threads:
+    for thread in set(threading.enumerate()) - before:
         thread.join(LONG_S)
         assert not thread.is_alive()
 
@@ -72,6 +73,14 @@ def wait_for(condition):
             return
         waiting.wait(0.001)
     raise AssertionError("it never happened")
+
+
+def raises(problem, call):
+    try:
+        call()
+    except problem:
+        return True
+    return False
 
 
 def test_after_a_stalled_write_only_the_last_frame_is_sent(link, gate):
@@ -189,9 +198,8 @@ def test_what_the_reader_met_is_raised_by_the_next_call(link, gate, call):
     gate.to_read.put(FalconGoneError("unplugged"))
     gate.may_write.release()
     link.post(b"x")
-    wait_for(lambda: link._problem is not None)
-    with pytest.raises(FalconGoneError):
-        link.post(b"x") if call == "post" else link.newest()
+    again = {"post": lambda: link.post(b"x"), "newest": link.newest}[call]
+    wait_for(lambda: raises(FalconGoneError, again))
 
 
 def test_what_the_writer_met_is_raised_by_the_next_call(gate):
@@ -201,18 +209,21 @@ def test_what_the_writer_met_is_raised_by_the_next_call(gate):
     gate.write = write
     link = ThreadedLink(gate, ManualClock())
     link.post(b"x")
-    wait_for(lambda: link._problem is not None)
-    with pytest.raises(FalconGoneError):
-        link.newest()
+    wait_for(lambda: raises(FalconGoneError, link.newest))
     gate.to_read.put(FalconGoneError("unplugged"))
     link.stop()
 
 
-def test_the_whole_chain_runs_on_threads_and_the_machines_clock(running):
+@pytest.fixture
+def running_now(image):
+    """A Falcon whose firmware runs, on the machine's clock."""
+    return Bench(image, Stage.RUNNING, SystemClock())
+
+
+@pytest.mark.realtime
+def test_the_whole_chain_runs_on_threads_and_the_machines_clock(running_now):
     """pyusb, chip, board: answers come, unplugging is told, closing ends it all."""
-    clock = SystemClock()
-    running.chip._clock = clock
-    running.chip._line_free_s = running.chip._sent_s = clock.now_s()
+    running, clock = running_now, running_now.clock
     device = FalconDriver(running.open, clock=clock, image=lambda: running.image)
     before = threading.active_count()
     device.open()
@@ -226,23 +237,16 @@ def test_the_whole_chain_runs_on_threads_and_the_machines_clock(running):
     assert reading.is_homed
     running.chip.unplug()
 
-    def is_told():
-        try:
-            device.exchange((1.0, 0.0, 0.0), clock.now_s())
-        except DeviceError:
-            return True
-        return False
-
-    wait_for(is_told)
+    push = lambda: device.exchange((1.0, 0.0, 0.0), clock.now_s())  # noqa: E731
+    wait_for(lambda: raises(DeviceError, push))
     device.close()
     assert threading.active_count() == before
     assert running.board.stage is Stage.RUNNING
 
 
-def test_closing_ends_both_threads_and_zero_has_the_last_word(running):
-    clock = SystemClock()
-    running.chip._clock = clock
-    running.chip._line_free_s = running.chip._sent_s = clock.now_s()
+@pytest.mark.realtime
+def test_closing_ends_both_threads_and_zero_has_the_last_word(running_now):
+    running, clock = running_now, running_now.clock
     device = FalconDriver(running.open, clock=clock, image=lambda: running.image)
     before = threading.active_count()
     device.open()

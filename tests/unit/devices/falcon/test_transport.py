@@ -7,7 +7,6 @@ import sys
 import pytest
 import usb.core
 
-from hapticplayer.devices.falcon import transport
 from hapticplayer.devices.falcon.transport import (
     FalconGoneError,
     list_falcons,
@@ -138,6 +137,16 @@ def test_an_idle_chip_answers_with_its_status_each_latency(running):
     device.close()
 
 
-def test_timeouts_are_never_for_ever():
-    assert transport._milliseconds(0.0) == 1
-    assert transport._milliseconds(0.0201) == 21
+def test_timeouts_are_never_for_ever(running, monkeypatch):
+    """To libusb, 0 ms means that."""
+    device, asked_ms, read = running.open(), [], running.bus.bulk_read
+
+    def watched(*arguments):
+        asked_ms.append(arguments[-1])
+        return read(*arguments)
+
+    monkeypatch.setattr(running.bus, "bulk_read", watched)
+    device.read(0.0)
+    device.read(0.0201)
+    assert asked_ms == [1, 21]
+    device.close()

@@ -50,7 +50,7 @@ def test_the_request_is_the_number_that_linux_gives_it():
 
 
 def test_a_device_is_found_among_the_open_files(tmp_path, monkeypatch):
-    monkeypatch.setattr(usbfs, "_NODE", str(tmp_path / "{:03}-{:03}"))
+    monkeypatch.setattr(usbfs, "NODE", str(tmp_path / "{:03}-{:03}"))
     (tmp_path / "001-007").touch()
     assert usbfs.open_descriptor(1, 7) is None
     with (tmp_path / "001-007").open("r+b") as file:

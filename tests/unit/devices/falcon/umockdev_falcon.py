@@ -187,7 +187,7 @@ def scenario():
         clock.sleep_until(clock.now_s() + 0.002)
     found["homed"] = reading.is_homed
     found["pushed"] = mechanics.commands[-1][1] != (0, 0, 0)
-    usbfs._NODE = kept[0].get_root_dir() + usbfs._NODE
+    usbfs.NODE = kept[0].get_root_dir() + usbfs.NODE
     file = usbfs.open_descriptor(1, 5)
     zero = encode_command((0, 0, 0))
     found["guard_wrote"] = usbfs.bulk_write(file, ENDPOINT_OUT, zero, 0.005)

@@ -1,13 +1,14 @@
 """The player's end of the line: which answers it takes, and when it stops asking."""
 
 import socket
+from types import SimpleNamespace
 
 import pytest
 
 from hapticplayer.errors import DeviceError
+from hapticplayer.simulation.falcon import remote
 from hapticplayer.simulation.falcon.packets import (
     MAX_BYTES,
-    SERIAL_MASK,
     Reply,
     pack_reply,
     unpack,
@@ -17,22 +18,37 @@ from hapticplayer.simulation.falcon.remote import RemoteFalcon
 PUSH = (2.0, 0.0, 0.0)
 
 
+class WatchedSocket(socket.socket):
+    """Counts how often it is asked for something."""
+
+    asked, after_sending = 0, None
+
+    def recv(self, *arguments):
+        self.asked += 1
+        return super().recv(*arguments)
+
+    def send(self, *arguments):
+        sent = super().send(*arguments)
+        if self.after_sending is not None:
+            self.after_sending()
+        return sent
+
+
 class Bench:
     """A device that answers what and when the test says."""
 
     def __init__(self):
         ours, self.end = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
-        self.now_s, self.asked = 1000.0, 0
-        self.device = RemoteFalcon(ours.detach())
-        receive = self.device._receive
-
-        def counted(size):
-            self.asked += 1
-            return receive(size)
-
-        self.device._receive = counted
+        self.now_s = 1000.0
+        with pytest.MonkeyPatch.context() as patch:
+            patch.setattr(remote, "socket", SimpleNamespace(socket=self.watched))
+            self.device = RemoteFalcon(ours.detach())
         self.answer(0)
         self.device.open()
+
+    def watched(self, **given):
+        self.ours = WatchedSocket(**given)
+        return self.ours
 
     def answer(self, serial, age_s=0.0, x_m=0.0, spoil=False):
         data = pack_reply(Reply(serial, self.now_s - age_s, (x_m, 0.0, 0.0), 0, True))
@@ -41,7 +57,7 @@ class Bench:
     def tick(self, period_s=0.001):
         """Return the reading and the serial number of the command."""
         self.now_s += period_s
-        self.asked = 0
+        self.ours.asked = 0
         reading = self.device.exchange(PUSH, self.now_s)
         found = None
         while found is None:  # there is a HELLO before the first command
@@ -66,7 +82,7 @@ def test_after_a_fresh_answer_nothing_more_is_requested(bench):
         bench.answer(serial, x_m=0.001 * tick)
         reading, serial = bench.tick()
         assert reading.position_m[0] == 0.001 * tick
-        assert bench.asked == 1
+        assert bench.ours.asked == 1
 
 
 def test_of_many_waiting_answers_the_newest_counts(bench):
@@ -75,7 +91,7 @@ def test_of_many_waiting_answers_the_newest_counts(bench):
         bench.answer(serial, age_s=0.0001 * (5 - number), x_m=0.001 * number)
     reading, _ = bench.tick()
     assert reading.position_m[0] == 0.004
-    assert bench.asked == 5
+    assert bench.ours.asked == 5
 
 
 @pytest.mark.parametrize("others", [0, 1, 7])
@@ -111,16 +127,17 @@ def test_a_falsified_answer_is_counted_and_the_next_one_taken(bench):
     assert (reading.malformed, reading.position_m[0]) == (0, 0.02)
 
 
-def test_serial_numbers_begin_anew_and_leave_out_zero(bench):
-    bench.device._serial = SERIAL_MASK - 1
+def test_serial_numbers_begin_anew_and_leave_out_zero(bench, monkeypatch):
+    monkeypatch.setattr(remote, "SERIAL_MASK", 5)
+    assert [bench.tick()[1] for _ in range(3)] == [2, 3, 4]
     serials = []
     for tick in range(4):
         reading, serial = bench.tick()
         serials.append(serial)
         bench.answer(serial, x_m=0.001 * tick)
         bench.answer(0, x_m=0.01)
-    assert serials == [SERIAL_MASK, 1, 2, 3]
-    assert bench.asked <= 2  # the zero of the tick before, then what was awaited
+    assert serials == [5, 1, 2, 3]
+    assert bench.ours.asked <= 2  # the zero of the tick before, then what was awaited
     assert reading.position_m[0] == 0.002
 
 
@@ -135,15 +152,13 @@ def test_a_hang_up_is_noticed_although_an_answer_is_left(bench):
 def test_a_hang_up_after_an_answer_is_noticed_a_tick_later(bench):
     _, serial = bench.tick()
     bench.answer(serial)
-    send = bench.device._send
 
-    def hang_up_behind(data):
-        sent = send(data)
+    def hang_up():
         bench.end.recv(MAX_BYTES)  # closed with this unread, it would be told at once
         bench.end.close()
-        return sent
+        bench.ours.after_sending = None
 
-    bench.device._send = hang_up_behind
+    bench.ours.after_sending = hang_up
     bench.device.exchange(PUSH, bench.now_s)
     with pytest.raises(DeviceError, match="unplugged"):
         bench.device.exchange(PUSH, bench.now_s)

@@ -30,6 +30,7 @@ class Bench:
         self.clock = ManualClock()
         self.simulation = Simulation(electronics=Electronics(**electronics))
         recorder = Recorder(self.record)
+        self.line = theirs
         self.server = Server(self.clock, theirs, self.simulation, recorder)
         self.raw = ours.dup()
         self.controls = Controls(ours.dup().detach())
@@ -55,7 +56,7 @@ def bench():
     yield bench
     bench.hang_up()
     bench.server.turn()
-    bench.server._line.close()
+    bench.line.close()
     os.close(bench.record)
 
 
