@@ -25,8 +25,12 @@ from common import save, table
 from hapticplayer.clock import SystemClock
 from hapticplayer.devices import DEVICES
 from hapticplayer.devices.falcon.driver import FalconDriver, Options
-from hapticplayer.haptics.scheduling import DEVICE_PRIORITY, acquire, grant
-from hapticplayer.haptics.wakefulness import Wakefulness
+from hapticplayer.haptics.scheduling import (
+    DEVICE_PRIORITY,
+    CpuLatencyRequest,
+    acquire,
+    grant,
+)
 from hapticplayer.simulation.usb import driver
 
 PERIOD_S = 0.001
@@ -100,7 +104,7 @@ def main() -> int:
     parser.add_argument("--seconds", type=float, default=5.0)
     options = parser.parse_args()
     scheduling = acquire(None).value
-    Wakefulness().keep(awake=True)  # as the loop does while it plays
+    CpuLatencyRequest().set_active(is_active=True)  # as the loop does while it plays
     ticks = int(options.seconds / PERIOD_S)
     cores = sorted(os.sched_getaffinity(0))
     os.sched_setaffinity(0, cores[:1])

@@ -81,7 +81,7 @@ def main() -> int:
     sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
     from app.__main__ import main as play
     from hapticplayer.haptics.contract import Cause, Mode
-    from hapticplayer.haptics.process import HapticsProcess
+    from hapticplayer.haptics.processes import HapticsProcesses
     from hapticplayer.playback import player as player_module
     from hapticplayer.simulation.falcon.record_reader import read_record
 
@@ -89,7 +89,7 @@ def main() -> int:
     ages_s: list[Any] = []
     lateness_s: list[Any] = []
 
-    class Counted(HapticsProcess):
+    class Counted(HapticsProcesses):
         """Re-arms after each hold, so that there is a force to be late with."""
 
         _rearmed_s = 0.0
@@ -111,7 +111,7 @@ def main() -> int:
             return ticks, lost
 
     descriptor = os.memfd_create("device")
-    player_module.HapticsProcess = functools.partial(  # type: ignore[assignment,misc]
+    player_module.HapticsProcesses = functools.partial(  # type: ignore[assignment,misc]
         Counted,
         device_options=["--record", str(descriptor)],
         device_descriptors=[descriptor],

@@ -20,7 +20,7 @@ from app.player.application import make_application
 from app.player.video_surface import SurfaceSink, VideoSurface
 from app.player.window import PlayerWindow
 from hapticplayer.clock import SystemClock
-from hapticplayer.haptics.process import HapticsProcess
+from hapticplayer.haptics.processes import HapticsProcesses
 from hapticplayer.playback.player import Player
 from hapticplayer.playback.sound_process import SoundProcess
 
@@ -29,7 +29,7 @@ SAMPLE_S, SILENT_S = 0.02, 0.06
 MOST_SAMPLES, STACK_DEPTH = 10, 10
 
 
-Haptics = Callable[..., HapticsProcess]
+Haptics = Callable[..., HapticsProcesses]
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,7 +81,7 @@ def with_device_options(*options: str, descriptors: Sequence[int] = ()) -> Hapti
         descriptors: that these name.
     """
     return functools.partial(
-        HapticsProcess,
+        HapticsProcesses,
         device_options=list(options),
         device_descriptors=list(descriptors),
     )

@@ -25,10 +25,10 @@ from hapticplayer.cli.play import (
 )
 from hapticplayer.clock import SystemClock
 from hapticplayer.devices import NO_DEVICE, installed_devices
-from hapticplayer.haptics.process import Health
-from hapticplayer.haptics.scheduling import hasten_window
+from hapticplayer.haptics.processes import Health
+from hapticplayer.haptics.scheduling import hasten_window, lock_memory
 from hapticplayer.media.memory import keep_freed_memory
-from hapticplayer.playback.farewell import is_hardware
+from hapticplayer.playback.force_output import is_hardware
 from hapticplayer.playback.player import Player
 from hapticplayer.playback.sound_process import SoundProcess
 from hapticplayer.playback.source import Source, choose_feedback, open_source
@@ -95,6 +95,7 @@ def make_application(settings: Settings | None = None) -> QApplication:
     sys.setswitchinterval(SWITCH_S)
     keep_freed_memory()
     hasten_window()
+    lock_memory()
     application = QApplication.instance() or QApplication(sys.argv[:1])
     assert isinstance(application, QApplication)
     application.setApplicationName("hapticplayer")

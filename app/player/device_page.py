@@ -204,7 +204,7 @@ class DevicePage(QDialog):
             return stop_reason(player.cause)
         if player.media_s >= player.end_s:
             return self.tr("These were all the forces that you can meet.")
-        said = translated(player.process.problem)
+        said = translated(player.problem)
         return said or self.tr("The haptics process has ended.")
 
     def _end(self, text: str) -> None:

@@ -25,7 +25,7 @@ from hapticplayer.clock import Clock
 from hapticplayer.devices import NO_DEVICE, find_device
 from hapticplayer.errors import HapticPlayerError
 from hapticplayer.haptics.contract import Mode
-from hapticplayer.haptics.process import Health
+from hapticplayer.haptics.processes import Health
 from hapticplayer.playback.snapshot import Snapshot
 from hapticplayer.simulation.faults import Fault, outcome_of
 

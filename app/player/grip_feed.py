@@ -13,7 +13,7 @@ from app.plots.grip_scene import (
 )
 from hapticplayer.devices import NO_DEVICE, find_device
 from hapticplayer.haptics.contract import Cause, Mode
-from hapticplayer.haptics.process import Health
+from hapticplayer.haptics.processes import Health
 from hapticplayer.model import Feedback
 from hapticplayer.playback.snapshot import Snapshot, TicksSince
 

@@ -10,11 +10,12 @@ from app.widgets.numbers import local
 from app.widgets.texts import titled
 from hapticplayer.devices import NO_DEVICE, installed_devices
 from hapticplayer.haptics.contract import Cause, Mode
-from hapticplayer.haptics.process import Health
+from hapticplayer.haptics.processes import Health
 from hapticplayer.haptics.scheduling import Scheduling
 from hapticplayer.model import LoopStats, SyncStats
-from hapticplayer.playback.snapshot import Measurements, Phase, Snapshot
-from hapticplayer.playback.sync_alarm import EARLY_MS, LATE_MS
+from hapticplayer.playback.meters import EARLY_MS, LATE_MS
+from hapticplayer.playback.phases import Phase
+from hapticplayer.playback.snapshot import Measurements, Snapshot
 
 translate = QCoreApplication.translate
 

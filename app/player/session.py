@@ -12,10 +12,11 @@ from hapticplayer.devices import NO_DEVICE, find_device
 from hapticplayer.errors import DeviceError, HapticPlayerError, HapticsError
 from hapticplayer.haptics.contract import Mode
 from hapticplayer.haptics.limiter import is_near_middle, limits_of
-from hapticplayer.haptics.process import Health
+from hapticplayer.haptics.processes import Health
+from hapticplayer.playback.phases import Phase
 from hapticplayer.playback.player import Player
 from hapticplayer.playback.replay import with_log
-from hapticplayer.playback.snapshot import Phase, Snapshot
+from hapticplayer.playback.snapshot import Snapshot
 from hapticplayer.playback.source import Source, open_source
 
 SKIP_S = 5.0

@@ -14,8 +14,8 @@ from app.widgets import theme
 from app.widgets.numbers import local
 from app.widgets.room import is_seen
 from app.widgets.texts import titled
+from hapticplayer.playback.meters import EARLY_MS, LATE_MS
 from hapticplayer.playback.snapshot import SyncTraces
-from hapticplayer.playback.sync_alarm import EARLY_MS, LATE_MS
 
 SPAN_S = 30.0
 LOWEST_MS, HIGHEST_MS = -25.0, 60.0

@@ -30,7 +30,6 @@ from benchmarks.common import ROOT, Report
 from benchmarks.stage import screen, sound_server
 from benchmarks.witness import ACCOUNT_PERIOD_S, Sentinel, Starved, sentinel
 from hapticplayer.haptics.contract import Cause, Mode
-from hapticplayer.haptics.residence import Residence
 from hapticplayer.playback.player import Player
 
 GRACE_S, QUICK_GRACE_S = 0.3, 15.0
@@ -328,7 +327,9 @@ def _use_the_window(chosen: dict[str, Any]) -> None:
             return next_s
 
     if not chosen["locked"]:
-        Residence.lock = lambda _self: 0  # type: ignore[method-assign]
+        from app.player import application as app_module
+
+        app_module.lock_memory = bool  # type: ignore[attr-defined]
     settings = folder / "window.json"
     opened = open_window(settings, sound=chosen["sound"], player=HeardPlayer)
     application, player, window = opened.application, opened.player, opened.window

@@ -33,7 +33,7 @@ def test_forces(options: argparse.Namespace) -> int:
     ticks: list[NDArray[Any]] = []
     try:
         with interruptible():
-            player.process.wait_ready()
+            player.wait_ready()
             _play(player, clock, ticks)
     finally:
         player.close()
@@ -43,8 +43,8 @@ def test_forces(options: argparse.Namespace) -> int:
     if player.mode is Mode.TRIPPED:
         complain(f"stopped: {player.cause.name.lower().replace('_', ' ')}")
         return 1
-    if player.process.problem:
-        complain(player.process.problem)
+    if player.problem:
+        complain(player.problem)
         return 1
     return 0
 

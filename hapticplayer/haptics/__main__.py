@@ -14,8 +14,7 @@ from hapticplayer.haptics.lifeline import hold, map_lifeline
 from hapticplayer.haptics.limiter import limits_of
 from hapticplayer.haptics.loop import Loop
 from hapticplayer.haptics.messages import Line, Word
-from hapticplayer.haptics.scheduling import Scheduling, acquire
-from hapticplayer.haptics.wakefulness import Wakefulness
+from hapticplayer.haptics.scheduling import CpuLatencyRequest, Scheduling, acquire
 
 
 def main(argv: list[str] | None = None) -> int:
@@ -59,7 +58,7 @@ def main(argv: list[str] | None = None) -> int:
             limits,
             centring_of(limits),
             is_guarded=options.guarded,
-            wakefulness=Wakefulness(),
+            cpu_latency=CpuLatencyRequest(),
             lifeline=map_lifeline(options.lifeline),
         )
         line.send(Word.READY, acquire(wanted).value)

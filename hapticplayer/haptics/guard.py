@@ -2,7 +2,7 @@
 
 It watches the loop and writes zero to the device when the loop has died or stands
 still. It knows nothing of players, tracks and clips. Run as
-`python -m hapticplayer.haptics.guard` by `HapticsProcess`.
+`python -m hapticplayer.haptics.guard` by `HapticsProcesses`.
 """
 
 import argparse

@@ -13,9 +13,9 @@ from hapticplayer.haptics.contract import Cause, Mode, Request, State, Supervisi
 from hapticplayer.haptics.lifeline import Lifeline
 from hapticplayer.haptics.limiter import PERIOD_S, ZERO, Limits
 from hapticplayer.haptics.messages import Line, Received, Word, close_descriptor
+from hapticplayer.haptics.scheduling import CpuLatencyRequest
 from hapticplayer.haptics.step import step
 from hapticplayer.haptics.track import LoadedTrack, map_track
-from hapticplayer.haptics.wakefulness import Wakefulness
 from hapticplayer.model import PlaybackClock
 from hapticplayer.model.device import DeviceReading, Vector
 
@@ -58,7 +58,7 @@ class Loop:
     limits: Limits = field(default_factory=Limits)
     centring: Centring = field(default_factory=Centring)
     is_guarded: bool = False
-    wakefulness: Wakefulness | None = None
+    cpu_latency: CpuLatencyRequest | None = None
     lifeline: Lifeline | None = None
 
     def __post_init__(self) -> None:
@@ -115,8 +115,8 @@ class Loop:
             self.centring,
         )
         self._exchange(state.force_n, now_s)
-        if state.mode is not before.mode and self.wakefulness is not None:
-            self.wakefulness.keep(awake=state.mode not in _RESTING)
+        if state.mode is not before.mode and self.cpu_latency is not None:
+            self.cpu_latency.set_active(is_active=state.mode not in _RESTING)
         self._record(late_s, missed)
         self.count += 1
 

@@ -22,9 +22,10 @@ from typing import Any
 import numpy as np
 
 from hapticplayer.clock import Clock, SystemClock
-from hapticplayer.errors import InputError
+from hapticplayer.errors import InputError, Message
 from hapticplayer.haptics.records import RecordWriter, cannot_write, open_record
 from hapticplayer.haptics.shared import TICK, SharedBlock
+from hapticplayer.haptics.spawn import run_module
 
 READ_PERIOD_S = 0.05
 SYNC_PERIOD_S = 1.0
@@ -75,13 +76,12 @@ def start_recorder(
             stack.callback(os.close, watch)
             options += ["--loop-pidfd", str(watch)]
             passed.append(watch)
-        return subprocess.Popen(
-            [sys.executable, "-P", "-m", "hapticplayer.haptics.recorder", *options],
-            pass_fds=passed,
-            stdin=subprocess.DEVNULL,
+        return run_module(
+            "hapticplayer.haptics.recorder",
+            options,
+            passed,
             stdout=subprocess.DEVNULL,
             start_new_session=True,  # what ends the player's group shall be recorded
-            env={**os.environ, "OPENBLAS_NUM_THREADS": "1"},
         )
 
 
@@ -90,8 +90,10 @@ def recorder_problem(recorder: subprocess.Popen[bytes]) -> str:
     status = recorder.poll()
     if not status:
         return ""
-    reason = _REASONS.get(status, f"its process ended with status {status}")
-    return f"the record is not complete: {reason}"
+    return _REASONS.get(status) or Message(
+        "the record is not complete: its process ended with status {status}",
+        status=status,
+    )
 
 
 def finish_recorder(recorder: subprocess.Popen[bytes], timeout_s: float = 5.0) -> str:
@@ -99,7 +101,7 @@ def finish_recorder(recorder: subprocess.Popen[bytes], timeout_s: float = 5.0) -
     try:
         recorder.wait(timeout_s)
     except subprocess.TimeoutExpired:
-        return "the record is not complete: the disk is too slow"
+        return Message("the record is not complete: the disk is too slow")
     return recorder_problem(recorder)
 
 
@@ -143,7 +145,7 @@ class Recording:
         try:
             self._recorder = start_recorder(self._block, loop_pid, file, header)
         except (OSError, InputError) as problem:
-            self._problem = f"nothing is recorded: {problem}"
+            self._problem = Message("nothing is recorded: {reason}", reason=problem)
 
     def finish(self) -> None:
         """Wait, after the loop has ended, until all is written."""
@@ -224,10 +226,12 @@ class Status(enum.IntEnum):
     FAILED = 5
 
 
-_REASONS: dict[int, str] = {
-    Status.FULL: "the disk is full, or the file as large as it may be",
-    Status.REMOVED: "its file was removed",
-    Status.FAILED: "its file could not be written",
+_REASONS: dict[int, Message] = {
+    Status.FULL: Message(
+        "the record is not complete: the disk is full, or the file as large as it may be"
+    ),
+    Status.REMOVED: Message("the record is not complete: its file was removed"),
+    Status.FAILED: Message("the record is not complete: its file could not be written"),
 }
 _STATUS_OF = {
     errno.ENOSPC: Status.FULL,

@@ -1,13 +1,15 @@
-"""How the kernel is asked to wake the loop in time: FIFO, else slice, else normal.
+"""What the kernel is asked for, so that processes wake in time.
 
-Measured under playback load (wake-ups more than 1 ms late per minute): normal 437,
-a 100 us slice 22, SCHED_FIFO with locked memory 3.
+The best scheduling class: FIFO, else slice, else normal (wake-ups more than 1 ms late
+per minute under playback load: 3, 22, 437). Locked memory, so that no thread waits for
+a disk. Processors that do not sleep deeply while a force may be on.
 """
 
 import contextlib
 import ctypes
 import enum
 import os
+import resource
 import struct
 
 FIFO_PRIORITY = 80
@@ -16,13 +18,15 @@ DEVICE_PRIORITY = 79  # a real device is not starved by the player either
 SLICE_NS = 100_000
 WINDOW_SLICE_NS = 400_000  # shorter than others' 1.4 to 3 ms; the loop comes first
 _PR_SET_TIMERSLACK = 29
-_MCL_CURRENT, _MCL_FUTURE = 1, 2
+_MCL_CURRENT, _MCL_FUTURE, _MCL_ONFAULT = 1, 2, 4
 _SCHED_SETATTR = {"x86_64": 314, "aarch64": 274, "riscv64": 274}
 # struct sched_attr, version 0: size, policy, flags, nice, priority, runtime,
 # deadline, period. For SCHED_OTHER the runtime is the EEVDF slice (Linux >= 6.12).
 _SCHED_ATTR = struct.Struct("=IIQiIQQQ")
 _RESET_ON_FORK = 1
 _SLICE_SINCE = (6, 12)
+CPU_LATENCY = "/dev/cpu_dma_latency"
+_NO_SLEEP, _NO_REQUEST = struct.pack("=i", 0), struct.pack("=i", -1)
 
 
 class Scheduling(enum.StrEnum):
@@ -42,12 +46,10 @@ def acquire(
         wanted: None for the best; a class to be measured apart.
         priority: within SCHED_FIFO.
     """
-    libc = ctypes.CDLL(None, use_errno=True)
-    libc.prctl(_PR_SET_TIMERSLACK, 1, 0, 0, 0)
+    ctypes.CDLL(None).prctl(_PR_SET_TIMERSLACK, 1, 0, 0, 0)
     taken = grant(0, wanted, priority)
     if taken is Scheduling.FIFO:
-        # in these small processes only: it would pin a gigabyte in the player
-        libc.mlockall(_MCL_CURRENT | _MCL_FUTURE)
+        lock_memory(on_fault=False)  # these processes are small
     return taken
 
 
@@ -66,6 +68,31 @@ def grant(
     if wanted in (None, Scheduling.FIFO, Scheduling.SLICE) and _give_slice(pid):
         return Scheduling.SLICE
     return Scheduling.NORMAL
+
+
+def lock_memory(*, on_fault: bool = True) -> bool:
+    """Keep the memory of this process from being paged out, mlockall(2).
+
+    Under memory pressure the kernel drops pages of mapped files, code among them; a
+    thread that needs one waits for the disk, often with the interpreter's lock in its
+    hand: windows froze for 0.1 to 1.1 s (benchmarks/eviction.py).
+
+    Args:
+        on_fault: lock each page from its first use on; else all pages at once.
+
+    Returns:
+        False where the process may not lock without limit: later allocations would
+        fail at a limit.
+    """
+    soft, hard = resource.getrlimit(resource.RLIMIT_MEMLOCK)
+    is_unlimited = hard == resource.RLIM_INFINITY
+    # under a limit of 0 the kernel grants it only to CAP_IPC_LOCK, which has no limit
+    resource.setrlimit(resource.RLIMIT_MEMLOCK, (hard if is_unlimited else 0, hard))
+    flags = _MCL_CURRENT | _MCL_FUTURE | (_MCL_ONFAULT if on_fault else 0)
+    is_locked = bool(ctypes.CDLL(None).mlockall(flags) == 0)
+    if not is_unlimited:
+        resource.setrlimit(resource.RLIMIT_MEMLOCK, (soft, hard))
+    return is_locked
 
 
 def hasten_window() -> Scheduling:
@@ -95,3 +122,32 @@ def _give_slice(pid: int, slice_ns: int = SLICE_NS, flags: int = 0) -> bool:
     )
     libc = ctypes.CDLL(None, use_errno=True)
     return int(libc.syscall(number, pid, attributes, 0)) == 0
+
+
+class CpuLatencyRequest:
+    """Asks the kernel to keep the processors out of deep sleep, which delays wake-ups.
+
+    `/dev/cpu_dma_latency` takes the longest wake-up time, us as a signed 32-bit number,
+    for as long as it is open (Linux, Documentation/power/pm_qos_interface.rst);
+    cyclictest asks for 0 as well. It costs power, so it is asked for only while a force
+    may be on. The kernel drops the request when the process ends.
+
+    Args:
+        path: of the device; root's, unless a udev rule gives it away.
+    """
+
+    def __init__(self, path: str | os.PathLike[str] = CPU_LATENCY) -> None:
+        self._is_active = False
+        try:
+            self._file: int | None = os.open(path, os.O_WRONLY | os.O_CLOEXEC)
+        except OSError:
+            self._file = None  # not Linux, or not allowed: `doctor` reports it
+
+    def set_active(self, *, is_active: bool) -> None:
+        """Make or withdraw the request; free of cost while nothing changes."""
+        if is_active == self._is_active:
+            return
+        self._is_active = is_active
+        if self._file is not None:
+            with contextlib.suppress(OSError):  # a refused request must not end a force
+                os.write(self._file, _NO_SLEEP if is_active else _NO_REQUEST)

@@ -7,7 +7,6 @@ import struct
 from bisect import bisect_right
 from typing import TYPE_CHECKING
 
-from hapticplayer.haptics.finite import are_finite
 from hapticplayer.haptics.limiter import ZERO
 from hapticplayer.model.device import Vector
 
@@ -42,8 +41,8 @@ class LoadedTrack:
 
     @property
     def is_finite(self) -> bool:
-        """Whether all of its numbers are."""
-        return are_finite(self._time_s) and are_finite(self._force_n)
+        """Whether all numbers are: a sum with NaN or infinity in it is not finite."""
+        return math.isfinite(sum(self._time_s)) and math.isfinite(sum(self._force_n))
 
     def force_at(self, media_s: float) -> Vector:
         """Return the planned force, N, frame D.

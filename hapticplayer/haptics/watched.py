@@ -12,8 +12,15 @@ from hapticplayer.clock import Clock
 from hapticplayer.devices import find_device
 from hapticplayer.errors import HapticsError
 from hapticplayer.haptics.contract import GAP_RAMP_S, GUARD_RAMP_S
-from hapticplayer.haptics.crew import Crew
+from hapticplayer.haptics.lifeline import hold_lifeline
+from hapticplayer.haptics.scheduling import DEVICE_PRIORITY, grant
 from hapticplayer.haptics.shared import BLOCK_BYTES, SharedBlock
+from hapticplayer.haptics.spawn import (
+    Process,
+    start_device,
+    start_guard,
+    wait_for_end,
+)
 from hapticplayer.haptics.track import anonymous_memory
 
 BEAT_S = 0.002
@@ -48,19 +55,34 @@ class Watched:
     ) -> None:
         self._clock = clock
         self._is_pushing, self._beat_s, self._was_disturbed = False, 0.0, False
-        self._crew = Crew(find_device(device), None, device_options, device_descriptors)
-        descriptor = anonymous_memory("hapticplayer-watched", BLOCK_BYTES)
-        try:
-            self._block = SharedBlock(descriptor)
-            self._handle = self._crew.start_around(descriptor)
-        except OSError as problem:
-            self._end()
-            raise HapticsError(
-                f"the guard could not be started: {problem}"
-            ) from problem
-        finally:
-            os.close(descriptor)
+        self._guard: Process | None = None
+        self._simulator: Process | None = None
+        entry = find_device(device)
+        block = anonymous_memory("hapticplayer-watched", BLOCK_BYTES)
+        with contextlib.ExitStack() as stack:
+            stack.callback(os.close, block)
+            self._block = SharedBlock(block)
+            try:
+                ours, for_guard, self._simulator = start_device(
+                    stack, entry, device_options, device_descriptors
+                )
+                if self._simulator is not None:
+                    grant(self._simulator.pid, None, DEVICE_PRIORITY)
+                self._guard = start_guard(
+                    entry, os.getpid(), block, for_guard, hold_lifeline()
+                )
+                self._handle = os.dup(ours)
+            except OSError as problem:
+                self._end()
+                raise HapticsError(
+                    "the guard could not be started: {reason}", reason=problem
+                ) from problem
         self._wait_for_the_guard()
+
+    @property
+    def guard_pid(self) -> int | None:
+        """Process id of the guard."""
+        return self._guard.pid if self._guard else None
 
     def handle(self) -> int:
         """Return a new descriptor of what a loop gets; it is the caller's."""
@@ -108,14 +130,14 @@ class Watched:
         self._end()
 
     def _end(self) -> None:
-        if self._crew.guard is not None:
-            self._crew.guard.kill()  # it waits for our death, and ignores the rest
-        self._crew.end()
+        if self._guard is not None:
+            self._guard.kill()  # it waits for our death, and ignores the rest
+        wait_for_end((self._guard, self._simulator))
 
     def _wait_for_the_guard(self) -> None:
         end_s = self._clock.now_s() + _STARTING_S
         while self._block.guard_s() == 0.0:
-            guard = self._crew.guard
+            guard = self._guard
             has_ended = guard is None or guard.poll() is not None
             if has_ended or self._clock.now_s() > end_s:
                 self.close()

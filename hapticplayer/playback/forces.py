@@ -8,11 +8,12 @@ from numpy.typing import NDArray
 from hapticplayer.clock import Clock
 from hapticplayer.devices import find_device
 from hapticplayer.haptics.contract import Cause, Mode
-from hapticplayer.haptics.process import HapticsProcess, Health
+from hapticplayer.haptics.processes import HapticsProcesses, Health
 from hapticplayer.model import ForceTrack, PlaybackClock
 from hapticplayer.rendering import adapted
 
 VALID_S = 0.150
+TRACK = "track"
 
 
 class ForcePlayer:
@@ -33,7 +34,7 @@ class ForcePlayer:
 
     def __init__(self, clock: Clock, device: str, track: ForceTrack) -> None:
         capabilities = find_device(device).capabilities
-        self.process = HapticsProcess(clock, device)
+        self._processes = HapticsProcesses(clock, device)
         self.media_s = 0.0
         self.mode, self.cause = Mode.IDLE, Cause.NONE
         self.end_s = float(track.time_s[-1])
@@ -41,24 +42,38 @@ class ForcePlayer:
         self._begin_s: float | None = None
         self._epoch = 1
         self._track = adapted(track, capabilities)
-        self._track_id = 0
+        self._is_loaded = False
+
+    @property
+    def health(self) -> Health:
+        """State of the haptics processes."""
+        return self._processes.health
+
+    @property
+    def problem(self) -> str:
+        """What is wrong with the device, "" for nothing."""
+        return self._processes.problem
+
+    def wait_ready(self) -> None:
+        """Wait for the device; see `HapticsProcesses.wait_ready`."""
+        self._processes.wait_ready()
 
     @property
     def is_over(self) -> bool:
         """Whether there is nothing more to come."""
-        is_dead = self.process.health in (Health.FAILED, Health.GONE)
+        is_dead = self.health in (Health.FAILED, Health.GONE)
         return is_dead or self.media_s >= self.end_s or self.mode is Mode.TRIPPED
 
     def poll(self) -> NDArray[Any]:
         """Beat, move on, and return the ticks since the last call (see TICK)."""
-        process, now_s = self.process, self._clock.now_s()
-        process.beat()
-        health = process.poll()
-        if health is Health.READY:
-            if not self._track_id:
-                self._track_id = process.load_track(self._track)
+        processes, now_s = self._processes, self._clock.now_s()
+        processes.beat()
+        if processes.poll() is Health.READY:
+            if not self._is_loaded:
+                self._is_loaded = True
+                processes.load({TRACK: self._track})
             self._publish(now_s)
-        ticks, _ = process.read_ticks()
+        ticks, _ = processes.read_ticks()
         if len(ticks):
             self.mode = Mode(int(ticks["mode"][-1]))
             self.cause = Cause(int(ticks["cause"][-1]))
@@ -66,12 +81,12 @@ class ForcePlayer:
 
     def stop(self) -> None:
         """Take the force away at once."""
-        self.process.stop_force()
+        self._processes.stop_force()
 
     def close(self) -> None:
         """Bring the hand to rest and let go of the device."""
-        self.process.stop_force()
-        self.process.close()
+        self._processes.stop_force()
+        self._processes.close()
 
     def _publish(self, now_s: float) -> None:
         if self._begin_s is None and self._is_waited_for():
@@ -82,7 +97,7 @@ class ForcePlayer:
             begin_s, rate = now_s, 0.0
         self.media_s = min(self.end_s, now_s - begin_s)
         clock = PlaybackClock(self._epoch, begin_s, 0.0, rate, now_s + VALID_S)
-        self.process.publish(clock, self._track_id)
+        self._processes.publish(clock, TRACK)
 
     def _is_waited_for(self) -> bool:
         """Whether the loop only waits for the clip to begin."""

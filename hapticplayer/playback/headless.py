@@ -1,8 +1,8 @@
 """Real-time playback without a window: the same engine, pictures to nobody."""
 
 from hapticplayer.clock import Clock
+from hapticplayer.playback.phases import Phase
 from hapticplayer.playback.player import Player
-from hapticplayer.playback.snapshot import Phase
 
 
 def run(player: Player, clock: Clock, *, start_s: float, until_s: float) -> None:

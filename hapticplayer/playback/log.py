@@ -13,6 +13,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from hapticplayer.clock import Clock
 from hapticplayer.errors import InputError, Message
 
 
@@ -81,6 +82,36 @@ class PlaybackLog:
                     self._file.write(text)
                 except OSError as problem:  # a full disk must not stop the playback
                     self._note(problem)
+
+
+class Reporter:
+    """Takes what happens while playing: events for the log, notices for people.
+
+    Args:
+        clock: of the machine.
+
+    Attributes:
+        log: None while nothing is logged.
+        notices: sentences so far, in order.
+    """
+
+    def __init__(self, clock: Clock) -> None:
+        self.log: PlaybackLog | None = None
+        self.notices: list[str] = []
+        self._clock = clock
+
+    def notify(self, sentence: str) -> None:
+        """Add a notice."""
+        self.notices.append(sentence)
+
+    def event(self, name: str, **fields: Any) -> None:
+        """Log an event of now."""
+        self.line("event", name=name, monotonic_s=self._clock.now_s(), **fields)
+
+    def line(self, kind: str, **fields: Any) -> None:
+        """Log one line of a kind."""
+        if self.log is not None:
+            self.log.line(kind, **fields)
 
 
 def _json(line: _Line) -> str:

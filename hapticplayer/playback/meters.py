@@ -1,15 +1,17 @@
 """What is measured while playing: lateness of the loop, force against picture and sound."""
 
+import math
+import statistics
 from collections import deque
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from hapticplayer.errors import Message
 from hapticplayer.haptics.contract import Mode
 from hapticplayer.haptics.shared import TICK
 from hapticplayer.model import LoopStats, SyncStats
-from hapticplayer.playback.tally import Tally
 
 HISTORY_TICKS = 12_000
 STATS_TICKS = 10_000
@@ -19,6 +21,72 @@ _FARTHEST_MS, _DIFFERENCE_STEP_MS = 200.0, 0.02
 _ROOM_TICKS = 18_000
 _AT_ONCE_TICKS = _ROOM_TICKS - HISTORY_TICKS
 _COUNTED_TOGETHER_TICKS = 1000
+# People do not notice a touch that comes up to 50 ms after what they see, but notice
+# one that comes 15 ms before it (Di Luca & Mahnan 2019).
+EARLY_MS, LATE_MS = -15.0, 50.0
+BACK_MS = 5.0  # so far inside the limits an alarm ends
+LEAST_EVENTS = 12  # half a second of pictures or of notes of the sound
+_ALARMS = {
+    ("picture", True): (
+        "the force comes {ms:.0f} ms before the picture: "
+        "the computer may be too busy; close other programs"
+    ),
+    ("picture", False): (
+        "the force comes {ms:.0f} ms after the picture: "
+        "the computer may be too busy; close other programs"
+    ),
+    ("sound", True): (
+        "the force comes {ms:.0f} ms before the sound: "
+        "the computer may be too busy; close other programs"
+    ),
+    ("sound", False): (
+        "the force comes {ms:.0f} ms after the sound: "
+        "the computer may be too busy; close other programs"
+    ),
+}
+"""By what the force is compared with, and whether it is early."""
+
+
+class Tally:
+    """Counts values in even steps; those beyond the limits in the first and last one.
+
+    A percentile is the mean of the values in its step (nearest rank): off by less than
+    a step, and exact where all of them are equal.
+
+    Args:
+        lowest: where the first step begins.
+        highest: where the last one ends.
+        step: width.
+
+    Attributes:
+        count: values so far.
+        most: the largest of them.
+    """
+
+    def __init__(self, lowest: float, highest: float, step: float) -> None:
+        self.count, self.most = 0, -math.inf
+        self._lowest, self._step = lowest, step
+        steps = math.ceil((highest - lowest) / step)
+        self._counts = np.zeros(steps, np.int64)
+        self._sums = np.zeros(steps)
+
+    def add(self, values: NDArray[Any]) -> None:
+        """Count more values."""
+        if not len(values):
+            return
+        at = ((values - self._lowest) / self._step).astype(np.int64)
+        at = np.minimum(np.maximum(at, 0), len(self._counts) - 1)
+        np.add.at(self._counts, at, 1)
+        np.add.at(self._sums, at, values)
+        self.count += len(values)
+        self.most = max(self.most, float(values.max()))
+
+    def percentiles(self, *percent: float) -> list[float]:
+        """Return them; there must be values."""
+        ranks = np.ceil(np.array(percent) / 100.0 * self.count).clip(1, self.count)
+        at = np.searchsorted(np.cumsum(self._counts), ranks)
+        means: list[float] = (self._sums[at] / self._counts[at]).tolist()
+        return means
 
 
 class TickHistory:
@@ -174,6 +242,41 @@ class SyncMeter:
             return None
         p05, p50, p95 = total.percentiles(5.0, 50.0, 95.0)
         return SyncStats(total.count, p05, p50, p95)
+
+
+class SyncAlarm:
+    """Watches one difference.
+
+    Args:
+        against: what the force is compared with, "picture" or "sound".
+
+    Attributes:
+        is_on: whether the median of the last half second lies outside the limits.
+        p50_ms: that median; 0 before there is one.
+    """
+
+    def __init__(self, against: str) -> None:
+        self.is_on = False
+        self.p50_ms = 0.0
+        self._against = against
+        self._last_ms: deque[float] = deque(maxlen=LEAST_EVENTS)
+
+    def add(self, difference_ms: list[float]) -> bool:
+        """Note how much later the force came; True when the alarm goes on or off."""
+        self._last_ms.extend(difference_ms)
+        if len(self._last_ms) < LEAST_EVENTS:
+            return False
+        self.p50_ms = statistics.median(self._last_ms)
+        margin_ms = BACK_MS if self.is_on else 0.0
+        was_on = self.is_on
+        inside = EARLY_MS + margin_ms <= self.p50_ms <= LATE_MS - margin_ms
+        self.is_on = not inside
+        return self.is_on is not was_on
+
+    def sentence(self) -> Message:
+        """Return the alarm in words."""
+        template = _ALARMS[self._against, self.p50_ms < 0.0]
+        return Message(template, ms=abs(self.p50_ms))
 
 
 def _loop_stats(lateness_us: NDArray[Any], missed: int) -> LoopStats:

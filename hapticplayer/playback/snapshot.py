@@ -1,6 +1,5 @@
 """What a front end shows of the player: values, taken when asked for."""
 
-import enum
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
@@ -9,21 +8,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hapticplayer.haptics.contract import Cause, Mode
-from hapticplayer.haptics.process import Health
+from hapticplayer.haptics.processes import Health
 from hapticplayer.model import LoopStats, SyncStats
 from hapticplayer.playback.latency import Latency
+from hapticplayer.playback.phases import PLAYING_PHASES, Phase
 from hapticplayer.playback.source import Source
-
-
-class Phase(enum.StrEnum):
-    """What the player is doing."""
-
-    EMPTY = "empty"
-    PAUSED = "paused"
-    BUFFERING = "buffering"
-    STARTING = "starting"
-    PLAYING = "playing"
-    ENDED = "ended"
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -94,7 +83,7 @@ class Snapshot:
     @property
     def is_playing(self) -> bool:
         """Whether the clip plays or is about to."""
-        return self.phase in (Phase.BUFFERING, Phase.STARTING, Phase.PLAYING)
+        return self.phase in PLAYING_PHASES
 
 
 @dataclass(frozen=True, slots=True)

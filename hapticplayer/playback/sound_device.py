@@ -21,8 +21,7 @@ from typing import Any
 from hapticplayer.clock import Clock, SystemClock
 from hapticplayer.errors import message_of
 from hapticplayer.haptics.messages import Line, Word
-from hapticplayer.haptics.residence import Residence
-from hapticplayer.haptics.scheduling import Scheduling, grant
+from hapticplayer.haptics.scheduling import Scheduling, grant, lock_memory
 from hapticplayer.playback.dac_line import DacLine
 from hapticplayer.playback.sound_block import CHANNELS, SoundBlock
 from hapticplayer.playback.sound_reader import SoundReader
@@ -136,7 +135,7 @@ def main(argv: list[str] | None = None) -> int:
     player = threading.Thread(target=_end_with_the_player, args=[line], daemon=True)
     player.start()
     stream = _open(SoundBlock(options.block), SystemClock(), options.device, line)
-    Residence().lock()
+    lock_memory()
     line.send(Word.READY, stream.name)
     player.join()
     return 0

@@ -8,7 +8,7 @@ from typing import Any
 
 from hapticplayer.devices import NO_DEVICE
 from hapticplayer.haptics.contract import Cause
-from hapticplayer.haptics.process import Health
+from hapticplayer.haptics.processes import Health
 from hapticplayer.playback.player import Player
 from hapticplayer.playback.snapshot import Snapshot
 from hapticplayer.study.definition import Checks

@@ -10,10 +10,12 @@ from numpy.typing import NDArray
 from hapticplayer.clock import Clock
 from hapticplayer.devices import NO_DEVICE
 from hapticplayer.haptics.contract import Cause, Mode
-from hapticplayer.haptics.process import Health
-from hapticplayer.model import ForceTrack, SyncStats
+from hapticplayer.haptics.processes import Health
+from hapticplayer.model import ForceTrack
+from hapticplayer.playback.force_output import described
+from hapticplayer.playback.phases import Phase
 from hapticplayer.playback.player import Player
-from hapticplayer.playback.snapshot import Measurements, Phase, Snapshot
+from hapticplayer.playback.snapshot import Measurements, Snapshot
 from hapticplayer.playback.source import Source
 from hapticplayer.study.definition import Checks, Condition, Limits
 
@@ -218,8 +220,8 @@ class _Watch:
             "pictures_dropped": after.frames_dropped - self._before.frames_dropped,
             "silence_s": round(silence_s, 4),
             "clock": "audio" if self._led_by_sound else "monotonic",
-            "force_minus_picture_ms": _described(measured.force_minus_video_total),
-            "force_minus_sound_ms": _described(measured.force_minus_audio_total),
+            "force_minus_picture_ms": described(measured.force_minus_video_total),
+            "force_minus_sound_ms": described(measured.force_minus_audio_total),
             "ticks": self._ticks,
             "missed": self._missed,
             "lost": measured.ticks_lost - before.ticks_lost,
@@ -276,14 +278,3 @@ class _Watch:
         if after.record_problem:
             found.append("record_incomplete")
         return found
-
-
-def _described(stats: SyncStats | None) -> dict[str, float] | None:
-    if stats is None:
-        return None
-    return {
-        "count": stats.count,
-        "p05": round(stats.p05_ms, 3),
-        "p50": round(stats.p50_ms, 3),
-        "p95": round(stats.p95_ms, 3),
-    }

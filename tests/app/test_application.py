@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QApplication
 from app.player import application
 from app.player.window import PlayerWindow
 from hapticplayer import __version__, cli
-from hapticplayer.playback.snapshot import Phase
+from hapticplayer.playback.phases import Phase
 from hapticplayer.sequence import files
 
 

@@ -14,7 +14,7 @@ from app.player.heat import heat_image, heat_of
 from app.player.history import History
 from app.player.thumbnails import HEIGHT_PX
 from hapticplayer.model import ForceTrack
-from hapticplayer.playback.snapshot import Phase
+from hapticplayer.playback.phases import Phase
 
 
 def key(window, code) -> None:
@@ -37,7 +37,7 @@ def test_brackets_change_the_speed_and_backspace_resets_it(playing):
 
 
 def test_a_start_without_sound_is_not_remembered(playing, settings):
-    controls, ring = playing.extras.controls, playing.player._sound.ring
+    controls, ring = playing.extras.controls, playing.player._clip.sound.ring
     controls.begin_muted()
     assert ring.gain == 0.0
     assert playing.transport.mute.accessibleName() == "Sound on"
@@ -47,7 +47,7 @@ def test_a_start_without_sound_is_not_remembered(playing, settings):
 
 
 def test_volume_and_mute_are_heard_shown_and_remembered(playing, settings):
-    ring = playing.player._sound.ring
+    ring = playing.player._clip.sound.ring
     key(playing, Qt.Key.Key_9)
     assert playing.transport.volume.value() == 95
     assert ring.gain == pytest.approx(0.95**3)
@@ -78,11 +78,11 @@ def test_the_loop_key_marks_a_then_b_then_forgets(playing):
 def test_the_dot_shows_the_next_picture(playing, wait_for):
     playing.player.pause()
     playing.player.seek(1.0)
-    wait_for(lambda: abs(playing.player._screen.frame_s - 1.0) < 0.02)
-    wait_for(lambda: not playing.player._screen._needs_preview)
-    wait_for(lambda: playing.player._video_feeder.peek() is not None)
+    wait_for(lambda: abs(playing.player._clip.video.frame_s - 1.0) < 0.02)
+    wait_for(lambda: not playing.player._clip.video._screen._needs_preview)
+    wait_for(lambda: playing.player._clip.video._feeder.peek() is not None)
     key(playing, Qt.Key.Key_Period)
-    assert playing.player._screen.frame_s == pytest.approx(1.04, abs=1e-6)
+    assert playing.player._clip.video.frame_s == pytest.approx(1.04, abs=1e-6)
     assert playing.player.snapshot().phase is Phase.PAUSED
 
 

@@ -8,7 +8,7 @@ from PySide6.QtDBus import QDBusConnection
 
 from app.bridge.idle import IdleInhibitor
 from app.bridge.mpris import NAME, PATH, PLAYER, Mpris
-from hapticplayer.playback.snapshot import Phase
+from hapticplayer.playback.phases import Phase
 
 SERVICE, PLACE = "org.freedesktop.ScreenSaver", "/org/freedesktop/ScreenSaver"
 

@@ -8,6 +8,7 @@ from PySide6.QtTest import QTest
 from app.player.device_page import DevicePage, homing_text, sign_of, step_text
 from hapticplayer.clock import SystemClock
 from hapticplayer.haptics.contract import Cause
+from hapticplayer.haptics.processes import Health
 from hapticplayer.rendering.demonstration import LEAD_S, Step
 
 
@@ -28,18 +29,21 @@ def test_it_waits_for_a_person_and_says_how_to_stop(page):
     assert not page.stop_button.isEnabled()
 
 
-def test_each_force_is_announced_while_it_is_made(page, wait_for):
+def test_each_force_is_announced_while_it_is_made(page, wait_for, monkeypatch):
     page.start_button.click()
     wait_for(lambda: "right" in page.text.text())
     assert page.sign.text() == "\u2192"
     assert "1.1 N" in page.text.text()
-    player = page._player
-    wait_for(lambda: player.mode.name in ("ENTERING", "FOLLOWING"))
-    ticks = []
+    player, poll, ticks = page._player, page._player.poll, []
+
+    def noted_poll():
+        ticks.append(poll())
+        return ticks[-1]
 
     def is_pushed() -> bool:
-        ticks.append(player.process.read_ticks()[0])
-        return float(np.concatenate(ticks)["force_n"][:, 0].max(initial=0.0)) > 0.3
+        return bool(ticks) and np.concatenate(ticks)["force_n"][:, 0].max() > 0.3
+
+    monkeypatch.setattr(player, "poll", noted_poll)
 
     wait_for(is_pushed)
     assert player.media_s > LEAD_S
@@ -49,7 +53,7 @@ def test_each_force_is_announced_while_it_is_made(page, wait_for):
 def test_it_is_stopped_at_once_and_lets_go_of_the_device(page, wait_for, way):
     page.start_button.click()
     wait_for(lambda: "right" in page.text.text())
-    process = page._player.process
+    player = page._player
     if way == "stop":
         page.stop_button.click()
         assert page.text.text() == "Stopped."
@@ -60,7 +64,7 @@ def test_it_is_stopped_at_once_and_lets_go_of_the_device(page, wait_for, way):
     else:
         page.close()
     assert not page.is_running
-    assert process._crew.loop.poll() is not None
+    assert player.health is Health.GONE
 
 
 def test_a_device_that_is_not_there_is_said_on_the_page(application, qtbot, wait_for):

@@ -5,7 +5,7 @@ import pytest
 from app.player.fault_panel import FaultPanel
 from app.player.fault_texts import expected, fault_text, names
 from hapticplayer.haptics.contract import Mode
-from hapticplayer.haptics.process import Health
+from hapticplayer.haptics.processes import Health
 
 
 @pytest.fixture

@@ -2,7 +2,7 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
-from hapticplayer.playback.snapshot import Phase
+from hapticplayer.playback.phases import Phase
 
 
 def key(window, code) -> None:

@@ -26,7 +26,7 @@ from app.plots.panel import PlotPanel
 from app.widgets import theme
 from hapticplayer.devices import DEVICES
 from hapticplayer.haptics.contract import Cause, Mode
-from hapticplayer.haptics.process import Health
+from hapticplayer.haptics.processes import Health
 from hapticplayer.haptics.shared import TICK
 from hapticplayer.model.device import DeviceCapabilities
 from hapticplayer.playback.meters import TickHistory

@@ -6,9 +6,10 @@ from app.bridge import languages
 from app.player.health import Level, readings
 from app.player.health_line import HealthLine
 from hapticplayer.haptics.contract import Cause, Mode
-from hapticplayer.haptics.process import Health
+from hapticplayer.haptics.processes import Health
 from hapticplayer.model import LoopStats, SyncStats
-from hapticplayer.playback.snapshot import Measurements, Phase, Snapshot
+from hapticplayer.playback.phases import Phase
+from hapticplayer.playback.snapshot import Measurements, Snapshot
 
 GOOD = Snapshot(
     phase=Phase.PLAYING,

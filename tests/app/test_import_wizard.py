@@ -18,7 +18,7 @@ from hapticplayer.capture.si_csv import write_imu_csv
 from hapticplayer.capture.sync import methods
 from hapticplayer.errors import Message
 from hapticplayer.media import TelemetryPacket, add_telemetry, write_clip
-from hapticplayer.playback.snapshot import Phase
+from hapticplayer.playback.phases import Phase
 from hapticplayer.sequence import open_sequence
 from hapticplayer.sequence.synchronizing import stored_skews
 from hapticplayer.simulation.rides.gpmf_writer import write_payloads

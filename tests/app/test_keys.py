@@ -8,7 +8,7 @@ from PySide6.QtTest import QTest
 from app.bridge.settings import Settings
 from app.player.keymap import COMMANDS, KEYS, keys_of, texts
 from app.player.keys_dialog import KeysDialog
-from hapticplayer.playback.snapshot import Phase
+from hapticplayer.playback.phases import Phase
 
 
 def key(window, code) -> None:

@@ -35,8 +35,9 @@ from hapticplayer.playback.beats import (
     relative_latencies_s,
 )
 from hapticplayer.playback.latency import Latency
+from hapticplayer.playback.phases import Phase
 from hapticplayer.playback.player import Player
-from hapticplayer.playback.snapshot import Phase, Snapshot
+from hapticplayer.playback.snapshot import Snapshot
 
 SCREEN_S, SPREAD_S = 0.070, 0.015
 HUMAN_S = -0.030  # people tap before the beat

@@ -8,7 +8,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QMessageBox
 
 from app.experimenter.library_page import LibraryPage
-from hapticplayer.playback.snapshot import Phase
+from hapticplayer.playback.phases import Phase
 from hapticplayer.sequence import open_sequence, verify_sequence
 from hapticplayer.sequence.editing import rename_sequence
 

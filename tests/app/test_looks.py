@@ -25,7 +25,7 @@ from app.player.keys_dialog import KeysDialog
 from app.player.remake import OpenWindow, dress
 from app.widgets import theme
 from app.widgets.buttons import text_button
-from hapticplayer.playback.snapshot import Phase
+from hapticplayer.playback.phases import Phase
 
 
 @pytest.fixture

@@ -8,7 +8,7 @@ from app.player.video_surface import VideoSurface
 from app.plots.panel import PlotPanel
 from app.widgets.room import is_seen
 from hapticplayer.media import FrameConverter
-from hapticplayer.playback.snapshot import Phase
+from hapticplayer.playback.phases import Phase
 
 WAYS = ("hidden", "minimised", "covered")
 

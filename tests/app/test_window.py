@@ -17,8 +17,8 @@ from app.player.empty_page import EmptyPage
 from app.player.remake import dress
 from app.player.window import LEAST_PICTURE_PX
 from hapticplayer.haptics.contract import Mode
-from hapticplayer.playback.haptic_link import HapticLink
-from hapticplayer.playback.snapshot import Phase
+from hapticplayer.haptics.processes import HapticsProcesses
+from hapticplayer.playback.phases import Phase
 
 
 def key(window, code, modifier=Qt.KeyboardModifier.NoModifier) -> None:
@@ -326,7 +326,7 @@ def test_a_device_is_let_go_of_without_holding_the_window_up(
     make_window, source, wait_for, monkeypatch
 ):
     may_end = threading.Event()
-    close = HapticLink.close
+    close = HapticsProcesses.close
 
     def close_slowly(link) -> None:
         if link.device == "simulated":
@@ -338,7 +338,7 @@ def test_a_device_is_let_go_of_without_holding_the_window_up(
     window.session.show_source(source)
     wait_for(lambda: window.player.snapshot().device_health == "ready")
     first = window.player.snapshot().loop_pid
-    monkeypatch.setattr(HapticLink, "close", close_slowly)
+    monkeypatch.setattr(HapticsProcesses, "close", close_slowly)
     window.transport.device_chosen.emit("none")
     # back already, although the old device is still being closed
     assert window.player.snapshot().device == "none"

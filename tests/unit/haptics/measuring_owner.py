@@ -23,7 +23,7 @@ def main() -> int:
     record = int(sys.argv[1])
     options = ["--running", "--hand", "firm", "--record", str(record)]
     watch = Watched(SystemClock(), DEVICE, options, [record])
-    say(watch._crew.guard.pid)
+    say(watch.guard_pid)
     # not with the clock that beats: a thread of the link would beat for a dead loop
     reach = reach_of(DEVICE, watch.handle())
     driver = reach.driver(SystemClock(), make_link=ThreadedLink)

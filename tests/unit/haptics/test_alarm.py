@@ -10,7 +10,7 @@ from hapticplayer.haptics.alarm import Alarm, alarm
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.limiter import ZERO
 from hapticplayer.haptics.messages import RESTS, Line, Word
-from hapticplayer.haptics.process import HapticsProcess
+from hapticplayer.haptics.processes import HapticsProcesses
 from hapticplayer.model import ForceTrack
 from tests.unit.haptics.test_loop import CONSTANT, Rig
 from tests.unit.haptics.test_process import follow
@@ -78,19 +78,19 @@ def _has_stopped(ticks):
 
 def test_the_loop_stops_before_the_players_handler_runs():
     clock, handled_s = SystemClock(), []
-    process = HapticsProcess(clock)
+    process = HapticsProcesses(clock)
     ring = alarm()
     before = signal.signal(signal.SIGALRM, lambda *_: handled_s.append(clock.now_s()))
     wakeup = signal.set_wakeup_fd(ring.bell.fileno(), warn_on_full_buffer=False)
     try:
         process.wait_ready()
         track = ForceTrack([0.0, 1e4], [[0, 0, 2.0], [0, 0, 2.0]])
-        track_id = process.load_track(track)
-        follow(process, clock, track_id, lambda r: r["force_n"][-1:, 2].sum() > 1.99)
+        process.load({"track": track})
+        follow(process, clock, lambda r: r["force_n"][-1:, 2].sum() > 1.99)
         values = [*range(1000, 0, -1)] * 2000
         signal.setitimer(signal.ITIMER_REAL, 0.02)
         sorted(values)  # holds the interpreter for much longer: the handler comes after
-        ticks = follow(process, clock, track_id, _has_stopped)
+        ticks = follow(process, clock, _has_stopped)
     finally:
         signal.set_wakeup_fd(wakeup)
         signal.signal(signal.SIGALRM, before)

@@ -10,7 +10,7 @@ import pytest
 
 from hapticplayer.clock import SystemClock
 from hapticplayer.haptics.contract import Cause, Mode
-from hapticplayer.haptics.process import HapticsProcess, Health
+from hapticplayer.haptics.processes import HapticsProcesses, Health
 from hapticplayer.model import ForceTrack, PlaybackClock
 from hapticplayer.simulation.falcon.record_reader import read_record
 from hapticplayer.simulation.falcon.remote import Controls
@@ -29,9 +29,8 @@ class Bench:
         self._ticks = []
         self._start_s = self.clock.now_s()
         process.wait_ready()
-        self._track_id = process.load_track(
-            ForceTrack([0.0, 1e4], [[0, 0, PUSH_N], [0, 0, PUSH_N]])
-        )
+        track = ForceTrack([0.0, 1e4], [[0, 0, PUSH_N], [0, 0, PUSH_N]])
+        process.load({"track": track})
 
     def play_until(self, condition):
         """Play until a condition on all ticks so far holds; return the ticks."""
@@ -39,7 +38,7 @@ class Bench:
         while (now_s := self.clock.now_s()) < end_s:
             self.process.beat()
             clock = PlaybackClock(1, self._start_s, 0.0, 1.0, now_s + 0.15)
-            self.process.publish(clock, self._track_id)
+            self.process.publish(clock, "track")
             self._ticks.append(self.process.read_ticks()[0])
             ticks = np.concatenate(self._ticks)
             self.process.poll()
@@ -77,7 +76,7 @@ def falcon(*options):
     record = os.memfd_create("record")
     ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
     options += ("--record", str(record), "--control", str(theirs.fileno()))
-    process = HapticsProcess(
+    process = HapticsProcesses(
         SystemClock(),
         "falcon-simulated",
         device_options=["--hand", "firm", *options],
@@ -107,22 +106,22 @@ def test_firmware_and_homing_come_before_any_force():
 def test_when_the_loop_is_killed_the_guard_takes_the_force_away():
     with falcon("--running") as bench:
         bench.play_until_it_pushes()
-        os.kill(bench.process.pid, signal.SIGKILL)
-        bench.process._crew.guard.wait(PATIENCE_S)
+        os.kill(bench.process.pids["loop"], signal.SIGKILL)
+        os.waitid(os.P_PID, bench.process.pids["guard"], os.WEXITED | os.WNOWAIT)
         assert bench.pushed_n() == 0.0
 
 
 def test_a_loop_that_stands_still_is_silenced_over_its_own_line():
     with falcon("--running") as bench:
         bench.play_until_it_pushes()
-        os.kill(bench.process.pid, signal.SIGSTOP)
+        os.kill(bench.process.pids["loop"], signal.SIGSTOP)
         try:
             bench.wait_until_let_go()
             bench.clock.sleep_until(bench.clock.now_s() + 0.1)
             assert bench.pushed_n() == 0.0
-            assert bench.process._crew.guard.poll() is None
+            assert bench.process.health is Health.READY  # the guard has not ended
         finally:
-            os.kill(bench.process.pid, signal.SIGCONT)
+            os.kill(bench.process.pids["loop"], signal.SIGCONT)
         ticks = bench.play_until(lambda t: t["mode"][-1] == Mode.TRIPPED)
         assert ticks["cause"][-1] == Cause.TICK_LOST
         assert bench.process.health is Health.READY

@@ -11,9 +11,9 @@ from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.limiter import PERIOD_S, ZERO
 from hapticplayer.haptics.loop import ZERO_TICKS_BEFORE_CLOSING, Loop
 from hapticplayer.haptics.messages import Line, Word
+from hapticplayer.haptics.scheduling import CpuLatencyRequest
 from hapticplayer.haptics.shared import BLOCK_BYTES, SharedBlock
 from hapticplayer.haptics.track import anonymous_memory, to_shared_memory
-from hapticplayer.haptics.wakefulness import Wakefulness
 from hapticplayer.model import ForceTrack, PlaybackClock
 from hapticplayer.simulation.falcon.device import SimulatedFalcon
 
@@ -182,7 +182,7 @@ def test_processors_are_kept_awake_only_while_a_force_may_be_on(tmp_path):
     kernel = tmp_path / "cpu_dma_latency"
     kernel.touch()
     rig = Rig()
-    rig.loop.wakefulness = Wakefulness(kernel)
+    rig.loop.cpu_latency = CpuLatencyRequest(kernel)
     rig.give_track(CONSTANT)
     rig.tick(20)
     assert not kernel.read_bytes()
@@ -199,7 +199,7 @@ def test_processors_are_kept_awake_only_while_a_force_may_be_on(tmp_path):
 @pytest.mark.parametrize("file", ["nothing is there", "/dev/full"])
 def test_a_loop_refused_the_latency_request_still_plays(file, tmp_path):
     rig = Rig()
-    rig.loop.wakefulness = Wakefulness(tmp_path / file)
+    rig.loop.cpu_latency = CpuLatencyRequest(tmp_path / file)
     rig.give_track(CONSTANT)
     rig.play()
     rig.block.beat(rig.clock.now_s() + 100.0)

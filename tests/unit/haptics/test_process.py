@@ -14,7 +14,7 @@ import pytest
 from hapticplayer.clock import SystemClock
 from hapticplayer.errors import DeviceError
 from hapticplayer.haptics.contract import Cause, Mode
-from hapticplayer.haptics.process import GUARD_LATE_S, HapticsProcess, Health
+from hapticplayer.haptics.processes import GUARD_LATE_S, HapticsProcesses, Health
 from hapticplayer.haptics.scheduling import Scheduling
 from hapticplayer.haptics.shared import SharedBlock
 from hapticplayer.model import ForceTrack, PlaybackClock
@@ -23,13 +23,13 @@ from hapticplayer.simulation.falcon.record_reader import read_record
 HERE = Path(__file__).parent
 
 
-def follow(process, clock, track_id, until):
-    """Keep a process fed until a condition on all its ticks holds."""
+def follow(process, clock, until, track="track"):
+    """Keep the loop fed until a condition on all its ticks holds."""
     start_s, ticks = clock.now_s(), []
     while True:
         now_s = clock.now_s()
         process.beat()
-        process.publish(PlaybackClock(1, start_s, 0.0, 1.0, now_s + 0.15), track_id)
+        process.publish(PlaybackClock(1, start_s, 0.0, 1.0, now_s + 0.15), track)
         records, _ = process.read_ticks()
         ticks.append(records)
         everything = np.concatenate(ticks)
@@ -40,55 +40,62 @@ def follow(process, clock, track_id, until):
         clock.sleep_until(now_s + 0.01)
 
 
+def wait_for_end(pid):
+    """Wait until a child has ended, which its owner still has to take note of."""
+    os.waitid(os.P_PID, pid, os.WEXITED | os.WNOWAIT)
+
+
+def kill(pid):
+    os.kill(pid, signal.SIGKILL)
+    wait_for_end(pid)
+
+
 def test_the_process_follows_a_track_exactly():
     clock = SystemClock()
-    process = HapticsProcess(clock)
+    process = HapticsProcesses(clock)
     try:
         process.wait_ready()
         t = np.arange(0, 60, 0.01)
         wave = np.stack([np.sin(3 * t), 2 * np.cos(5 * t), 0 * t], axis=1)
         track = ForceTrack(t, wave)
+        process.load({"track": track})
         ticks = follow(
-            process,
-            clock,
-            process.load_track(track),
-            lambda r: np.sum(r["mode"] == Mode.FOLLOWING) > 300,
+            process, clock, lambda r: np.sum(r["mode"] == Mode.FOLLOWING) > 300
         )
     finally:
         process.close()
     followed = ticks[ticks["mode"] == Mode.FOLLOWING]
     error = followed["force_n"] - track.at(followed["media_s"])
     assert np.abs(error).max() < 1e-6
-    assert process.scheduling in Scheduling
+    assert Scheduling(process.scheduling)
     assert process.health is Health.GONE
 
 
 def test_no_force_is_requested_before_the_device_has_priority():
     """Until then it may wait for a core, and be late under the first force."""
     clock = SystemClock()
-    process = HapticsProcess(clock)
+    process = HapticsProcesses(clock)
     try:
-        track_id = process.load_track(ForceTrack(np.arange(9.0), np.ones((9, 3))))
+        process.load({"track": ForceTrack(np.arange(9.0), np.ones((9, 3)))})
         playing = PlaybackClock(1, clock.now_s(), 0.0, 1.0, clock.now_s() + 60.0)
-        process.publish(playing, track_id)
+        process.publish(playing, "track")
         assert process._block.read_clock() is None
         process.wait_ready()
-        process.publish(playing, track_id)
-        assert process._block.read_clock() == (playing, track_id)
+        process.publish(playing, "track")
+        assert process._block.read_clock() == (playing, 1)
     finally:
         process.close()
 
 
 def test_an_unknown_device_is_refused_in_one_sentence():
     with pytest.raises(DeviceError, match="no driver"):
-        HapticsProcess(SystemClock(), device="falcon of wood")
+        HapticsProcesses(SystemClock(), device="falcon of wood")
 
 
 def test_a_killed_process_is_noticed():
-    process = HapticsProcess(SystemClock())
+    process = HapticsProcesses(SystemClock())
     process.wait_ready()
-    os.kill(process.pid, signal.SIGKILL)
-    process._crew.loop.wait()
+    kill(process.pids["loop"])
     assert process.poll() is Health.GONE
     process.close()
 
@@ -133,7 +140,7 @@ def test_the_force_goes_to_zero_when_the_player_is_killed(number):
 def test_the_guard_writes_zero_when_the_loop_is_killed(tmp_path):
     clock = SystemClock()
     with (tmp_path / "record").open("w+b") as record:
-        process = HapticsProcess(
+        process = HapticsProcesses(
             clock,
             device_options=["--hand", "firm", "--record", str(record.fileno())],
             device_descriptors=[record.fileno()],
@@ -141,15 +148,11 @@ def test_the_guard_writes_zero_when_the_loop_is_killed(tmp_path):
         try:
             process.wait_ready()
             track = ForceTrack([0.0, 1e4], [[0, 0, 2.8], [0, 0, 2.8]])
-            follow(
-                process,
-                clock,
-                process.load_track(track),
-                lambda r: len(r) and r["force_n"][-1, 2] > 2.79,
-            )
+            process.load({"track": track})
+            follow(process, clock, lambda r: r["force_n"][-1:, 2].sum() > 2.79)
             assert read_record(record.fileno())["applied_n"][-1][2] > 2.79
-            os.kill(process.pid, signal.SIGKILL)
-            process._crew.guard.wait(30)
+            kill(process.pids["loop"])
+            wait_for_end(process.pids["guard"])
         finally:
             process.close()
         felt = read_record(record.fileno())
@@ -161,11 +164,10 @@ def test_the_guard_writes_zero_when_the_loop_is_killed(tmp_path):
 
 def test_a_dead_guard_is_told_once_its_beat_is_late(capfd):
     clock = SystemClock()
-    process = HapticsProcess(clock)
+    process = HapticsProcesses(clock)
     try:
         process.wait_ready()
-        process._crew.guard.kill()
-        process._crew.guard.wait()
+        kill(process.pids["guard"])
         until_s = process._block.guard_s() + GUARD_LATE_S
         clock.sleep_until(until_s + 0.001)
         assert process.poll() is Health.FAILED
@@ -176,15 +178,15 @@ def test_a_dead_guard_is_told_once_its_beat_is_late(capfd):
 
 def test_a_simulated_device_that_is_unplugged_is_told():
     clock = SystemClock()
-    process = HapticsProcess(clock)
+    process = HapticsProcesses(clock)
     try:
         process.wait_ready()
-        process._crew.device.kill()
+        kill(process.pids["device"])
         ticks = follow(
             process,
             clock,
-            0,
             lambda r: len(r) and r["cause"][-1] == Cause.UNPLUGGED,
+            track="",
         )
         assert process.poll() is Health.FAILED
     finally:

@@ -1,8 +1,14 @@
-"""The short slice: for one thread, and for nothing that it starts."""
+"""Scheduling of single threads, and locked memory."""
 
 import ctypes
+import json
 import platform
+import resource
+import subprocess
+import sys
 import threading
+from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 
@@ -10,8 +16,22 @@ from hapticplayer.haptics.scheduling import (
     WINDOW_SLICE_NS,
     Scheduling,
     hasten_window,
+    lock_memory,
 )
 
+LOCKER = """
+import json, sys
+from hapticplayer.haptics.scheduling import lock_memory
+
+def locked_kb():
+    words = open("/proc/self/status").read().split()
+    return int(words[words.index("VmLck:") + 1])
+
+done = lock_memory()
+before = locked_kb()
+kept = bytearray(50_000_000)
+json.dump({"done": done, "locked": before, "grown": locked_kb() - before}, sys.stdout)
+"""
 _SCHED_GETATTR = {"x86_64": 315, "aarch64": 275, "riscv64": 275}
 _RUNTIME_AT, _ATTR_BYTES = 24, 48  # struct sched_attr, version 0
 
@@ -44,3 +64,39 @@ def test_a_thread_is_hastened_and_what_it_starts_is_not():
         pytest.skip("this kernel gives no slices")
     assert seen["after"] == WINDOW_SLICE_NS
     assert seen["child"] == seen["before"] != WINDOW_SLICE_NS
+
+
+def locked():
+    answer = subprocess.run(
+        [sys.executable, "-c", LOCKER],
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    return json.loads(answer.stdout)
+
+
+def has_right_to_lock() -> bool:
+    capabilities = Path("/proc/self/status").read_text().split("CapEff:")[1]
+    has_capability = int(capabilities.split()[0], 16) >> 14 & 1  # CAP_IPC_LOCK
+    limit = resource.getrlimit(resource.RLIMIT_MEMLOCK)[1]
+    return bool(has_capability) or limit == resource.RLIM_INFINITY
+
+
+def test_memory_is_locked_now_and_later():
+    if not has_right_to_lock():
+        pytest.skip("this user may not lock memory without limit")
+    found = locked()
+    assert found["done"]
+    assert found["locked"] > 1000
+    assert found["grown"] > 40_000
+
+
+def test_nothing_is_locked_where_a_limit_would_fail_later(monkeypatch):
+    asked = []
+    monkeypatch.setattr(resource, "getrlimit", lambda _: (1 << 23, 1 << 23))
+    monkeypatch.setattr(resource, "setrlimit", lambda _, limits: asked.append(limits))
+    refusing = SimpleNamespace(mlockall=lambda _flags: -1)
+    monkeypatch.setattr(ctypes, "CDLL", lambda _name: refusing)
+    assert not lock_memory()
+    assert asked == [(0, 1 << 23), (1 << 23, 1 << 23)]  # asked under 0, and put back

@@ -63,11 +63,14 @@ def test_a_block_that_is_no_track_is_refused(size):
         os.close(descriptor)
 
 
-def test_a_number_that_is_not_finite_is_refused_at_load():
+@pytest.mark.parametrize(
+    "numbers", [[math.nan], [math.inf], [-math.inf], [math.inf, -math.inf]]
+)
+def test_a_number_that_is_not_finite_is_refused_at_load(numbers):
     descriptor = to_shared_memory(ForceTrack([0.0, 1.0], np.ones((2, 3))))
     try:
-        size = os.fstat(descriptor).st_size
-        os.pwrite(descriptor, np.float32(math.nan).tobytes(), size - 4)
+        bad = np.array(numbers, np.float32).tobytes()
+        os.pwrite(descriptor, bad, os.fstat(descriptor).st_size - len(bad))
         with pytest.raises(ValueError, match="not finite"):
             map_track(descriptor)
     finally:

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from hapticplayer.clock import ManualClock
+from hapticplayer.haptics.processes import HapticsProcesses
 from hapticplayer.media import probe, write_clip
 from hapticplayer.model import ForceTrack
 from hapticplayer.playback.audio import AudioRing
@@ -60,8 +61,22 @@ class RecordingSink:
         self.shown.append((self.clock.now_s(), picture.pts_s))
 
 
+class Processes(HapticsProcesses):
+    """Without a device; notes what the loop would be given."""
+
+    def __init__(self, clock, device, **options):
+        super().__init__(clock, device, **options)
+        self.clock, self.published = clock, []
+
+    def publish(self, clock, track):
+        self.published.append((self.clock.now_s(), clock, track))
+
+
 class Theatre:
-    """A player whose time only moves when the decoders have done their work."""
+    """A player whose time only moves when the decoders have done their work.
+
+    `published` has (monotonic s, clock, track) of every poll.
+    """
 
     STEP_S = 0.004
 
@@ -69,10 +84,19 @@ class Theatre:
         self.clock = ManualClock()
         self.sink = RecordingSink(self.clock) if with_screen else None
         self.out = None
+        self.published = []
         self.player = Player(
-            self.clock, self.sink, audio=self._make_audio if with_sound else None
+            self.clock,
+            self.sink,
+            audio=self._make_audio if with_sound else None,
+            haptics=self._make_haptics,
         )
         self.player.open(source_of(info))
+
+    def _make_haptics(self, clock, device, **options):
+        made = Processes(clock, device, **options)
+        self.published = made.published
+        return made
 
     def _make_audio(self, ring: AudioRing, clock):
         self.out = SilentOut(ring, clock)
@@ -80,14 +104,14 @@ class Theatre:
 
     def settle(self):
         """Wait until the decoders have nothing left to do."""
-        feeder = self.player._video_feeder
+        feeder = self.player._clip.video._feeder
         with feeder._wake:
             assert feeder._wake.wait_for(
                 lambda: feeder._target is None and not feeder._has_work(), timeout=30
             )
-        sound = self.player._sound.feeder
+        sound = self.player._clip.sound.feeder
         while sound is not None and not sound.is_at_end:
-            if self.player._sound.ring.buffered_s() > 0.5:
+            if self.player._clip.sound.ring.buffered_s() > 0.5:
                 break
             with sound._wake:
                 sound._wake.wait(0.01)

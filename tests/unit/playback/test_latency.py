@@ -21,14 +21,16 @@ class Notes:
     """What went out when: pictures, sound at the DAC, and the clock of the force."""
 
     def __init__(self, theatre):
-        self.theatre = theatre
-        self.sound, self.force = {}, []
-        theatre.player._link.publish = self.on_force
+        self.theatre, self.sound = theatre, {}
+        self.first = len(theatre.published)
 
-    def on_force(self, clock, _feedback):
-        now_s = self.theatre.clock.now_s()
-        if clock.is_running(now_s):
-            self.force.append((now_s, clock.media_s(now_s), clock.epoch))
+    @property
+    def force(self):
+        return [
+            (now_s, clock.media_s(now_s), clock.epoch)
+            for now_s, clock, _ in self.theatre.published[self.first :]
+            if clock.is_running(now_s)
+        ]
 
     def run(self, seconds):
         for _ in range(round(seconds / STEP_S)):
@@ -155,9 +157,9 @@ def test_sound_that_joins_a_running_clock_is_heard_on_it():
 
 def test_the_meters_compare_what_the_person_meets(theatre):
     noted = {"video": [], "audio": []}
-    link = theatre.player._link
-    link.video_sync.event = lambda *event: noted["video"].append(event)
-    link.audio_sync.event = lambda *event: noted["audio"].append(event)
+    force = theatre.player._force
+    force.video.event = lambda *event: noted["video"].append(event)
+    force.audio.event = lambda *event: noted["audio"].append(event)
     notes = played(theatre, 1.0, display_s=0.05, device_s={DEVICE: 0.02})
     times, media, _ = np.array(notes.force).T
     for commanded_s, media_s in noted["video"] + noted["audio"]:

@@ -8,7 +8,7 @@ import pytest
 from hapticplayer.clock import SystemClock
 from hapticplayer.playback import sound_keeper
 from hapticplayer.playback.clock import Source
-from hapticplayer.playback.snapshot import Phase
+from hapticplayer.playback.phases import Phase
 
 FRAME_S = 1 / 25
 LATENCY_S = 0.12
@@ -176,7 +176,7 @@ def test_a_clip_that_breaks_ends_with_a_sentence(theatre, monkeypatch):
 
     theatre.player.play()
     theatre.run(0.3)
-    decoder = theatre.player._video_feeder._decoder
+    decoder = theatre.player._clip.video._feeder._decoder
 
     def broken():
         raise MediaError("is damaged", where="short.mp4")
@@ -204,10 +204,10 @@ def test_a_seek_in_a_clip_that_has_broken_does_not_wait_for_ever(theatre, monkey
     def broken():
         raise MediaError("is damaged", where="short.mp4")
 
-    monkeypatch.setattr(player._video_feeder._decoder, "next_frame", broken)
-    player._video_feeder.request(99, 2.0)
-    player._video_feeder.join(20)
-    assert player._video_feeder.problem is not None
+    monkeypatch.setattr(player._clip.video._feeder._decoder, "next_frame", broken)
+    player._clip.video._feeder.request(99, 2.0)
+    player._clip.video._feeder.join(20)
+    assert player._clip.video._feeder.problem is not None
     player.seek(1.0)
     player.play()
     reading = threading.Event()
@@ -231,36 +231,37 @@ def test_a_sound_output_that_was_lost_comes_back_without_a_jump(theatre, monkeyp
     epoch, first.is_alive = player.snapshot().epoch, False
     offsets = []
     pause = SystemClock()  # for the thread that opens the new output
-    while theatre.out is first or player._media.source is not Source.AUDIO:
+    while theatre.out is first or player._clip.media.source is not Source.AUDIO:
         theatre.run(theatre.STEP_S)
         offsets.append(player.snapshot().media_s - theatre.clock.now_s())
         pause.sleep_until(pause.now_s() + 0.001)
         assert player.snapshot().phase is Phase.PLAYING, "the clip was over before"
     theatre.run(0.3)
-    assert player._media.source is Source.AUDIO
+    assert player._clip.media.source is Source.AUDIO
     assert player.snapshot().epoch == epoch, "the force was interrupted"
     offsets.append(player.snapshot().media_s - theatre.clock.now_s())
     assert max(offsets) - min(offsets) < 0.001
-    assert abs(player._media.error_s) < 0.001
+    assert abs(player._clip.media.error_s) < 0.001
 
 
 def test_when_the_picture_stops_the_force_does_until_it_is_back(theatre, monkeypatch):
-    player, published = theatre.player, []
-    monkeypatch.setattr(
-        player._link, "publish", lambda _, feedback: published.append(feedback)
-    )
+    player = theatre.player
+
+    def tracks():
+        return [track for _, _, track in theatre.published]
+
     player.play()
     theatre.run(0.5)
-    assert set(published) == {"realistic"}
-    feeder = player._video_feeder
+    assert set(tracks()) == {"realistic"}
+    feeder = player._clip.video._feeder
     with monkeypatch.context() as stall:
         stall.setattr(feeder, "_has_work", lambda: False)
         theatre.run(2 * FRAME_S + 0.15)  # so much is queued at least, 5 at most
-        assert set(published) == {"realistic"}
+        assert set(tracks()) == {"realistic"}
         theatre.run(3 * FRAME_S + 0.2)
-        assert published[-1] == ""
+        assert tracks()[-1] == ""
     with feeder._wake:
         feeder._wake.notify_all()
     theatre.run(0.1)
-    assert published[-1] == "realistic"
+    assert tracks()[-1] == "realistic"
     assert player.snapshot().phase is Phase.PLAYING

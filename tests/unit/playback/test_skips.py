@@ -64,11 +64,7 @@ def stage():
     def make(info, **more):
         theatre = Theatre(info, **more)
         theatre.sink = PixelSink(theatre.clock)
-        theatre.player._screen.sink = theatre.sink
-        theatre.published = []
-        theatre.player._link.publish = lambda clock, feedback: theatre.published.append(
-            (clock.rate, round(clock.media_s(theatre.clock.now_s()), 6), feedback)
-        )
+        theatre.player.set_sink(theatre.sink)
         made.append(theatre)
         return theatre
 
@@ -116,7 +112,7 @@ def test_a_seek_within_decoded_sound_decodes_nothing(clip, counts, stage):
     theatre.player.seek(heard_s + 0.4)
     theatre.run(0.5)
     assert counts.take()["AudioDecoder.seek"] == 0
-    assert theatre.player._media.error_s == pytest.approx(0.0, abs=1e-4)
+    assert theatre.player._clip.media.error_s == pytest.approx(0.0, abs=1e-4)
     assert theatre.player.snapshot().media_s == pytest.approx(
         heard_s + 0.4 + 0.38, abs=0.02
     )
@@ -134,7 +130,7 @@ def test_a_seek_to_the_end_of_decoded_sound_wakes_the_decoder(clip, stage, monke
     monkeypatch.setattr("hapticplayer.playback.feeders.ROOM_S", 1e6)
     monkeypatch.setattr("hapticplayer.playback.audio.STANDING_AHEAD_S", 0.5)
     theatre = stage(clip)
-    ring = theatre.player._sound.ring
+    ring = theatre.player._clip.sound.ring
     for _ in range(1000):
         if ring.buffered_s() >= 0.5:
             break
@@ -151,7 +147,7 @@ def test_samples_after_a_small_seek_equal_those_after_a_full_one(clip, stage):
     played = []
     for is_kept in (True, False):
         theatre = stage(clip)
-        ring = theatre.player._sound.ring
+        ring = theatre.player._clip.sound.ring
         if not is_kept:
             ring.resume_from = lambda _epoch, _media_s: False
         theatre.player.play()
@@ -180,7 +176,7 @@ def test_muted_without_a_window_decodes_no_sound(clip, counts, stage):
         theatre.player.play()
         theatre.run(1.5)
         shown = dict.fromkeys(one[1:] for one in theatre.sink.shown)
-        feeder = theatre.player._sound.feeder
+        feeder = theatre.player._clip.sound.feeder
         theatre.player.close()  # its threads would count for the next one
         found.append((feeder, counts.take(), list(shown)))
     (_, heard, loud_shown), (no_feeder, silent, muted_shown) = found

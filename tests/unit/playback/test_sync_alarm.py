@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from hapticplayer.playback.sync_alarm import LEAST_EVENTS, SyncAlarm
+from hapticplayer.playback.meters import LEAST_EVENTS, SyncAlarm
 
 
 def fed(*differences_ms):

@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from hapticplayer.playback.tally import Tally
+from hapticplayer.playback.meters import Tally
 
 SHARES = (5.0, 50.0, 95.0, 99.0, 99.9)
 

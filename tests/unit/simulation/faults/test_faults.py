@@ -11,10 +11,9 @@ from hapticplayer.clock import SystemClock
 from hapticplayer.errors import UsageError
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.messages import Word
-from hapticplayer.haptics.process import HapticsProcess, Health
+from hapticplayer.haptics.processes import HapticsProcesses, Health
 from hapticplayer.haptics.shared import TICK
 from hapticplayer.model import ForceTrack, PlaybackClock
-from hapticplayer.playback.haptic_link import HapticLink
 from hapticplayer.playback.player import Player
 from hapticplayer.simulation.faults import RULES_OF, Fault, outcome_of
 
@@ -37,16 +36,14 @@ class Bench:
         self.clock, self.process = SystemClock(), process
         self.start_s, self.ticks = self.clock.now_s(), np.empty(0, TICK)
         process.wait_ready()
-        self._track_id = process.load_track(
-            ForceTrack([0.0, 1e4], [[0, 0, 1.0], [0, 0, 1.0]])
-        )
+        process.load({"track": ForceTrack([0.0, 1e4], [[0, 0, 1.0], [0, 0, 1.0]])})
 
     def play_until(self, condition):
         end_s = self.clock.now_s() + PATIENCE_S
         while (now_s := self.clock.now_s()) < end_s:
             self.process.beat()
             clock = PlaybackClock(1, self.start_s, 0.0, 1.0, now_s + 0.15)
-            self.process.publish(clock, self._track_id)
+            self.process.publish(clock, "track")
             self.ticks = np.concatenate([self.ticks, self.process.read_ticks()[0]])
             self.process.poll()
             if len(self.ticks) and condition():
@@ -84,7 +81,7 @@ class Bench:
 
 @contextmanager
 def bench(device="simulated", **more):
-    process = HapticsProcess(SystemClock(), device, takes_faults=True, **more)
+    process = HapticsProcesses(SystemClock(), device, takes_faults=True, **more)
     try:
         yield Bench(process)
     finally:
@@ -122,7 +119,7 @@ def test_a_fault_waits_until_there_is_a_force_to_take_away():
 
 
 def test_without_leave_the_player_and_the_loop_refuse():
-    process = HapticsProcess(SystemClock(), "simulated")
+    process = HapticsProcesses(SystemClock(), "simulated")
     try:
         made = Bench(process)
         made.play_until(made.pushes)
@@ -139,7 +136,7 @@ def test_without_leave_the_player_and_the_loop_refuse():
 
 def test_a_real_device_takes_none_at_any_level():
     with pytest.raises(UsageError, match="real device"):
-        HapticsProcess(SystemClock(), "falcon", takes_faults=True)
+        HapticsProcesses(SystemClock(), "falcon", takes_faults=True)
     options = ["--block", "0", "--line", "0", "--lifeline", "0", "--handle", "0"]
     options += ["--alarm", "0", "--faults"]
     done = subprocess.run(
@@ -161,8 +158,8 @@ def test_faults_are_injected_only_on_request():
             player.inject(Fault.UNPLUG)
     finally:
         player.close()
-    with pytest.raises(UsageError, match="no device"):
-        HapticLink(SystemClock(), "none").inject(Fault.UNPLUG)
+    with pytest.raises(UsageError, match="simulated devices"):
+        HapticsProcesses(SystemClock(), "none").inject(Fault.UNPLUG)
 
 
 def ticks(*rows):

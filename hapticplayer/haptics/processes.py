@@ -1,0 +1,317 @@
+"""The one owner of the processes beside the player; the player's side of the loop."""
+
+import contextlib
+import enum
+import os
+import socket
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+from numpy.typing import NDArray
+
+from hapticplayer.clock import Clock
+from hapticplayer.devices import NO_DEVICE, DeviceEntry, find_device, load
+from hapticplayer.errors import DeviceError, HapticsError, Message, UsageError
+from hapticplayer.haptics.alarm import alarm
+from hapticplayer.haptics.lifeline import hold_lifeline
+from hapticplayer.haptics.messages import Line, Word
+from hapticplayer.haptics.recorder import Recording
+from hapticplayer.haptics.scheduling import DEVICE_PRIORITY, Scheduling, grant
+from hapticplayer.haptics.shared import BLOCK_BYTES, SharedBlock
+from hapticplayer.haptics.spawn import (
+    Process,
+    run_module,
+    start_device,
+    start_guard,
+    wait_for_end,
+)
+from hapticplayer.haptics.track import anonymous_memory, to_shared_memory
+from hapticplayer.model import ForceTrack, PlaybackClock
+
+GUARD_LATE_S = 0.1  # it beats every 19 ms; only then the kernel is asked about it
+
+
+class Health(enum.StrEnum):
+    """State of the process as the player sees it."""
+
+    NONE = ""  # no device
+    STARTING = "starting"
+    READY = "ready"
+    FAILED = "failed"
+    GONE = "gone"
+
+
+class HapticsProcesses:
+    """Owns the 1 kHz loop, its guard, a simulated device and the recorder.
+
+    Args:
+        clock: for waiting and for the first heartbeat.
+        device: name of the device, see `hapticplayer.devices`; "none" starts nothing.
+        scheduling: of the loop; None for the best there is.
+        record: a new file for every tick of the loop; None records nothing.
+        device_options: command line of the process that simulates the device.
+        device_descriptors: descriptors that these options name.
+        takes_faults: whether `inject` may be called; for simulated devices only.
+
+    Attributes:
+        device: its name.
+        health: of loop, guard and device.
+        scheduling: class of the loop, "" before it is known.
+        problem: what is wrong, "" for nothing.
+
+    Raises:
+        UsageError: when a real device shall take faults.
+        DeviceError: when this version has no driver for the device.
+        InputError: when the record cannot be created.
+        HapticsError: when a process cannot be started.
+    """
+
+    def __init__(  # noqa: PLR0913 - two of them only simulated devices know
+        self,
+        clock: Clock,
+        device: str = "simulated",
+        *,
+        scheduling: Scheduling | None = None,
+        record: Path | None = None,
+        device_options: Sequence[str] = (),
+        device_descriptors: Sequence[int] = (),
+        takes_faults: bool = False,
+    ) -> None:
+        self.device, self.health = device, Health.NONE
+        self.scheduling = self.problem = ""
+        self._clock, self._wanted_scheduling = clock, scheduling
+        self._tail, self._next_track_id = 0, 1
+        self._track_ids: dict[str, int] = {}
+        self._is_loop_ready = False
+        self._processes: dict[str, Process] = {}
+        self._recording: Recording | None = None
+        self._line: Line | None = None
+        self._device_faults: Any = None
+        descriptor = anonymous_memory("hapticplayer-loop", BLOCK_BYTES)
+        with contextlib.ExitStack() as stack:
+            stack.callback(os.close, descriptor)
+            self._block = SharedBlock(descriptor)
+            if device == NO_DEVICE:
+                return
+            entry = find_device(device)
+            if takes_faults and not entry.faults:
+                raise UsageError(
+                    "{device} is a real device and takes no faults", device=device
+                )
+            self._patience_s = entry.patience_s
+            self._recording = Recording(record, descriptor) if record else None
+            if takes_faults:
+                act, acted_on = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
+                stack.enter_context(acted_on)
+                device_options = [*device_options, "--control", str(acted_on.fileno())]
+                device_descriptors = [*device_descriptors, acted_on.fileno()]
+                self._device_faults = load(f"{entry.faults}:DeviceFaults")(act.detach())
+            self.health = Health.STARTING
+            self.beat()
+            try:
+                lines = start_device(stack, entry, device_options, device_descriptors)
+                self._start(stack, entry, descriptor, lines)
+            except OSError as problem:
+                self._wait_for_end()
+                raise HapticsError(
+                    "the haptics process could not be started: {reason}", reason=problem
+                ) from problem
+
+    def _start(
+        self,
+        stack: contextlib.ExitStack,
+        entry: DeviceEntry,
+        block: int,
+        device: tuple[int, int, Process | None],
+    ) -> None:
+        for_loop, for_guard, simulator = device
+        if simulator is not None:
+            self._processes["device"] = simulator
+        ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
+        self._line = Line(ours, outbox=self._block.outbox)
+        stack.enter_context(theirs)
+        descriptors = {
+            "--block": block,
+            "--handle": for_loop,
+            "--line": theirs.fileno(),
+            "--lifeline": hold_lifeline(),
+            "--alarm": alarm().ear.fileno(),
+        }
+        options = ["--device", entry.name, "--guarded"]
+        for name, descriptor in descriptors.items():
+            options += [name, str(descriptor)]
+        if self.takes_faults:
+            options += ["--faults"]
+        if self._wanted_scheduling is not None:
+            options += ["--scheduling", self._wanted_scheduling.value]
+        passed = list(descriptors.values())
+        loop = run_module("hapticplayer.haptics", options, passed)
+        self._processes["loop"] = loop
+        self._processes["guard"] = start_guard(entry, loop.pid, block, for_guard)
+
+    @property
+    def pids(self) -> dict[str, int]:
+        """Process ids of "loop", "guard" and, where it is simulated, "device"."""
+        return {name: process.pid for name, process in self._processes.items()}
+
+    @property
+    def record_problem(self) -> str:
+        """Why the record is not complete, "" while all is well."""
+        return self._recording.problem if self._recording else ""
+
+    def wait_ready(self) -> None:
+        """Wait for the device to be open.
+
+        Raises:
+            DeviceError: with the device's own reason.
+            HapticsError: when the loop died or said nothing in time.
+        """
+        if self.device == NO_DEVICE:
+            return
+        deadline_s = self._clock.now_s() + self._patience_s
+        while self.health is Health.STARTING and self._clock.now_s() < deadline_s:
+            self._read_line(timeout_ms=50)
+            self._note_guard()
+            self.beat()
+        if self.health is Health.FAILED:
+            raise DeviceError(self.problem)
+        if self.health is not Health.READY:
+            raise HapticsError(
+                "the haptics process did not become ready; try again, "
+                "and run 'hapticplayer doctor' if it stays so"
+            )
+
+    def poll(self) -> Health:
+        """Read what the loop has said since, and return the health."""
+        while self._read_line():
+            pass
+        self._note_guard()
+        return self.health
+
+    def _note_guard(self) -> None:
+        """Without a guard that watches, nothing is ready."""
+        if self.health is Health.STARTING and self._is_loop_ready:
+            if self._block.guard_s() > 0.0:
+                self.health = Health.READY
+        elif (
+            self.health is Health.READY
+            and self._clock.now_s() > self._block.guard_s() + GUARD_LATE_S
+            and self._processes["guard"].poll() is not None
+        ):
+            self.problem = Message(
+                "the guard of the haptics process has ended, so there is no force; "
+                "choose the device again"
+            )
+            self.health = Health.FAILED
+
+    def beat(self) -> None:
+        """Tell the loop that the main thread is alive; call it at least at 10 Hz."""
+        self._block.beat(self._clock.now_s())
+
+    def load(self, tracks: Mapping[str, ForceTrack]) -> None:
+        """Hand over tracks by name, in place of those before."""
+        if self._line is None:
+            return
+        for track_id in self._track_ids.values():
+            self._line.send(Word.FORGET, str(track_id))
+        self._track_ids.clear()
+        for name, track in tracks.items():
+            descriptor = to_shared_memory(track)
+            self._line.send(Word.TRACK, str(self._next_track_id), descriptor)
+            os.close(descriptor)
+            self._track_ids[name] = self._next_track_id
+            self._next_track_id += 1
+
+    def publish(self, clock: PlaybackClock, track: str) -> None:
+        """Say where the media is and which track belongs to it; "" for none.
+
+        Nothing is said before the loop is ready: until it is known to be, a simulated
+        device has no priority, and would be late under the first force.
+        """
+        if self.health is Health.READY:
+            self._block.write_clock(clock, self._track_ids.get(track, 0))
+
+    def stop_force(self) -> None:
+        """TRIP: zero at the next tick, until `rearm`."""
+        self._send(Word.STOP)
+
+    def rearm(self) -> None:
+        """Let the force fade in again after a TRIP."""
+        self._send(Word.REARM)
+
+    @property
+    def takes_faults(self) -> bool:
+        """Whether `inject` may be called."""
+        return self._device_faults is not None
+
+    def inject(self, fault: str) -> float:
+        """Make a fault happen, and return the monotonic time.
+
+        Raises:
+            UsageError: when the device was not chosen to take faults.
+            DeviceError: when the simulated device is gone.
+        """
+        if self._device_faults is None:
+            raise UsageError(
+                "faults are only for simulated devices that were chosen with them"
+            )
+        now_s = self._clock.now_s()
+        if not self._device_faults.inject(fault):
+            self._send(Word.FAULT, fault)
+        return now_s
+
+    def read_ticks(self) -> tuple[NDArray[Any], int]:
+        """Return the ticks since the last call (see TICK) and how many were lost."""
+        records, self._tail, lost = self._block.read_ticks(self._tail)
+        return records, lost
+
+    def close(self) -> None:
+        """Bring the force to zero, let go of the device and end all processes."""
+        self._send(Word.QUIT)
+        self._wait_for_end()
+        if self._line is not None:
+            self._line.close()
+        if self._device_faults is not None:
+            self._device_faults.close()
+        if self.health not in (Health.FAILED, Health.NONE):
+            self.health = Health.GONE
+
+    def _wait_for_end(self) -> None:
+        in_order = ("loop", "guard", "device")
+        wait_for_end(self._processes.get(name) for name in in_order)
+        if self._recording:
+            self._recording.finish()
+
+    def _send(self, word: Word, text: str = "") -> None:
+        if self._line is not None:
+            self._line.send(word, text)
+
+    def _read_line(self, timeout_ms: int = 0) -> bool:
+        if self._line is None:
+            return False
+        message = self._line.receive(timeout_ms)
+        if message is None:
+            if not self._line.is_open and self.health is not Health.FAILED:
+                self.health = Health.GONE
+            return False
+        if message.word is Word.READY:
+            self._note_ready(message.text)
+        elif message.word is Word.FAILED:
+            self.problem = message.text
+            if self.health is Health.STARTING:
+                self.health = Health.FAILED
+        elif message.word is Word.LOST:
+            self.problem, self.health = message.text, Health.FAILED
+        return True
+
+    def _note_ready(self, scheduling: str) -> None:
+        self._is_loop_ready, self.scheduling = True, scheduling
+        if "device" in self._processes:
+            # only now: while its modules are loaded it computes for 0.3 s, and the
+            # window should have a core meanwhile
+            device_pid = self._processes["device"].pid
+            grant(device_pid, self._wanted_scheduling, DEVICE_PRIORITY)
+        if self._recording:
+            header = {"device": self.device, "scheduling": scheduling}
+            self._recording.start(self._processes["loop"].pid, header)

@@ -1,0 +1,279 @@
+"""Plays one clip after the other: media clock, frames and sound, by the phase table."""
+
+from collections.abc import Callable
+from dataclasses import asdict
+
+from hapticplayer.clock import Clock
+from hapticplayer.errors import Message
+from hapticplayer.model import PlaybackClock
+from hapticplayer.playback.clock import AudioReport, MediaClock
+from hapticplayer.playback.latency import Latencies, Latency
+from hapticplayer.playback.log import Reporter
+from hapticplayer.playback.phases import (
+    PLAYING_PHASES,
+    Action,
+    Event,
+    Phase,
+    transition,
+)
+from hapticplayer.playback.screen import FrameSink
+from hapticplayer.playback.sound import NO_OUTPUT, AudioFactory, Sound
+from hapticplayer.playback.source import Source
+from hapticplayer.playback.video_output import VideoOutput
+
+FIRST_SOUND_TIMEOUT_S = 3.0  # a sound server that wakes its device took 1.3 s
+SLOWEST, FASTEST = 0.5, 4.0  # of `set_speed`
+DAMAGED = Message("the clip is damaged: some of its pictures are missing or broken")
+
+
+class ClipPlayback:
+    """The state machine of a clip; everything on the thread that calls `advance`.
+
+    Args:
+        clock: of the machine.
+        sink: where frames go, see `VideoOutput`.
+        audio: makes the sound output; None plays without sound.
+        reporter: of events and notices.
+        presented: called with the monotonic time of each frame and its own time, s.
+        heard: called with each report of the sound output.
+    """
+
+    def __init__(
+        self,
+        clock: Clock,
+        sink: FrameSink | None,
+        audio: AudioFactory | None,
+        reporter: Reporter,
+        presented: Callable[[float, float], None],
+        heard: Callable[[AudioReport], None],
+    ) -> None:
+        self.phase = Phase.EMPTY
+        self.source: Source | None = None
+        self.problem = ""  # of the clip
+        self.end_s = 0.0
+        self.loop_s: tuple[float, float] | None = None
+        self.latency = Latency()
+        self.media = MediaClock()
+        self.video = VideoOutput(clock, sink, presented)
+        self.sound = Sound(clock, self.media, audio)
+        self.led_by = self.media.source  # while playing
+        self._clock, self._reporter, self._heard = clock, reporter, heard
+        self._latencies, self._device = Latencies(), ""
+        self._first_sound_by_s = 0.0
+        self._damaged = 0
+        self._actions: dict[Action, Callable[[float], None]] = {
+            Action.GO_TO: self._go_to,
+            Action.HOLD: self._hold,
+            Action.START_SOUND: self._start_sound,
+            Action.START_CLOCK: self._start_clock,
+            Action.FORGET: self._forget,
+        }
+
+    @property
+    def is_playing(self) -> bool:
+        """Whether the clip plays or is about to."""
+        return self.phase in PLAYING_PHASES
+
+    @property
+    def media_s(self) -> float:
+        """Position in the clip."""
+        return self.media.media_s(self._clock.now_s())
+
+    def handle(self, event: Event, media_s: float = 0.0) -> bool:
+        """Do what an event asks for in this phase; False where it is ignored.
+
+        Args:
+            event: what happens.
+            media_s: the position that belongs to it.
+        """
+        found = transition(self.phase, event)
+        if found is None:
+            return False
+        self.phase = found.phase
+        for action in found.actions:
+            self._actions[action](media_s)
+        return True
+
+    # --- commands -------------------------------------------------------------
+
+    def open(self, source: Source) -> None:
+        """Load a source and show its first frame."""
+        self.handle(Event.CLOSE)
+        self.source, self.end_s = source, source.clip.duration_s
+        self.video.open(source.clip.path)
+        self.sound.open(source.clip.path, has_sound=source.clip.has_audio)
+        self.handle(Event.OPEN)
+
+    def close(self) -> None:
+        """Drop the clip and the sound output."""
+        self.handle(Event.CLOSE)
+        self.sound.close()
+
+    def seek(self, media_s: float) -> None:
+        """Go to a position and go on as before."""
+        duration_s = self.source.clip.duration_s if self.source else 0.0
+        if self.handle(Event.SEEK, min(max(0.0, media_s), duration_s)):
+            self._reporter.event("seek", to_s=self.media_s)
+
+    def step(self, frames: int) -> None:
+        """Stand one frame farther (+1) or one frame back (-1)."""
+        if self.source is None:
+            return
+        if self.handle(Event.PAUSE):
+            self._reporter.event("pause")
+        if frames < 0:
+            half_s = 0.5 / (self.source.clip.frame_rate_hz or 30.0)
+            frame_s = self.video.frame_s - half_s
+            self.seek(frame_s)
+            self.video.expect(frame_s)
+        elif (shown_s := self.video.show_next()) is not None:
+            self.media.seek(shown_s)
+            self.sound.go_to(shown_s)
+
+    def set_speed(self, speed: float) -> None:
+        """Play faster or slower from here on."""
+        position_s = self.media_s
+        self.media.speed = min(max(speed, SLOWEST), FASTEST)
+        self._reporter.event("speed", speed=self.media.speed)
+        self.seek(position_s)
+
+    def set_latencies(self, latencies: Latencies) -> None:
+        """Begin earlier from here on what reaches the person later."""
+        self._latencies = latencies
+        if self._note_latency():
+            self.seek(self.media_s)
+
+    def set_device(self, device: str) -> None:
+        """Compensate the latency of another haptic device."""
+        self._device = device
+        self._note_latency()
+
+    def set_sound_output(self, make: AudioFactory) -> None:
+        """Play through another output from here on."""
+        self.sound.use(make)
+        self.seek(self.media_s)
+
+    def refresh(self) -> None:
+        """Show the present frame again; while playing the next one comes soon enough."""
+        self.handle(Event.REFRESH, self.media_s)
+
+    def interrupt_force(self) -> None:
+        """Begin a new epoch where the clip is: the force fades out and in."""
+        self.media.renew()
+        self.sound.ring.follow(self.media.epoch)
+
+    # --- actions --------------------------------------------------------------
+
+    def _go_to(self, media_s: float) -> None:
+        self.media.seek(media_s)
+        self.video.go_to(self.media.epoch, media_s)
+        self.sound.go_to(media_s)
+
+    def _hold(self, _media_s: float) -> None:
+        now_s = self._clock.now_s()
+        self.media.pause(now_s)
+        self.sound.hold(self.media.media_s(now_s))
+
+    def _start_sound(self, _media_s: float) -> None:
+        # the clock starts with the first sound: its delay is never assumed
+        self.sound.ring.play()
+        self._first_sound_by_s = self._clock.now_s() + FIRST_SOUND_TIMEOUT_S
+
+    def _start_clock(self, _media_s: float) -> None:
+        self.media.start(self._clock.now_s() + self.latency.lead_s)
+
+    def _forget(self, _media_s: float) -> None:
+        self.sound.forget()
+        self.video.forget()
+        self.source, self.loop_s = None, None
+        self.problem, self._damaged = "", 0
+        self.media.seek(0.0)
+
+    # --- what happens by itself -------------------------------------------------
+
+    def advance(self, now_s: float) -> float:
+        """Do what is due and return the monotonic time of the next frame, s."""
+        self._hear()
+        self.media.check(now_s)
+        if self.source is not None:
+            self._watch_sound_output(now_s)
+            self._note_damage()
+            self._note_progress(now_s)
+        now_s = self._clock.now_s()
+        clock = self.media.snapshot(now_s) if self.media.is_running else None
+        clock = clock.ahead(self.latency.display_s) if clock else None
+        return self.video.present(now_s, clock)
+
+    def force_clock(self) -> PlaybackClock:
+        """Return the clock for the haptic loop, ahead by the device's latency."""
+        clock = self.media.snapshot(self._clock.now_s())
+        return clock.ahead(self.latency.device_s)
+
+    def _note_progress(self, now_s: float) -> None:
+        if self.phase is Phase.BUFFERING:
+            if self.video.is_ready and self.sound.is_ready(now_s):
+                is_heard = self.sound.is_open
+                self.handle(Event.BUFFERED if is_heard else Event.BUFFERED_SILENT)
+        elif self.phase is Phase.STARTING:
+            if now_s > self._first_sound_by_s and self.handle(Event.UNHEARD):
+                self._reporter.event("no_sound")
+        elif self.phase is Phase.PLAYING:
+            if self.media.source is not self.led_by:  # another clock leads now
+                self.led_by = self.media.source
+                self._reporter.event("clock", source=self.led_by.value)
+            media_s = self.media_s
+            if self.loop_s is not None and media_s >= self.loop_s[1]:
+                self.seek(self.loop_s[0])
+            elif media_s >= self.end_s or self.video.is_dry:
+                self.handle(Event.END)
+                self._reporter.event("end")
+
+    def _hear(self) -> None:
+        """Follow what the sound output reports."""
+        for report in self.sound.reports():
+            if self.phase is Phase.STARTING and report.epoch == self.media.epoch:
+                self.media.start_with(report)
+                self.handle(Event.HEARD)
+            elif not self.media.report(report, self._clock.now_s()):
+                # too far off to be caught up with: seek to where the sound is
+                self._reporter.event("resync", to_s=report.media_s)
+                self.seek(report.media_s)
+                return
+            self._heard(report)
+        if missing_s := self.sound.missing_s():
+            self._reporter.event("underrun", missing_s=missing_s)
+
+    def _note_damage(self) -> None:
+        if self.video.damaged > self._damaged:
+            if not self._damaged:
+                self._reporter.notify(DAMAGED)
+            self._damaged = self.video.damaged
+            self._reporter.event("damaged_pictures", count=self._damaged)
+        if self.video.problem and not self.problem:
+            self.problem = self.video.problem
+            self._reporter.event("damaged", problem=self.problem)
+
+    def _watch_sound_output(self, now_s: float) -> None:
+        """Notice that the output is lost, and use the next one."""
+        happened = self.sound.look(now_s, is_playing=self.phase is Phase.PLAYING)
+        if happened == "no_sound_output":
+            self._reporter.event(happened, reason=self.sound.problem)
+            self._reporter.notify(NO_OUTPUT)
+        elif happened:
+            self._reporter.event(happened)
+            self._note_latency()
+            if happened == "sound_lost":
+                self._reporter.notify(
+                    Message("the sound was lost; picture and force go on")
+                )
+            self.handle(Event.OUTPUT_CHANGED)
+
+    def _note_latency(self) -> bool:
+        """Follow outputs that have changed; return whether a latency has."""
+        before = self.latency
+        self.latency = self._latencies.of(self.sound.name, self._device)
+        self.sound.ring.latency_s = self.latency.sound_s
+        if self.latency == before:
+            return False
+        self._reporter.event("latency", **asdict(self.latency))
+        return True
