@@ -11,8 +11,8 @@ from app.widgets.message_bar import MessageBar
 from app.widgets.room import resize_within_screen
 from hapticplayer.clock import Clock
 from hapticplayer.errors import message_of
-from hapticplayer.study.answers import collect_answers
-from hapticplayer.study.study_folder import Study, open_study
+from hapticplayer.study.answers import read_answers
+from hapticplayer.study.study_folder import Study
 
 WIDTH_PX, HEIGHT_PX = 1040, 860
 
@@ -34,7 +34,7 @@ class AnalysisWindow(QMainWindow):
         self.messages = MessageBar()
         self.page = AnalysisPage(
             title,
-            lambda: collect_answers(open_study(folder)),
+            lambda: read_answers(folder),
             lambda problem: self.messages.show_text(message_of(problem)),
             clock,
         )

@@ -2,7 +2,7 @@
 
 import argparse
 import json
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -11,13 +11,8 @@ from hapticplayer.clock import SystemClock
 from hapticplayer.errors import UsageError
 from hapticplayer.sequence import files
 from hapticplayer.simulation.effects import draw_effect, effect_named, paper_effect
-from hapticplayer.simulation.participants import (
-    Rate,
-    WriteSession,
-    simulated_answers,
-    write_simulated,
-)
-from hapticplayer.simulation.sessions import write_scripted_session
+from hapticplayer.simulation.participants import simulated_answers
+from hapticplayer.simulation.sessions import write_answers
 from hapticplayer.study.analysis import Analysis, Choices, MissingPolicy, Resampling
 from hapticplayer.study.analysis.analysis import STATISTICS
 from hapticplayer.study.analysis.consistency import ConsistencyAnalysis
@@ -37,9 +32,9 @@ from hapticplayer.study.analysis.report import (
 )
 from hapticplayer.study.analysis.scores import sample_of, scores_of
 from hapticplayer.study.analysis.statistic import number, p_value
-from hapticplayer.study.answers import Answers, Participant, collect_answers
+from hapticplayer.study.answers import collect_answers, read_answers
 from hapticplayer.study.creation import create_study
-from hapticplayer.study.study_folder import open_study
+from hapticplayer.study.study_folder import Study, open_study
 
 _SEED = 2012
 
@@ -157,7 +152,9 @@ def analyse(options: argparse.Namespace) -> int:
     )
     with interruptible(), shown_progress() as progress:
         found = analyse_study(
-            read_study(options.study), choices, lambda f, step: progress(0.5 * f, step)
+            read_answers(options.study),
+            choices,
+            lambda f, step: progress(0.5 * f, step),
         )
         if options.output is not None:
             title = f"Study {options.study.resolve().name}"
@@ -177,7 +174,8 @@ def analyse(options: argparse.Namespace) -> int:
 def simulate(options: argparse.Namespace) -> int:
     """Add simulated participants to a study, as sessions that are marked as such."""
     effect_named(options.effect)
-    design, paper = read_design(options.study), paper_effect()
+    study, paper = _design(options.study), paper_effect()
+    design = collect_answers(study)
     if set(design.feedbacks) != set(paper.feedbacks) or set(design.factors) != set(
         paper.factors
     ):
@@ -193,7 +191,7 @@ def simulate(options: argparse.Namespace) -> int:
     )
     origin = {"simulated": True, "effect": options.effect, "seed": options.seed}
     with interruptible():
-        codes = write_simulated(answers, session_writer(options.study, origin))
+        codes = write_answers(study, answers, SystemClock(), origin=origin)
     report = {"study": str(options.study), **origin, "participants": codes}
     told = f"{options.study}: {len(codes)} simulated participants, marked as such"
     say(_json(report) if options.json else told)
@@ -220,7 +218,7 @@ def _population(options: argparse.Namespace) -> tuple[Draw, tuple[str, ...], str
         effect = effect_named(options.effect)
         draw = draw_effect(effect, options.measure, options.sequences)
         return draw, effect.feedbacks, f"effect {effect.name}"
-    scores = scores_of(read_study(options.study))
+    scores = scores_of(read_answers(options.study))
     if options.measure not in scores.measures:
         known = ", ".join(scores.measures)
         raise UsageError(f"there is no measure {options.measure!r}; there is {known}")
@@ -289,36 +287,8 @@ def _power_text(found: Power, measure: str, source: str) -> str:
     return "\n".join(lines)
 
 
-def read_study(folder: Path) -> Answers:
-    """Return all answers of a study."""
-    return collect_answers(open_study(folder))
-
-
-def read_design(folder: Path) -> Answers:
-    """Return a study's answers; a missing study is made, an empty folder is one."""
+def _design(folder: Path) -> Study:
+    """Return a study; a missing one is made, an empty folder is one."""
     if folder.is_dir() and not any(folder.iterdir()):
         folder.rmdir()
-    study = open_study(folder) if folder.exists() else create_study(folder)
-    return collect_answers(study)
-
-
-def session_writer(folder: Path, origin: Mapping[str, Any]) -> WriteSession:
-    """Return what adds scripted sessions, marked by their origin."""
-    study, clock = open_study(folder), SystemClock()
-
-    def write(person: Participant, rate: Rate) -> str:
-        sheet = {
-            "age": person.age,
-            "gender": person.gender,
-            "handedness": person.handedness,
-            "used_device_before": person.used_device_before,
-        }
-        return write_scripted_session(
-            study,
-            sheet,
-            lambda condition: rate(condition.sequence, condition.feedback),
-            clock,
-            origin=origin,
-        )
-
-    return write
+    return open_study(folder) if folder.exists() else create_study(folder)

@@ -1,7 +1,5 @@
 """Answers of participants who never sat there, with the paper's means and spreads."""
 
-from collections.abc import Callable, Mapping
-
 import numpy as np
 
 from hapticplayer.errors import UsageError
@@ -26,11 +24,6 @@ _MOST_VALUES = 5_000_000  # of all draws: fewer for many participants
 _SD_TOLERANCE = 0.02  # of SDs that are printed with one decimal
 _STEPS_EACH = 150  # participant, to come near an SD that may be out of reach
 
-Rate = Callable[[str, str], Mapping[str, int]]
-"""Gives the ratings by factor of a condition: sequence, feedback."""
-WriteSession = Callable[[Participant, Rate], str]
-"""Writes one participant's whole session into a study and returns its code."""
-
 
 def simulated_answers(
     participants: int,
@@ -44,8 +37,8 @@ def simulated_answers(
     For the effect "paper" the sample itself has the reported means and SDs (to the
     printed decimal) and agreements near the reported ones: the draws from the population
     that are nearest to the paper's W and SDs are taken, single ratings are moved by one
-    until means and SDs fit, and the one that is then nearest to the W is kept. Any other effect is one draw from its population,
-    whose sample scatters as samples do.
+    until means and SDs fit, and the one that is then nearest to the W is kept. Any other
+    effect is one draw from its population, whose sample scatters as samples do.
 
     Args:
         participants: how many, at least one.
@@ -78,25 +71,6 @@ def simulated_answers(
         population.feedbacks,
         population.factors,
     )
-
-
-def write_simulated(answers: Answers, write: WriteSession) -> list[str]:
-    """Hand simulated participants one by one to a study, and return their codes there.
-
-    Args:
-        answers: see `simulated_answers`.
-        write: adds a session to the study.
-    """
-    found: dict[str, dict[tuple[str, str], dict[str, int]]] = {}
-    for one in answers.ratings:
-        cells = found.setdefault(one.participant, {})
-        if one.value is not None:
-            cells.setdefault((one.sequence, one.feedback), {})[one.factor] = one.value
-
-    def rate_of(code: str) -> Rate:
-        return lambda sequence, feedback: found[code][sequence, feedback]
-
-    return [write(person, rate_of(person.code)) for person in answers.participants]
 
 
 def _draws(shape: tuple[int, int], effect: Effect) -> int:

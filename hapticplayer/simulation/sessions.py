@@ -4,6 +4,7 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 from hapticplayer.clock import Clock
+from hapticplayer.study.answers import Answers
 from hapticplayer.study.definition import Condition
 from hapticplayer.study.journal import Journal
 from hapticplayer.study.plan import describe
@@ -46,6 +47,37 @@ def write_scripted_session(
     finally:
         journal.close()
     return session.code
+
+
+def write_answers(
+    study: Study, answers: Answers, clock: Clock, *, origin: Mapping[str, Any]
+) -> list[str]:
+    """Add simulated participants to a study, and return their codes there.
+
+    Args:
+        study: to which they are added.
+        answers: see `participants.simulated_answers`.
+        clock: of the machine.
+        origin: as in `write_scripted_session`.
+    """
+    found: dict[tuple[str, str, str], dict[str, int | None]] = {}
+    for one in answers.ratings:
+        cell = found.setdefault((one.participant, one.sequence, one.feedback), {})
+        cell[one.factor] = one.value
+    codes = []
+    for person in answers.participants:
+        sheet = {
+            "age": person.age,
+            "gender": person.gender,
+            "handedness": person.handedness,
+            "used_device_before": person.used_device_before,
+        }
+
+        def rate(condition: Condition, code: str = person.code) -> Values:
+            return found[code, condition.sequence, condition.feedback]
+
+        codes.append(write_scripted_session(study, sheet, rate, clock, origin=origin))
+    return codes
 
 
 def _write_trial(

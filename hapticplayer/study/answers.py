@@ -123,6 +123,7 @@ class Answers:
         factors: keys.
         open_answers: in words.
         judgements: of the second type of trial.
+        repeated: ratings that were replaced by those of a repeated trial.
         remarks: what could not be read, or was left out, one sentence each.
     """
 
@@ -133,6 +134,7 @@ class Answers:
     factors: tuple[str, ...]
     open_answers: tuple[OpenAnswer, ...] = ()
     judgements: tuple[Judgement, ...] = ()
+    repeated: int = 0
     remarks: tuple[str, ...] = ()
 
 
@@ -164,6 +166,7 @@ def collect_answers(study: Study) -> Answers:
         factors=tuple(q.key for q in definition.factors) if is_rating else (),
         open_answers=tuple(a for one in collected for a in one.open_answers()),
         judgements=tuple(j for one in collected for j in one.judgements()),
+        repeated=sum(one.repeated for one in collected) * len(definition.factors),
         remarks=tuple(remarks),
     )
 
@@ -203,6 +206,9 @@ class _Collector:
         session: as stored.
         definition: of the study as it is now, which gives names and order.
         remarks: gets a sentence for each trial that is left out.
+
+    Attributes:
+        repeated: trials that were answered once more.
     """
 
     def __init__(
@@ -211,9 +217,11 @@ class _Collector:
         self._session, self._definition = session, definition
         self._sheet = page_values(session.records, SHEET)
         self._trials: dict[Condition, AnsweredTrial] = {}
+        self.repeated = 0
         known = set(definition.conditions)
         for trial in answered_trials(session.records):
             if trial.condition in known:
+                self.repeated += trial.condition in self._trials
                 self._trials[trial.condition] = trial
             else:
                 remarks.append(

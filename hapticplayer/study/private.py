@@ -2,13 +2,13 @@
 
 import os
 import shutil
-import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import BinaryIO, NoReturn
 
-from hapticplayer.errors import StudyError
+from hapticplayer.errors import SequenceError, StudyError
+from hapticplayer.sequence import files
 
 FOLDER_MODE, FILE_MODE = 0o700, 0o600
 SCRATCH = ".part"
@@ -44,7 +44,7 @@ def replace(path: Path, content: bytes) -> None:
             aside.unlink()
         write_new(aside, content)
         aside.replace(path)
-        sync(path.parent)
+        files.sync_folder(path.parent)
     except OSError as problem:
         with suppress(OSError):
             aside.unlink()
@@ -58,24 +58,13 @@ def folder_written_aside(target: Path) -> Iterator[Path]:
     Raises:
         StudyError: when the target exists or cannot be written; nothing is left.
     """
-    if os.path.lexists(target):
-        raise StudyError(
-            "already exists", where=str(target), remedy="choose another name"
-        )
-    scratch: Path | None = None
     try:
-        target.parent.mkdir(parents=True, exist_ok=True)
-        made = tempfile.mkdtemp(prefix=".", suffix=SCRATCH, dir=target.parent)
-        scratch = Path(made)
-        yield scratch
-        sync(scratch)
-        scratch.rename(target)
-        sync(target.parent)
-    except OSError as problem:
-        failed(problem, target)
-    finally:
-        if scratch is not None and scratch.exists():
-            shutil.rmtree(scratch, ignore_errors=True)
+        with files.written_aside(target, FOLDER_MODE) as aside:
+            yield aside
+    except SequenceError as problem:
+        raise StudyError(
+            problem.what, where=problem.where, remedy=problem.remedy
+        ) from problem
 
 
 def remove_scratch(folder: Path) -> None:
@@ -92,15 +81,6 @@ def sync_file(writer: BinaryIO) -> None:
     """Make what was written durable."""
     writer.flush()
     os.fsync(writer.fileno())
-
-
-def sync(folder: Path) -> None:
-    """Make the entries of a folder durable."""
-    descriptor = os.open(folder, os.O_RDONLY | os.O_DIRECTORY)
-    try:
-        os.fsync(descriptor)
-    finally:
-        os.close(descriptor)
 
 
 def failed(problem: OSError, path: Path) -> NoReturn:

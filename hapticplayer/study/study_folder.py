@@ -16,6 +16,7 @@ from pathlib import Path
 from hapticplayer import __version__
 from hapticplayer.clock import Clock, utc_now_iso
 from hapticplayer.errors import Message, StudyError
+from hapticplayer.sequence import files
 from hapticplayer.study import private
 from hapticplayer.study.definition import Condition, Definition, OrderMethod
 from hapticplayer.study.definition_reader import DEFINITION, parse_definition
@@ -234,7 +235,7 @@ def delete_participant(study: Study, code: str) -> list[str]:
             folder.rename(leaving)
         for changed in (consent.parent, study.folder / SESSIONS):
             if changed.is_dir():
-                private.sync(changed)
+                files.sync_folder(changed)
     except OSError as problem:
         private.failed(problem, folder)
     _finish_deletions(study)
@@ -252,7 +253,7 @@ def _finish_deletions(study: Study) -> None:
                 study.folder / DELETED / f"{name}.json", json.dumps(stone).encode()
             )
             shutil.rmtree(leaving)
-            private.sync(leaving.parent)
+            files.sync_folder(leaving.parent)
         except OSError as problem:
             private.failed(problem, leaving)
 

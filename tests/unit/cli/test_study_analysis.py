@@ -1,97 +1,111 @@
-import argparse
+"""`hapticplayer study analyse`, `simulate` and `power` on folders of studies."""
+
 import json
-from dataclasses import replace
-from types import SimpleNamespace
 
 import pytest
 
-from hapticplayer.cli import study_analysis
-from hapticplayer.errors import SequenceError, UsageError
-from hapticplayer.simulation.participants import simulated_answers
+from hapticplayer import cli
+from hapticplayer.study.answers import read_answers
+from hapticplayer.study.creation import create_study
+
+PAPER = {"none": (7.5, 2.1), "random": (10.2, 1.6), "realistic": (15.3, 2.6)}
+
+
+@pytest.fixture(scope="module")
+def rides(tmp_path_factory):
+    """A study with eight simulated participants."""
+    folder = tmp_path_factory.mktemp("studies") / "rides"
+    assert cli.main(["study", "simulate", str(folder), "--participants", "8"]) == 0
+    return folder
 
 
 @pytest.fixture
-def study(monkeypatch):
-    """What a folder of the name "rides" holds, and what is written into it."""
-    held = SimpleNamespace(
-        design=replace(simulated_answers(8, seed=1), participants=(), ratings=()),
-        origin=None,
-        rated=[],
-    )
+def run(capsys):
+    """Run an action; return its status, its JSON or text, and stderr."""
 
-    def writer(_folder, origin):
-        held.origin = dict(origin)
+    def run_action(*words):
+        status = cli.main(["study", *map(str, words)])
+        said = capsys.readouterr()
+        out = json.loads(said.out) if "--json" in words and said.out else said.out
+        return status, out, said.err
 
-        def write(_person, rate):
-            held.rated.append(rate("horse", "realistic"))
-            return f"C{len(held.rated)}"
-
-        return write
-
-    monkeypatch.setattr(
-        study_analysis, "read_study", lambda _: simulated_answers(8, seed=1)
-    )
-    monkeypatch.setattr(study_analysis, "read_design", lambda _: held.design)
-    monkeypatch.setattr(study_analysis, "session_writer", writer)
-    return held
+    return run_action
 
 
-@pytest.fixture
-def run(study):
-    def run_with(*words: str) -> int:
-        parser = argparse.ArgumentParser()
-        study_analysis.add_actions(parser.add_subparsers())
-        chosen = parser.parse_args(words)
-        return chosen.run(chosen, None)
-
-    return run_with
-
-
-def test_analyse_prints_the_promised_json_and_writes_the_report(run, tmp_path, capsys):
+def test_analyse_prints_the_promised_json_and_writes_the_report(run, rides, tmp_path):
     target = tmp_path / "report"
-    assert run("analyse", "rides", "--json", "--output", str(target)) == 0
-    found = json.loads(capsys.readouterr().out)
+    status, found, _ = run("analyse", rides, "--json", "--output", target)
+    assert status == 0
     assert set(found["qoe"]) == {"none", "random", "realistic"}
     assert {"mean", "sd"} <= set(found["qoe"]["none"])
     assert {"chi2", "p", "kendall_w"} <= set(found["friedman"]["qoe"])
     assert json.loads((target / "numbers.json").read_text("utf-8")) == found
 
 
-def test_analyse_tells_people_what_was_found(run, capsys):
-    assert run("analyse", "rides", "--missing", "complete") == 0
-    said = capsys.readouterr().out
+def test_analyse_tells_people_what_was_found(run, rides):
+    status, said, _ = run("analyse", rides, "--missing", "complete")
+    assert status == 0
     assert "8 participants" in said
     assert "none-realistic: Wilcoxon" in said
 
 
 def test_an_existing_report_is_refused_before_the_work(run, tmp_path):
-    with pytest.raises(SequenceError, match="already exists"):
-        run("analyse", "rides", "--output", str(tmp_path))
+    status, _, said = run("analyse", tmp_path / "none", "--output", tmp_path)
+    assert status == 1
+    assert "already exists" in said
 
 
-def test_simulate_writes_sessions_that_are_marked(run, study, capsys):
-    assert run("simulate", "rides", "--participants", "3", "--seed", "4", "--json") == 0
-    report = json.loads(capsys.readouterr().out)
-    assert report["participants"] == ["C1", "C2", "C3"]
-    assert study.origin == {"simulated": True, "effect": "paper", "seed": 4}
-    assert set(study.rated[0]) == {"realism", "sensory", "comfort", "satisfaction"}
+def test_simulated_participants_are_marked_and_as_in_the_paper(run, tmp_path):
+    study = tmp_path / "study"
+    words = ("--participants", "15", "--effect", "paper", "--seed", "4", "--json")
+    status, report, _ = run("simulate", study, *words)
+    assert status == 0
+    answers = read_answers(study)
+    assert report["participants"] == [one.code for one in answers.participants]
+    assert all(one.simulated for one in answers.participants)
+    assert report["simulated"]
+    _, found, _ = run("analyse", study, "--json")
+    for feedback, (mean, sd) in PAPER.items():
+        assert found["qoe"][feedback]["mean"] == pytest.approx(mean, abs=0.06)
+        assert found["qoe"][feedback]["sd"] == pytest.approx(sd, abs=0.06)
+    assert all(test["p"] < 0.05 for test in found["friedman"].values())
 
 
-def test_only_the_papers_design_can_be_simulated(run, study):
-    study.design = replace(study.design, feedbacks=("late", "none"))
-    with pytest.raises(UsageError, match="paper's feedbacks"):
-        run("simulate", "rides")
-    assert study.rated == []
+def test_only_the_papers_design_can_be_simulated(run, tmp_path):
+    study = create_study(tmp_path / "s", "consistency")
+    status, _, said = run("simulate", study.folder)
+    assert status == 2
+    assert "paper's feedbacks" in said
+    assert study.codes() == []
 
 
-def test_power_tells_how_many_participants_a_design_needs(run, capsys):
+def test_an_empty_folder_becomes_a_study_and_a_full_one_stays(run, tmp_path):
+    empty, full = tmp_path / "empty", tmp_path / "full"
+    empty.mkdir()
+    full.mkdir()
+    (full / "letter.txt").write_text("mine")
+    assert run("simulate", empty, "--participants", "1")[0] == 0
+    assert len(list((empty / "sessions").iterdir())) == 1
+    status, _, said = run("simulate", full, "--participants", "1")
+    assert status == 1
+    assert [path.name for path in full.iterdir()] == ["letter.txt"]
+    assert "full" in said
+
+
+def test_a_study_that_is_not_there_is_refused(run, tmp_path):
+    status, _, said = run("analyse", tmp_path / "none")
+    assert status == 1
+    assert "none" in said
+
+
+def test_power_tells_how_many_participants_a_design_needs(run, rides):
     words = ("--effect", "0.5", "--studies", "300", "--largest", "30")
-    assert run("power", *words, "--json") == 0
-    found = json.loads(capsys.readouterr().out)
+    status, found, _ = run("power", *words, "--json")
+    assert status == 0
     assert 5 <= found["needed"]["friedman"] <= 14
     assert found["population"] == "effect 0.5"
-    assert run("power", "rides", *words) == 0  # the study as the pilot
-    assert "8 participants of rides" in capsys.readouterr().out
+    status, said, _ = run("power", rides, *words)  # the study as the pilot
+    assert "8 participants of rides" in said
 
 
 @pytest.mark.parametrize(
@@ -106,5 +120,4 @@ def test_power_tells_how_many_participants_a_design_needs(run, capsys):
     ],
 )
 def test_what_power_cannot_compute_is_refused(run, words):
-    with pytest.raises(UsageError):
-        run("power", *words)
+    assert run("power", *words)[0] == 2

@@ -3,15 +3,19 @@
 import numpy as np
 import pytest
 
+from hapticplayer.clock import ManualClock
 from hapticplayer.errors import UsageError
 from hapticplayer.simulation.effects import (
     drawn_ratings,
     effect_named,
     paper_effect,
 )
-from hapticplayer.simulation.participants import simulated_answers, write_simulated
+from hapticplayer.simulation.participants import simulated_answers
+from hapticplayer.simulation.sessions import write_answers
 from hapticplayer.study.analysis import Choices, Resampling, analyse
 from hapticplayer.study.analysis.analysis import summary
+from hapticplayer.study.answers import collect_answers
+from hapticplayer.study.creation import create_study
 
 QOE = {"none": (7.5, 2.1), "random": (10.2, 1.6), "realistic": (15.3, 2.6)}
 FACTORS = {
@@ -88,20 +92,16 @@ def test_an_impossible_number_of_participants_is_refused(people):
         simulated_answers(people, seed=1)
 
 
-def test_simulated_sessions_reach_a_store_whole():
-    answers = simulated_answers(3, "0.5", seed=4, sequences=("a", "b"))
-    seen = {}
+def test_simulated_answers_reach_a_study_whole(tmp_path):
+    answers = simulated_answers(3, "0.5", seed=4)
+    study = create_study(tmp_path / "study")
+    codes = write_answers(study, answers, ManualClock(), origin={"simulated": True})
+    found = collect_answers(study)
 
-    def write(person, rate):
-        for sequence in answers.sequences:
-            for feedback in answers.feedbacks:
-                for factor, value in rate(sequence, feedback).items():
-                    seen[person.code, sequence, feedback, factor] = value
-        return f"stored-{person.code}"
+    def cells(ratings):
+        return sorted((r.sequence, r.feedback, r.factor, r.value) for r in ratings)
 
-    codes = write_simulated(answers, write)
-    assert codes == ["stored-S001", "stored-S002", "stored-S003"]
-    assert seen == {
-        (one.participant, one.sequence, one.feedback, one.factor): one.value
-        for one in answers.ratings
-    }
+    for code, person in zip(codes, answers.participants, strict=True):
+        stored = [r for r in found.ratings if r.participant == code]
+        expected = [r for r in answers.ratings if r.participant == person.code]
+        assert cells(stored) == cells(expected)

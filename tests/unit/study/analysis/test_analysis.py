@@ -110,29 +110,12 @@ def test_unsound_trials_do_not_count_unless_wanted(answers):
     assert scores_of(marked, with_unsound=True).missing == 0
 
 
-def test_a_repeated_trial_replaces_the_unsound_one(answers):
-    first = answers.ratings[0]
-    again = replace(first, value=6 - first.value)
-    marked = (replace(first, sound=False), *answers.ratings[1:], again)
-    for ratings in (marked, marked[::-1]):
-        scores = scores_of(replace(answers, ratings=ratings))
-        assert (scores.repeated, scores.unsound, scores.missing) == (1, 0, 0)
-        place = scores.feedbacks.index(first.feedback)
-        assert scores.ratings[0, 0, place, 0] == again.value
-
-
 @pytest.mark.parametrize(
     ("change", "said"),
     [
-        (lambda a: {"ratings": (*a.ratings, a.ratings[0])}, "rated twice"),
-        (lambda a: {"ratings": (replace(a.ratings[0], value=6),)}, "outside 1 to 5"),
-        (lambda a: {"ratings": (replace(a.ratings[0], feedback="x"),)}, "feedback 'x'"),
-        (lambda a: {"ratings": (replace(a.ratings[0], participant="x"),)}, "'x'"),
         (lambda _: {"participants": ()}, "no participant"),
         (lambda _: {"feedbacks": ("none",)}, "one feedback alone"),
         (lambda _: {"factors": ("qoe",)}, "'qoe'"),
-        (lambda _: {"sequences": ("a", "b", "a")}, "named twice (a)"),
-        (lambda _: {"sequences": ("a", "\ud800")}, "half a character"),
     ],
 )
 def test_answers_that_do_not_fit_their_design_are_refused(answers, change, said):
