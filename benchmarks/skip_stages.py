@@ -26,8 +26,8 @@ from hapticplayer.haptics.track import anonymous_memory, to_shared_memory
 from hapticplayer.media import (
     AudioBlock,
     AudioDecoder,
-    AudioStretcher,
     FrameConverter,
+    TempoFilter,
     VideoDecoder,
     open_media,
 )
@@ -35,7 +35,7 @@ from hapticplayer.media.opening import read_only
 from hapticplayer.model import ForceTrack, PlaybackClock
 from hapticplayer.model.device import DeviceReading, Vector
 
-SPEED, SOUND_HZ, CHANNELS = 1.5, 48_000, 2
+SPEED, SOUND_HZ = 1.5, 48_000
 TICKS_READ = 50
 FORCE: Vector = (1.0, -2.0, 0.5)
 
@@ -92,14 +92,14 @@ def sound_stages(clip: Path) -> list[Stage]:
         return seconds
 
     def stretch() -> int:
-        stretcher = AudioStretcher(SPEED, SOUND_HZ, CHANNELS)
+        tempo = TempoFilter(SPEED, SOUND_HZ)
         for block in [*blocks, None]:
-            stretcher.push(block)
+            tempo.push(block)
         return seconds
 
     return [
         Stage("sound decode", "second", decode),
-        Stage(f"stretch to {SPEED:g}x", "second", stretch),
+        Stage(f"another speed, {SPEED:g}x", "second", stretch),
     ]
 
 

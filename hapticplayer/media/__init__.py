@@ -14,24 +14,24 @@ if TYPE_CHECKING:
     from hapticplayer.media.frames import BgraImage, DecodedFrame, FrameConverter
     from hapticplayer.media.opening import open_media
     from hapticplayer.media.small_pictures import Thumbnail, cover_pictures, thumbnails
-    from hapticplayer.media.stretch import AudioStretcher
     from hapticplayer.media.telemetry import (
         TelemetryPacket,
         data_track_names,
         read_telemetry_packets,
     )
     from hapticplayer.media.telemetry_writer import add_telemetry
+    from hapticplayer.media.tempo import TempoFilter
     from hapticplayer.media.video import VideoDecoder
 
 _HOMES = {
     "AudioBlock": "audio",
     "AudioDecoder": "audio",
-    "AudioStretcher": "stretch",
     "ClipInfo": "clip_info",
     "BgraImage": "frames",
     "DecodedFrame": "frames",
     "FrameConverter": "frames",
     "TelemetryPacket": "telemetry",
+    "TempoFilter": "tempo",
     "Thumbnail": "small_pictures",
     "VideoDecoder": "video",
     "add_telemetry": "telemetry_writer",
@@ -48,12 +48,12 @@ _HOMES = {
 __all__ = [
     "AudioBlock",
     "AudioDecoder",
-    "AudioStretcher",
     "BgraImage",
     "ClipInfo",
     "DecodedFrame",
     "FrameConverter",
     "TelemetryPacket",
+    "TempoFilter",
     "Thumbnail",
     "VideoDecoder",
     "add_telemetry",

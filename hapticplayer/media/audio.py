@@ -28,7 +28,7 @@ _PREROLL_S = 0.15
 _JITTER_S = 2.5e-3
 """Matroska rounds times to 1 ms; below this a block follows its predecessor."""
 
-_LAYOUTS = {1: "mono", 2: "stereo"}
+LAYOUTS = {1: "mono", 2: "stereo"}
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -72,7 +72,7 @@ class AudioDecoder(ClipDecoder[AudioFrame]):
         Raises:
             MediaError: when it cannot be opened or holds no sound.
         """
-        if channels not in _LAYOUTS:
+        if channels not in LAYOUTS:
             raise ValueError(f"{channels} channels: only 1 or 2 can be asked for")
         self.rate_hz = rate_hz
         self.channels = channels
@@ -159,7 +159,7 @@ class AudioDecoder(ClipDecoder[AudioFrame]):
         if format_ != self._format or self._is_gap(start_s):
             self._flush()
             self._begin_run()
-            layout = _LAYOUTS[self.channels]
+            layout = LAYOUTS[self.channels]
             if format_ != ("fltp", layout, self.rate_hz):
                 self._resampler = AudioResampler("flt", layout, self.rate_hz)
             self._format = format_

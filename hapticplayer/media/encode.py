@@ -19,6 +19,7 @@ from av.video.stream import VideoStream
 from numpy.typing import NDArray
 
 from hapticplayer.errors import MediaError, Message
+from hapticplayer.media.audio import LAYOUTS
 from hapticplayer.media.opening import media_errors, open_media
 
 KEY_FRAME_INTERVAL_S = 2.0
@@ -39,7 +40,6 @@ _LIMITED_RANGE = 1
 
 _FORMATS = {3: "rgb24", 4: "rgba"}
 _AAC_BITS_PER_S = 160_000
-_LAYOUTS = {1: "mono", 2: "stereo"}
 _AUDIO_CHUNK = 8192
 
 Progress = Callable[[float], None]
@@ -215,7 +215,7 @@ class _SoundWriter:
         audio: NDArray[np.float32],
         rate_hz: int,
     ) -> None:
-        if audio.ndim != 2 or audio.shape[1] not in _LAYOUTS:
+        if audio.ndim != 2 or audio.shape[1] not in LAYOUTS:
             raise MediaError(
                 "the sound has the shape {shape}, expected (n, 1) or (n, 2)",
                 shape=audio.shape,
@@ -223,7 +223,7 @@ class _SoundWriter:
         self._container = container
         self._audio = audio
         self._rate_hz = rate_hz
-        self._layout = _LAYOUTS[audio.shape[1]]
+        self._layout = LAYOUTS[audio.shape[1]]
         self._done = 0
         self._stream: AudioStream = container.add_stream(
             "aac", rate=rate_hz, layout=self._layout

@@ -10,8 +10,8 @@ from hapticplayer.errors import MediaError
 from hapticplayer.media import (
     AudioBlock,
     AudioDecoder,
-    AudioStretcher,
     DecodedFrame,
+    TempoFilter,
     VideoDecoder,
 )
 from hapticplayer.playback.audio import AudioRing
@@ -201,11 +201,11 @@ class AudioFeeder(Feeder):
         super().__init__("audio-decoder", path)
         self._ring = ring
         self._speed = self._speed_now = 1.0
-        self._stretcher: AudioStretcher | None = None
+        self._tempo: TempoFilter | None = None
         self._ready: deque[AudioBlock] = deque()
 
     def set_speed(self, speed: float) -> None:
-        """Stretch to this speed, keeping the pitch, from the next `request` on."""
+        """Play at this speed, keeping the pitch, from the next `request` on."""
         self._speed = speed
 
     def hurry(self) -> None:
@@ -232,18 +232,16 @@ class AudioFeeder(Feeder):
         self._decoder.seek(media_s)
         self._ready.clear()
         self._speed_now = self._speed
-        self._stretcher = None
+        self._tempo = None
         if self._speed_now != 1.0:
-            self._stretcher = AudioStretcher(
-                self._speed_now, self._ring.rate_hz, CHANNELS
-            )
+            self._tempo = TempoFilter(self._speed_now, self._ring.rate_hz)
 
     def _next_block(self) -> AudioBlock | None:
         """Return the next block at the speed, None at the end."""
-        if self._stretcher is None:
+        if self._tempo is None:
             return self._decoder.next_block()
-        while not self._ready and not self._stretcher.is_over:
-            self._ready.extend(self._stretcher.push(self._decoder.next_block()))
+        while not self._ready and not self._tempo.is_over:
+            self._ready.extend(self._tempo.push(self._decoder.next_block()))
         return self._ready.popleft() if self._ready else None
 
     def _decode(self) -> None:
