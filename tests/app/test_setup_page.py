@@ -22,8 +22,8 @@ from hapticplayer.devices.falcon.setting_up import Progress, Step
 from hapticplayer.devices.falcon.transport import open_falcon
 from hapticplayer.simulation.usb import Stage
 from hapticplayer.simulation.usb.board import synthetic_image
+from hapticplayer.simulation.usb.driver import make_set
 from hapticplayer.simulation.usb.mechanics import Homing
-from hapticplayer.simulation.usb.whole import make_set
 
 
 @pytest.fixture

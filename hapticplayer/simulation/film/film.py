@@ -21,9 +21,9 @@ from numpy.typing import NDArray
 from hapticplayer.errors import MediaError
 from hapticplayer.model.arrays import Floats
 from hapticplayer.model.quaternions import rotate
-from hapticplayer.simulation.film.picture import PictureMaker
+from hapticplayer.simulation.film.frame import PictureMaker
+from hapticplayer.simulation.film.ground import SHAKES_PX
 from hapticplayer.simulation.film.scenery import Country
-from hapticplayer.simulation.film.surroundings import SHAKES_PX
 from hapticplayer.simulation.film.view import Pose
 from hapticplayer.simulation.rides.scenes import Scene
 

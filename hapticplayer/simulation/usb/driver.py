@@ -1,17 +1,71 @@
-"""The real driver on the simulated USB: for the loop, and for tools that go past it."""
+"""The real driver on the simulated USB: whole sets for tests, and for the loop."""
 
+from dataclasses import dataclass
 from typing import Any
 
+from hapticplayer.clock import Clock, SystemClock
 from hapticplayer.devices.falcon.driver import DEFAULTS, FalconDriver, Options
 from hapticplayer.devices.falcon.reach import Reach
 from hapticplayer.devices.falcon.silence import NO_LINE
 from hapticplayer.devices.falcon.transport import OpenTransport, Transport, open_falcon
-from hapticplayer.simulation.usb import Stage
+from hapticplayer.simulation.falcon.simulation import Simulation
 from hapticplayer.simulation.usb.backend import SimulatedBus, SimulatedPort
-from hapticplayer.simulation.usb.board import synthetic_image
-from hapticplayer.simulation.usb.mechanics import Homing
+from hapticplayer.simulation.usb.board import Board, Stage, synthetic_image
+from hapticplayer.simulation.usb.chip import Chip
+from hapticplayer.simulation.usb.mechanics import Homing, SimulatedMechanics
 from hapticplayer.simulation.usb.remote import RemoteChip
-from hapticplayer.simulation.usb.whole import make_set
+
+
+@dataclass(frozen=True, slots=True)
+class SimulatedSet:
+    """A driver and all that it stands on, for faults and for the truth.
+
+    Attributes:
+        driver: not yet open.
+        simulation: hand, mechanics, forces.
+        board: processors and their faults.
+        chip: unplugging, stalls, split packets.
+        bus: what the system makes of it.
+    """
+
+    driver: FalconDriver
+    simulation: Simulation
+    board: Board
+    chip: Chip
+    bus: SimulatedBus
+
+
+def make_set(
+    simulation: Simulation | None = None,
+    *,
+    clock: Clock | None = None,
+    stage: Stage = Stage.RUNNING,
+    options: Options = DEFAULTS,
+    homing: Homing | None = None,
+) -> SimulatedSet:
+    """Return a Falcon in a hand, with the real driver on it.
+
+    Args:
+        simulation: of the physics; by default a relaxed hand.
+        clock: of the machine, or a virtual one.
+        stage: RUNNING for one that has its firmware, DARK for one just plugged in.
+        options: of the driver.
+        homing: an owner for a Falcon that does not know its zero yet.
+    """
+    clock = clock or SystemClock()
+    simulation = simulation or Simulation()
+    mechanics = SimulatedMechanics(simulation)
+    mechanics.homing = homing
+    board = Board(mechanics, stage)
+    chip = Chip(board, clock)
+    bus = SimulatedBus([SimulatedPort(chip)])
+    driver = FalconDriver(
+        lambda: open_falcon(backend=bus),
+        clock=clock,
+        image=synthetic_image,
+        options=options,
+    )
+    return SimulatedSet(driver, simulation, board, chip, bus)
 
 
 def opening(descriptor: int) -> OpenTransport:

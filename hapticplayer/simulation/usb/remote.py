@@ -1,28 +1,89 @@
-"""The simulated Falcon's chip in a process of its own, as the bus sees it.
+"""The simulated chip in a process of its own, as the bus sees it; and the wire between."""
 
-A real Falcon does not share an interpreter with its driver; this one doesn't either,
-so that what is measured of the driver is the driver.
-"""
-
+import enum
 import errno
+import math
 import os
 import select
 import socket
+import struct
 import weakref
 from collections.abc import Callable
+from typing import NamedTuple
 
 from hapticplayer.clock import Clock, SystemClock
 from hapticplayer.devices.falcon.protocol import encode_command
 from hapticplayer.simulation.usb.chip import UsbFault
-from hapticplayer.simulation.usb.wire import (
-    MAX_BYTES,
-    NO_ANSWER,
-    Answer,
-    Kind,
-    Request,
-    pack_request,
-    unpack_answer,
-)
+
+_REQUEST = struct.Struct("<cId3H")  # kind, serial, timeout s, three words
+_ANSWER = struct.Struct("<Iii")  # serial, errno, bytes taken
+MAX_BYTES = 4096
+NO_ANSWER = 0
+"""Serial of a request that wants no answer: a guard's."""
+
+
+class Kind(enum.Enum):
+    """What is asked for."""
+
+    ATTACH = b"a"  # + descriptor of line B
+    CONTROL = b"c"  # the three words are request, value, index
+    OUT = b"o"  # + bytes
+    IN = b"i"
+
+
+class Request(NamedTuple):
+    """From the bus to the Falcon."""
+
+    kind: Kind
+    serial: int = NO_ANSWER
+    timeout_s: float = 0.0
+    words: tuple[int, int, int] = (0, 0, 0)
+    data: bytes = b""
+
+
+class Answer(NamedTuple):
+    """From the Falcon to the bus; `problem` is an errno, 0 for none."""
+
+    serial: int
+    problem: int = 0
+    taken: int = 0
+    data: bytes = b""
+
+
+def pack_request(request: Request) -> bytes:
+    """Return the bytes of a request."""
+    head = _REQUEST.pack(
+        request.kind.value, request.serial, request.timeout_s, *request.words
+    )
+    return head + request.data
+
+
+def unpack_request(data: bytes) -> Request | None:
+    """Return the request in these bytes, or None if they are none."""
+    if len(data) < _REQUEST.size:
+        return None
+    kind, serial, timeout_s, *words = _REQUEST.unpack_from(data)
+    if kind not in {known.value for known in Kind} or not 0.0 <= timeout_s < math.inf:
+        return None
+    i, j, k = words
+    return Request(Kind(kind), serial, timeout_s, (i, j, k), data[_REQUEST.size :])
+
+
+def pack_answer(answer: Answer) -> bytes:
+    """Return the bytes of an answer."""
+    head = _ANSWER.pack(answer.serial, answer.problem, answer.taken)
+    return head + answer.data
+
+
+def unpack_answer(data: bytes) -> Answer:
+    """Return the answer in these bytes.
+
+    Raises:
+        struct.error: when they are none.
+    """
+    serial, problem, taken = _ANSWER.unpack_from(data)
+    return Answer(serial, problem, taken, data[_ANSWER.size :])
+
 
 _SLACK_S = 0.1
 """For a process that has not come to its turn; then it counts as a stalled device."""

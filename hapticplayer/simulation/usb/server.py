@@ -9,7 +9,7 @@ from hapticplayer.simulation.falcon.packets import Act, Control, unpack
 from hapticplayer.simulation.falcon.simulation import Simulation
 from hapticplayer.simulation.usb.board import Board
 from hapticplayer.simulation.usb.chip import Chip, UsbFault
-from hapticplayer.simulation.usb.wire import (
+from hapticplayer.simulation.usb.remote import (
     MAX_BYTES,
     NO_ANSWER,
     Answer,

@@ -16,7 +16,7 @@ from hapticplayer.errors import DeviceError
 from hapticplayer.simulation.falcon.parameters import Electronics
 from hapticplayer.simulation.falcon.simulation import Simulation
 from hapticplayer.simulation.usb.board import Stage, synthetic_image
-from hapticplayer.simulation.usb.whole import make_set
+from hapticplayer.simulation.usb.driver import make_set
 
 
 class Lab:

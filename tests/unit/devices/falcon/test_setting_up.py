@@ -14,8 +14,8 @@ from hapticplayer.devices.falcon.transport import FalconGoneError, open_falcon
 from hapticplayer.errors import Cancelled, DeviceError
 from hapticplayer.simulation.falcon.simulation import Simulation
 from hapticplayer.simulation.usb import Stage
+from hapticplayer.simulation.usb.driver import make_set
 from hapticplayer.simulation.usb.mechanics import Homing
-from hapticplayer.simulation.usb.whole import make_set
 
 
 def told(*ways, homed_at_end=False):

@@ -11,7 +11,7 @@ from hapticplayer.errors import Cancelled, MediaError, UsageError
 from hapticplayer.media import AudioDecoder, FrameConverter, VideoDecoder, probe
 from hapticplayer.model import STANDARD_GRAVITY_MPS2
 from hapticplayer.simulation.film import film
-from hapticplayer.simulation.film.picture import PictureMaker
+from hapticplayer.simulation.film.frame import PictureMaker
 from hapticplayer.simulation.film.view import Pose
 from hapticplayer.simulation.rides import recording
 from hapticplayer.simulation.rides.catalogue import SCENES
