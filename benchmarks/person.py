@@ -17,7 +17,7 @@ from app.bridge.child import in_child
 from app.experimenter.import_wizard import ImportWizard
 from app.player.window import PlayerWindow
 from hapticplayer.haptics.contract import Cause
-from hapticplayer.sequence import build_sequence
+from hapticplayer.sequence.build import build_sequence
 from hapticplayer.simulation.demo import demo_folder
 
 Steps = Iterator[float]

@@ -27,11 +27,10 @@ from app.widgets.labels import ElidedLabel
 from app.widgets.texts import PERCENT, job_text
 from hapticplayer.capture.choices import LogQuestion
 from hapticplayer.errors import HapticPlayerError, message_of
-from hapticplayer.sequence import build_sequence, files
-from hapticplayer.sequence.build import Choices
-from hapticplayer.sequence.notes import stored_notes
+from hapticplayer.sequence import files
+from hapticplayer.sequence.build import Choices, build_sequence
 from hapticplayer.sequence.recognising import Recognised, recognise
-from hapticplayer.sequence.report import quality_report
+from hapticplayer.sequence.report import quality_report, stored_notes
 from hapticplayer.sequence.store import DESCRIPTION
 from hapticplayer.sequence.synchronizing import SyncChoices
 
@@ -283,7 +282,7 @@ class ImportWizard(QDialog):
             title=self.mounting.title.text().strip() or None,
             mapping=self.mounting.mapping(),
             log=self.files.choices(),
-            sync=SyncChoices(seen=self.sync.choice()),
+            sync=SyncChoices(accepted=self.sync.choice()),
             mounting=self.mounting.axes,
         )
 

@@ -216,7 +216,7 @@ class LibraryPage(QDialog):
         for row in range(self.list.count()):
             item = self.list.item(row)
             entry: Entry = item.data(_ENTRY)
-            item.setHidden(not entry.holds(words))
+            item.setHidden(not entry.matches(words))
         self._on_chosen()
 
     def _on_chosen(self) -> None:

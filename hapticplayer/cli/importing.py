@@ -22,8 +22,8 @@ from hapticplayer.cli.recording_options import (
 from hapticplayer.errors import Cancelled, HapticPlayerError, UsageError
 from hapticplayer.media import read_telemetry_packets
 from hapticplayer.model import Mapping
-from hapticplayer.sequence import build_sequence, open_sequence
-from hapticplayer.sequence.build import Choices
+from hapticplayer.sequence import open_sequence
+from hapticplayer.sequence.build import Choices, build_sequence
 from hapticplayer.sequence.files import Progress
 
 

@@ -26,9 +26,14 @@ from hapticplayer.clock import SystemClock
 from hapticplayer.errors import UsageError
 from hapticplayer.model import ClockMap
 from hapticplayer.sequence import files
-from hapticplayer.sequence.notes import notes_on_motion
-from hapticplayer.sequence.processing import Processed, Processing, process_motion
-from hapticplayer.sequence.quality import compare_methods, describe_quality
+from hapticplayer.sequence.processing import (
+    Processed,
+    Processing,
+    compare_methods,
+    describe_quality,
+    process_motion,
+)
+from hapticplayer.sequence.report import notes_on_motion
 from hapticplayer.sequence.store import DESCRIPTION, read_recorded
 
 
@@ -126,7 +131,7 @@ _COLUMNS = (
 
 
 def quality_text(report: dict[str, Any]) -> str:
-    """Return a quality report (`sequence.quality.describe_quality`) as lines."""
+    """Return a quality report (`sequence.processing.describe_quality`) as lines."""
     read, found = report["recording"], report["gravity_removal"]
     lines = [
         f"{read['source']} - {read['camera']}",

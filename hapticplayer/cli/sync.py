@@ -27,9 +27,9 @@ from hapticplayer.media import ClipInfo, probe
 from hapticplayer.sequence import files
 from hapticplayer.sequence.synchronizing import (
     SyncChoices,
-    doubt,
     find_sync,
     store_skew,
+    uncertainty,
 )
 
 
@@ -91,7 +91,7 @@ def run(options: argparse.Namespace, _open_window: object) -> int:
         say(f"drawn: {plot}")
     if found.is_confident:
         return 0
-    complain(doubt(found, clip.path.name))
+    complain(uncertainty(found, clip.path.name))
     return 2
 
 

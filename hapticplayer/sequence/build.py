@@ -1,9 +1,8 @@
-"""The import pipeline: a recording becomes a sequence."""
+"""The import pipeline: from a recording to a sequence."""
 
 import dataclasses
 import hashlib
 import shutil
-from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -26,14 +25,13 @@ from hapticplayer.model import (
     MotionTrack,
 )
 from hapticplayer.sequence import files, store
-from hapticplayer.sequence.editing import describe_track
 from hapticplayer.sequence.excursion import excursion_texts, predict
-from hapticplayer.sequence.notes import (
+from hapticplayer.sequence.processing import Processed, Processing, process_motion
+from hapticplayer.sequence.report import (
     describe_notes,
     notes_on_motion,
     notes_on_sequence,
 )
-from hapticplayer.sequence.processing import Processed, Processing, process_motion
 from hapticplayer.sequence.synchronizing import SyncChoices, synchronized
 
 _COPY_SHARE = 0.4  # of the whole work; a long clip is mostly copied and hashed
@@ -46,12 +44,12 @@ class Choices:
     Attributes:
         title: None for the name of the video.
         mapping: axes, gain and limit.
-        processing: what is done to the motion before it becomes a force.
+        processing: conditioning, gravity removal and low-pass.
         seed: of the random feedback; None derives it from the clip's content.
-        log: what was decided about a log that does not explain itself.
-        sync: how the log's clock is laid to the clip.
-        mounting: right, front and up of the actor in the recorder's axes; "" where
-            nobody said, and gravity has to show that these are the same.
+        log: answers about a log that does not describe itself.
+        sync: how the log is synchronised with the clip.
+        mounting: right, front and up of the actor in the recorder's axes; "" if not
+            given: then gravity has to confirm that the recorder was upright.
     """
 
     title: str | None = None
@@ -68,7 +66,6 @@ def build_sequence(
     target: str | Path,
     *,
     imu_log: str | Path | None = None,
-    offset_s: float | None = None,
     choices: Choices | None = None,
     progress: files.Progress = files.no_progress,
 ) -> Path:
@@ -76,17 +73,15 @@ def build_sequence(
 
     Args:
         video: the clip; its own telemetry is used unless `imu_log` is given.
-        target: folder to be made; must not exist.
-        imu_log: a separate log of the motion.
-        offset_s: media time of the log's time zero (t_media = t_imu + offset); None
-            for what `choices.sync` says.
-        choices: what may be chosen.
-        progress: told what is being done; stops the work by raising Cancelled.
+        target: the new folder; must not exist.
+        imu_log: a separate motion log.
+        choices: of the experimenter.
+        progress: called with each step; raises Cancelled to stop.
 
     Raises:
-        InputError: what is wrong, where, and what to do; nothing is left behind.
-        UsageError: when the clocks cannot be laid together without a person, or
-            gravity says that the recorder did not stand upright and nobody said how.
+        InputError: when the files cannot be used; no partial sequence remains.
+        UsageError: when the synchronisation is uncertain, or gravity shows that the
+            recorder was not upright and no mounting was given.
     """
     video, target = Path(video), Path(target)
     files.refuse_existing(target)
@@ -98,16 +93,14 @@ def build_sequence(
     refuse_gravity_free(recording)
     if not choices.mounting and not (choices.log and choices.log.axes):
         ask_for_mounting(recording.imu, source.name)
-    sync = choices.sync
-    if offset_s is not None:
-        sync = dataclasses.replace(sync, method="offset", offset_s=offset_s)
     progress(0.02, "synchronising")
-    recording = _mounted(synchronized(clip, recording, sync), choices.mounting)
+    recording = synchronized(clip, recording, choices.sync)
+    recording = _mounted(recording, choices.mounting)
     return write_sequence(clip, recording, target, choices=choices, progress=progress)
 
 
 def _mounted(recording: Recording, axes: str) -> Recording:
-    """Return the recording in the actor's axes, and in provenance how it was turned."""
+    """Return the recording in the actor's axes, with the mounting in its provenance."""
     if not axes:
         return recording
     return dataclasses.replace(
@@ -126,15 +119,15 @@ def write_sequence(
     extras: dict[str, dict[str, Any]] | None = None,
     progress: files.Progress = files.no_progress,
 ) -> Path:
-    """Write the sequence of a clip and a recording that are already read.
+    """Write the sequence of a clip and a synchronised recording.
 
     Args:
         clip: the video.
-        recording: its motion and how the clocks lie.
-        target: folder to be made; must not exist.
-        choices: what may be chosen.
-        extras: further arrays to keep, by name of the .npz (a simulation's truth).
-        progress: told what is being done.
+        recording: its motion, with its clock map.
+        target: the new folder; must not exist.
+        choices: of the experimenter.
+        extras: further arrays to store, by name of the .npz (a simulation's truth).
+        progress: called with each step.
 
     Raises:
         InputError: when motion and clip do not overlap, or writing fails.
@@ -243,17 +236,15 @@ def _render(
 def _predict(
     tracks: dict[str, ForceTrack], clip: ClipInfo, progress: files.Progress
 ) -> dict[str, dict[str, Any]]:
-    """Return where each track would push a hand."""
-    share = 0.05 / len(tracks)
+    """Return the predicted excursion of the hand for each track."""
+    share, found = 0.05 / len(tracks), {}
+    for number, (name, force) in enumerate(tracks.items()):
 
-    def tell(number: int) -> Callable[[float], None]:
-        begin = 0.9 + share * number
-        return lambda done: progress(begin + share * done, "predicting excursions")
+        def report(done: float, begin: float = 0.9 + share * number) -> None:
+            progress(begin + share * done, "predicting excursions")
 
-    return {
-        name: predict(force, clip.duration_s, tell(number))
-        for number, (name, force) in enumerate(tracks.items())
-    }
+        found[name] = predict(force, clip.duration_s, report)
+    return found
 
 
 def _write_arrays(
@@ -330,7 +321,7 @@ def _describe_tracks(
     tracks: dict[str, ForceTrack], excursions: dict[str, dict[str, Any]]
 ) -> dict[str, Any]:
     described: dict[str, Any] = {
-        name: describe_track(track, f"force_{name}.npz", excursions[name])
+        name: store.describe_track(track, f"force_{name}.npz", excursions[name])
         for name, track in tracks.items()
     }
     for condition in rendering.FEEDBACKS:

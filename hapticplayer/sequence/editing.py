@@ -1,7 +1,7 @@
-"""Changes to a sequence that is there: its title, its gain, its force tracks.
+"""Edits an existing sequence: its title, its gain, its force tracks.
 
-New files get new names; then the description is replaced at once, and only then the
-files that it no longer names are removed. Whatever stops it, one whole state is there.
+New files get new names; then the description is replaced atomically, and only then are
+files removed that it no longer names. An interruption leaves a consistent sequence.
 """
 
 import dataclasses
@@ -20,21 +20,21 @@ from hapticplayer.model import ForceTrack
 from hapticplayer.sequence import files, store
 from hapticplayer.sequence.excursion import predict
 
-LONGEST_TITLE = 300
+MAX_TITLE = 300
 _NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9 _.-]{0,39}")
 _OWN = tuple(condition.name for condition in rendering.FEEDBACKS)
 
 
 def rename_sequence(folder: Path, title: str) -> None:
-    """Give a sequence another title.
+    """Change the title of a sequence.
 
     Raises:
-        UsageError: for an empty or endless one.
+        UsageError: for an empty title, or one that is too long.
         SequenceError: when the sequence is damaged or cannot be written.
     """
     title = title.strip()
-    if not 0 < len(title) <= LONGEST_TITLE:
-        raise UsageError("a title has 1 to {most} characters", most=LONGEST_TITLE)
+    if not 0 < len(title) <= MAX_TITLE:
+        raise UsageError("a title must have 1 to {most} characters", most=MAX_TITLE)
     description = _described(folder)
     files.replace_json(folder / store.DESCRIPTION, {**description, "title": title})
 
@@ -46,16 +46,16 @@ def add_track(
     *,
     progress: files.Progress = files.no_progress,
 ) -> None:
-    """Add a force track from a CSV as a feedback of its own.
+    """Add a force track from a CSV as a new feedback condition.
 
     Args:
         folder: of the sequence.
-        name: of the feedback; letters, digits, blanks, dots, hyphens.
+        name: of the condition; letters, digits, blanks, dots, hyphens.
         csv: rows of `time_s,fx_n,fy_n,fz_n`, see `read_force_csv`.
-        progress: told while excursions are predicted; raises Cancelled to stop.
+        progress: called while excursions are predicted; raises Cancelled to stop.
 
     Raises:
-        UsageError: for a name that is taken or cannot be one.
+        UsageError: for a name that is taken or invalid.
         InputError: when the CSV cannot be read.
         SequenceError: when the sequence is damaged or cannot be written.
     """
@@ -75,10 +75,10 @@ def add_track(
 
 
 def rename_track(folder: Path, old: str, new: str) -> None:
-    """Give a track that was added another name.
+    """Rename a track that was added.
 
     Raises:
-        UsageError: for one of the three that every sequence has, or a taken name.
+        UsageError: for a track that every sequence has, or a taken name.
         SequenceError: when the sequence is damaged or cannot be written.
     """
     description = _described(folder)
@@ -92,10 +92,10 @@ def rename_track(folder: Path, old: str, new: str) -> None:
 
 
 def remove_track(folder: Path, name: str) -> None:
-    """Take a track away that was added.
+    """Remove a track that was added.
 
     Raises:
-        UsageError: for one of the three that every sequence has, or an unknown one.
+        UsageError: for a track that every sequence has, or an unknown one.
         SequenceError: when the sequence is damaged or cannot be written.
     """
     description = _described(folder)
@@ -110,7 +110,7 @@ def set_gain(
     *,
     progress: files.Progress = files.no_progress,
 ) -> None:
-    """Render the force anew with another gain, and the random one beside it.
+    """Render the realistic and the random track again with another gain.
 
     Raises:
         InputError: for a gain that is not positive and finite.
@@ -135,14 +135,14 @@ def set_gain(
 
 @dataclasses.dataclass(frozen=True, slots=True)
 class GainPreview:
-    """What a gain would make of a sequence.
+    """The effect of another gain on a sequence.
 
     Attributes:
         peak_n: of the realistic track.
         rms_n: of all axes together.
         saturated_share: of its samples, at the force limit.
-        reaches: share of the workspace that each hand would use.
-        trips: hands with which the force would stop.
+        reaches: share of the workspace for each hand.
+        trips: hands that would cause a trip.
     """
 
     peak_n: float
@@ -158,7 +158,7 @@ def preview_gain(
     *,
     progress: files.Progress = files.no_progress,
 ) -> GainPreview:
-    """Return what `set_gain` would make; nothing is written.
+    """Return the effect of `set_gain` without writing anything.
 
     Raises:
         InputError: for a gain that is not positive and finite.
@@ -167,8 +167,8 @@ def preview_gain(
     sequence = store.open_sequence(folder)
     mapping = dataclasses.replace(sequence.mapping, gain_n_per_mps2=gain_n_per_mps2)
     track = rendering.render_force(sequence.motion, mapping)
-    tell = _telling(progress, 0, 1)
-    hands = predict(track, _duration_s(sequence.description), tell)["hands"]
+    report = _reporter(progress, 0, 1)
+    hands = predict(track, _duration_s(sequence.description), report)["hands"]
     return GainPreview(
         peak_n=track.peak_n(),
         rms_n=float(np.linalg.norm(track.rms_n())),
@@ -189,21 +189,19 @@ def _duration_s(description: Mapping[str, Any]) -> float:
 def _check_new(name: str, description: Mapping[str, Any]) -> None:
     if not _NAME.fullmatch(name):
         raise UsageError(
-            "{name!r} cannot be the name of a track; use up to 40 letters, "
-            "digits, blanks, dots and hyphens",
+            "{name!r} is not a valid track name; use up to 40 letters, digits, blanks, "
+            "dots and hyphens",
             name=name,
         )
     if name.lower() in {*map(str.lower, description["feedbacks"]), *_OWN}:
-        raise UsageError(
-            "there is a track {name!r} already; choose another name", name=name
-        )
+        raise UsageError("a track {name!r} exists; choose another name", name=name)
 
 
 def _check_added(name: str, description: Mapping[str, Any]) -> None:
     if name in _OWN:
-        raise UsageError("every sequence has the track {name!r}; it stays", name=name)
+        raise UsageError("every sequence needs its track {name!r}", name=name)
     if name not in description["feedbacks"]:
-        raise UsageError("there is no track {name!r}", name=name)
+        raise UsageError("track {name!r} not found", name=name)
 
 
 def _replace_tracks(
@@ -215,27 +213,16 @@ def _replace_tracks(
     duration_s, feedbacks = _duration_s(description), dict(description["feedbacks"])
     made: dict[str, ForceTrack] = {}
     for number, (name, track) in enumerate(tracks.items()):
-        tell = _telling(progress, number, len(tracks))
+        report = _reporter(progress, number, len(tracks))
         file = f"force_{secrets.token_hex(4)}.npz"
         made[file] = track
-        feedbacks[name] = describe_track(track, file, predict(track, duration_s, tell))
+        feedbacks[name] = store.describe_track(
+            track, file, predict(track, duration_s, report)
+        )
     _put(folder, {**description, "feedbacks": feedbacks}, made)
 
 
-def describe_track(
-    track: ForceTrack, file: str, excursion: dict[str, Any]
-) -> dict[str, Any]:
-    """Return what is stored of a track beside its samples."""
-    return {
-        "file": file,
-        "peak_n": track.peak_n(),
-        "rms_n": [float(value) for value in track.rms_n()],
-        "excursion": excursion,
-        "provenance": dict(track.provenance),
-    }
-
-
-def _telling(
+def _reporter(
     progress: files.Progress, number: int, count: int
 ) -> Callable[[float], None]:
     return lambda done: progress((number + done) / count, "predicting excursions")
@@ -244,7 +231,7 @@ def _telling(
 def _put(
     folder: Path, description: Mapping[str, Any], tracks: dict[str, ForceTrack]
 ) -> None:
-    """Write new tracks, then the description, then drop what it no longer names."""
+    """Write new tracks, then the description, then remove files it no longer names."""
     written: list[Path] = []
     try:
         for file, track in tracks.items():

@@ -1,45 +1,63 @@
-"""Where a force track would push a hand, known before anybody is pushed.
+"""Predicts the excursion of the hand under a force track, before it is played.
 
-A reduced model of the simulated Falcon and its hands: masses and frictions are those
-in the middle of the workspace, nothing is late, and the force is what `haptics.step`
-would send (fade, pull to the middle, cap). A hand forgets within a second, so all
-seconds of a track are computed side by side, each with a run-up. It agrees with the
-full physics and the real `step` within 1 % of the workspace for rides, and within 7 %
-for full force that is switched to and fro along the device's axis (tests).
+A reduced model of the Falcon and the hand: mass and friction are those at the centre of
+the workspace, there is no latency, and the force is what `haptics.step` would send (fade,
+centring, cap). A hand settles within a second, so all seconds of a track are computed
+side by side, each with a run-up. It agrees with the full physics and the real `step`
+within 1 % of the workspace for rides, and within 7 % for full force switched along the
+device's axis (tests).
 """
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from hapticplayer.devices.capabilities import FALCON
-from hapticplayer.devices.dynamics import FIRM, NORMAL, RELAXED
+from hapticplayer.devices.dynamics import FIRM, NORMAL, RELAXED, Hand, Mechanism
+from hapticplayer.devices.falcon.geometry import FALCON_GEOMETRY
+from hapticplayer.devices.falcon.kinematics import Kinematics
 from hapticplayer.errors import InputError, Message
-from hapticplayer.haptics.centring import centring_of
-from hapticplayer.haptics.limiter import limits_of
+from hapticplayer.haptics.centring import Centring, centring_of
+from hapticplayer.haptics.contract import OUTWARD_N
+from hapticplayer.haptics.limiter import Limits, limits_of
 from hapticplayer.model import ForceTrack
 from hapticplayer.model.arrays import Floats
 from hapticplayer.sequence import files
-from hapticplayer.sequence.excursion_model import RATE_HZ, Grip
 from hapticplayer.sequence.store import DESCRIPTION
 
 HANDS = {"relaxed": RELAXED, "normal": NORMAL, "firm": FIRM}
 LIMITS = limits_of(FALCON)
 FAR = LIMITS.fade_from
-"""Share of the workspace from which on outward force is weakened."""
+"""Share of the workspace beyond which outward force is reduced."""
 
 WARM = 0.8
-"""Share of the continuous force from which on the motors' heat is worth a word."""
+"""Share of the continuous force above which motor heating is reported."""
 
-_LANE_S, _RUN_UP_S = 1.0, 1.2
-_AFTER_S = 0.5  # the hand swings on when the force has gone
-_LANES = 600  # computed at a time; ten minutes
-_LOOK_STEPS = 100
+RATE_HZ = 500.0
+_SECOND_S, _RUN_UP_S = 1.0, 1.2
+_AFTER_S = 0.5  # the hand keeps moving after the force has ended
+_BATCH = 600  # seconds computed at a time
+_PROGRESS_STEPS = 100
 _HEAT_STEP_S = 0.1
+_STICK_MPS = 0.002  # below it dry friction decreases with the speed
+_SMALL_M = 1e-9
+
+
+class _Response(NamedTuple):
+    """What some hands do in some seconds of a track; each (hands, seconds).
+
+    Trip times are infinite where nothing trips.
+    """
+
+    reach: Floats
+    reach_at_s: Floats
+    far_s: Floats
+    runaway_s: Floats
+    outside_s: Floats
 
 
 def predict(
@@ -47,42 +65,48 @@ def predict(
     duration_s: float,
     progress: Callable[[float], None] = lambda _share: None,
 ) -> dict[str, Any]:
-    """Return how far a track would move three hands, and how warm the motors get.
+    """Return how far a track would move three hands, and the load of the motors.
 
     Args:
         track: in media time.
-        duration_s: of the clip; what lies outside is not played.
-        progress: told the done share; may raise to stop the work.
+        duration_s: of the clip; force outside it is not played.
+        progress: called with the done share; may raise to stop the work.
 
     Returns:
         `hands`: for each the `reach` (share of the workspace, the furthest),
-        `reach_at_s`, `far_share` (of the time, beyond `far`), `trip` (what would stop
-        the force: "runaway", "outside" or None) and `trip_at_s`; and `far`,
-        `rms_10s_n` (the highest), `thermal_share` (of the continuous force).
+        `reach_at_s`, `far_share` (of the time, beyond `far`), `trip` (what would trip:
+        "runaway", "outside" or None) and `trip_at_s`; and `far`, `rms_10s_n` (the
+        highest), `thermal_share` (of the continuous force).
     """
     grip = Grip(list(HANDS.values()), LIMITS, centring_of(LIMITS))
     force = _sampled(track, duration_s)
     starts = _starts(track, duration_s)
-    found = {name: _Found() for name in HANDS}
-    for first in range(0, len(starts), _LANES):
-        part = starts[first : first + _LANES]
+    parts = [_Response(*np.zeros((5, len(HANDS), 0)))]
+    for first in range(0, len(starts), _BATCH):
+        batch = starts[first : first + _BATCH]
 
-        def tell(share: float, done: int = first, size: int = len(part)) -> None:
+        def report(share: float, done: int = first, size: int = len(batch)) -> None:
             progress((done + share * size) / len(starts))
 
-        _watch(grip, force, part, found, tell)
+        parts.append(_respond(grip, force, batch, report))
+    whole = _Response(
+        *(np.concatenate(one, axis=1) for one in zip(*parts, strict=True))
+    )
     return {
-        "hands": {name: one.plain(duration_s) for name, one in found.items()},
+        "hands": {
+            name: _described(_Response(*(one[row] for one in whole)), duration_s)
+            for row, name in enumerate(HANDS)
+        },
         "far": FAR,
         **_heat(track, duration_s),
     }
 
 
 def excursion_texts(prediction: Mapping[str, Any]) -> list[str]:
-    """Return what a person should know of a prediction; nothing is the usual case."""
+    """Return the warnings about a prediction; usually none."""
     texts: list[str] = [
         Message(
-            "this track would move a {hand} hand so that the force stops ({trip}) "
+            "this track would move a {hand} hand so far that the device trips ({trip}) "
             "at {at_s:.1f} s",
             hand=Message(name),
             trip=one["trip"],
@@ -96,8 +120,7 @@ def excursion_texts(prediction: Mapping[str, Any]) -> list[str]:
         texts.append(
             Message(
                 "this track would reach {reach:.0f} % of the workspace with a relaxed "
-                "hand, at {at_s:.1f} s; beyond {far:.0f} % the force outward is "
-                "weakened",
+                "hand, at {at_s:.1f} s; beyond {far:.0f} % outward force is reduced",
                 reach=100.0 * relaxed["reach"],
                 at_s=relaxed["reach_at_s"],
                 far=100.0 * prediction["far"],
@@ -106,8 +129,8 @@ def excursion_texts(prediction: Mapping[str, Any]) -> list[str]:
     if prediction["thermal_share"] >= WARM:
         texts.append(
             Message(
-                "this track heats the motors to {heat:.0f} % of what they bear for "
-                "ever; they may weaken it",
+                "this track loads the motors to {heat:.0f} % of their continuous force; "
+                "it may be reduced",
                 heat=100.0 * prediction["thermal_share"],
             )
         )
@@ -115,10 +138,10 @@ def excursion_texts(prediction: Mapping[str, Any]) -> list[str]:
 
 
 def stored_texts(folder: Path, feedback: str) -> list[str]:
-    """Return the texts on a track of a sequence, as predicted when it was made.
+    """Return the warnings about a track that were predicted at import.
 
     Args:
-        folder: of a sequence; one of an older version, or anything else, gives [].
+        folder: of a sequence; other folders and older versions give [].
         feedback: name of the track.
     """
     if not (folder / DESCRIPTION).is_file():
@@ -127,74 +150,61 @@ def stored_texts(folder: Path, feedback: str) -> list[str]:
         entry = files.read_json(folder / DESCRIPTION)["feedbacks"][feedback]
         return excursion_texts(entry["excursion"])
     except (InputError, LookupError, TypeError, ValueError, AttributeError):
-        return []  # playing needs no prediction
+        return []  # playback does not need a prediction
 
 
-class _Found:
-    """What one hand did."""
-
-    def __init__(self) -> None:
-        self.reach, self.reach_at_s, self.far_s = 0.0, 0.0, 0.0
-        self.trip: str | None = None
-        self.trip_at_s = math.inf
-
-    def see(self, reach: Floats, at_s: Floats, far_s: float) -> None:
-        lane = int(np.argmax(reach))
-        if reach[lane] > self.reach:
-            self.reach, self.reach_at_s = float(reach[lane]), float(at_s[lane])
-        self.far_s += far_s
-
-    def see_trip(self, cause: str, is_there: NDArray[np.bool_], at_s: Floats) -> None:
-        if is_there.any() and (first_s := float(at_s[is_there].min())) < self.trip_at_s:
-            self.trip, self.trip_at_s = cause, first_s
-
-    def plain(self, duration_s: float) -> dict[str, Any]:
-        return {
-            "reach": round(self.reach, 4),
-            "reach_at_s": round(self.reach_at_s, 3),
-            "far_share": round(self.far_s / max(duration_s, 1e-9), 5),
-            "trip": self.trip,
-            "trip_at_s": None if self.trip is None else round(self.trip_at_s, 3),
-        }
+def _described(hand: _Response, duration_s: float) -> dict[str, Any]:
+    """Return the response of one hand (seconds,) as plain values."""
+    best = int(np.argmax(hand.reach)) if hand.reach.any() else None
+    trips = {"runaway": hand.runaway_s, "outside": hand.outside_s}
+    firsts = {cause: float(at_s.min(initial=np.inf)) for cause, at_s in trips.items()}
+    cause = min(firsts, key=lambda cause: firsts[cause])
+    is_trip = firsts[cause] < np.inf
+    return {
+        "reach": 0.0 if best is None else round(float(hand.reach[best]), 4),
+        "reach_at_s": 0.0 if best is None else round(float(hand.reach_at_s[best]), 3),
+        "far_share": round(float(hand.far_s.sum()) / max(duration_s, 1e-9), 5),
+        "trip": cause if is_trip else None,
+        "trip_at_s": round(firsts[cause], 3) if is_trip else None,
+    }
 
 
-def _watch(
-    grip: Grip,
+def _respond(
+    grip: "Grip",
     force_n: Floats,
     starts: NDArray[np.int64],
-    found: Mapping[str, _Found],
-    tell: Callable[[float], None],
-) -> None:
-    """Compute some seconds side by side, and note what the hands did in them."""
-    run_up, steps = round(_RUN_UP_S * RATE_HZ), round(_LANE_S * RATE_HZ)
+    report: Callable[[float], None],
+) -> _Response:
+    """Compute some seconds side by side, from their first samples on."""
+    run_up, steps = round(_RUN_UP_S * RATE_HZ), round(_SECOND_S * RATE_HZ)
     grip.rest(len(starts))
-    shape = (len(found), len(starts))
-    reach, reach_at = np.zeros(shape), np.zeros(shape, dtype=np.int64)
-    far = np.zeros(shape, dtype=np.int64)
+    shape = (len(HANDS), len(starts))
+    found = _Response(*np.zeros((3, *shape)), *np.full((2, *shape), np.inf))
     for step in range(-run_up, steps):
-        if step % _LOOK_STEPS == 0:
-            tell((step + run_up) / (run_up + steps))
+        if step % _PROGRESS_STEPS == 0:
+            report((step + run_up) / (run_up + steps))
         at = starts + step
         radius = grip.advance(force_n[:, np.clip(at + run_up, 0, None)])
         if step < 0:
             continue
-        further = radius > reach
-        reach_at[further] = step
-        np.maximum(reach, radius, out=reach)
-        far += radius > FAR
-        if grip.is_fast.any() or grip.is_outside.any():
-            for row, one in enumerate(found.values()):
-                one.see_trip("runaway", grip.is_fast[row], at / RATE_HZ)
-                one.see_trip("outside", grip.is_outside[row], at / RATE_HZ)
-    for row, one in enumerate(found.values()):
-        at_s = (starts + reach_at[row]) / RATE_HZ
-        one.see(reach[row], at_s, float(far[row].sum()) / RATE_HZ)
+        at_s = np.broadcast_to(at / RATE_HZ, shape)
+        further = radius > found.reach
+        np.copyto(found.reach, radius, where=further)
+        np.copyto(found.reach_at_s, at_s, where=further)
+        found.far_s[radius > FAR] += 1.0 / RATE_HZ
+        for trip_s, is_now in (
+            (found.runaway_s, grip.is_fast),
+            (found.outside_s, grip.is_outside),
+        ):
+            if is_now.any():
+                np.minimum(trip_s, at_s, out=trip_s, where=is_now)
+    return found
 
 
 def _sampled(track: ForceTrack, duration_s: float) -> Floats:
-    """Return the played force (3, n) at the model's rate, the run-up's zeros first."""
+    """Return the played force (3, n) at RATE_HZ, after the zeros of the run-up."""
     run_up = round(_RUN_UP_S * RATE_HZ)
-    count = math.ceil((duration_s + _LANE_S + _AFTER_S) * RATE_HZ) + 1
+    count = math.ceil((duration_s + _SECOND_S + _AFTER_S) * RATE_HZ) + 1
     time_s = np.arange(count) / RATE_HZ
     force = track.at(time_s)
     entry_s = LIMITS.entry_ticks / FALCON.rate_hz
@@ -204,17 +214,19 @@ def _sampled(track: ForceTrack, duration_s: float) -> Floats:
 
 
 def _starts(track: ForceTrack, duration_s: float) -> NDArray[np.int64]:
-    """Return the first samples of the seconds in which anything happens."""
-    busy = np.zeros(math.ceil((duration_s + _AFTER_S) / _LANE_S) + 1, dtype=bool)
+    """Return the first samples of the seconds with force."""
+    busy = np.zeros(math.ceil((duration_s + _AFTER_S) / _SECOND_S) + 1, dtype=bool)
     for begin_s, end_s in track.active_s:
         if begin_s < duration_s and end_s > 0.0:
             last_s = min(end_s, duration_s) + _AFTER_S
-            busy[int(max(0.0, begin_s) / _LANE_S) : int(last_s / _LANE_S) + 1] = True
-    return np.flatnonzero(busy).astype(np.int64) * round(_LANE_S * RATE_HZ)
+            busy[int(max(0.0, begin_s) / _SECOND_S) : int(last_s / _SECOND_S) + 1] = (
+                True
+            )
+    return np.flatnonzero(busy).astype(np.int64) * round(_SECOND_S * RATE_HZ)
 
 
 def _heat(track: ForceTrack, duration_s: float) -> dict[str, float]:
-    """Return the highest RMS over the motors' time constant, of the planned force."""
+    """Return the highest RMS of the planned force over the motors' time constant."""
     time_s = np.arange(0.0, max(duration_s, _HEAT_STEP_S), 0.01)
     square = np.square(track.at(time_s)).sum(axis=1)
     size = round(_HEAT_STEP_S / 0.01)
@@ -228,3 +240,101 @@ def _heat(track: ForceTrack, duration_s: float) -> dict[str, float]:
         "rms_10s_n": round(rms_n, 4),
         "thermal_share": round(rms_n / LIMITS.continuous_n, 4),
     }
+
+
+class Grip:
+    """Several hands at several moments: point masses on springs and dampers.
+
+    Arrays are (3 axes, hands, moments).
+
+    Args:
+        hands: one row each.
+        limits: of force, position and speed.
+        centring: spring and look-ahead.
+    """
+
+    def __init__(
+        self, hands: Sequence[Hand], limits: Limits, centring: Centring
+    ) -> None:
+        self._limits, self._centring = limits, centring
+        mass, viscous, self._dry_n = _felt(Mechanism())
+        self._step_per_kg = (1.0 / RATE_HZ) / np.stack(
+            [mass + hand.mass_kg for hand in hands], axis=1
+        )[:, :, None]
+        self._viscous = np.stack(
+            [viscous + hand.damping_n_s_per_m for hand in hands], axis=1
+        )[:, :, None]
+        self._stiffness = np.array([hand.stiffness_n_per_m for hand in hands])[:, None]
+        self.rest(1)
+
+    def rest(self, moments: int) -> None:
+        """Put all hands at rest at the centre."""
+        shape = (3, len(self._stiffness), moments)
+        self._place_m, self._speed_mps = np.zeros(shape), np.zeros(shape)
+        self.is_fast = self.is_outside = np.zeros(shape[1:], dtype=bool)
+
+    def advance(self, planned_n: Floats) -> Floats:
+        """Advance one step and return the radii as shares of the workspace.
+
+        Args:
+            planned_n: (3, moments) of the track.
+        """
+        planned = planned_n[:, None, :]
+        force = self._sent(planned)
+        place, speed, step = self._place_m, self._speed_mps, self._step_per_kg
+        drag = self._viscous + self._dry_n / np.maximum(np.abs(speed), _STICK_MPS)
+        speed += step * (force - self._stiffness * place)
+        speed /= 1.0 + step * drag
+        place += speed / RATE_HZ
+        radius_m = _size(place)
+        self._judge(planned, radius_m)
+        return np.asarray(radius_m / self._limits.workspace_m)
+
+    def _sent(self, planned: Floats) -> Floats:
+        """Return what `haptics.step` sends: faded, centred, capped."""
+        limits, centring = self._limits, self._centring
+        ahead = self._place_m + centring.ahead_s * self._speed_mps
+        radius = np.maximum(_size(ahead), _SMALL_M)
+        outward = np.maximum(0.0, (planned * ahead).sum(axis=0) / radius)
+        begin_m = limits.fade_from * limits.workspace_m
+        width_m = (limits.fade_to - limits.fade_from) * limits.workspace_m
+        lost = outward * np.clip((radius - begin_m) / width_m, 0.0, 1.0)
+        force = planned - ((lost + pull_n(radius, centring)) / radius) * ahead
+        force *= np.minimum(1.0, limits.force_cap_n / np.maximum(_size(force), 1e-9))
+        return np.asarray(force)
+
+    def _judge(self, planned: Floats, radius_m: Floats) -> None:
+        """Apply the two trips that a moving hand can cause."""
+        limits = self._limits
+        self.is_fast = _size(self._speed_mps) > limits.speed_mps
+        outside = radius_m > limits.outside * limits.workspace_m
+        if outside.any():
+            along = (planned * self._place_m).sum(axis=0)
+            outside &= along > OUTWARD_N * radius_m
+        self.is_outside = outside
+
+
+def pull_n(radius_m: Floats, centring: Centring) -> Floats:
+    """Return the size of `haptics.centring.centring_force` at radii."""
+    width_m = centring.full_m - centring.from_m
+    share = np.maximum(0.0, (radius_m - centring.from_m) / width_m)
+    return np.asarray(
+        centring.pull_n * np.where(share < 1.0, share * share, 2.0 * share - 1.0)
+    )
+
+
+def _felt(mechanism: Mechanism) -> tuple[Floats, Floats, NDArray[np.float64]]:
+    """Return the grip's mass, friction and dry friction per axis at the centre."""
+    centre = (0.0, 0.0, FALCON_GEOMETRY.centre_z_m)
+    rows = np.linalg.inv(np.array(Kinematics().jacobian(centre)))  # dtheta/dp, 1/m
+    square = np.square(rows).sum(axis=0)
+    dry = mechanism.coulomb_nm * np.abs(rows).sum(axis=0)
+    return (
+        mechanism.joint_inertia_kg_m2 * square + mechanism.grip_mass_kg,
+        mechanism.viscous_nm_s * square,
+        dry[:, None, None],
+    )
+
+
+def _size(vectors: Floats) -> Floats:
+    return np.asarray(np.sqrt(np.einsum("i...,i...->...", vectors, vectors)))

@@ -1,4 +1,4 @@
-"""Reading and writing the files of a sequence: whole or not at all, and checked."""
+"""Reads and writes the files of a sequence, atomically and checked."""
 
 import atexit
 import hashlib
@@ -34,11 +34,10 @@ _DAMAGED = (
     zlib.error,
     zipfile.BadZipFile,
 )
-"""What numpy and zipfile raise for an archive that is none."""
+"""Raised by numpy and zipfile for a damaged archive."""
 
 Progress = Callable[[float, str], None]
 """Called with the done fraction (0 to 1) and the step; raises Cancelled to stop."""
-
 
 FOLDER, FILE = Message("folder"), Message("file")
 
@@ -48,7 +47,7 @@ def no_progress(_fraction: float, _step: str) -> None:
 
 
 def refuse_existing(target: Path, kind: str = FOLDER) -> None:
-    """Raise SequenceError when something lies at the target already."""
+    """Raise SequenceError if the target exists."""
     if os.path.lexists(target):
         raise SequenceError(
             "already exists",
@@ -59,20 +58,20 @@ def refuse_existing(target: Path, kind: str = FOLDER) -> None:
 
 
 def cache_home() -> Path:
-    """Return the folder for what can be made again; it may not exist yet.
+    """Return the user's cache folder; it may not exist yet.
 
     Raises:
-        RuntimeError: when nobody's home is known.
+        RuntimeError: when the home folder is unknown.
     """
     home = os.environ.get("XDG_CACHE_HOME") or "~/.cache"
     return Path(home).expanduser() / "hapticplayer"
 
 
 def config_home() -> Path:
-    """Return the folder for what a person has decided; it may not exist yet.
+    """Return the user's settings folder; it may not exist yet.
 
     Raises:
-        RuntimeError: when nobody's home is known.
+        RuntimeError: when the home folder is unknown.
     """
     home = os.environ.get("XDG_CONFIG_HOME") or "~/.config"
     return Path(home).expanduser() / "hapticplayer"
@@ -80,9 +79,9 @@ def config_home() -> Path:
 
 @contextmanager
 def written_aside(target: Path, mode: int = 0o755) -> Iterator[Path]:
-    """Yield a new folder that becomes `target`, of this mode, when the block ends well.
+    """Yield a new folder that becomes `target`, with this mode, if the block succeeds.
 
-    However the block ends otherwise, nothing is left behind.
+    Otherwise nothing remains.
 
     Raises:
         SequenceError: when the target exists or its parent cannot be written.
@@ -102,9 +101,9 @@ def written_aside(target: Path, mode: int = 0o755) -> Iterator[Path]:
 
 @contextmanager
 def file_written_aside(target: Path) -> Iterator[Path]:
-    """Yield the path of a new file that becomes `target` when the block ends well.
+    """Yield the path of a new file that becomes `target` if the block succeeds.
 
-    However the block ends otherwise, nothing is left behind.
+    Otherwise nothing remains.
 
     Raises:
         SequenceError: when the target exists or cannot be written.
@@ -125,9 +124,9 @@ def file_written_aside(target: Path) -> Iterator[Path]:
 
 @contextmanager
 def scratch_beside(target: Path, kind: str = FOLDER) -> Iterator[Path]:
-    """Yield a folder on the file system of a target that does not exist yet.
+    """Yield a temporary folder on the file system of a target that does not exist yet.
 
-    It is gone after the block, unless it was renamed.
+    It is removed after the block, unless it was renamed.
 
     Raises:
         SequenceError: when the target exists or nothing can be written there.
@@ -163,7 +162,7 @@ def _writing_failed(problem: OSError, target: Path) -> SequenceError:
 
 
 def sync_folder(folder: Path) -> None:
-    """Make the entries of a folder durable."""
+    """Sync the entries of a folder to disk."""
     _sync(folder)
 
 
@@ -175,21 +174,21 @@ def _sync(path: Path) -> None:
         os.close(descriptor)
 
 
-def copy_file(source: Path, target: Path, tell: Callable[[float], None]) -> None:
-    """Copy in pieces, telling the done fraction, and make it durable."""
+def copy_file(source: Path, target: Path, report: Callable[[float], None]) -> None:
+    """Copy in blocks, reporting the done fraction, and sync to disk."""
     total = max(1, source.stat().st_size)
     done = 0
     with source.open("rb") as reader, target.open("xb") as writer:
         while chunk := reader.read(_CHUNK_BYTES):
             writer.write(chunk)
             done += len(chunk)
-            tell(done / total)
+            report(done / total)
         writer.flush()
         os.fsync(writer.fileno())
 
 
 def write_json(path: Path, content: dict[str, Any]) -> None:
-    """Write readable JSON without NaN, durable."""
+    """Write indented JSON without NaN, and sync to disk."""
     with path.open("x", encoding="utf-8") as writer:
         json.dump(content, writer, indent=2, allow_nan=False, ensure_ascii=False)
         writer.write("\n")
@@ -198,10 +197,10 @@ def write_json(path: Path, content: dict[str, Any]) -> None:
 
 
 def replace_json(path: Path, content: dict[str, Any]) -> None:
-    """Write JSON in place of what there was, whole or not at all.
+    """Replace a JSON file atomically.
 
     Raises:
-        SequenceError: when it cannot be written; the old content stays.
+        SequenceError: when it cannot be written; the old content remains.
     """
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
@@ -218,8 +217,8 @@ def read_json(path: Path) -> dict[str, Any]:
     """Return the object in a JSON file.
 
     Raises:
-        SequenceError: when it is missing, too large, no object, or holds a number
-            that is not finite.
+        SequenceError: when it is missing, too large, not an object, or holds a
+            number that is not finite.
     """
     try:
         if path.stat().st_size > MAX_JSON_BYTES:
@@ -244,12 +243,12 @@ def read_json(path: Path) -> dict[str, Any]:
             reason=problem,
         ) from problem
     if not isinstance(content, dict):
-        raise SequenceError("is no JSON object", where=str(path))
+        raise SequenceError("is not a JSON object", where=str(path))
     return content
 
 
 def write_arrays(path: Path, **arrays: Any) -> None:
-    """Write plain arrays as an .npz, durable."""
+    """Write plain arrays as an .npz, and sync to disk."""
     with path.open("xb") as writer:
         np.savez(writer, allow_pickle=False, **arrays)
         writer.flush()
@@ -285,15 +284,15 @@ def read_arrays(path: Path) -> dict[str, NDArray[Any]]:
         ) from problem
 
 
-def sha256_of(path: Path, tell: Callable[[float], None] = lambda _f: None) -> str:
-    """Return the checksum of a file, telling the done fraction."""
+def sha256_of(path: Path, report: Callable[[float], None] = lambda _f: None) -> str:
+    """Return the checksum of a file, reporting the done fraction."""
     total, done = max(1, path.stat().st_size), 0
     digest = hashlib.sha256()
     with path.open("rb") as reader:
         while chunk := reader.read(_CHUNK_BYTES):
             digest.update(chunk)
             done += len(chunk)
-            tell(done / total)
+            report(done / total)
     return digest.hexdigest()
 
 
@@ -309,11 +308,11 @@ def _finite_float(text: str) -> float:
 
 
 def cache_root() -> Path:
-    """Return a folder for what can be made again; one of this process at worst."""
+    """Return the cache folder, created; a temporary one if it cannot be written."""
     root = cache_home()
     try:
         root.mkdir(parents=True, exist_ok=True)
-    except OSError:  # a home that cannot be written: make it anew every time
+    except OSError:
         root = Path(tempfile.mkdtemp(prefix="hapticplayer-"))
         atexit.register(shutil.rmtree, root, ignore_errors=True)
     return root

@@ -1,4 +1,4 @@
-"""A folder of sequences: what lies in it, told from the descriptions alone."""
+"""Lists the sequences in a folder from their descriptions alone."""
 
 import math
 import re
@@ -12,21 +12,20 @@ from hapticplayer.sequence import files
 from hapticplayer.sequence.report import Finding, quality_report
 from hapticplayer.sequence.store import DESCRIPTION, SCHEMA
 
-MOST = 5000
-"""Folders that are looked into."""
+MAX_FOLDERS = 5000
 
-_LONGEST_NAME = 60
+_MAX_NAME = 60
 
 
 @dataclass(frozen=True, slots=True)
 class Track:
-    """What is known of a force track.
+    """A force track as described.
 
     Attributes:
         name: of the feedback.
         peak_n: the largest force.
         rms_n: of all axes together.
-        reach: of the workspace, by a normal hand as predicted; None where unknown.
+        reach: predicted share of the workspace with a normal hand, or None.
     """
 
     name: str
@@ -40,17 +39,17 @@ class Entry:
     """A sequence in the library.
 
     Attributes:
-        folder: where it lies.
-        title: for people.
+        folder: of the sequence.
+        title: of the sequence.
         clip: its video, which may be missing.
         duration_s: of the clip.
         size_bytes: of all its files, as described.
-        camera: what recorded the motion.
-        created_utc: when it was imported.
+        camera: that recorded the motion.
+        created_utc: time of the import.
         gain_n_per_mps2: of its mapping.
         tracks: its force tracks.
         findings: its quality report.
-        problem: why it cannot be used, "" where it can as far as was looked.
+        problem: why it cannot be used, or "".
     """
 
     folder: Path
@@ -65,33 +64,37 @@ class Entry:
     findings: list[Finding] = field(default_factory=list)
     problem: str = ""
 
-    def holds(self, words: str) -> bool:
-        """Whether every one of some words is in what is known of it."""
+    def matches(self, words: str) -> bool:
+        """Whether title, folder, camera, date or tracks contain every word."""
         known = f"{self.title} {self.folder.name} {self.camera} {self.created_utc}"
         known += " " + " ".join(track.name for track in self.tracks)
         return all(word in known.lower() for word in words.lower().split())
 
 
 def entries(folder: Path) -> list[Entry]:
-    """Return the sequences in a folder by title; those that are damaged too.
+    """Return the sequences in a folder by title, damaged ones included.
 
-    A folder that does not exist holds none.
+    A folder that does not exist gives none.
     """
     try:
         inside = sorted(path for path in folder.iterdir() if path.is_dir())
     except OSError:
         return []
     held = (path for path in inside if not path.name.startswith("."))
-    found = [look_into(path) for path in held if (path / DESCRIPTION).is_file()]
-    return sorted(found[:MOST], key=lambda entry: (entry.title.lower(), entry.folder))
+    found = [read_entry(path) for path in held if (path / DESCRIPTION).is_file()]
+    return sorted(
+        found[:MAX_FOLDERS], key=lambda entry: (entry.title.lower(), entry.folder)
+    )
 
 
-def look_into(folder: Path) -> Entry:
-    """Return what a sequence says of itself; its files are not read."""
+def read_entry(folder: Path) -> Entry:
+    """Return the entry of a sequence from its description; other files are not read."""
     try:
         description = files.read_json(folder / DESCRIPTION)
         if description.get("schema") != SCHEMA:
-            raise SequenceError("describes no sequence", where=str(folder))
+            raise SequenceError(
+                "is not the description of a sequence", where=str(folder)
+            )
         return _entry(folder, description)
     except InputError as problem:
         return Entry(folder, folder.name, problem=message_of(problem))
@@ -140,14 +143,15 @@ def _track(name: str, entry: Mapping[str, Any]) -> Track:
 def _finite(value: Any) -> float:
     number = float(value)
     if not math.isfinite(number):
-        raise ValueError(Message("{value} is no number", value=repr(value)))
+        raise ValueError(Message("{value} is not a number", value=repr(value)))
     return number
 
 
 def free_name(library: Path, title: str) -> Path:
-    """Return a folder in the library that does not exist, named after a title."""
-    name = re.sub(r"[^\w.\- ]+", "_", title).strip(" ._")[:_LONGEST_NAME] or "sequence"
+    """Return a folder name in the library that is not taken, from a title."""
+    name = re.sub(r"[^\w.\- ]+", "_", title).strip(" ._")[:_MAX_NAME] or "sequence"
     candidates = (
-        library / f"{name}-{n}" if n > 1 else library / name for n in range(1, MOST)
+        library / f"{name}-{n}" if n > 1 else library / name
+        for n in range(1, MAX_FOLDERS)
     )
     return next(path for path in candidates if not path.exists())

@@ -1,18 +1,25 @@
-"""What is done to a recording's motion: conditioning, gravity removal, low-pass.
+"""Processes a recording's motion: conditioning, gravity removal, low-pass; its quality.
 
-The order is the one that loses least: spikes, clipping, averaging, gravity, low-pass.
-`motion` is imported only where it is needed: it brings scipy.
+The order that loses least is spikes, clipping, averaging, gravity removal, low-pass.
+`motion` is imported where it is needed, because it brings scipy.
 """
 
+import dataclasses
 import math
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from hapticplayer import rendering
+from hapticplayer.capture.recording import Recording, find_gaps
+from hapticplayer.clock import Clock
 from hapticplayer.errors import Message, UsageError
 from hapticplayer.model import ImuLog, MotionTrack
+from hapticplayer.sequence import files
+from hapticplayer.sequence.excursion import predict
 
 if TYPE_CHECKING:
     from hapticplayer.motion import SmootherParameters
@@ -20,21 +27,23 @@ if TYPE_CHECKING:
 DEFAULT_METHOD = "smoother"
 """That of hapticplayer.motion."""
 
+_RUNS, _ENOUGH_S = 3, 3.0  # a method is timed again while that is quick
+
 
 @dataclass(frozen=True, slots=True)
 class Processing:
-    """What a person may choose about the motion.
+    """Options of the processing.
 
     Attributes:
         method: of gravity removal, see hapticplayer.motion.METHODS.
         time_constant_s: of the smoother's levelling; None derives it from the motion.
-        remove_spikes: whether isolated spikes are replaced.
-        repair_clipping: whether short clipped peaks are reconstructed.
-        average_hz: averages the samples to this rate before gravity is removed.
-        lowpass_hz: low-passes what is left, zero phase, -3 dB there.
+        remove_spikes: replace isolated outliers.
+        repair_clipping: reconstruct short clipped peaks.
+        average_hz: average the samples to this rate before gravity removal.
+        lowpass_hz: -3 dB of a zero-phase low-pass of the result.
 
     Raises:
-        UsageError: for a time constant of a method that has none.
+        UsageError: for a time constant with a method that has none.
     """
 
     method: str = DEFAULT_METHOD
@@ -47,8 +56,7 @@ class Processing:
     def __post_init__(self) -> None:
         if self.time_constant_s is not None and self.method != "smoother":
             raise UsageError(
-                "a time constant can only be set for the method smoother, not for "
-                "{method}",
+                "a time constant is for the method smoother, not for {method}",
                 method=self.method,
             )
 
@@ -69,8 +77,8 @@ class Processed:
     Attributes:
         imu: the log that gravity was removed from, conditioned.
         track: the gravity-free motion at the log's times.
-        summary: what gravity removal found; plain numbers, lists and texts.
-        conditioning: what else was done, in order, in words.
+        summary: of gravity removal; plain numbers, lists and texts.
+        conditioning: the other steps, in order, in words.
     """
 
     imu: ImuLog
@@ -83,12 +91,12 @@ def process_motion(imu: ImuLog, processing: Processing) -> Processed:
     """Condition a log and remove gravity from it.
 
     Args:
-        imu: as it was recorded.
-        processing: what was chosen.
+        imu: as recorded.
+        processing: options.
 
     Raises:
         UsageError: for a method that does not exist.
-        InputError: when the log is too short, or a rate or cutoff does not fit it.
+        InputError: when the log is too short, or a rate or cutoff is out of range.
     """
     imu, steps = _conditioned(imu, processing)
     from hapticplayer import motion
@@ -106,7 +114,7 @@ def process_motion(imu: ImuLog, processing: Processing) -> Processed:
 
 
 def lowpassed(track: MotionTrack, processing: Processing) -> MotionTrack:
-    """Return the track low-passed, where that was chosen."""
+    """Return the track low-passed, if chosen."""
     if processing.lowpass_hz is None:
         return track
     from hapticplayer.motion.conditioning import lowpass_motion
@@ -139,6 +147,139 @@ def _conditioned(imu: ImuLog, processing: Processing) -> tuple[ImuLog, list[str]
             )
         )
     return imu, steps
+
+
+@dataclass(frozen=True, slots=True)
+class MethodRow:
+    """The result of one method for a recording.
+
+    Attributes:
+        method: its name.
+        rms_mps2: of the gravity-free motion.
+        leak_at_rest_mps2: gravity left in stationary spans; None without one.
+        difference_mps2: RMS between its gravity vector and the default method's.
+        gravity_sigma_mps2: median of its error estimate, or None.
+        us_per_sample: the fastest of up to three runs.
+    """
+
+    method: str
+    rms_mps2: float | None
+    leak_at_rest_mps2: float | None
+    difference_mps2: float | None
+    gravity_sigma_mps2: float | None
+    us_per_sample: float
+
+
+def describe_quality(
+    recording: Recording,
+    processed: Processed,
+    progress: files.Progress = files.no_progress,
+) -> dict[str, Any]:
+    """Return the quality report of a recording: plain numbers, lists and texts.
+
+    Args:
+        recording: as read.
+        processed: its motion.
+        progress: called while excursions are predicted.
+    """
+    imu = recording.imu
+    steps_s, gaps = np.diff(imu.time_s), find_gaps(imu)
+    return plain(
+        {
+            "recording": {
+                "source": Path(imu.source).name,
+                "camera": recording.camera,
+                "samples": len(imu),
+                "duration_s": float(imu.time_s[-1] - imu.time_s[0]),
+                "rate_hz": imu.rate_hz,
+                "gaps": len(gaps),
+                "longest_gap_s": float(steps_s[gaps].max()) if len(gaps) else 0.0,
+                "notes": recording.notes,
+            },
+            "conditioning": processed.conditioning,
+            "gravity_removal": processed.summary,
+            "motion": describe_motion(processed.track),
+            "excursion": _predicted(processed.track, progress),
+            "from_cache": False,  # of earlier versions, for programs that read it
+        }
+    )
+
+
+def _predicted(track: MotionTrack, progress: files.Progress) -> dict[str, Any]:
+    """Return the predicted excursion with the default mapping."""
+    from_start = dataclasses.replace(track, time_s=track.time_s - track.time_s[0])
+    force = rendering.render_force(from_start)
+    return predict(
+        force, force.end_s, lambda done: progress(done, "predicting excursions")
+    )
+
+
+def describe_motion(track: MotionTrack) -> dict[str, Any]:
+    """Return RMS and peak of p[k] over the valid samples; None without any."""
+    valid = np.flatnonzero(track.valid)
+    if not len(valid):
+        return {"rms_mps2": None, "peak_mps2": None, "peak_at_s": None}
+    p = track.acceleration_mps2[valid]
+    square = np.einsum("ij,ij->i", p, p)
+    peak = int(np.argmax(square))
+    return {
+        "rms_mps2": float(np.sqrt(square.mean())),
+        "rms_per_axis_mps2": np.sqrt(np.square(p).mean(axis=0)).tolist(),
+        "peak_mps2": float(np.sqrt(square[peak])),
+        "peak_at_s": float(track.time_s[valid[peak]]),
+    }
+
+
+def compare_methods(
+    imu: ImuLog, processing: Processing, clock: Clock
+) -> Iterator[MethodRow]:
+    """Yield a row for each method, the default's first.
+
+    Args:
+        imu: conditioned as for `processing`, see `Processed`.
+        processing: its time constant goes to the smoother, its low-pass to all.
+        clock: to time the methods.
+    """
+    from hapticplayer import motion
+
+    reference: MotionTrack | None = None
+    for name in sorted(motion.METHODS, key=lambda name: name != DEFAULT_METHOD):
+        parameters = processing.parameters if name == processing.method else None
+        track, summary, took_s = _timed(imu, name, parameters, clock)
+        reference = reference or track
+        difference = (
+            _rms_difference(track, reference) if name != DEFAULT_METHOD else 0.0
+        )
+        yield MethodRow(
+            method=name,
+            rms_mps2=describe_motion(lowpassed(track, processing))["rms_mps2"],
+            leak_at_rest_mps2=summary["leak_at_rest_mps2"],
+            difference_mps2=difference,
+            gravity_sigma_mps2=summary["gravity_sigma_mps2"],
+            us_per_sample=1e6 * took_s / len(imu),
+        )
+
+
+def _timed(
+    imu: ImuLog, method: str, parameters: Any, clock: Clock
+) -> tuple[MotionTrack, dict[str, Any], float]:
+    from hapticplayer import motion
+
+    took_s: list[float] = []
+    while True:
+        begin_s = clock.now_s()
+        done = motion.analyse(imu, method, parameters=parameters)
+        took_s.append(clock.now_s() - begin_s)
+        if sum(took_s) > _ENOUGH_S or len(took_s) == _RUNS:
+            return done.track, plain(done.summary), min(took_s)
+
+
+def _rms_difference(track: MotionTrack, reference: MotionTrack) -> float | None:
+    valid = track.valid & reference.valid
+    if not valid.any():
+        return None
+    apart = track.gravity_mps2[valid] - reference.gravity_mps2[valid]
+    return float(np.sqrt(np.einsum("ij,ij->i", apart, apart).mean()))
 
 
 def plain(values: Mapping[str, Any]) -> dict[str, Any]:

@@ -1,4 +1,4 @@
-"""What a person should see of a recording before it becomes a sequence."""
+"""Previews a recording before its import: format, axes, synchronisation, curves."""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -20,30 +20,30 @@ from hapticplayer.sequence.synchronizing import SyncChoices, find_sync
 
 Curve = tuple[NDArray[np.float64], NDArray[np.float64]]
 
-MOST_POINTS = 2_000_000
-"""Of the curve of the motion; more are thinned out, each point the largest of its few."""
+MAX_POINTS = 2_000_000
+"""Of the motion curve; more are reduced to the maximum of each block."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Recognised:
-    """A recording as it was recognised, and how its clock seems to lie.
+    """A recording as recognised, and its proposed synchronisation.
 
     Attributes:
         clip: the video.
-        clip_camera: what the clip says of its camera, or "".
-        recorder: what recorded the motion.
-        samples: how many there are.
+        clip_camera: camera named in the clip, or "".
+        recorder: that recorded the motion.
+        samples: their number.
         rate_hz: median.
         duration_s: from the first sample to the last.
         begin_s: log time of the first sample.
-        gaps: how many.
-        notes: how it was read, units and axes, and what is doubtful.
+        gaps: their number.
+        notes: format, units, axes and warnings.
         provenance: the same in figures.
-        up: where up was on average in the recorder's axes; None where it turned.
-        motion: log times and how far each sample is from rest, m/s2.
+        up: mean up direction in the recorder's axes; None if it rotated too much.
+        motion: log times and distance of each sample from rest, m/s2.
         sound: media times and loudness, each millisecond; empty without sound.
-        found: how the clocks lie; None where there was nothing to go by.
-        problem: why there was nothing.
+        found: the synchronisation; None if none was possible.
+        problem: why none was possible.
     """
 
     clip: ClipInfo
@@ -64,7 +64,7 @@ class Recognised:
 
     @property
     def knows_clip_clock(self) -> bool:
-        """Whether the recorder's own clock is the clip's: nobody needs to look."""
+        """Whether the recorder's own clock is the clip's."""
         return self.found is not None and self.found.method == "embedded"
 
 
@@ -76,17 +76,17 @@ def recognise(
     *,
     progress: files.Progress = files.no_progress,
 ) -> Recognised:
-    """Read a clip and its motion, and look how their clocks lie.
+    """Read a clip and its motion, and propose a synchronisation.
 
     Args:
         video: the clip.
-        log: a separate log of the motion; None for the clip's own telemetry.
-        choices: what was decided about a log that does not explain itself.
+        log: a separate motion log; None for the clip's own telemetry.
+        choices: answers about a log that does not describe itself.
         method: of synchronisation, see `capture.sync.methods`.
-        progress: told what is being done; stops the work by raising Cancelled.
+        progress: called with each step; raises Cancelled to stop.
 
     Raises:
-        InputError: when one cannot be read or holds no motion.
+        InputError: when a file cannot be read or holds no motion.
         LogQuestion: when a decision about the log is needed.
     """
     progress(0.0, video.name)
@@ -120,7 +120,7 @@ def recognise(
 def _sync(
     clip: ClipInfo, recording: Recording, method: str
 ) -> tuple[Synchronisation | None, str, Curve]:
-    """Return how the clocks lie or why nobody knows, and the loudness."""
+    """Return the synchronisation, or why there is none, and the loudness."""
     nothing = (np.zeros(0), np.zeros(0))
     try:
         found = find_sync(clip, recording, SyncChoices(method))
@@ -144,11 +144,11 @@ def _loudness(clip: ClipInfo) -> Curve:
 
 
 def _motion(recording: Recording) -> Curve:
-    """Return how far each sample is from rest."""
+    """Return the distance of each sample from rest."""
     imu = recording.imu
     size = np.linalg.norm(imu.specific_force_mps2, axis=1)
     far = np.abs(size - np.median(size))
-    few = -(-len(far) // MOST_POINTS)
+    few = -(-len(far) // MAX_POINTS)
     whole = len(far) // few * few
     return (
         np.ascontiguousarray(imu.time_s[:whole:few]),
@@ -166,10 +166,10 @@ def is_clip(path: Path) -> bool:
 
 
 def pair(paths: list[Path]) -> tuple[Path | None, Path | None]:
-    """Return the video and the log among what was dropped, each None where missing.
+    """Return the video and the log among dropped files, each None if missing.
 
     Raises:
-        InputError: when there are two of a kind, or more files than two.
+        InputError: for two videos or two logs.
     """
     clips = [path for path in paths if path.is_file() and is_clip(path)]
     logs = [path for path in paths if path not in clips]

@@ -1,22 +1,37 @@
-"""The quality report of a sequence: each figure with a mark, from its description.
+"""The quality report of a sequence, from its description, and the notes on an import.
 
-The bounds are those that this project's own measurements give reason for: half a
-frame (16.7 ms) of synchronisation, a leak that a hand feels as a steady pull
-(`notes.LARGE_LEAK_MPS2`), the workspace of the device.
+The bounds follow from measurements: half a frame (16.7 ms) of synchronisation, gravity
+left over that a hand feels as a steady pull (`LARGE_LEAK_MPS2`), the workspace of the
+device.
 """
 
 import enum
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+import numpy as np
+
+from hapticplayer.capture.limits import UPRIGHT
+from hapticplayer.capture.mounting import fallen_text, mean_up
+from hapticplayer.capture.recording import Recording
 from hapticplayer.capture.sync.result import ENOUGH_CONFIDENCE
-from hapticplayer.sequence.notes import LARGE_LEAK_MPS2
+from hapticplayer.errors import Message, from_json, to_json
+from hapticplayer.media import ClipInfo
+from hapticplayer.model import Feedback, ForceTrack, ImuLog, MotionTrack
+
+LARGE_LEAK_MPS2 = 0.05
+"""Felt as a steady pull at the default gain."""
+
+_UNCOVERED_S = 0.5  # shorter ends without motion are not noticed
+_RATE_PARTS = 10
+_LEAST_PART = 50  # samples; fewer give no rate
+_RATE_CHANGE = 0.02  # a camera's quartz keeps 0.01 %, a phone's scheduler does not
 
 
 class Mark(enum.IntEnum):
-    """How good something is; the worst of several is their largest."""
+    """The mark of a figure; the worst of several is their maximum."""
 
     GOOD = 0
     DOUBTFUL = 1
@@ -28,10 +43,9 @@ class Finding:
     """One figure.
 
     Attributes:
-        name: of what: sync, drift, rate, leak, sensor, gaps, force, workspace, heat,
-            cover.
-        mark: how good it is.
-        value: the figure; None where it could not be measured.
+        name: sync, drift, rate, leak, sensor, gaps, force, workspace, heat or cover.
+        mark: of the figure.
+        value: the figure; None if it could not be measured.
         more: further figures by name.
     """
 
@@ -54,14 +68,15 @@ _BOUNDS = {
     "thermal": (0.8, 1.0),
     "uncovered_share": (0.02, 0.2),
 }
-"""Up to the first a figure is good, up to the second doubtful; of the rate, from."""
+"""Up to the first a figure is good, up to the second doubtful; the rate from it on."""
 
 
 def quality_report(description: Mapping[str, Any]) -> list[Finding]:
-    """Return the findings on a sequence, in the order in which they matter.
+    """Return the findings on a sequence, the most important first.
 
     Args:
-        description: of `Sequence`; what an older version did not store is left out.
+        description: of `Sequence`; figures that older versions did not store are
+            left out.
     """
     made_of = _table(description, "provenance")
     motion = _table(made_of, "motion_summary")
@@ -86,7 +101,7 @@ def quality_report(description: Mapping[str, Any]) -> list[Finding]:
 
 
 def worst(findings: list[Finding]) -> Mark:
-    """Return the mark of the whole."""
+    """Return the overall mark."""
     return max((one.mark for one in findings), default=Mark.DOUBTFUL)
 
 
@@ -111,7 +126,7 @@ def _sync(found: Mapping[str, Any], clock: Mapping[str, Any]) -> Finding | None:
     if confidence < ENOUGH_CONFIDENCE:
         mark = max(mark, Mark.DOUBTFUL if confidence > 0.0 else Mark.BAD)
     elif method == "offset":
-        mark = max(mark, Mark.DOUBTFUL)  # nothing in the recording speaks for it
+        mark = max(mark, Mark.DOUBTFUL)  # not confirmed by the recording
     more = {"method": method, "confidence": confidence}
     return Finding("sync", mark, residual_s, more)
 
@@ -131,7 +146,7 @@ def _leak(motion: Mapping[str, Any]) -> Finding | None:
     if "leak_at_rest_mps2" not in motion:
         return None
     leak_mps2 = _number(motion, "leak_at_rest_mps2")
-    if leak_mps2 is None:  # it never stood still: nobody can tell
+    if leak_mps2 is None:  # no stationary span
         return Finding("leak", Mark.DOUBTFUL, None, {})
     return Finding("leak", marked("leak_mps2", leak_mps2), leak_mps2, {})
 
@@ -181,3 +196,117 @@ def _number(held: Mapping[str, Any], name: str) -> float | None:
     if not isinstance(value, int | float) or isinstance(value, bool):
         return None
     return float(value) if math.isfinite(value) else None
+
+
+def notes_on_motion(imu: ImuLog, summary: Mapping[str, Any]) -> list[str]:
+    """Return the notes on the samples and on the gravity removal.
+
+    Args:
+        imu: the log that gravity was removed from.
+        summary: of hapticplayer.motion.analyse.
+    """
+    notes: list[str] = []
+    clipped, invalid = summary["saturated_share"], summary["invalid_share"]
+    leak_mps2 = summary["leak_at_rest_mps2"]
+    if clipped > 0.0:
+        notes.append(
+            Message(
+                "{share} of the samples are at the sensor's limit",
+                share=_percent(clipped),
+            )
+        )
+    if invalid > 0.0:
+        notes.append(
+            Message(
+                "{share} of the motion is not valid (gaps, missing or clipped samples) "
+                "and has no force",
+                share=_percent(invalid),
+            )
+        )
+    if leak_mps2 is not None and leak_mps2 > LARGE_LEAK_MPS2:
+        notes.append(
+            Message(
+                "{leak_mps2:.2f} m/s2 of gravity remain while the recorder is "
+                "stationary",
+                leak_mps2=leak_mps2,
+            )
+        )
+    up = mean_up(imu)
+    if up is not None and up[2] < UPRIGHT:
+        notes.append(Message("{what}; see --mounting", what=fallen_text(up)))
+    return notes + _notes_on_rate(imu)
+
+
+def notes_on_sequence(
+    recording: Recording,
+    track: MotionTrack,
+    tracks: Mapping[str, ForceTrack],
+    clip: ClipInfo,
+) -> list[str]:
+    """Return the notes on clip, motion and force together."""
+    notes: list[str] = []
+    if recording.clock_map.confidence == 0.0:
+        notes.append(
+            Message(
+                "the log is not synchronised: its clock is taken as media time; give --offset S"
+            )
+        )
+    first_s = max(0.0, float(track.time_s[0]))
+    last_s = min(clip.duration_s, float(track.time_s[-1]))
+    if clip.duration_s - (last_s - first_s) > _UNCOVERED_S:
+        notes.append(
+            Message(
+                "the motion covers {first_s:.1f} to {last_s:.1f} s of the clip's "
+                "{duration_s:.1f} s; there is no force outside",
+                first_s=first_s,
+                last_s=last_s,
+                duration_s=clip.duration_s,
+            )
+        )
+    saturated = tracks[Feedback.REALISTIC.value].provenance["saturated_share"]
+    if saturated > 0.0:
+        notes.append(
+            Message(
+                "{share:.1%} of the force samples reach the force limit",
+                share=saturated,
+            )
+        )
+    return notes
+
+
+def describe_notes(notes: Sequence[str]) -> dict[str, Any]:
+    """Return notes as they are stored: in English, and as translatable messages."""
+    return {
+        "notes": [str(note) for note in notes],
+        "note_messages": [to_json(note) for note in notes],
+    }
+
+
+def stored_notes(provenance: Mapping[str, Any]) -> list[str]:
+    """Return the notes of a sequence; older ones are in English only."""
+    return [from_json(n) for n in provenance.get("note_messages", provenance["notes"])]
+
+
+def _notes_on_rate(imu: ImuLog) -> list[str]:
+    """Compare the sampling rates of ten parts of a recording."""
+    part = len(imu) // _RATE_PARTS
+    if part < _LEAST_PART:
+        return []
+    steps_s = np.diff(imu.time_s)[: _RATE_PARTS * part - 1]
+    steps_s = np.append(steps_s, steps_s[-1]).reshape(_RATE_PARTS, part)
+    rates_hz = 1.0 / np.median(steps_s, axis=1)
+    lowest_hz, highest_hz = float(rates_hz.min()), float(rates_hz.max())
+    if highest_hz - lowest_hz <= _RATE_CHANGE * imu.rate_hz:
+        return []
+    change = Message(
+        "from {lowest_hz:.1f} to {highest_hz:.1f} Hz",
+        lowest_hz=lowest_hz,
+        highest_hz=highest_hz,
+    )
+    return [
+        Message("the sampling rate changes over the recording, {change}", change=change)
+    ]
+
+
+def _percent(share: float) -> str:
+    return f"{100.0 * share:.2g} %"

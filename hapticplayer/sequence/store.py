@@ -1,4 +1,4 @@
-"""A sequence as a value: opened, checked, and read lazily."""
+"""Opens, checks and describes a sequence."""
 
 from collections.abc import Mapping as Dict
 from dataclasses import dataclass
@@ -28,16 +28,16 @@ OPTIONAL_IMU_FIELDS = ("magnetic_field_ut", "valid")
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Sequence:
-    """What is played: a clip, its motion, and a force track for each feedback.
+    """A clip, its motion, and a force track for each feedback condition.
 
     Attributes:
-        folder: where it lies.
-        title: for people.
+        folder: of the sequence.
+        title: of the sequence.
         clip: the video file.
         motion: gravity-free acceleration, in media time.
-        tracks: force tracks by name of the feedback.
-        mapping: how the realistic track was made.
-        description: the whole of sequence.json, with its provenance.
+        tracks: force tracks by name of the condition.
+        mapping: of the realistic track.
+        description: sequence.json, with its provenance.
     """
 
     folder: Path
@@ -52,11 +52,11 @@ class Sequence:
 def open_sequence(folder: str | Path) -> Sequence:
     """Return the sequence in a folder.
 
-    The small files are checked against their checksums, the clip by its size;
-    `verify_sequence` reads it all.
+    The small files are checked against their checksums, the clip by its size; see
+    `verify_sequence`.
 
     Raises:
-        SequenceError: what is missing or damaged, and what to do.
+        SequenceError: when files are missing or damaged.
     """
     folder = Path(folder)
     if not (folder / DESCRIPTION).exists():
@@ -110,10 +110,10 @@ def verify_sequence(
 
 
 def read_recorded(folder: str | Path) -> tuple[ImuLog, dict[str, Any]]:
-    """Return the samples that a sequence was made of, and its provenance.
+    """Return the recorded samples of a sequence, and its provenance.
 
     Raises:
-        SequenceError: what is missing or damaged, and what to do.
+        SequenceError: when files are missing or damaged.
     """
     folder = Path(folder)
     description = files.read_json(folder / DESCRIPTION)
@@ -143,7 +143,7 @@ def read_recorded(folder: str | Path) -> tuple[ImuLog, dict[str, Any]]:
 
 
 def track_arrays(track: ForceTrack) -> dict[str, Any]:
-    """Return what is stored of a force track."""
+    """Return the arrays of a force track as they are stored."""
     return {
         "time_s": track.time_s,
         "force_n": track.force_n,
@@ -151,8 +151,21 @@ def track_arrays(track: ForceTrack) -> dict[str, Any]:
     }
 
 
+def describe_track(
+    track: ForceTrack, file: str, excursion: dict[str, Any]
+) -> dict[str, Any]:
+    """Return the description of a force track."""
+    return {
+        "file": file,
+        "peak_n": track.peak_n(),
+        "rms_n": [float(value) for value in track.rms_n()],
+        "excursion": excursion,
+        "provenance": dict(track.provenance),
+    }
+
+
 def describe_mapping(mapping: Mapping) -> dict[str, Any]:
-    """Return what is stored of a mapping."""
+    """Return the description of a mapping."""
     return {
         "axes": mapping.axes.astype(int).tolist(),
         "gain_n_per_mps2": mapping.gain_n_per_mps2,
@@ -168,7 +181,9 @@ def _check_schema(folder: Path, description: dict[str, Any]) -> None:
     where = str(folder / DESCRIPTION)
     if description.get("schema") != SCHEMA:
         raise SequenceError(
-            "describes no sequence", where=where, remedy="give the folder of a sequence"
+            "is not the description of a sequence",
+            where=where,
+            remedy="give the folder of a sequence",
         )
     if description.get("version") != VERSION:
         raise SequenceError(
@@ -181,10 +196,10 @@ def _check_schema(folder: Path, description: dict[str, Any]) -> None:
 
 
 def _inside(folder: Path, name: Any) -> Path:
-    """Return the path of a file that lies directly in the folder."""
+    """Return the path of a file directly in the folder."""
     if not isinstance(name, str) or Path(name).name != name or name in ("", ".", ".."):
         raise SequenceError(
-            "{name!r} is no plain file name",
+            "{name!r} is not a plain file name",
             where=str(folder / DESCRIPTION),
             remedy="import it again",
             name=name,

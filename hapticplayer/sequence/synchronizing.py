@@ -1,4 +1,4 @@
-"""Lays a recording's clock to its clip; doubt is put to a person, never passed on."""
+"""Synchronises a recording with its clip; uncertain results need a person."""
 
 import dataclasses
 from collections.abc import Mapping
@@ -15,44 +15,44 @@ from hapticplayer.model import ClockMap
 from hapticplayer.sequence import files
 
 SKEWS = "cameras.json"
-"""Of the user: by how much each camera's sound is later than its picture, in s."""
+"""In the settings folder: how much later than its frames each camera's sound comes, s."""
 
-_LARGEST_SKEW_S = 2.0
+MAX_SKEW_S = 2.0
 _NEXT_BEST = 3
-_SAME_S = 0.0005  # half of the step in which a person moves it
+_SAME_S = 0.0005  # half a step of the window
 
 
 @dataclass(frozen=True, slots=True)
 class SyncChoices:
-    """How the clocks are to be laid together.
+    """How to synchronise.
 
     Attributes:
         method: one of `capture.sync.methods.SYNC_METHODS`.
         offset_s: media time of the log's time zero.
-        sound_late_s: how much later than its picture the camera's sound comes; None
-            for what is stored for the clip's camera.
-        seen: what a person has looked at and taken, sure or not.
+        sound_late_s: how much later than its frames the camera's sound comes; None
+            for the stored skew of the clip's camera.
+        accepted: a result that a person has checked and accepted.
     """
 
     method: str = AUTO
     offset_s: float | None = None
     sound_late_s: float | None = None
-    seen: Synchronisation | None = None
+    accepted: Synchronisation | None = None
 
 
 def synchronized(
     clip: ClipInfo, recording: Recording, choices: SyncChoices
 ) -> Recording:
-    """Return the recording with its clock laid to the clip, and why in provenance.
+    """Return the recording synchronised with the clip, documented in its provenance.
 
     Raises:
-        InputError: when there is nothing to go by.
-        UsageError: when it is not certain; says what a person can do.
+        InputError: when no synchronisation is possible.
+        UsageError: when the result is uncertain.
     """
-    found = choices.seen or find_sync(clip, recording, choices)
-    if not found.is_confident and choices.seen is None:
-        raise UsageError(doubt(found, clip.path.name))
-    described = {**found.described(), "seen_by_person": choices.seen is not None}
+    found = choices.accepted or find_sync(clip, recording, choices)
+    if not found.is_confident and choices.accepted is None:
+        raise UsageError(uncertainty(found, clip.path.name))
+    described = {**found.described(), "seen_by_person": choices.accepted is not None}
     return dataclasses.replace(
         recording,
         clock_map=found.clock_map,
@@ -61,10 +61,10 @@ def synchronized(
 
 
 def moved_to(found: Synchronisation, offset_s: float) -> Synchronisation:
-    """Return what was found with the offset that a person has chosen instead."""
+    """Return a result with another offset, chosen by a person."""
     if abs(offset_s - found.clock_map.offset_s) < _SAME_S:
         return found
-    # what spoke for the old offset speaks against the new one
+    # the evidence was for the old offset
     clock = ClockMap(offset_s, found.clock_map.rate, 0.0, 1.0)
     return Synchronisation(
         clock, "offset", has_drift=found.has_drift, sound_late_s=found.sound_late_s
@@ -74,10 +74,10 @@ def moved_to(found: Synchronisation, offset_s: float) -> Synchronisation:
 def find_sync(
     clip: ClipInfo, recording: Recording, choices: SyncChoices
 ) -> Synchronisation:
-    """Return how the clocks lie, sure or not.
+    """Return the synchronisation of a recording with a clip, certain or not.
 
     Raises:
-        InputError: when there is nothing to go by.
+        InputError: when no synchronisation is possible.
         UsageError: for a method that does not exist or lacks its argument.
     """
 
@@ -100,9 +100,12 @@ def find_sync(
     return sync_method(choices.method).function()(inputs)
 
 
-def doubt(found: Synchronisation, clip: str) -> str:
-    """Return what is not certain and what to do, in one sentence."""
-    look = Message("look at `hapticplayer sync` with --plot FILE, then give --offset S")
+def uncertainty(found: Synchronisation, clip: str) -> str:
+    """Return why a result is uncertain and what to do."""
+    look = Message(
+        "compare sound and motion with `hapticplayer sync --plot FILE`, then give "
+        "--offset S"
+    )
     if not found.pats:
         return Message(
             "{clip}: no three pats are both heard and felt; {look}",
@@ -113,8 +116,8 @@ def doubt(found: Synchronisation, clip: str) -> str:
     others = [f"{one.shift_s:.3f}" for one in found.rivals[:_NEXT_BEST]]
     next_best = Message(", others {known} s", known=", ".join(others)) if others else ""
     return Message(
-        "{clip}: the pats are not certain (confidence {confidence:.2f}): the "
-        "best offset is {offset_s:.3f} s{next_best}; {look}",
+        "{clip}: the pats are uncertain (confidence {confidence:.2f}); the best offset "
+        "is {offset_s:.3f} s{next_best}; {look}",
         clip=clip,
         confidence=clock.confidence,
         offset_s=clock.offset_s,
@@ -124,11 +127,11 @@ def doubt(found: Synchronisation, clip: str) -> str:
 
 
 def stored_skews(path: Path | None = None) -> dict[str, float]:
-    """Return the skew of each camera that a person has stored, in s.
+    """Return the stored skew of each camera, in s.
 
     Raises:
         SequenceError: when the file is damaged.
-        InputError: when it holds what is no skew.
+        InputError: when it holds anything but skews.
     """
     path = path or files.config_home() / SKEWS
     if not path.is_file():
@@ -141,24 +144,24 @@ def stored_skews(path: Path | None = None) -> dict[str, float]:
 
 
 def store_skew(camera: str, late_s: float, path: Path | None = None) -> None:
-    """Keep a camera's skew for its next clips."""
+    """Store the skew of a camera."""
     path = path or files.config_home() / SKEWS
     skews = {**stored_skews(path), camera: checked_skew(late_s)}
     files.replace_json(path, {"sound_late_s": skews})
 
 
 def checked_skew(late_s: object) -> float:
-    """Return a skew that a camera may have.
+    """Return a valid skew.
 
     Raises:
         InputError: for anything else.
     """
     is_number = isinstance(late_s, int | float) and not isinstance(late_s, bool)
-    if not is_number or not abs(float(late_s)) <= _LARGEST_SKEW_S:  # type: ignore[arg-type]
+    if not is_number or not abs(float(late_s)) <= MAX_SKEW_S:  # type: ignore[arg-type]
         raise InputError(
-            "{late_s!r} is no skew of sound and picture; give seconds between "
+            "{late_s!r} is not a skew of sound and frames; it must be between "
             "-{largest_skew_s:g} and {largest_skew_s:g}",
             late_s=late_s,
-            largest_skew_s=_LARGEST_SKEW_S,
+            largest_skew_s=MAX_SKEW_S,
         )
     return float(late_s)  # type: ignore[arg-type]

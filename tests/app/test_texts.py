@@ -14,7 +14,7 @@ WORKING = (  # where the steps of work come from that the window shows
     "simulation/recordings.py",
     "simulation/demo.py",
     "sequence/recognising.py",
-    "sequence/quality.py",
+    "sequence/processing.py",
     "sequence/build.py",
     "study/analysis/analysis.py",
     "study/analysis/report.py",

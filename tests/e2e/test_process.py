@@ -319,7 +319,7 @@ def test_a_flawed_log_is_imported_with_its_flaws_marked(log, clip, tmp_path):
     assert "swapped in time and put in order (first in line 301)" in notes
     assert "30 of" in notes
     assert "first in line 101" in notes
-    assert "not to be trusted" in notes
+    assert "is not valid" in notes
     imu, _ = read_recorded(out)
     assert np.flatnonzero(~imu.valid).tolist() == list(range(99, 129))
     with np.load(out / "motion.npz") as stored:

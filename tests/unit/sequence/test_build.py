@@ -8,8 +8,9 @@ import pytest
 from hapticplayer.capture.si_csv import write_imu_csv
 from hapticplayer.errors import Cancelled, HapticPlayerError, InputError, SequenceError
 from hapticplayer.model import ClockMap
-from hapticplayer.sequence import build_sequence, files, open_sequence
-from hapticplayer.sequence.build import write_sequence
+from hapticplayer.sequence import files, open_sequence
+from hapticplayer.sequence.build import Choices, build_sequence, write_sequence
+from hapticplayer.sequence.synchronizing import SyncChoices
 
 
 @pytest.fixture
@@ -25,7 +26,7 @@ def test_a_video_with_a_log_becomes_a_sequence(tmp_path, tiny_clip, log_file):
         tiny_clip.path,
         tmp_path / "new" / "ride",
         imu_log=log_file,
-        offset_s=-1.5,
+        choices=Choices(sync=SyncChoices(offset_s=-1.5)),
         progress=lambda fraction, step: steps.append((fraction, step)),
     )
     sequence = open_sequence(folder)
@@ -52,7 +53,7 @@ def test_cancelling_leaves_nothing(tmp_path, tiny_clip, log_file, fraction):
             tiny_clip.path,
             tmp_path / "ride",
             imu_log=log_file,
-            offset_s=0.0,
+            choices=Choices(sync=SyncChoices(offset_s=0.0)),
             progress=stop_at(fraction),
         )
     assert sorted(tmp_path.iterdir()) == before
@@ -69,7 +70,7 @@ def test_whatever_goes_wrong_leaves_nothing(tmp_path, tiny_clip, log_file, error
             tiny_clip.path,
             tmp_path / "ride",
             imu_log=log_file,
-            offset_s=0.0,
+            choices=Choices(sync=SyncChoices(offset_s=0.0)),
             progress=progress,
         )
     assert sorted(p.name for p in tmp_path.iterdir()) == ["log.csv"]

@@ -39,7 +39,7 @@ def test_a_track_is_added_by_name_and_removed_with_its_file(folder, csv):
     verify_sequence(folder)
     track = open_sequence(folder).tracks["push"]
     assert track.at(np.array([0.2]))[0].tolist() == [0.0, 1.5, 0.0]
-    (entry,) = [t for t in library.look_into(folder).tracks if t.name == "push"]
+    (entry,) = [t for t in library.read_entry(folder).tracks if t.name == "push"]
     assert entry.peak_n == 1.5
     assert 0.0 < entry.reach < 1.0
     editing.rename_track(folder, "push", "Pull")
@@ -81,7 +81,7 @@ def test_names_that_cannot_be_are_refused(folder, csv, name):
 
 def test_the_three_tracks_of_every_sequence_stay(folder):
     for name in ("realistic", "random", "none"):
-        with pytest.raises(UsageError, match="stays"):
+        with pytest.raises(UsageError, match="needs its track"):
             editing.remove_track(folder, name)
     with pytest.raises(UsageError):
         editing.rename_track(folder, "unknown", "x")

@@ -17,13 +17,17 @@ from hapticplayer.model import ForceTrack, Reconstruction
 from hapticplayer.sequence import open_sequence
 from hapticplayer.sequence.excursion import (
     HANDS,
+    Grip,
     excursion_texts,
     predict,
+    pull_n,
     stored_texts,
 )
-from hapticplayer.sequence.excursion_model import Grip, pull_n
-from hapticplayer.sequence.processing import Processing, process_motion
-from hapticplayer.sequence.quality import describe_quality
+from hapticplayer.sequence.processing import (
+    Processing,
+    describe_quality,
+    process_motion,
+)
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "faults"))
 
@@ -172,7 +176,7 @@ def test_a_trip_is_told_instead():
     found = predict(quiet(), 60.0)
     found["hands"]["normal"].update(trip="runaway", trip_at_s=12.34)
     assert excursion_texts(found) == [
-        "this track would move a normal hand so that the force stops (runaway) at 12.3 s"
+        "this track would move a normal hand so far that the device trips (runaway) at 12.3 s"
     ]
 
 

@@ -13,13 +13,15 @@ from hapticplayer.model import ClockMap, ImuLog, Sampling
 from hapticplayer.motion import conditioning
 from hapticplayer.sequence import open_sequence
 from hapticplayer.sequence.build import Choices, write_sequence
-from hapticplayer.sequence.notes import notes_on_motion
-from hapticplayer.sequence.processing import DEFAULT_METHOD, Processing, process_motion
-from hapticplayer.sequence.quality import (
+from hapticplayer.sequence.processing import (
+    DEFAULT_METHOD,
+    Processing,
     compare_methods,
     describe_motion,
     describe_quality,
+    process_motion,
 )
+from hapticplayer.sequence.report import notes_on_motion
 
 
 def test_nothing_chosen_is_gravity_removal_alone(swing):
@@ -69,7 +71,7 @@ def test_a_time_constant_reaches_the_smoother(swing):
 
 
 def test_a_time_constant_of_another_method_is_wrong_usage():
-    with pytest.raises(UsageError, match="only be set for the method smoother"):
+    with pytest.raises(UsageError, match="is for the method smoother"):
         Processing("vqf", time_constant_s=12.0)
 
 
@@ -173,8 +175,8 @@ def test_a_good_recording_needs_no_note(still_log):
     ("changed", "sentence"),
     [
         ({"saturated_share": 0.0123}, "1.2 % of the samples are at the sensor's limit"),
-        ({"invalid_share": 0.002}, "0.2 % of the motion is not to be trusted"),
-        ({"leak_at_rest_mps2": 0.07}, "0.07 m/s2 of gravity are left"),
+        ({"invalid_share": 0.002}, "0.2 % of the motion is not valid"),
+        ({"leak_at_rest_mps2": 0.07}, "0.07 m/s2 of gravity remain"),
     ],
 )
 def test_what_harms_the_force_is_noted(still_log, changed, sentence):

@@ -86,7 +86,7 @@ def test_the_recorded_samples_come_back_with_what_was_missing(
     assert again.sampling is Sampling.AVERAGED
     assert made_of["camera"] == "test camera"
     assert not open_sequence(folder).motion.valid[700:730].any()
-    assert "1.5 % of the motion is not to be trusted" in " ".join(made_of["notes"])
+    assert "1.5 % of the motion is not valid" in " ".join(made_of["notes"])
 
 
 def test_a_log_that_lacks_nothing_comes_back_without_marks(sequence_folder):
@@ -110,15 +110,15 @@ def test_damaged_samples_are_refused(sequence_folder, damage):
 @pytest.mark.parametrize(
     ("change", "message"),
     [
-        (lambda c: c.update(schema="else"), "describes no sequence"),
+        (lambda c: c.update(schema="else"), "is not the description of a sequence"),
         (lambda c: c.update(version=99), "version 99"),
         (lambda c: c.pop("clip"), "an entry is missing"),
         (lambda c: c.pop("title"), "an entry is missing"),
         (lambda c: c.update(feedbacks=[]), "an entry is missing"),
-        (lambda c: c["clip"].update(file="../ride.mp4"), "no plain file name"),
-        (lambda c: c["clip"].update(file="/etc/passwd"), "no plain file name"),
-        (lambda c: c["clip"].update(file=7), "no plain file name"),
-        (lambda c: c["feedbacks"]["random"].update(file=".."), "no plain file name"),
+        (lambda c: c["clip"].update(file="../ride.mp4"), "not a plain file name"),
+        (lambda c: c["clip"].update(file="/etc/passwd"), "not a plain file name"),
+        (lambda c: c["clip"].update(file=7), "not a plain file name"),
+        (lambda c: c["feedbacks"]["random"].update(file=".."), "not a plain file name"),
         (lambda c: c["mapping"].update(gain_n_per_mps2=-1.0), "positive"),
         (lambda c: c["files"]["clip.mp4"].update(size_bytes=1), "instead of 1"),
     ],
