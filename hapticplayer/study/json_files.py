@@ -73,14 +73,20 @@ def parse(content: bytes, path: str) -> Any:
         ) from problem
 
 
-def convert(value: Any, kind: type[Kind], path: str) -> Kind:
+def convert(value: Any, kind: type[Kind], path: str, *, strict: bool = True) -> Kind:
     """Return a value from JSON as a typed structure.
+
+    Args:
+        value: to be checked.
+        kind: of the structure.
+        path: of the file, for messages.
+        strict: texts do not stand for numbers.
 
     Raises:
         StudyError: which entry is wrong, and what is allowed there.
     """
     try:
-        return msgspec.convert(value, kind)
+        return msgspec.convert(value, kind, strict=strict)
     except (msgspec.ValidationError, OverflowError) as problem:
         said, _, place = str(problem).partition(" - at `$")
         field, found = _entry(value, inspect.type_info(kind), place.rstrip("`"))

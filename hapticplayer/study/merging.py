@@ -6,7 +6,7 @@ from pathlib import Path
 
 from hapticplayer.errors import StudyError
 from hapticplayer.study import private
-from hapticplayer.study.records import decode
+from hapticplayer.study.journal import decode
 from hapticplayer.study.session_folder import ANSWERS, sha256
 from hapticplayer.study.study_folder import CONSENTS, SESSIONS, Study
 

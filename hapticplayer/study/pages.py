@@ -1,12 +1,20 @@
 """What a participant sees and is asked, as values: no file names, no conditions."""
 
 import enum
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
 from hapticplayer.errors import Message, StudyError
-from hapticplayer.study.definition import LIKERT, Definition, Question, QuestionKind
+from hapticplayer.study.definition import (
+    LIKERT,
+    Definition,
+    Question,
+    QuestionKind,
+    Text,
+)
+from hapticplayer.study.plan import Plan
+from hapticplayer.study.steps import POST_TEST, SHEET, position_of
 
 
 class PageKind(enum.StrEnum):
@@ -21,6 +29,10 @@ class PageKind(enum.StrEnum):
     PROBLEM = "problem"
     THANKS = "thanks"
     STOPPED = "stopped"
+
+
+Replays = tuple[tuple[str, tuple[tuple[str, str], ...]], ...]
+"""Rows of clips that may be played again: (heading, ((label, token), ...))."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,8 +69,7 @@ class Page:
         step: name of the step it belongs to.
         text: what it says.
         questions: to be answered.
-        replays: rows of clips, each (heading, ((label, token), ...)): what may be
-            played again.
+        replays: what may be played again.
         position, count: of the trial, 0 where it is none.
         number: of the page since the session was opened; another one is another page.
     """
@@ -67,58 +78,99 @@ class Page:
     step: str
     text: str = ""
     questions: tuple[Asked, ...] = ()
-    replays: tuple[tuple[str, tuple[tuple[str, str], ...]], ...] = ()
+    replays: Replays = ()
     position: int = 0
     count: int = 0
     number: int = 0
 
 
-def ask(
-    definition: Definition,
-    questions: Iterable[Question],
-    language: str,
-    labels: tuple[str, ...] = (),
-) -> tuple[Asked, ...]:
-    """Return questions as they are asked, those about each feedback several times.
+class PageMaker:
+    """Makes the pages of one session, in the participant's language.
 
     Args:
-        definition: of the study.
-        questions: of the page.
-        language: of the participant.
-        labels: feedbacks in the order of their numbers.
+        definition: of the study as it was when the session began.
+        plan: of the session.
     """
-    made: list[Asked] = []
-    for question in questions:
-        if not question.for_each_feedback:
-            made.append(_asked(definition, question, language))
-            continue
-        for number, feedback in enumerate(labels, 1):
-            made.append(_asked(definition, question, language, feedback, number))
-    return tuple(made)
 
+    def __init__(self, definition: Definition, plan: Plan) -> None:
+        self._definition, self._plan = definition, plan
 
-def feedback_name(definition: Definition, language: str, number: int) -> str:
-    """Return what a participant knows of a feedback: a number."""
-    return f"{definition.words.feedback[language]} {number}"
+    def page(self, kind: PageKind, step: str, number: int) -> Page:
+        """Return the page of a kind at a step."""
+        is_asking = kind is PageKind.QUESTIONS
+        return Page(
+            kind=kind,
+            step=step,
+            text=self._text_of(kind, step),
+            questions=tuple(self._asked(step)) if is_asking else (),
+            replays=self._replays() if is_asking and step == POST_TEST else (),
+            position=position_of(step) or 0,
+            count=len(self._plan.order),
+            number=number,
+        )
 
+    def text(self, name: str) -> str:
+        """Return a text in the participant's language."""
+        text: Text = getattr(self._definition.texts, name)
+        return text[self._plan.language]
 
-def _asked(
-    definition: Definition,
-    question: Question,
-    language: str,
-    feedback: str = "",
-    number: int = 0,
-) -> Asked:
-    return Asked(
-        name=f"{question.key}@{feedback}" if feedback else question.key,
-        kind=question.kind,
-        text=definition.wording(question, language),
-        heading=feedback_name(definition, language, number) if feedback else "",
-        least=question.lowest,
-        most=question.highest,
-        choices=tuple((c.key, c.text[language]) for c in question.choices),
-        required=question.required,
-    )
+    def word(self, name: str) -> str:
+        """Return a word of a button in the participant's language."""
+        word: Text = getattr(self._definition.words, name)
+        return word[self._plan.language]
+
+    def scale(self) -> tuple[str, str]:
+        """Return what the ends of the five-point scale say."""
+        scale, language = self._definition.scale, self._plan.language
+        return scale.lowest[language], scale.highest[language]
+
+    def _text_of(self, kind: PageKind, step: str) -> str:
+        if kind is PageKind.QUESTIONS:
+            if step == SHEET:
+                return ""
+            return self.text("post_test" if step == POST_TEST else "questions")
+        if kind in (PageKind.PAUSED, PageKind.PROBLEM, PageKind.STOPPED):
+            return self.word(kind.value)
+        return "" if kind is PageKind.PLAYING else self.text(kind.value)
+
+    def _asked(self, step: str) -> Iterator[Asked]:
+        """Yield the questions of a step, those about each feedback several times."""
+        definition = self._definition
+        pages = {SHEET: definition.sheet, POST_TEST: definition.post_test}
+        for question in pages.get(step, definition.trial_questions):
+            if not question.for_each_feedback:
+                yield self._ask(question, question.key)
+                continue
+            for number, feedback in enumerate(self._plan.labels, 1):
+                name = f"{question.key}@{feedback}"
+                yield self._ask(question, name, self._feedback_name(number))
+
+    def _ask(self, question: Question, name: str, heading: str = "") -> Asked:
+        language = self._plan.language
+        return Asked(
+            name=name,
+            kind=question.kind,
+            text=self._definition.wording(question, language),
+            heading=heading,
+            least=question.lowest,
+            most=question.highest,
+            choices=tuple((c.key, c.text[language]) for c in question.choices),
+            required=question.required,
+        )
+
+    def _feedback_name(self, number: int) -> str:
+        """Return what a participant knows of a feedback: a number."""
+        return f"{self.word('feedback')} {number}"
+
+    def _replays(self) -> Replays:
+        word, clips = self.word("clip"), len(self._definition.sequences)
+        return tuple(
+            (
+                self._feedback_name(number),
+                tuple((f"{word} {n}", f"{number}.{n}") for n in range(1, clips + 1)),
+            )
+            for number in range(1, 1 + len(self._plan.labels))
+        )
 
 
 def check_answers(

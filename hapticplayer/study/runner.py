@@ -16,8 +16,7 @@ from hapticplayer.clock import Clock
 from hapticplayer.errors import Message, StudyError, message_of
 from hapticplayer.study.definition import Condition
 from hapticplayer.study.journal import Journal
-from hapticplayer.study.page_maker import PageMaker
-from hapticplayer.study.pages import Page, PageKind, check_answers
+from hapticplayer.study.pages import Page, PageKind, PageMaker, check_answers
 from hapticplayer.study.plan import describe
 from hapticplayer.study.session_folder import ANSWERS, State
 from hapticplayer.study.stage import Played, Stage

@@ -10,7 +10,7 @@ from hapticplayer.errors import Message, StudyError
 from hapticplayer.study import private
 from hapticplayer.study.definition import Definition
 from hapticplayer.study.definition_reader import parse_definition
-from hapticplayer.study.journal import read_journal
+from hapticplayer.study.journal import Records, encode, read_journal
 from hapticplayer.study.json_files import read_file
 from hapticplayer.study.plan import (
     Plan,
@@ -19,7 +19,6 @@ from hapticplayer.study.plan import (
     plan_file,
     plan_of_record,
 )
-from hapticplayer.study.records import Records, encode
 
 PLAN, DEFINITION_COPY, ANSWERS = "session.json", "study.json", "answers.jsonl"
 

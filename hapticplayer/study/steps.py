@@ -6,8 +6,8 @@ from typing import Any
 
 from hapticplayer.errors import Message, StudyError
 from hapticplayer.study.definition import Condition, Definition
+from hapticplayer.study.journal import Records
 from hapticplayer.study.json_files import convert
-from hapticplayer.study.records import Records
 
 CONSENT, SHEET, DEMONSTRATION, POST_TEST = (
     "consent",

@@ -16,8 +16,7 @@ from hapticplayer.haptics.contract import Cause
 from hapticplayer.study.answers import read_answers
 from hapticplayer.study.creation import change_definition
 from hapticplayer.study.journal import read_journal
-from hapticplayer.study.page_maker import PageMaker
-from hapticplayer.study.pages import PageKind
+from hapticplayer.study.pages import PageKind, PageMaker
 from hapticplayer.study.session_folder import State
 from hapticplayer.study.study_folder import open_study
 

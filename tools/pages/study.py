@@ -13,8 +13,7 @@ from app.participant.pages import QuestionsPage
 from app.widgets.room import resize_within_screen
 from hapticplayer.clock import SystemClock
 from hapticplayer.study.creation import change_definition, create_study
-from hapticplayer.study.page_maker import PageMaker
-from hapticplayer.study.pages import PageKind
+from hapticplayer.study.pages import PageKind, PageMaker
 from hapticplayer.study.session_setup import load_material
 from hapticplayer.study.study_folder import Study
 from tools.pages.stage import Pictures, Stage

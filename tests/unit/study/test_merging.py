@@ -7,8 +7,8 @@ import pytest
 from hapticplayer.errors import StudyError
 from hapticplayer.study.answers import read_answers
 from hapticplayer.study.creation import create_study
+from hapticplayer.study.journal import encode
 from hapticplayer.study.merging import merge_sessions
-from hapticplayer.study.records import encode
 from hapticplayer.study.study_folder import begin_session, open_study
 from tests.unit.study.conftest import tree
 

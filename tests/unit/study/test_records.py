@@ -10,8 +10,7 @@ from hypothesis import strategies as st
 
 from hapticplayer.errors import StudyError
 from hapticplayer.study import journal as journals
-from hapticplayer.study.journal import Journal, read_journal
-from hapticplayer.study.records import decode, encode
+from hapticplayer.study.journal import Journal, decode, encode, read_journal
 
 json_values = st.recursive(
     st.none() | st.booleans() | st.integers(-(2**53), 2**53) | st.text(),
@@ -200,7 +199,8 @@ def test_a_torn_line_stays_and_the_next_record_follows(path, manual_clock):
 
 
 def test_records_of_a_newer_program_are_refused(path, monkeypatch):
-    monkeypatch.setattr("hapticplayer.study.records.VERSION", 2)
-    path.write_bytes(b"".join(lines(2)))
+    with monkeypatch.context() as newer:
+        newer.setattr("hapticplayer.study.journal.VERSION", 2)
+        path.write_bytes(b"".join(lines(2)))
     with pytest.raises(StudyError, match="version 2"):
         read_journal(path)
