@@ -13,8 +13,9 @@ from skip_cases import TICKS, Stage, decoded, loaded, shown_surface
 from hapticplayer.clock import ManualClock
 from hapticplayer.devices.falcon.kinematics import Kinematics, motor_words
 from hapticplayer.devices.falcon.protocol import encode_command
-from hapticplayer.haptics.contract import State, Supervision
+from hapticplayer.haptics.contract import Situation, State, Supervision
 from hapticplayer.haptics.guard import Guard
+from hapticplayer.haptics.hand import observe
 from hapticplayer.haptics.limiter import PERIOD_S, Limits
 from hapticplayer.haptics.loop import Loop
 from hapticplayer.haptics.messages import Line, Word
@@ -170,8 +171,8 @@ def steps(track: object) -> Callable[[], int]:
         for _ in range(TICKS):
             now_s += PERIOD_S
             reading = DeviceReading(grip, 0, is_homed=True, replied_s=now_s)
-            told = Supervision(now_s, True, reading=reading)
-            state = step(now_s, clock, track, state, told, limits)  # type: ignore[arg-type]
+            hand, told = observe(state.hand, reading, limits), Supervision(now_s)
+            state = step(Situation(now_s, clock, track, state, hand, told, limits))  # type: ignore[arg-type]
         return TICKS
 
     return run

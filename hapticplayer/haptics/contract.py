@@ -10,11 +10,12 @@ import math
 from collections.abc import Callable
 from typing import NamedTuple
 
+from hapticplayer.haptics.centring import Centring
 from hapticplayer.haptics.hand import Hand
 from hapticplayer.haptics.limiter import ZERO, Limits, is_finite, pushes_out
 from hapticplayer.haptics.track import LoadedTrack
 from hapticplayer.model import PlaybackClock
-from hapticplayer.model.device import DeviceReading, Vector
+from hapticplayer.model.device import Vector
 
 HEARTBEAT_RAMP_S = 0.150
 HEARTBEAT_TRIP_S = 1.0
@@ -37,6 +38,10 @@ class Mode(enum.IntEnum):
     FOLLOWING = 2
     RAMPING = 3
     TRIPPED = 4
+
+
+_MOVING = (Mode.ENTERING, Mode.FOLLOWING)
+_ACTING = (Mode.FOLLOWING, Mode.ENTERING, Mode.RAMPING)
 
 
 class Reaction(enum.IntEnum):
@@ -85,17 +90,13 @@ class Request(enum.IntEnum):
     CLOSE = 3
 
 
-_NO_REQUEST = Request.NONE
-
-
 class Supervision(NamedTuple):
-    """What the loop was told or noticed since its last tick.
+    """What the loop received or noticed since its last tick.
 
     Attributes:
         heartbeat_s: monotonic time of the player's last beat.
         is_player_alive: whether its line is open and its main thread lives.
         request: of a person.
-        reading: answer to the last exchange, None when there was none.
         is_device_gone: whether the device refused the last exchange for good.
         is_stale: whether the last command was too old to be sent.
         guard_s: monotonic time of the guard's last beat; inf where none is needed.
@@ -105,7 +106,6 @@ class Supervision(NamedTuple):
     heartbeat_s: float
     is_player_alive: bool = True
     request: Request = Request.NONE
-    reading: DeviceReading | None = None
     is_device_gone: bool = False
     is_stale: bool = False
     guard_s: float = math.inf
@@ -144,14 +144,17 @@ class State(NamedTuple):
 
 
 class Situation(NamedTuple):
-    """What the rules look at; `survey` makes it.
+    """All that one tick decides on.
 
     Attributes:
-        now_s, clock, track, state, hand, told, limits: as `step` has them.
-        is_acting: whether a force may be on the hand.
-        gap_s: time since the last tick; 0 at the first.
-        reply_age_s: of the newest good answer; 0 before the first (then nothing is
-            homed).
+        now_s: monotonic time of the tick.
+        clock: the newest playback clock, None before the first.
+        track: the track that the clock names, None while it is not loaded.
+        state: what the last tick returned.
+        hand: the grip as `observe` has it after the last exchange.
+        supervision: signs of life and requests.
+        limits: what no command may exceed.
+        centring: what keeps the grip inside.
     """
 
     now_s: float
@@ -159,73 +162,33 @@ class Situation(NamedTuple):
     track: LoadedTrack | None
     state: State
     hand: Hand
-    told: Supervision
+    supervision: Supervision
     limits: Limits
-    is_acting: bool
-    gap_s: float
-    reply_age_s: float
+    centring: Centring = Centring()
 
+    @property
+    def is_acting(self) -> bool:
+        """Whether a force may be on the hand."""
+        return self.state.mode in _ACTING
 
-def survey(  # noqa: PLR0913 - what `step` takes
-    now_s: float,
-    clock: PlaybackClock | None,
-    track: LoadedTrack | None,
-    state: State,
-    hand: Hand,
-    told: Supervision,
-    limits: Limits,
-) -> Situation:
-    """Return the situation, with what several rules want to know worked out once."""
-    mode, last_s, replied_s = state.mode, state.now_s, hand.replied_s
-    return Situation(
-        now_s,
-        clock,
-        track,
-        state,
-        hand,
-        told,
-        limits,
-        mode is not Mode.IDLE and mode is not Mode.TRIPPED,
-        now_s - last_s if last_s > -math.inf else 0.0,
-        now_s - replied_s if replied_s > -math.inf else 0.0,
-    )
+    @property
+    def gap_s(self) -> float:
+        """Time since the last tick; 0 at the first."""
+        last_s = self.state.now_s
+        return self.now_s - last_s if last_s > -math.inf else 0.0
 
+    @property
+    def reply_age_s(self) -> float:
+        """Age of the newest good answer; 0 before the first: nothing is homed then."""
+        replied_s = self.hand.replied_s
+        return self.now_s - replied_s if replied_s > -math.inf else 0.0
 
-def is_calm(  # noqa: PLR0913 - what the rules look at, before `survey` gathers it
-    now_s: float,
-    media_s: float,
-    clock: PlaybackClock | None,
-    track: LoadedTrack | None,
-    state: State,
-    hand: Hand,
-    told: Supervision,
-    limits: Limits,
-) -> bool:
-    """Whether certainly no rule of `RULES` holds; where it is not, they decide.
-
-    Nearly every tick is calm, and to ask all rows is a third of its work. Each
-    comparison is false for what is no number. `media_s` is what the clock says for
-    `now_s`.
-    """
-    heartbeat_s, is_player_alive, request, _, is_gone, is_stale, guard_s, _ = told
-    position_m, _, replied_s, fast_samples, malformed, is_homed, _, pressed = hand
-    return (
-        clock is not None
-        and track is not None
-        and is_player_alive
-        and is_homed
-        and request is _NO_REQUEST
-        and not (is_gone or is_stale or pressed or malformed or fast_samples)
-        and now_s - heartbeat_s <= HEARTBEAT_RAMP_S
-        and now_s - guard_s <= GUARD_RAMP_S
-        and now_s - replied_s <= REPLY_RAMP_S
-        and now_s - state.now_s <= GAP_RAMP_S
-        and clock.monotonic0_s <= now_s <= clock.valid_until_s
-        and clock.rate > 0.0
-        and clock.epoch == state.epoch
-        and media_s < track.end_s
-        and math.hypot(*position_m) <= limits.outside * limits.workspace_m
-    )
+    @property
+    def media_s(self) -> float:
+        """Position in the media; the last one without a clock."""
+        if self.clock is None:
+            return self.state.media_s
+        return self.clock.media_s(self.now_s)
 
 
 class Rule(NamedTuple):
@@ -242,7 +205,7 @@ def _hung_under_force(s: Situation) -> bool:
 
     A window that takes its time to open while nothing plays is no fault.
     """
-    heartbeat_s = s.told.heartbeat_s
+    heartbeat_s = s.supervision.heartbeat_s
     return s.now_s - heartbeat_s > HEARTBEAT_TRIP_S and s.state.acted_s > heartbeat_s
 
 
@@ -252,20 +215,15 @@ def _is_outside(s: Situation) -> bool:
     What is sent has faded to nothing there; a hand that holds the grip, and the spring
     that leans against it, would not have let it come so far.
     """
-    if not s.is_acting:
-        return False
     position_m = s.hand.position_m
-    far = s.limits.outside * s.limits.workspace_m
-    return (
-        math.hypot(*position_m) > far
-        and pushes_out(s.state.planned_n, position_m) > OUTWARD_N
-    )
+    if math.hypot(*position_m) <= s.limits.outside * s.limits.workspace_m:
+        return False
+    return s.is_acting and pushes_out(s.state.planned_n, position_m) > OUTWARD_N
 
 
 def _has_ended(s: Situation) -> bool:
-    assert s.clock is not None  # the row NO_TRACK comes before
-    assert s.track is not None
-    return s.clock.media_s(s.now_s) >= s.track.end_s
+    assert s.track is not None  # the row NO_TRACK comes before
+    return s.media_s >= s.track.end_s
 
 
 def _stands_still(s: Situation) -> bool:
@@ -275,15 +233,15 @@ def _stands_still(s: Situation) -> bool:
 
 
 def _has_leapt(s: Situation) -> bool:
-    is_moving = s.state.mode in (Mode.ENTERING, Mode.FOLLOWING)
-    return is_moving and s.clock is not None and s.clock.epoch != s.state.epoch
+    is_other = s.clock is not None and s.clock.epoch != s.state.epoch
+    return is_other and s.state.mode in _MOVING
 
 
 RULES: tuple[Rule, ...] = (
     Rule(
         Cause.STOPPED,
         Reaction.TRIP,
-        lambda s: s.told.request is Request.STOP,
+        lambda s: s.supervision.request is Request.STOP,
         "a person stops: Esc, the stop button, closing the window",
     ),
     Rule(
@@ -295,7 +253,7 @@ RULES: tuple[Rule, ...] = (
     Rule(
         Cause.PLAYER_GONE,
         Reaction.TRIP,
-        lambda s: not s.told.is_player_alive,
+        lambda s: not s.supervision.is_player_alive,
         "the player has died: its main thread has ended, or its line is closed",
     ),
     Rule(
@@ -307,13 +265,13 @@ RULES: tuple[Rule, ...] = (
     Rule(
         Cause.UNPLUGGED,
         Reaction.TRIP,
-        lambda s: s.told.is_device_gone,
+        lambda s: s.supervision.is_device_gone,
         "the device is gone",
     ),
     Rule(
         Cause.TICK_LOST,
         Reaction.TRIP,
-        lambda s: s.is_acting and s.gap_s > GAP_TRIP_S,
+        lambda s: s.gap_s > GAP_TRIP_S and s.is_acting,
         "the loop stood still for more than 50 ms (suspend, debugger, overload)",
     ),
     Rule(
@@ -326,7 +284,7 @@ RULES: tuple[Rule, ...] = (
     Rule(
         Cause.MALFORMED,
         Reaction.TRIP,
-        lambda s: s.is_acting and s.hand.malformed >= MALFORMED_TRIP,
+        lambda s: s.hand.malformed >= MALFORMED_TRIP and s.is_acting,
         "20 answers in a row made no sense",
     ),
     Rule(
@@ -338,7 +296,7 @@ RULES: tuple[Rule, ...] = (
     Rule(
         Cause.RUNAWAY,
         Reaction.TRIP,
-        lambda s: s.is_acting and s.hand.fast_samples >= FAST_SAMPLES_TRIP,
+        lambda s: s.hand.fast_samples >= FAST_SAMPLES_TRIP and s.is_acting,
         "the grip was faster than 1 m/s twice: the hand has let go",
     ),
     Rule(
@@ -350,31 +308,31 @@ RULES: tuple[Rule, ...] = (
     Rule(
         Cause.CLOSING,
         Reaction.RAMP,
-        lambda s: s.told.request is Request.CLOSE,
+        lambda s: s.supervision.request is Request.CLOSE,
         "the player ends or lets go of the device",
     ),
     Rule(
         Cause.HEARTBEAT_LATE,
         Reaction.RAMP,
-        lambda s: s.now_s - s.told.heartbeat_s > HEARTBEAT_RAMP_S,
+        lambda s: s.now_s - s.supervision.heartbeat_s > HEARTBEAT_RAMP_S,
         "the player's main thread has been silent for 150 ms",
     ),
     Rule(
         Cause.GUARD_LOST,
         Reaction.RAMP,
-        lambda s: s.now_s - s.told.guard_s > GUARD_RAMP_S,
+        lambda s: s.now_s - s.supervision.guard_s > GUARD_RAMP_S,
         "the guard has been silent for 250 ms",
     ),
     Rule(
         Cause.TICK_LATE,
         Reaction.RAMP,
-        lambda s: s.is_acting and s.gap_s > GAP_RAMP_S,
+        lambda s: s.gap_s > GAP_RAMP_S and s.is_acting,
         "the loop stood still for more than 20 ms",
     ),
     Rule(
         Cause.COMMAND_STALE,
         Reaction.RAMP,
-        lambda s: s.told.is_stale,
+        lambda s: s.supervision.is_stale,
         "a command was older than 20 ms before it was sent; zero was sent instead",
     ),
     Rule(

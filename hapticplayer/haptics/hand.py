@@ -67,18 +67,15 @@ def observe(hand: Hand, reading: DeviceReading | None, limits: Limits) -> Hand:
         velocity = _smoothed(velocity, raw, elapsed_s)
     else:
         velocity = ZERO
-    return tuple.__new__(  # without the constructor's Python
-        Hand,
-        (
-            position_m,
-            velocity,
-            replied_s,
-            fast_samples + 1 if speed_mps > limits.speed_mps else 0,
-            malformed,
-            is_homed,
-            buttons,
-            buttons & ~held,
-        ),
+    return Hand(
+        position_m,
+        velocity,
+        replied_s,
+        fast_samples + 1 if speed_mps > limits.speed_mps else 0,
+        malformed,
+        is_homed,
+        buttons,
+        buttons & ~held,
     )
 
 

@@ -9,7 +9,15 @@ from hapticplayer.devices import HapticDevice
 from hapticplayer.errors import DeviceError, Message, message_of
 from hapticplayer.haptics.block import LoopBlock
 from hapticplayer.haptics.centring import Centring
-from hapticplayer.haptics.contract import Cause, Mode, Request, State, Supervision
+from hapticplayer.haptics.contract import (
+    Cause,
+    Mode,
+    Request,
+    Situation,
+    State,
+    Supervision,
+)
+from hapticplayer.haptics.hand import observe
 from hapticplayer.haptics.lifeline import Lifeline
 from hapticplayer.haptics.limiter import PERIOD_S, ZERO, Limits
 from hapticplayer.haptics.messages import Line, Received, Word, close_descriptor
@@ -22,7 +30,6 @@ from hapticplayer.model.device import DeviceReading, Vector
 ZERO_TICKS_BEFORE_CLOSING = 5
 MISSED_OVER_TICKS = 10_000
 _RESTING = (Mode.IDLE, Mode.TRIPPED)
-_NO_REQUEST = Request.NONE
 
 
 class MissedPeriods:
@@ -106,13 +113,16 @@ class Loop:
         self._look_at_the_clock(clock_count)
         before = self.state
         self.state = state = step(
-            now_s,
-            self._playback,
-            self._track,
-            before,
-            self._told(heartbeat_s, guard_s, missed),
-            self.limits,
-            self.centring,
+            Situation(
+                now_s,
+                self._playback,
+                self._track,
+                before,
+                observe(before.hand, self._reading, self.limits),
+                self._supervision(heartbeat_s, guard_s, missed),
+                self.limits,
+                self.centring,
+            )
         )
         self._exchange(state.force_n, now_s)
         if state.mode is not before.mode and self.cpu_latency is not None:
@@ -120,23 +130,21 @@ class Loop:
         self._record(late_s, missed)
         self.count += 1
 
-    def _told(self, heartbeat_s: float, guard_s: float, missed: int) -> Supervision:
+    def _supervision(
+        self, heartbeat_s: float, guard_s: float, missed: int
+    ) -> Supervision:
         request = Request.CLOSE if self._is_asked_to_quit else self._request
-        self._request = _NO_REQUEST
+        self._request = Request.NONE
         is_cut = self.lifeline is not None and self.lifeline.is_cut()
         self._is_player_alive = is_alive = self.line.is_open and not is_cut
-        return tuple.__new__(  # without the constructor's Python
-            Supervision,
-            (
-                heartbeat_s,
-                is_alive,
-                request,
-                self._reading,
-                self._is_device_gone,
-                self._is_stale,
-                guard_s if self.is_guarded else math.inf,
-                self._missed.add(missed),
-            ),
+        return Supervision(
+            heartbeat_s,
+            is_alive,
+            request,
+            self._is_device_gone,
+            self._is_stale,
+            guard_s if self.is_guarded else math.inf,
+            self._missed.add(missed),
         )
 
     def _exchange(self, force_n: Vector, now_s: float) -> None:

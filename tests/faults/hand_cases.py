@@ -12,7 +12,8 @@ import numpy as np
 
 from hapticplayer.devices.dynamics import RELAXED, Mechanism
 from hapticplayer.haptics.centring import Centring
-from hapticplayer.haptics.contract import Cause, Mode, State, Supervision
+from hapticplayer.haptics.contract import Cause, Mode, Situation, State, Supervision
+from hapticplayer.haptics.hand import observe
 from hapticplayer.haptics.limiter import PERIOD_S, ZERO, Limits
 from hapticplayer.haptics.step import step
 from hapticplayer.haptics.track import LoadedTrack, map_track, to_shared_memory
@@ -96,9 +97,17 @@ class Trial:
         simulation.advance(now_s)
         self._observe_energy(before_m, simulation.position_m)
         was, reading = self.state.mode, self._reading
-        told = Supervision(math.inf, reading=reading)
         self.state = state = step(
-            now_s, self._clock, self.track, self.state, told, self.limits, self.centring
+            Situation(
+                now_s,
+                self._clock,
+                self.track,
+                self.state,
+                observe(self.state.hand, reading, self.limits),
+                Supervision(math.inf),
+                self.limits,
+                self.centring,
+            )
         )
         if state.mode is Mode.TRIPPED and was is not Mode.TRIPPED:
             self.trips.append(Cause(state.cause).name)

@@ -4,7 +4,14 @@ import math
 
 import pytest
 
-from hapticplayer.haptics.contract import Cause, Mode, Request, State, Supervision
+from hapticplayer.haptics.contract import (
+    Cause,
+    Mode,
+    Request,
+    Situation,
+    State,
+    Supervision,
+)
 from hapticplayer.haptics.hand import observe
 from hapticplayer.haptics.limiter import (
     ZERO,
@@ -92,9 +99,9 @@ def test_whatever_comes_a_tick_sends_nothing_that_is_forbidden(rng, kind):
         replied_s = now_s if choices[number] > 0.01 else replied_s
         reading = DeviceReading(place, 0, is_homed=True, replied_s=replied_s)
         request = Request.REARM if number % 50 == 0 else Request.NONE
-        told = Supervision(now_s, request=request, reading=reading)
-        before = state
-        state = step(now_s, clock, track, state, told, LIMITS)
+        told = Supervision(now_s, request=request)
+        before, hand = state, observe(state.hand, reading, LIMITS)
+        state = step(Situation(now_s, clock, track, state, hand, told, LIMITS))
         size = math.hypot(*state.force_n)
         assert size <= LIMITS.force_cap_n + EPS
         if state.mode is not Mode.TRIPPED:
@@ -114,7 +121,7 @@ def test_a_leap_of_the_encoder_is_dropped_and_gives_no_speed():
 
 
 def test_the_first_not_finite_position_trips_for_good():
-    state = State()
     reading = DeviceReading((math.nan, 0.0, 0.0), 0, True, 1.0)
-    state = step(1.0, None, None, state, Supervision(1.0, reading=reading), LIMITS)
+    hand, told = observe(State().hand, reading, LIMITS), Supervision(1.0)
+    state = step(Situation(1.0, None, None, State(), hand, told, LIMITS))
     assert (state.mode, state.cause) == (Mode.TRIPPED, Cause.NOT_FINITE)

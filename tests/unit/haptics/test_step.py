@@ -5,7 +5,15 @@ import os
 
 import pytest
 
-from hapticplayer.haptics.contract import Cause, Mode, Request, State, Supervision
+from hapticplayer.haptics.contract import (
+    Cause,
+    Mode,
+    Request,
+    Situation,
+    State,
+    Supervision,
+)
+from hapticplayer.haptics.hand import observe
 from hapticplayer.haptics.limiter import (
     PERIOD_S,
     ZERO,
@@ -51,21 +59,24 @@ class World:
         for _ in range(count):
             self.now_s += PERIOD_S
             heartbeat_s = min(self.heartbeat_s, self.now_s)
+            reading = DeviceReading(
+                self.position_m, 0, is_homed=True, replied_s=self.now_s
+            )
             self.state = step(
-                self.now_s,
-                self.clock,
-                self.track,
-                self.state,
-                Supervision(
-                    heartbeat_s,
-                    self.is_player_alive,
-                    self.request,
-                    DeviceReading(
-                        self.position_m, 0, is_homed=True, replied_s=self.now_s
+                Situation(
+                    self.now_s,
+                    self.clock,
+                    self.track,
+                    self.state,
+                    observe(self.state.hand, reading, LIMITS),
+                    Supervision(
+                        heartbeat_s,
+                        self.is_player_alive,
+                        self.request,
+                        missed_share=self.missed_share,
                     ),
-                    missed_share=self.missed_share,
-                ),
-                LIMITS,
+                    LIMITS,
+                )
             )
             self.request = Request.NONE
             self.sent.append(self.state.force_n)
