@@ -1,28 +1,27 @@
 """Keeps the screen awake, and notifications away, through the session's D-Bus.
 
-Every service lets go of an inhibition when its caller leaves the bus. So each one is
-asked over a connection of its own, which is closed when the clip stands: nothing can
-be held for ever, whatever becomes of this program.
+A service drops an inhibition when its caller leaves the bus. So they are requested over
+a connection of their own, which is closed when the clip stops: nothing is held for ever,
+whatever becomes of this program.
 """
 
-import itertools
+import contextlib
 import os
 from pathlib import Path
 from typing import NamedTuple
 
-from PySide6.QtCore import QObject
-from PySide6.QtDBus import QDBusConnection, QDBusMessage, QDBusPendingCallWatcher
+from jeepney import DBusAddress, MessageFlag, new_method_call
+from jeepney.io.blocking import DBusConnection, open_dbus_connection
 
 APPLICATION = "hapticplayer"
-_numbers = itertools.count(1)
 
 
 class _Service(NamedTuple):
-    """One that may be there; a desktop has one or both of them."""
+    """One that may run; a desktop has one or both of the first two."""
 
     name: str
     path: str
-    takes_hints: bool = False
+    has_hints: bool = False
 
 
 SERVICES = (
@@ -32,88 +31,76 @@ SERVICES = (
         "/org/freedesktop/PowerManagement/Inhibit",
     ),
 )
-
-
 EVERYTHING = (
     *SERVICES,
     _Service(
         "org.freedesktop.Notifications",
         "/org/freedesktop/Notifications",
-        takes_hints=True,
+        has_hints=True,
     ),
 )
-"""Also what would be laid over the picture; for somebody who takes part in a study."""
+"""Also what would cover the video; for a participant of a study."""
 
 
-def has_session_bus() -> bool:
-    """Whether there is a bus to connect to.
+def connect(address: str = "") -> DBusConnection | None:
+    """Return a connection to the session's bus; None without one, none is started.
 
-    Without one libdbus would start a program that makes one, and wait for it, on the
-    thread that beats the heart of the force.
+    Args:
+        address: of another bus.
     """
-    if os.environ.get("DBUS_SESSION_BUS_ADDRESS"):
-        return True
-    folder = os.environ.get("XDG_RUNTIME_DIR")
-    return folder is not None and (Path(folder) / "bus").is_socket()
+    socket = Path(os.environ.get("XDG_RUNTIME_DIR", "/nowhere")) / "bus"
+    address = address or os.environ.get("DBUS_SESSION_BUS_ADDRESS", "")
+    if not address and socket.is_socket():
+        address = f"unix:path={socket}"
+    if address:
+        # RuntimeError: an address of another kind
+        with contextlib.suppress(OSError, RuntimeError, ValueError):
+            return open_dbus_connection(address)
+    return None
 
 
-class IdleInhibitor(QObject):
+class IdleInhibitor:
     """Inhibits while it is wanted; without a bus it does nothing.
 
     Args:
-        address: of the bus; "" for the session's own.
-        parent: Qt's owner.
+        address: of the bus; "" for the session's.
         services: what is inhibited.
     """
 
     def __init__(
-        self,
-        address: str = "",
-        parent: QObject | None = None,
-        services: tuple[_Service, ...] = SERVICES,
+        self, address: str = "", services: tuple[_Service, ...] = SERVICES
     ) -> None:
-        super().__init__(parent)
         self._address, self._services = address, services
-        self._connection = ""
-        self._answers: list[QDBusPendingCallWatcher] = []
-        self.held_by: set[str] = set()
+        self._bus: DBusConnection | None = None
+        self._is_wanted = False
 
     def set_wanted(self, reason: str) -> None:
         """Hold the screen awake for a reason; "" lets it sleep again."""
-        if reason and not self._connection and (self._address or has_session_bus()):
-            self._ask(reason)
-        elif not reason:
+        if not reason:
             self.release()
+        elif not self._is_wanted:
+            self._is_wanted = True
+            self._bus = connect(self._address)
+            if self._bus:
+                with contextlib.suppress(OSError):  # the bus has ended
+                    self._request(reason, self._bus)
 
     def release(self) -> None:
         """Let the screen sleep again."""
-        if self._connection:
-            self._answers.clear()
-            self.held_by.clear()
-            QDBusConnection.disconnectFromBus(self._connection)
-            self._connection = ""
+        self._is_wanted = False
+        if self._bus:
+            self._bus.close()
+            self._bus = None
 
-    def _ask(self, reason: str) -> None:
-        self._connection = f"{APPLICATION}-idle-{next(_numbers)}"
-        bus = self._connect()
-        if not bus.isConnected():
-            return  # no desktop: nothing would fall asleep
-        for service in self._services:
-            name, path, takes_hints = service
-            message = QDBusMessage.createMethodCall(name, path, name, "Inhibit")
-            message.setArguments([APPLICATION, reason, *([{}] if takes_hints else [])])
-            message.setAutoStartService(False)
-            watcher = QDBusPendingCallWatcher(bus.asyncCall(message), self)
-            watcher.finished.connect(lambda w, s=service: self._on_answer(s, w))
-            self._answers.append(watcher)
-
-    def _connect(self) -> QDBusConnection:
-        if self._address:
-            return QDBusConnection.connectToBus(self._address, self._connection)
-        return QDBusConnection.connectToBus(
-            QDBusConnection.BusType.SessionBus, self._connection
-        )
-
-    def _on_answer(self, service: _Service, watcher: QDBusPendingCallWatcher) -> None:
-        if watcher in self._answers and not watcher.isError():
-            self.held_by.add(service.name)
+    def _request(self, reason: str, bus: DBusConnection) -> None:
+        for name, path, has_hints in self._services:
+            signature = "ssa{sv}" if has_hints else "ss"
+            hints: list[dict[str, object]] = [{}] if has_hints else []
+            call = new_method_call(
+                DBusAddress(path, name, name),
+                "Inhibit",
+                signature,
+                (APPLICATION, reason, *hints),
+            )
+            call.header.flags = MessageFlag.no_auto_start
+            bus.send(call)

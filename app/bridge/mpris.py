@@ -1,44 +1,66 @@
 """Media keys and the desktop's player controls (MPRIS 2.2), through D-Bus.
 
-Out of use in study mode: nobody but the experimenter may pause a trial.
+Off in study mode: nobody but the experimenter may pause a trial.
 """
 
+import xml.etree.ElementTree as ET
 from collections.abc import Callable
-from typing import Any
+from typing import Any, NamedTuple
 
-from PySide6.QtCore import ClassInfo, Property, QObject, Signal, Slot
-from PySide6.QtDBus import (
-    QDBusAbstractAdaptor,
-    QDBusConnection,
-    QDBusMessage,
-    QDBusObjectPath,
+from jeepney import (
+    DBusAddress,
+    HeaderFields,
+    Message,
+    MessageFlag,
+    MessageType,
+    message_bus,
+    new_error,
+    new_method_return,
+    new_signal,
 )
+from jeepney.io.blocking import DBusConnection
+from PySide6.QtCore import QSocketNotifier
 
-from app.bridge.idle import has_session_bus
-from app.bridge.int64 import int64
+from app.bridge.idle import connect
 from hapticplayer.playback.player import FASTEST, SLOWEST, Player
 
 NAME = "org.mpris.MediaPlayer2.hapticplayer"
 PATH = "/org/mpris/MediaPlayer2"
 ROOT, PLAYER = "org.mpris.MediaPlayer2", "org.mpris.MediaPlayer2.Player"
-_PROPERTIES = "org.freedesktop.DBus.Properties"
+_DBUS = "org.freedesktop.DBus"
+_PROPERTIES, _INTROSPECTION = f"{_DBUS}.Properties", f"{_DBUS}.Introspectable"
+_CHANGING = ("PlaybackStatus", "Rate", "CanSeek", "CanPlay", "CanPause", "Metadata")
+_DO_NOT_QUEUE = 4
 _US = 1e6
-# their stubs know neither names of C++ types nor the use as a decorator
-_info: Any = ClassInfo
-_property: Any = Property
-_signal: Any = Signal
-_NO_TRACK = "/org/mpris/MediaPlayer2/TrackList/NoTrack"
-_TRACK = "/org/hapticplayer/clip"
 
 
-class Mpris(QObject):
+class _Property(NamedTuple):
+    """Signature, and how it is read."""
+
+    signature: str
+    get: Callable[[], Any]
+
+
+class _Method(NamedTuple):
+    """Signatures of arguments (of one letter each) and result, and what is called."""
+
+    signature: str
+    call: Callable[..., object]
+    result: str = ""
+
+
+class _UnknownPropertyError(LookupError):
+    """Another program asks for a property that there is not."""
+
+
+class Mpris:
     """Offers the player on the session's bus while it is switched on.
 
     Args:
         player: what is controlled.
         raise_window: brings the window to the front.
         close: closes it.
-        bus: of the session.
+        address: of the bus; "" for the session's.
     """
 
     def __init__(
@@ -46,180 +68,200 @@ class Mpris(QObject):
         player: Player,
         raise_window: Callable[[], object],
         close: Callable[[], object],
-        bus: QDBusConnection | None = None,
+        address: str = "",
     ) -> None:
-        super().__init__()
-        self.player = player
-        self.raise_window, self.close_window = raise_window, close
-        self._bus = bus
-        self._adaptors = (_Root(self), _Player(self))
-        self._told: dict[str, Any] = {}
-        self.is_on = False
+        self._player = player
+        self._address = address
+        self._bus: DBusConnection | None = None
+        self._sent: dict[str, Any] = {}
+        self._methods = {
+            ROOT: {"Raise": _Method("", raise_window), "Quit": _Method("", close)},
+            PLAYER: {
+                "Play": _Method("", player.play),
+                "Pause": _Method("", player.pause),
+                "PlayPause": _Method("", player.toggle),
+                "Stop": _Method("", player.stop_force),
+                "Next": _Method("", lambda: None),
+                "Previous": _Method("", lambda: None),
+                "Seek": _Method("x", self._seek_by),
+                "SetPosition": _Method("ox", self._seek_to),
+            },
+            _PROPERTIES: {
+                "Get": _Method("ss", self._variant, "v"),
+                "GetAll": _Method("s", self._variants, "a{sv}"),
+                "Set": _Method("ssv", self._set),
+            },
+            _INTROSPECTION: {"Introspect": _Method("", self._introspect, "s")},
+        }
+        self._properties = {ROOT: _root_properties(), PLAYER: self._player_properties()}
+
+    @property
+    def is_on(self) -> bool:
+        """Whether others can see the player."""
+        return self._bus is not None
 
     def switch(self, *, is_on: bool) -> None:
         """Appear on the bus, or vanish from it."""
-        if is_on == self.is_on or not self._is_there():
+        if is_on == self.is_on:
             return
-        assert self._bus is not None
-        if is_on:
-            self.is_on = self._bus.registerObject(
-                PATH, self, QDBusConnection.RegisterOption.ExportAdaptors
-            ) and self._bus.registerService(NAME)
-        else:
-            self._bus.unregisterService(NAME)
-            self._bus.unregisterObject(PATH)
-            self.is_on = False
+        if is_on and (bus := connect(self._address)):
+            self._bus, self._sent = bus, {}
+            self._notifier = QSocketNotifier(
+                bus.sock.fileno(), QSocketNotifier.Type.Read
+            )
+            self._notifier.activated.connect(self._read)
+            self._send(message_bus.RequestName(NAME, _DO_NOT_QUEUE))
+        elif self._bus:
+            self._notifier.setEnabled(False)
+            self._bus.close()
+            self._bus = None
 
-    def _is_there(self) -> bool:
-        """Whether there is a bus; it is looked for when it is first needed."""
-        if self._bus is None and has_session_bus():
-            self._bus = QDBusConnection.sessionBus()
-        return self._bus is not None and self._bus.isConnected()
+    def _send(self, message: Message) -> None:
+        if self._bus:
+            try:
+                self._bus.send(message)
+            except OSError:  # the bus has ended
+                self.switch(is_on=False)
+
+    def _read(self) -> None:
+        try:
+            while self._bus:
+                message = self._bus.receive(timeout=0)
+                if message.header.message_type is MessageType.method_call:
+                    self._on_call(message)
+        except TimeoutError:
+            return  # nothing more
+        except OSError:
+            self.switch(is_on=False)
 
     def tell(self) -> None:
         """Tell the desktop what has changed since the last call."""
-        if not self.is_on or self._bus is None:
+        if not self._bus:
             return
-        player = self.player.snapshot()
-        has_clip = player.source is not None
-        now = {
-            "PlaybackStatus": self.status(),
-            "Rate": player.speed,
-            "CanSeek": has_clip,
+        now = {name: self._variant(PLAYER, name) for name in _CHANGING}
+        changed = {n: v for n, v in now.items() if self._sent.get(n) != v}
+        if changed:
+            self._sent = now
+            signal = new_signal(
+                DBusAddress(PATH, interface=_PROPERTIES),
+                "PropertiesChanged",
+                "sa{sv}as",
+                (PLAYER, changed, []),
+            )
+            self._send(signal)
+
+    def _player_properties(self) -> dict[str, _Property]:
+        now = self._player.snapshot
+        has_clip = _Property("b", lambda: now().source is not None)
+        return {
+            "PlaybackStatus": _Property("s", self._status),
+            "Metadata": _Property("a{sv}", self._metadata),
+            "Position": _Property("x", lambda: round(_US * now().media_s)),
+            "Rate": _Property("d", lambda: now().speed),
+            "MinimumRate": _Property("d", lambda: SLOWEST),
+            "MaximumRate": _Property("d", lambda: FASTEST),
+            "CanGoNext": _Property("b", lambda: False),
+            "CanGoPrevious": _Property("b", lambda: False),
+            "CanControl": _Property("b", lambda: True),
             "CanPlay": has_clip,
             "CanPause": has_clip,
-            "Metadata": self.metadata(),
+            "CanSeek": has_clip,
         }
-        key = {name: str(value) for name, value in now.items()}
-        changed = {n: v for n, v in now.items() if self._told.get(n) != key[n]}
-        if changed:
-            self._told = key
-            if "Metadata" in changed:
-                changed["Metadata"] = sent(self.metadata())
-            message = QDBusMessage.createSignal(PATH, _PROPERTIES, "PropertiesChanged")
-            message.setArguments([PLAYER, changed, []])
-            self._bus.send(message)
 
-    def status(self) -> str:
-        """Return the state in the words of the protocol."""
-        now = self.player.snapshot()
+    def _status(self) -> str:
+        now = self._player.snapshot()
         if now.source is None:
             return "Stopped"
         return "Playing" if now.is_playing else "Paused"
 
-    def metadata(self) -> dict[str, Any]:
-        """Return what the clip is."""
-        source = self.player.snapshot().source
+    def _metadata(self) -> dict[str, Any]:
+        source = self._player.snapshot().source
         if source is None:
-            return {"mpris:trackid": QDBusObjectPath(_NO_TRACK)}
+            return {"mpris:trackid": ("o", f"{PATH}/TrackList/NoTrack")}
         return {
-            "mpris:trackid": QDBusObjectPath(_TRACK),
-            "mpris:length": round(_US * source.clip.duration_s),
-            "xesam:title": source.title,
+            "mpris:trackid": ("o", "/org/hapticplayer/clip"),
+            "mpris:length": ("x", round(_US * source.clip.duration_s)),
+            "xesam:title": ("s", source.title),
         }
 
+    # --- what others call ------------------------------------------------------
 
-def sent(metadata: dict[str, Any]) -> dict[str, Any]:
-    """Return what a clip is, in the types of the protocol."""
-    length = {n: int64(v) for n, v in metadata.items() if n == "mpris:length"}
-    return {**metadata, **length}
+    def _on_call(self, call: Message) -> None:
+        fields = call.header.fields
+        name = fields.get(HeaderFields.member)
+        interface = fields.get(HeaderFields.interface)
+        known = self._methods.get(interface, {})
+        if not interface:
+            known = {
+                n: m for all_of in self._methods.values() for n, m in all_of.items()
+            }
+        method = known.get(name)
+        if fields.get(HeaderFields.path) != PATH or method is None:
+            answer = new_error(call, f"{_DBUS}.Error.UnknownMethod")
+        elif fields.get(HeaderFields.signature, "") != method.signature:
+            answer = new_error(call, f"{_DBUS}.Error.InvalidArgs")
+        else:
+            answer = self._answer(call, method)
+        if not call.header.flags & MessageFlag.no_reply_expected:
+            self._send(answer)
 
+    def _answer(self, call: Message, method: _Method) -> Message:
+        try:
+            result = method.call(*call.body)
+        except _UnknownPropertyError:
+            return new_error(call, f"{_DBUS}.Error.UnknownProperty")
+        if method.result:
+            return new_method_return(call, method.result, (result,))
+        return new_method_return(call)
 
-@_info({"D-Bus Interface": ROOT})
-class _Root(QDBusAbstractAdaptor):
-    """What every media player says of itself."""
+    def _variant(self, interface: str, name: str) -> tuple[str, Any]:
+        known = self._properties.get(interface, {})
+        if name not in known:
+            raise _UnknownPropertyError
+        return known[name].signature, known[name].get()
 
-    def __init__(self, mpris: Mpris) -> None:
-        super().__init__(mpris)
-        self._mpris = mpris
+    def _variants(self, interface: str) -> dict[str, tuple[str, Any]]:
+        known = self._properties.get(interface, {})
+        return {name: self._variant(interface, name) for name in known}
 
-    CanQuit = _property(bool, lambda _: True)
-    CanRaise = _property(bool, lambda _: True)
-    HasTrackList = _property(bool, lambda _: False)
-    Identity = _property(str, lambda _: "hapticplayer")
-    DesktopEntry = _property(str, lambda _: "hapticplayer")
-    SupportedUriSchemes = _property("QStringList", lambda _: [])
-    SupportedMimeTypes = _property("QStringList", lambda _: [])
+    def _set(self, interface: str, name: str, value: tuple[str, Any]) -> None:
+        if (interface, name, value[0]) != (PLAYER, "Rate", "d"):
+            raise _UnknownPropertyError
+        self._player.set_speed(value[1])
 
-    @Slot()
-    def Raise(self) -> None:  # noqa: N802 - the protocol's name
-        """Bring the window to the front."""
-        self._mpris.raise_window()
-
-    @Slot()
-    def Quit(self) -> None:  # noqa: N802
-        """Close the window."""
-        self._mpris.close_window()
-
-
-@_info({"D-Bus Interface": PLAYER})
-class _Player(QDBusAbstractAdaptor):
-    """Play, pause, seek; the stop of the protocol is the stop of the force."""
-
-    Seeked = _signal("qlonglong")
-
-    def __init__(self, mpris: Mpris) -> None:
-        super().__init__(mpris)
-        self._mpris, self._player = mpris, mpris.player
-
-    def _has_clip(self) -> bool:
-        return self._player.snapshot().source is not None
-
-    def _position_us(self) -> int:
-        return round(_US * self._player.snapshot().media_s)
-
-    def _speed(self) -> float:
-        return self._player.snapshot().speed
-
-    PlaybackStatus = _property(str, lambda self: self._mpris.status())
-    Metadata = _property("QVariantMap", lambda self: sent(self._mpris.metadata()))
-    Position = _property("qlonglong", _position_us)
-    Rate = _property(float, _speed, lambda self, speed: self._player.set_speed(speed))
-    MinimumRate = _property(float, lambda _: SLOWEST)
-    MaximumRate = _property(float, lambda _: FASTEST)
-    CanGoNext = _property(bool, lambda _: False)
-    CanGoPrevious = _property(bool, lambda _: False)
-    CanControl = _property(bool, lambda _: True)
-    CanPlay = _property(bool, _has_clip)
-    CanPause = _property(bool, _has_clip)
-    CanSeek = _property(bool, _has_clip)
-
-    @Slot()
-    def Play(self) -> None:  # noqa: N802
-        """Play."""
-        self._player.play()
-
-    @Slot()
-    def Pause(self) -> None:  # noqa: N802
-        """Stand still."""
-        self._player.pause()
-
-    @Slot()
-    def PlayPause(self) -> None:  # noqa: N802
-        """Play or stand still."""
-        self._player.toggle()
-
-    @Slot()
-    def Stop(self) -> None:  # noqa: N802
-        """Take the force away, and stand still."""
-        self._player.stop_force()
-
-    @Slot()
-    def Next(self) -> None:  # noqa: N802
-        """There is no next clip."""
-
-    @Slot()
-    def Previous(self) -> None:  # noqa: N802
-        """There is no clip before."""
-
-    @Slot("qlonglong")
-    def Seek(self, by_us: int) -> None:  # noqa: N802
-        """Go some microseconds forwards or backwards."""
+    def _seek_by(self, by_us: int) -> None:
         self._player.seek(self._player.snapshot().media_s + by_us / _US)
 
-    @Slot(QDBusObjectPath, "qlonglong")
-    def SetPosition(self, _track: QDBusObjectPath, to_us: int) -> None:  # noqa: N802
-        """Go to a position."""
+    def _seek_to(self, _track: str, to_us: int) -> None:
         source = self._player.snapshot().source
         if source is not None and 0 <= to_us <= _US * source.clip.duration_s:
             self._player.seek(to_us / _US)
+
+    def _introspect(self) -> str:
+        root = ET.Element("node")
+        for interface, methods in self._methods.items():
+            node = ET.SubElement(root, "interface", name=interface)
+            for name, method in methods.items():
+                at = ET.SubElement(node, "method", name=name)
+                for kind in method.signature:
+                    ET.SubElement(at, "arg", type=kind, direction="in")
+                if method.result:
+                    ET.SubElement(at, "arg", type=method.result, direction="out")
+            for name, one in self._properties.get(interface, {}).items():
+                access = "readwrite" if name == "Rate" else "read"
+                ET.SubElement(
+                    node, "property", name=name, type=one.signature, access=access
+                )
+        return ET.tostring(root, encoding="unicode")
+
+
+def _root_properties() -> dict[str, _Property]:
+    return {
+        "CanQuit": _Property("b", lambda: True),
+        "CanRaise": _Property("b", lambda: True),
+        "HasTrackList": _Property("b", lambda: False),
+        "Identity": _Property("s", lambda: "hapticplayer"),
+        "DesktopEntry": _Property("s", lambda: "hapticplayer"),
+        "SupportedUriSchemes": _Property("as", list),
+        "SupportedMimeTypes": _Property("as", list),
+    }

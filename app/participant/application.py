@@ -90,7 +90,7 @@ class StudySession:
         )
         self.participant = ParticipantWindow(self.surface)
         self.gateway = ErrorGateway(self.control.show_message, self._halt)
-        self.undisturbed = IdleInhibitor("", services=EVERYTHING)
+        self.undisturbed = IdleInhibitor(services=EVERYTHING)
         self._watch_turn, self._slow_turn = Cadence(WATCH_HZ), Cadence(SLOW_HZ)
         self._told_s = clock.now_s()
         self._is_over = False

@@ -19,7 +19,7 @@ class Desktop(QObject):
     def __init__(self, player: Player, window: QMainWindow) -> None:
         super().__init__(window)
         self._player = player
-        self.idle = IdleInhibitor("", self)
+        self.idle = IdleInhibitor()
         self.mpris = Mpris(player, window.raise_, window.close)
 
     def follow(self) -> None:

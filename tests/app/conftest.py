@@ -29,7 +29,7 @@ from hapticplayer.playback.source import open_source
 from hapticplayer.sequence.build import Choices, write_sequence
 
 sys.path.insert(0, str(Path(__file__).parent))  # helpers beside these tests
-from private_bus import address, bus  # noqa: F401 - fixtures
+from private_bus import address, bus, bus_daemon  # noqa: F401 - fixtures
 from sitting import make_study, sit  # noqa: F401 - fixtures
 
 RATE_HZ, CLIP_S, WIDTH, HEIGHT = 25, 2, 160, 90

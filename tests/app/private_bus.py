@@ -19,8 +19,13 @@ _numbers = itertools.count()
 
 
 @pytest.fixture
-def address(tmp_path):
+def address(bus_daemon):
     """The address of a bus that ends with the test."""
+    return bus_daemon.stdout.readline().decode().strip()
+
+
+@pytest.fixture
+def bus_daemon(tmp_path):
     if shutil.which("dbus-daemon") is None:
         pytest.skip("dbus-daemon is not on this machine")
     config = tmp_path / "bus.conf"
@@ -29,7 +34,7 @@ def address(tmp_path):
     with subprocess.Popen(
         command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL
     ) as daemon:
-        yield daemon.stdout.readline().decode().strip()
+        yield daemon
         daemon.terminate()
 
 

@@ -1,15 +1,19 @@
 """Idle inhibition and MPRIS against services on a private bus."""
 
 import shutil
+from pathlib import Path
 
 import pytest
 from PySide6.QtCore import ClassInfo, QObject, QProcess, Slot
 from PySide6.QtDBus import QDBusConnection
 
+from app.bridge import idle
 from app.bridge.idle import IdleInhibitor
 from app.bridge.mpris import NAME, PATH, PLAYER, Mpris
 from hapticplayer.playback.phases import Phase
 
+PROPERTIES = "org.freedesktop.DBus.Properties"
+INTROSPECT = "org.freedesktop.DBus.Introspectable.Introspect"
 SERVICE, PLACE = "org.freedesktop.ScreenSaver", "/org/freedesktop/ScreenSaver"
 
 
@@ -47,19 +51,18 @@ def test_the_screen_is_held_awake_as_long_as_it_is_wanted(saver, address, wait_f
     inhibitor = IdleInhibitor(address)
     inhibitor.set_wanted("plays a clip")
     inhibitor.set_wanted("plays a clip")
-    wait_for(lambda: inhibitor.held_by == {SERVICE})
+    wait_for(lambda: bool(saver.reasons))
     assert saver.reasons == [("hapticplayer", "plays a clip")]
     assert len(saver.holders) == 1
     inhibitor.set_wanted("")
     wait_for(lambda: not saver.holders)
-    assert not inhibitor.held_by
 
 
 def test_the_window_holds_the_screen_while_it_plays(
     saver, address, make_window, source, wait_for
 ):
     window = make_window()
-    window.desktop.idle = IdleInhibitor(address, window)
+    window.desktop.idle = IdleInhibitor(address)
     window.session.show_source(source)
     wait_for(lambda: window.player.snapshot().phase is Phase.PAUSED)
     assert not saver.holders
@@ -76,13 +79,12 @@ def test_the_window_holds_the_screen_while_it_plays(
 def test_without_a_bus_nothing_happens(qapp):
     inhibitor = IdleInhibitor("unix:path=/nowhere/at/all")
     inhibitor.set_wanted("plays a clip")
-    assert not inhibitor.held_by
     inhibitor.release()
 
 
 @pytest.fixture
-def mpris(bus, playing):
-    made = Mpris(playing.player, playing.raise_, playing.close, bus)
+def mpris(address, playing):
+    made = Mpris(playing.player, playing.raise_, playing.close, address)
     made.switch(is_on=True)
     assert made.is_on
     yield made
@@ -159,16 +161,41 @@ def test_it_vanishes_from_the_bus_for_a_study(mpris, bus):
     assert not bus.interface().isServiceRegistered(NAME).value()
 
 
-def test_where_there_is_no_bus_none_is_started(playing, monkeypatch, tmp_path):
+def test_without_a_session_bus_none_is_started(playing, monkeypatch, tmp_path):
     monkeypatch.delenv("DBUS_SESSION_BUS_ADDRESS", raising=False)
     monkeypatch.setenv("XDG_RUNTIME_DIR", str(tmp_path))
-    asked = []
-    monkeypatch.setattr(QDBusConnection, "connectToBus", lambda *a: asked.append(a))
-    monkeypatch.setattr(QDBusConnection, "sessionBus", lambda: asked.append("bus"))
-    inhibitor = IdleInhibitor()
-    inhibitor.set_wanted("plays a clip")
+    monkeypatch.setattr(idle, "open_dbus_connection", None)  # nobody connects
+    IdleInhibitor().set_wanted("plays a clip")
     made = Mpris(playing.player, playing.raise_, playing.close)
     made.switch(is_on=True)
     made.tell()
-    assert asked == []
     assert not made.is_on
+
+
+def test_the_session_bus_is_found_by_its_socket(monkeypatch, address, saver, wait_for):
+    monkeypatch.delenv("DBUS_SESSION_BUS_ADDRESS", raising=False)
+    socket = address.partition("path=")[2].partition(",")[0]
+    folder = Path(socket).parent
+    (folder / "bus").symlink_to(socket)
+    monkeypatch.setenv("XDG_RUNTIME_DIR", str(folder))
+    inhibitor = IdleInhibitor()
+    inhibitor.set_wanted("plays a clip")
+    wait_for(lambda: bool(saver.holders))
+    inhibitor.release()
+
+
+def test_a_bus_that_ends_is_left(mpris, bus_daemon, wait_for):
+    bus_daemon.kill()
+    wait_for(lambda: not mpris.is_on)
+    mpris.tell()
+
+
+def test_calls_that_are_wrong_get_an_error(mpris, ask):
+    for method, arguments, error in (
+        (f"{PLAYER}.Fly", (), "UnknownMethod"),
+        (f"{PLAYER}.Seek", ("string:far",), "InvalidArgs"),
+        (f"{PROPERTIES}.Get", (f"string:{PLAYER}", "string:Weight"), "UnknownProperty"),
+    ):
+        with pytest.raises(AssertionError, match=error):
+            ask(method, *arguments)
+    assert '<arg type="x" direction="in" />' in ask(INTROSPECT)
