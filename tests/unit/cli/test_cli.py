@@ -11,31 +11,41 @@ import pytest
 from app.player import choices
 from hapticplayer import cli, rendering
 from hapticplayer.cli import play
-from hapticplayer.devices import DeviceEntry
-from hapticplayer.devices.capabilities import FALCON
 from hapticplayer.errors import Message
 from hapticplayer.interchange import exporters
 from hapticplayer.rendering import FeedbackCondition, feedback
 from hapticplayer.sequence import editing, open_sequence, store
 from hapticplayer.sequence.build import write_sequence
 
-WOOD = DeviceEntry(
-    "wood", Message("Wood"), "a Falcon of wood", FALCON, "wood:make", "wood:silence"
-)
+SEAT = """
+from hapticplayer.errors import Message
+
+ENTRY = DeviceEntry("seat", Message("Seat"), "a seat by UDP", FALCON, "seat:make", "")
+NOTHING = 1
+"""
+
+
+@pytest.fixture
+def install(tmp_path, monkeypatch):
+    """Install a package beside this program that offers a device."""
+
+    def install_with(entry: str) -> None:
+        about = tmp_path / "seat-1.0.dist-info"
+        about.mkdir()
+        (about / "METADATA").write_text("Name: seat\nVersion: 1.0\n")
+        (about / "entry_points.txt").write_text(
+            f"[hapticplayer.devices]\nseat = {entry}\n"
+        )
+        (tmp_path / "seat.py").write_text(SEAT)
+        monkeypatch.syspath_prepend(str(tmp_path))
+
+    yield install_with
+    sys.modules.pop("seat", None)
 
 
 _PRINT_MODULES = (
     "import json, sys; print(json.dumps(sorted(sys.modules)), file=sys.stderr)"
 )
-
-
-class Point:
-    """An entry point as an installed package would have it."""
-
-    value = "wood:ENTRY"
-
-    def __init__(self, loaded: object = WOOD) -> None:
-        self.load = lambda: loaded
 
 
 def modules_after(code: str) -> set[str]:
@@ -82,20 +92,23 @@ def test_playing_a_sequence_loads_nothing_that_pretends(sequence_folder):
     assert not loaded & {"scipy", "vqf", "matplotlib", "hapticplayer.motion"}
 
 
-def test_an_installed_device_is_offered_everywhere(monkeypatch, capsys, qapp):
-    monkeypatch.setattr("importlib.metadata.entry_points", lambda **_: [Point()])
+def test_an_installed_device_is_offered_everywhere(install, capsys, qapp):
+    install("seat:ENTRY")
     with pytest.raises(SystemExit):
         cli.main(["play", "--help"])
-    assert "wood" in capsys.readouterr().out
+    assert "seat" in capsys.readouterr().out
     assert cli.main(["device", "list"]) == 0
-    assert "a Falcon of wood" in capsys.readouterr().out
-    assert "wood" in [choice.name for choice in choices.devices()]
+    assert "a seat by UDP" in capsys.readouterr().out
+    assert "Seat" in [choice.text for choice in choices.devices()]
 
 
-def test_an_entry_point_that_is_no_device_is_told(monkeypatch, capsys):
-    monkeypatch.setattr("importlib.metadata.entry_points", lambda **_: [Point(1)])
+@pytest.mark.parametrize(
+    "entry", ["seat:NOTHING", "seat:missing", "no_such_seat:ENTRY"]
+)
+def test_an_entry_point_that_is_no_device_is_reported(install, capsys, entry):
+    install(entry)
     assert cli.main(["device", "list"]) == 1
-    assert "'wood:ENTRY' cannot be loaded" in capsys.readouterr().err
+    assert f"{entry!r} cannot be loaded" in capsys.readouterr().err
 
 
 def test_a_new_feedback_condition_is_offered_everywhere(
