@@ -27,7 +27,7 @@ from app.player.video_surface import SurfaceSink, VideoSurface
 from app.player.window import PlayerWindow
 from hapticplayer.capture.recording import Recording
 from hapticplayer.clock import SystemClock
-from hapticplayer.media import probe
+from hapticplayer.media.clip_info import probe
 from hapticplayer.model import STANDARD_GRAVITY_MPS2, ClockMap, ImuLog
 from hapticplayer.playback.player import Player
 from hapticplayer.playback.source import open_source

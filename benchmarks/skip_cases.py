@@ -26,8 +26,9 @@ from hapticplayer.devices.falcon.protocol import Reply, encode_command
 from hapticplayer.devices.falcon.tracker import Tracker
 from hapticplayer.haptics.shared import TICK
 from hapticplayer.haptics.track import LoadedTrack, map_track, to_shared_memory
-from hapticplayer.media import DecodedFrame, VideoDecoder, open_media
-from hapticplayer.media.opening import read_only
+from hapticplayer.media.frames import DecodedFrame
+from hapticplayer.media.opening import open_media, read_only
+from hapticplayer.media.video import VideoDecoder
 from hapticplayer.model import ForceTrack
 from hapticplayer.playback.audio import AudioRing
 from hapticplayer.playback.feeders import VideoFeeder

@@ -24,15 +24,11 @@ from hapticplayer.haptics.records import RecordWriter, open_record
 from hapticplayer.haptics.shared import BLOCK_BYTES, SharedBlock
 from hapticplayer.haptics.step import step
 from hapticplayer.haptics.track import anonymous_memory, to_shared_memory
-from hapticplayer.media import (
-    AudioBlock,
-    AudioDecoder,
-    FrameConverter,
-    TempoFilter,
-    VideoDecoder,
-    open_media,
-)
-from hapticplayer.media.opening import read_only
+from hapticplayer.media.audio import AudioBlock, AudioDecoder
+from hapticplayer.media.frames import FrameConverter
+from hapticplayer.media.opening import open_media, read_only
+from hapticplayer.media.tempo import TempoFilter
+from hapticplayer.media.video import VideoDecoder
 from hapticplayer.model import ForceTrack, PlaybackClock
 from hapticplayer.model.device import DeviceReading, Vector
 

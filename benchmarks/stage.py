@@ -150,7 +150,7 @@ def sound_server() -> Iterator[SoundServer]:
 
 def moving_clip(folder: Path, seconds: float) -> Path:
     """Write a 720p30 clip of grain in which everything moves, with sound."""
-    from hapticplayer.media import write_clip
+    from hapticplayer.media.encode import write_clip
 
     path = folder / f"moving-{seconds:.0f}s.mp4"
     if path.exists():

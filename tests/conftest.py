@@ -9,7 +9,8 @@ import pytest
 
 from hapticplayer.capture.recording import Recording
 from hapticplayer.clock import ManualClock
-from hapticplayer.media import probe, write_clip
+from hapticplayer.media.clip_info import probe
+from hapticplayer.media.encode import write_clip
 from hapticplayer.model import STANDARD_GRAVITY_MPS2, ClockMap, ImuLog
 from hapticplayer.model import quaternions as quat
 from hapticplayer.sequence.build import Choices, write_sequence

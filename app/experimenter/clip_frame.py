@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QLabel, QSizePolicy, QVBoxLayout, QWidget
 from app.bridge.jobs import Job
 from app.player.times import time_text
 from app.widgets import theme
-from hapticplayer.media import Thumbnail, thumbnails
+from hapticplayer.media.thumbnails import Thumbnail, thumbnails
 
 HEIGHT_PX = 150
 

@@ -31,7 +31,7 @@ from app.widgets.numbers import date_text
 from app.widgets.room import ask_text
 from app.widgets.texts import quoted, titled
 from hapticplayer.errors import HapticPlayerError, InputError, Message, message_of
-from hapticplayer.media import Thumbnail, cover_pictures
+from hapticplayer.media.thumbnails import Thumbnail, cover_pictures
 from hapticplayer.sequence import verify_sequence
 from hapticplayer.sequence.editing import rename_sequence
 from hapticplayer.sequence.files import refuse_existing

@@ -12,7 +12,7 @@ from app.bridge.jobs import Job
 from app.player.times import time_text
 from app.widgets.seek_slider import SeekSlider
 from hapticplayer.devices import NO_DEVICE
-from hapticplayer.media import Thumbnail, thumbnails
+from hapticplayer.media.thumbnails import Thumbnail, thumbnails
 from hapticplayer.playback.player import Player
 
 HEIGHT_PX = 90

@@ -18,7 +18,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from app.player.letterbox import Box, letterbox
-from hapticplayer.media import BgraImage, DecodedFrame, FrameConverter
+from hapticplayer.media.frames import BgraImage, DecodedFrame, FrameConverter
 
 
 class VideoSurface(QWidget):

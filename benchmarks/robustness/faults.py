@@ -30,7 +30,7 @@ from benchmarks.common import ROOT, Report
 from benchmarks.witness import Sentinel, sentinel
 from hapticplayer.haptics.contract import Cause
 from hapticplayer.haptics.shared import SharedBlock
-from hapticplayer.media import write_clip
+from hapticplayer.media.encode import write_clip
 from hapticplayer.simulation.falcon.record_reader import read_record
 from hapticplayer.simulation.falcon.remote import Controls
 

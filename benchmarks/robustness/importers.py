@@ -113,7 +113,8 @@ def _write_clip(path: Path, length_s: float, size_mb: float) -> None:
     import av
     from av.packet import Packet
 
-    from hapticplayer.media import TelemetryPacket, add_telemetry, write_clip
+    from hapticplayer.media.encode import write_clip
+    from hapticplayer.media.telemetry import TelemetryPacket, add_telemetry
 
     small, mixed = path.with_suffix(".small.mp4"), path.with_suffix(".mixed.mp4")
     grey = [np.full((48, 64, 3), 9 * k, np.uint8) for k in range(2)]

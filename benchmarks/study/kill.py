@@ -24,7 +24,8 @@ import numpy as np
 from benchmarks.common import ROOT, Report
 from hapticplayer.capture.recording import Recording
 from hapticplayer.errors import StudyError
-from hapticplayer.media import probe, write_clip
+from hapticplayer.media.clip_info import probe
+from hapticplayer.media.encode import write_clip
 from hapticplayer.model import STANDARD_GRAVITY_MPS2, ClockMap, ImuLog
 from hapticplayer.sequence.build import Choices, write_sequence
 from hapticplayer.study.creation import change_definition, create_study

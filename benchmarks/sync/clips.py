@@ -21,7 +21,7 @@ LOOP_S, LOOPS = 64.0, 19  # whole packets of sound, and 20 minutes
 
 def base_clip(folder: Path, seconds: float) -> Path:
     """Write a 720p30 clip with a flash and a beep every half second."""
-    from hapticplayer.media import write_clip
+    from hapticplayer.media.encode import write_clip
 
     path = folder / "sync.mp4"
     if not path.exists():

@@ -45,8 +45,11 @@ from hapticplayer.capture.recording import Recording, gap_notes
 from hapticplayer.capture.source import Source
 from hapticplayer.capture.streams import mean_rate_with_holes
 from hapticplayer.errors import InputError, Message, TelemetryError
-from hapticplayer.media import data_track_names, read_telemetry_packets
-from hapticplayer.media.telemetry import HANDLER
+from hapticplayer.media.telemetry import (
+    HANDLER,
+    data_track_names,
+    read_telemetry_packets,
+)
 from hapticplayer.model import ClockMap, ImuLog
 from hapticplayer.model.arrays import Floats
 

@@ -33,7 +33,7 @@ from hapticplayer.capture.source import Source
 from hapticplayer.capture.streams import RawLog, Stream
 from hapticplayer.capture.telemetry_child import COLUMNS
 from hapticplayer.errors import Message, TelemetryError
-from hapticplayer.media import data_track_names
+from hapticplayer.media.telemetry import data_track_names
 from hapticplayer.model.arrays import Floats
 
 _COMMAND = (sys.executable, "-P", "-m", "hapticplayer.capture.telemetry_child")

@@ -20,7 +20,7 @@ from hapticplayer.cli.recording_options import (
     sync_text,
 )
 from hapticplayer.errors import Cancelled, HapticPlayerError, UsageError
-from hapticplayer.media import read_telemetry_packets
+from hapticplayer.media.telemetry import read_telemetry_packets
 from hapticplayer.model import Mapping
 from hapticplayer.sequence import open_sequence
 from hapticplayer.sequence.build import Choices, build_sequence

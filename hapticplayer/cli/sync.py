@@ -23,7 +23,7 @@ from hapticplayer.cli.recording_options import (
     sync_text,
 )
 from hapticplayer.errors import InputError, MediaError, TelemetryError, UsageError
-from hapticplayer.media import ClipInfo, probe
+from hapticplayer.media.clip_info import ClipInfo, probe
 from hapticplayer.sequence import files
 from hapticplayer.sequence.synchronizing import (
     SyncChoices,

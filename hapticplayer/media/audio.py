@@ -17,7 +17,6 @@ from hapticplayer.media.limits import MAX_AUDIO_CHANNELS, MAX_AUDIO_RATE_HZ
 from hapticplayer.media.opening import (
     context_of,
     media_errors,
-    open_media,
     origin_s,
     read_only,
 )
@@ -55,6 +54,8 @@ class AudioDecoder(ClipDecoder[AudioFrame]):
         channels: of the blocks.
     """
 
+    _WHAT = Message("its sound cannot be set up")
+
     def __init__(
         self,
         path: str | os.PathLike[str],
@@ -76,14 +77,7 @@ class AudioDecoder(ClipDecoder[AudioFrame]):
             raise ValueError(f"{channels} channels: only 1 or 2 can be asked for")
         self.rate_hz = rate_hz
         self.channels = channels
-        self._path = path
-        self._container = open_media(path)
-        try:
-            with media_errors(path, Message("its sound cannot be set up")):
-                self._set_up()
-        except BaseException:
-            self._container.close()
-            raise
+        super().__init__(path)
 
     def _set_up(self) -> None:
         stream = next((s for s in self._container.streams.audio if context_of(s)), None)

@@ -45,9 +45,6 @@ class ClipInfo:
         has_audio: whether there is sound that can be decoded.
         audio_rate_hz: as stored; 0 without sound.
         has_telemetry: whether a camera's motion track is embedded.
-        video_codec: its short name, such as "h264".
-        rotation_deg: counterclockwise turn that the file asks for, 0, 90, 180, 270.
-        size_bytes: of the file.
     """
 
     path: Path
@@ -59,9 +56,6 @@ class ClipInfo:
     has_audio: bool
     audio_rate_hz: int
     has_telemetry: bool
-    video_codec: str
-    rotation_deg: int
-    size_bytes: int
 
 
 def probe(path: str | os.PathLike[str]) -> ClipInfo:
@@ -76,12 +70,11 @@ def probe(path: str | os.PathLike[str]) -> ClipInfo:
     ):
         video = require_video(container, path)
         audio = next((s for s in container.streams.audio if context_of(s)), None)
-        file = Path(path).resolve()
         duration_s = _duration_s(container, video, path)
         rotation_deg = rotation_of(_first_frame(container, video, path))
         width, height = shown_size(video, rotation_deg)
         return ClipInfo(
-            path=file,
+            path=Path(path).resolve(),
             duration_s=duration_s,
             width=width,
             height=height,
@@ -90,9 +83,6 @@ def probe(path: str | os.PathLike[str]) -> ClipInfo:
             has_audio=audio is not None,
             audio_rate_hz=audio.rate if audio is not None else 0,
             has_telemetry=find_telemetry(container) is not None,
-            video_codec=video.codec_context.name,
-            rotation_deg=rotation_deg,
-            size_bytes=file.stat().st_size,
         )
 
 

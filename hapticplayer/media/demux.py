@@ -1,5 +1,6 @@
 """Reads and decodes the packets of one stream, past damaged ones."""
 
+import abc
 import os
 from collections import deque
 from collections.abc import Iterable, Iterator
@@ -12,11 +13,16 @@ from av.stream import Stream
 from av.video.frame import VideoFrame
 
 from hapticplayer.errors import MediaError, Message
-from hapticplayer.media.approach import IS_MARKED, ONE_TO_ONE, AnyPacket, Approach
-from hapticplayer.media.continuity import Continuity
 from hapticplayer.media.files import COPY_AGAIN
 from hapticplayer.media.limits import MAX_DAMAGED_IN_A_ROW
-from hapticplayer.media.opening import media_errors
+from hapticplayer.media.opening import media_errors, open_media
+from hapticplayer.media.packets import (
+    MARKED,
+    ONE_TO_ONE,
+    AnyPacket,
+    Continuity,
+    Lookahead,
+)
 
 FrameT = TypeVar("FrameT")
 
@@ -43,7 +49,7 @@ class PacketReader(Generic[FrameT]):
         is_video = stream.type == "video"
         self._continuity = Continuity(stream) if is_video else None
         self._codec = stream.codec_context
-        self._approach: Approach | None = None
+        self._lookahead: Lookahead | None = None
 
     @property
     def damaged(self) -> int:
@@ -57,7 +63,7 @@ class PacketReader(Generic[FrameT]):
             MediaError: when the container cannot be positioned at all.
         """
         self._frames.clear()
-        self._arrive()
+        self._end_lookahead()
         self._bad_in_a_row = 0
         self._may_be_leading = True
         if self._continuity:
@@ -70,7 +76,7 @@ class PacketReader(Generic[FrameT]):
                 self._container.seek(ticks, stream=self._stream, backward=False)
         self._packets = self._container.demux(self._stream)
 
-    def approach(self, ticks: int) -> int | None:
+    def read_ahead(self, ticks: int) -> int | None:
         """After `seek`: leave out of the decoding what only leads to `ticks`.
 
         Returns:
@@ -81,35 +87,35 @@ class PacketReader(Generic[FrameT]):
         """
         if self._codec.name not in ONE_TO_ONE:
             return None
-        self._approach = Approach(is_marked=self._codec.name in IS_MARKED)
+        self._lookahead = Lookahead(is_marked=self._codec.name in MARKED)
         with media_errors(self._path, Message("it cannot be read any further")):
             try:
-                self._approach.look(self._packets, ticks)
+                self._lookahead.read(self._packets, ticks)
             except av.error.InvalidDataError as error:
                 self._count_damage(error)
                 self._packets = self._container.demux(self._stream)
-        return self._approach.wanted
+        return self._lookahead.wanted
 
-    def _arrive(self) -> None:
+    def _end_lookahead(self) -> None:
         """Decode everything from here on."""
-        if self._approach:
-            self._approach = None
+        if self._lookahead:
+            self._lookahead = None
             self._codec.skip_frame = "DEFAULT"
 
     def _next_packet(self) -> AnyPacket | None:
         """Return the next packet, those first that were read ahead."""
-        packet = self._approach.pop() if self._approach else None
+        packet = self._lookahead.pop() if self._lookahead else None
         if packet is None:
-            self._arrive()
+            self._end_lookahead()
             packet = next(self._packets, None)
-        elif self._is_passed(packet.pts):
+        elif self._is_skipped(packet.pts):
             self._codec.skip_frame = "NONREF"
         else:
             self._codec.skip_frame = "DEFAULT"
         return packet
 
-    def _is_passed(self, pts: int | None) -> bool:
-        return self._approach is not None and self._approach.is_passed(pts)
+    def _is_skipped(self, pts: int | None) -> bool:
+        return self._lookahead is not None and self._lookahead.is_skipped(pts)
 
     def next_frame(self) -> FrameT | None:
         """Return the next decoded frame, or None at the end.
@@ -135,7 +141,7 @@ class PacketReader(Generic[FrameT]):
             return True
         if packet is None:
             return False
-        if self._continuity and not self._is_passed(packet.pts):
+        if self._continuity and not self._is_skipped(packet.pts):
             self._continuity.send(packet)
         try:
             frames = packet.decode()
@@ -163,7 +169,7 @@ class PacketReader(Generic[FrameT]):
             is_key = not isinstance(frame, VideoFrame) or frame.key_frame
             self._may_be_leading = self._may_be_leading and not is_key
             self._broken += frame.is_corrupt and not self._may_be_leading
-            if not isinstance(frame, VideoFrame) or self._is_passed(frame.pts):
+            if not isinstance(frame, VideoFrame) or self._is_skipped(frame.pts):
                 continue
             if self._continuity:
                 self._continuity.receive(frame)
@@ -180,11 +186,27 @@ class PacketReader(Generic[FrameT]):
             ) from error
 
 
-class ClipDecoder(Generic[FrameT]):
-    """What the decoders of pictures and of sound share: an open clip and its damage."""
+class ClipDecoder(abc.ABC, Generic[FrameT]):
+    """What the decoders of video and of sound share: an open clip and its damage."""
 
-    _container: InputContainer
+    _WHAT: Message
+    """What is said of a clip that cannot be set up."""
+
     _reader: PacketReader[FrameT]
+
+    def __init__(self, path: str | os.PathLike[str]) -> None:
+        self._path = path
+        self._container = open_media(path)
+        try:
+            with media_errors(path, self._WHAT):
+                self._set_up()
+        except BaseException:
+            self._container.close()
+            raise
+
+    @abc.abstractmethod
+    def _set_up(self) -> None:
+        """Choose the stream, and read it with `_reader`."""
 
     @property
     def damaged(self) -> int:

@@ -11,7 +11,7 @@ from av.video.frame import VideoFrame
 from av.video.reformatter import Colorspace, Interpolation, VideoReformatter
 from numpy.typing import NDArray
 
-from hapticplayer.errors import MediaError, Message
+from hapticplayer.errors import MediaError
 from hapticplayer.media.limits import MAX_PIXELS
 
 HD_HEIGHT_PX = 720
@@ -90,11 +90,9 @@ class FrameConverter:
         width, height = max(2, width_px & ~1), max(2, height_px)
         if width * height > MAX_PIXELS:
             raise MediaError(
-                Message(
-                    "{width} x {height} pixels are too large for a frame",
-                    width=width,
-                    height=height,
-                )
+                "{width} x {height} pixels are too large for a frame",
+                width=width,
+                height=height,
             )
         quarter_turns = rotation_of(native) // 90
         size = (width, height)

@@ -20,15 +20,14 @@ from av.stream import Disposition, Stream
 from av.video.stream import VideoStream
 
 from hapticplayer.errors import MediaError, Message
+from hapticplayer.media.declared import declared_bytes, declared_samples
 from hapticplayer.media.files import COPY_AGAIN, resolve_regular
-from hapticplayer.media.lengths import declared_bytes
 from hapticplayer.media.limits import (
     INDEX_TAIL,
     MAX_PIXELS,
     MAX_SIDE_PX,
     MAX_STREAMS,
 )
-from hapticplayer.media.sample_counts import declared_samples
 
 OPTIONS = {
     "protocol_whitelist": "file",

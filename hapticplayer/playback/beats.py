@@ -11,7 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hapticplayer import __version__
-from hapticplayer.media import probe, write_clip
+from hapticplayer.media.clip_info import probe
+from hapticplayer.media.encode import write_clip
 from hapticplayer.model import Feedback, ForceTrack
 from hapticplayer.playback.source import Source, no_feedback_for
 from hapticplayer.sequence.files import Progress, cache_root, no_progress

@@ -7,13 +7,10 @@ from collections import deque
 from pathlib import Path
 
 from hapticplayer.errors import MediaError
-from hapticplayer.media import (
-    AudioBlock,
-    AudioDecoder,
-    DecodedFrame,
-    TempoFilter,
-    VideoDecoder,
-)
+from hapticplayer.media.audio import AudioBlock, AudioDecoder
+from hapticplayer.media.frames import DecodedFrame
+from hapticplayer.media.tempo import TempoFilter
+from hapticplayer.media.video import VideoDecoder
 from hapticplayer.playback.audio import AudioRing
 from hapticplayer.playback.sound_block import CHANNELS
 

@@ -4,7 +4,7 @@ from collections.abc import Callable
 from typing import Protocol
 
 from hapticplayer.clock import Clock
-from hapticplayer.media import DecodedFrame
+from hapticplayer.media.frames import DecodedFrame
 from hapticplayer.model import PlaybackClock
 from hapticplayer.playback.feeders import VideoFeeder
 

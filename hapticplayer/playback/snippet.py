@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hapticplayer.errors import Message
-from hapticplayer.media import AudioDecoder
+from hapticplayer.media.audio import AudioDecoder
 from hapticplayer.playback.audio import RATE_HZ
 from hapticplayer.playback.sound_block import CHANNELS
 

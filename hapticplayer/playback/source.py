@@ -8,7 +8,7 @@ import numpy as np
 
 from hapticplayer.capture.si_csv import read_force_csv
 from hapticplayer.errors import InputError, MediaError, UsageError
-from hapticplayer.media import ClipInfo, probe
+from hapticplayer.media.clip_info import ClipInfo, probe
 from hapticplayer.model import Feedback, ForceTrack, MotionTrack
 from hapticplayer.rendering import no_feedback
 from hapticplayer.sequence import open_sequence

@@ -16,7 +16,7 @@ from hapticplayer.capture.mounting import ask_for_mounting, mounted
 from hapticplayer.capture.recording import Recording, find_gaps, refuse_gravity_free
 from hapticplayer.clock import utc_now_iso
 from hapticplayer.errors import InputError
-from hapticplayer.media import ClipInfo, probe
+from hapticplayer.media.clip_info import ClipInfo, probe
 from hapticplayer.model import (
     Feedback,
     ForceTrack,

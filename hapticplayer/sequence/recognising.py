@@ -14,7 +14,7 @@ from hapticplayer.capture.recording import Recording, find_gaps, refuse_gravity_
 from hapticplayer.capture.sync.methods import AUTO
 from hapticplayer.capture.sync.result import Synchronisation
 from hapticplayer.errors import InputError, UsageError, message_of
-from hapticplayer.media import ClipInfo, camera_of, probe
+from hapticplayer.media.clip_info import ClipInfo, camera_of, probe
 from hapticplayer.sequence import files
 from hapticplayer.sequence.synchronizing import SyncChoices, find_sync
 

@@ -18,7 +18,7 @@ from hapticplayer.capture.mounting import fallen_text, mean_up
 from hapticplayer.capture.recording import Recording
 from hapticplayer.capture.sync.result import ENOUGH_CONFIDENCE
 from hapticplayer.errors import Message, from_json, to_json
-from hapticplayer.media import ClipInfo
+from hapticplayer.media.clip_info import ClipInfo
 from hapticplayer.model import Feedback, ForceTrack, ImuLog, MotionTrack
 
 LARGE_LEAK_MPS2 = 0.05

@@ -10,7 +10,7 @@ from hapticplayer.capture.sync.methods import AUTO, sync_method
 from hapticplayer.capture.sync.result import Synchronisation
 from hapticplayer.capture.sync.synchronize import Sound, SyncInput, read_sound
 from hapticplayer.errors import InputError, Message, UsageError
-from hapticplayer.media import ClipInfo, camera_of
+from hapticplayer.media.clip_info import ClipInfo, camera_of
 from hapticplayer.model import ClockMap
 from hapticplayer.sequence import files
 

@@ -5,7 +5,7 @@ from pathlib import Path
 
 from hapticplayer import __version__
 from hapticplayer.errors import SequenceError
-from hapticplayer.media import probe
+from hapticplayer.media.clip_info import probe
 from hapticplayer.sequence import files
 from hapticplayer.sequence.build import Choices, write_sequence
 from hapticplayer.sequence.store import open_sequence

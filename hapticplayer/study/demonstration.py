@@ -7,7 +7,8 @@ from numpy.typing import NDArray
 
 from hapticplayer import __version__
 from hapticplayer.haptics.limiter import Limits
-from hapticplayer.media import probe, write_clip
+from hapticplayer.media.clip_info import probe
+from hapticplayer.media.encode import write_clip
 from hapticplayer.model import ForceTrack
 from hapticplayer.playback.source import Source
 from hapticplayer.sequence.files import cache_root

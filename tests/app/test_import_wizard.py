@@ -17,7 +17,8 @@ from hapticplayer.capture import formats, read_recording
 from hapticplayer.capture.si_csv import write_imu_csv
 from hapticplayer.capture.sync import methods
 from hapticplayer.errors import Message
-from hapticplayer.media import TelemetryPacket, add_telemetry, write_clip
+from hapticplayer.media.encode import write_clip
+from hapticplayer.media.telemetry import TelemetryPacket, add_telemetry
 from hapticplayer.playback.phases import Phase
 from hapticplayer.sequence import open_sequence
 from hapticplayer.sequence.synchronizing import stored_skews

@@ -13,7 +13,8 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QDialog, QSplitter
 
 from hapticplayer.haptics.contract import Cause, Mode
-from hapticplayer.media import probe, write_clip
+from hapticplayer.media.clip_info import probe
+from hapticplayer.media.encode import write_clip
 from hapticplayer.model import ForceTrack
 from hapticplayer.playback.source import Source
 

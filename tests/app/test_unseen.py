@@ -7,7 +7,7 @@ from app.player.statistics import Statistics
 from app.player.video_surface import VideoSurface
 from app.plots.panel import PlotPanel
 from app.widgets.room import is_seen
-from hapticplayer.media import FrameConverter
+from hapticplayer.media.frames import FrameConverter
 from hapticplayer.playback.phases import Phase
 
 WAYS = ("hidden", "minimised", "covered")

@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QLabel, QWidget
 
 from app.player.letterbox import letterbox
 from app.player.video_surface import VideoSurface
-from hapticplayer.media import DecodedFrame, FrameConverter
+from hapticplayer.media.frames import DecodedFrame, FrameConverter
 
 SIDES = st.integers(2, 8000)
 

@@ -12,7 +12,7 @@ import pytest
 
 from hapticplayer.capture import read_recording
 from hapticplayer.capture.si_csv import write_imu_csv
-from hapticplayer.media import write_clip
+from hapticplayer.media.encode import write_clip
 from hapticplayer.model import ImuLog
 from hapticplayer.simulation.rides.motion_scenes import simulate_motion
 

@@ -17,7 +17,7 @@ from hapticplayer.haptics.records import (
     encode_header,
 )
 from hapticplayer.haptics.shared import TICK
-from hapticplayer.media import write_clip
+from hapticplayer.media.encode import write_clip
 from tests.e2e.test_command_line import ROOT, hapticplayer, refused
 
 HEADER = {

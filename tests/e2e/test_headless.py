@@ -5,7 +5,7 @@ import json
 import numpy as np
 import pytest
 
-from hapticplayer.media import write_clip
+from hapticplayer.media.encode import write_clip
 from tests.e2e.test_command_line import hapticplayer, read_log
 
 DEVICE_MS, DISPLAY_MS = 40.0, 300.0

@@ -14,7 +14,7 @@ import pytest
 from hapticplayer import motion
 from hapticplayer.capture import read_recording
 from hapticplayer.capture.si_csv import write_imu_csv
-from hapticplayer.media import write_clip
+from hapticplayer.media.encode import write_clip
 from hapticplayer.sequence.store import read_recorded
 from hapticplayer.simulation.rides.motion_scenes import simulate_motion
 from tests.e2e.test_command_line import ROOT, hapticplayer, refused

@@ -8,7 +8,7 @@ import pytest
 from scipy.signal import resample_poly
 
 from hapticplayer.capture.si_csv import write_imu_csv
-from hapticplayer.media import write_clip
+from hapticplayer.media.encode import write_clip
 from hapticplayer.simulation.rides.sync_clips import simulate_pats
 from tests.e2e.test_command_line import hapticplayer, refused
 

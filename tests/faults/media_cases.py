@@ -18,7 +18,10 @@ import numpy as np
 
 from hapticplayer.clock import SystemClock
 from hapticplayer.errors import MediaError
-from hapticplayer.media import AudioDecoder, FrameConverter, VideoDecoder, probe
+from hapticplayer.media.audio import AudioDecoder
+from hapticplayer.media.clip_info import probe
+from hapticplayer.media.frames import FrameConverter
+from hapticplayer.media.video import VideoDecoder
 
 EXTREMES = (b"\xff\xff\xff\xff", b"\x7f\xff\xff\xff", b"\0\0\0\0")
 LONGEST_S = 5.0

@@ -9,7 +9,7 @@ import media_cases as cases
 import nasty_files as nasty
 import pytest
 
-from hapticplayer.media import VideoDecoder
+from hapticplayer.media.video import VideoDecoder
 from hapticplayer.playback.log import PlaybackLog
 
 MUTATIONS = 25

@@ -10,7 +10,7 @@ from scipy.signal import resample_poly
 
 from hapticplayer.capture.choices import LogQuestion
 from hapticplayer.capture.si_csv import write_imu_csv
-from hapticplayer.media import write_clip
+from hapticplayer.media.encode import write_clip
 from hapticplayer.sequence.build import build_sequence
 from hapticplayer.sequence.editing import rename_sequence
 from hapticplayer.sequence.recognising import Recognised, recognise

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from hapticplayer.capture.sync.methods import AUTO, sync_method
 from hapticplayer.capture.sync.result import Synchronisation
 from hapticplayer.errors import InputError, UsageError
-from hapticplayer.media import AudioDecoder
+from hapticplayer.media.audio import AudioDecoder
 from hapticplayer.model import ClockMap, ImuLog
 
 SOUND_RATE_HZ = 16_000

@@ -179,7 +179,7 @@ class SecondPainter:
 
 def main(arguments: list[str]) -> int:
     """Draw what was asked for."""
-    from hapticplayer.media import write_clip
+    from hapticplayer.media.encode import write_clip
     from hapticplayer.simulation.rides.catalogue import SCENES
 
     target, scene = Path(arguments[0]), arguments[1]

@@ -232,7 +232,7 @@ def _write(
     tell: Callable[[int], None],
     rest: Callable[[], Path] | None = None,
 ) -> None:
-    from hapticplayer.media import write_clip
+    from hapticplayer.media.encode import write_clip
 
     write_clip(
         path,
@@ -261,7 +261,7 @@ def write_gopro_clip(
     Raises:
         MediaError: when it cannot be written.
     """
-    from hapticplayer.media import TelemetryPacket, add_telemetry
+    from hapticplayer.media.telemetry import TelemetryPacket, add_telemetry
     from hapticplayer.simulation.rides.gpmf_writer import write_payloads
 
     packets = [TelemetryPacket(t, 1.0, p) for t, p in write_payloads(recorded.imu)]

@@ -16,7 +16,9 @@ from hapticplayer.capture.gopro_streams import (
 )
 from hapticplayer.capture.gopro_timing import Clock, sample_times
 from hapticplayer.capture.gpmf import Entry, parse
-from hapticplayer.media import FrameConverter, VideoDecoder, read_telemetry_packets
+from hapticplayer.media.frames import FrameConverter
+from hapticplayer.media.telemetry import read_telemetry_packets
+from hapticplayer.media.video import VideoDecoder
 from hapticplayer.model import ImuLog
 from hapticplayer.model.arrays import Floats
 from tests.unit.capture.conftest import floats, nested, recorded, sensor, text

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from hapticplayer.media import write_clip
+from hapticplayer.media.encode import write_clip
 
 RATE_HZ = 48_000
 CLICKS_S = (0.75, 2.3, 3.90625)

@@ -10,9 +10,9 @@ import pytest
 from av.video.frame import VideoFrame
 from av.video.stream import VideoStream
 
-from hapticplayer.media import VideoDecoder, video
-from hapticplayer.media.approach import Approach
-from hapticplayer.media.threads import choose_threads
+from hapticplayer.media import video
+from hapticplayer.media.packets import Lookahead
+from hapticplayer.media.video import VideoDecoder, choose_threads
 
 COUNT, RATE_HZ = 100, 25
 KINDS = {
@@ -156,24 +156,24 @@ class Packet:
 def test_times_that_allow_no_conclusion_leave_nothing_out(
     times: list[tuple[int | None, int | None]],
 ) -> None:
-    approach = Approach(is_marked=True)
-    approach.look(iter([Packet(*time) for time in times]), 5)  # type: ignore[arg-type]
+    approach = Lookahead(is_marked=True)
+    approach.read(iter([Packet(*time) for time in times]), 5)  # type: ignore[arg-type]
     assert approach.wanted is None
-    assert not any(approach.is_passed(pts) for pts in range(10))
+    assert not any(approach.is_skipped(pts) for pts in range(10))
     assert approach.pop() is not None
 
 
 def test_the_two_newest_pictures_before_a_position_are_decoded() -> None:
     packets = [Packet(0, -2), Packet(40, -1), Packet(20, 0), Packet(10, 10)]
     packets += [Packet(30, 20), Packet(80, 40), Packet(60, 50)]
-    approach = Approach(is_marked=True)
-    approach.look(iter(packets), 35)  # type: ignore[arg-type]
+    approach = Lookahead(is_marked=True)
+    approach.read(iter(packets), 35)  # type: ignore[arg-type]
     assert approach.wanted == 30
-    assert [p for p in (0, 10, 20, 30, 40) if approach.is_passed(p)] == [0, 10]
-    unmarked = Approach(is_marked=False)
-    unmarked.look(iter(packets), 35)  # type: ignore[arg-type]
+    assert [p for p in (0, 10, 20, 30, 40) if approach.is_skipped(p)] == [0, 10]
+    unmarked = Lookahead(is_marked=False)
+    unmarked.read(iter(packets), 35)  # type: ignore[arg-type]
     assert unmarked.wanted == 30
-    assert not unmarked.is_passed(0)
+    assert not unmarked.is_skipped(0)
 
 
 @pytest.mark.parametrize(

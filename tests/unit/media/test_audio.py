@@ -8,7 +8,8 @@ import pytest
 from numpy.typing import NDArray
 
 from hapticplayer.errors import MediaError
-from hapticplayer.media import AudioBlock, AudioDecoder, write_clip
+from hapticplayer.media.audio import AudioBlock, AudioDecoder
+from hapticplayer.media.encode import write_clip
 from tests.unit.media.conftest import CLICKS_S, clicks, numbered_pictures, write_plain
 
 

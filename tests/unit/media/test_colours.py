@@ -7,7 +7,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from hapticplayer.media import FrameConverter, VideoDecoder, probe
+from hapticplayer.media.clip_info import probe
+from hapticplayer.media.frames import FrameConverter
+from hapticplayer.media.video import VideoDecoder
 
 pytestmark = pytest.mark.skipif(
     shutil.which("ffmpeg") is None, reason="the program ffmpeg is not installed"

@@ -6,7 +6,7 @@ import av
 import numpy as np
 import pytest
 
-from hapticplayer.media import VideoDecoder
+from hapticplayer.media.video import VideoDecoder
 
 RATE_HZ = 25
 EVEN = list(range(40))

@@ -7,14 +7,12 @@ import numpy as np
 import pytest
 
 from hapticplayer.errors import MediaError
-from hapticplayer.media import (
-    AudioDecoder,
-    FrameConverter,
-    VideoDecoder,
-    probe,
-    read_telemetry_packets,
-    write_clip,
-)
+from hapticplayer.media.audio import AudioDecoder
+from hapticplayer.media.clip_info import probe
+from hapticplayer.media.encode import write_clip
+from hapticplayer.media.frames import FrameConverter
+from hapticplayer.media.telemetry import read_telemetry_packets
+from hapticplayer.media.video import VideoDecoder
 from tests.faults.media_cases import mutated
 from tests.unit.media.conftest import clicks, numbered_pictures
 

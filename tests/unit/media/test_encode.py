@@ -5,7 +5,9 @@ import numpy as np
 import pytest
 
 from hapticplayer.errors import Cancelled, MediaError
-from hapticplayer.media import VideoDecoder, probe, write_clip
+from hapticplayer.media.clip_info import probe
+from hapticplayer.media.encode import write_clip
+from hapticplayer.media.video import VideoDecoder
 from tests.unit.media.conftest import clicks, numbered_pictures
 
 

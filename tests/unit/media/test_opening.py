@@ -7,9 +7,10 @@ import numpy as np
 import pytest
 
 from hapticplayer.errors import MediaError
-from hapticplayer.media import open_media, probe
-from hapticplayer.media.lengths import declared_bytes
+from hapticplayer.media.clip_info import probe
+from hapticplayer.media.declared import declared_bytes
 from hapticplayer.media.limits import MAX_PIXELS, MAX_SIDE_PX
+from hapticplayer.media.opening import open_media
 
 
 def missing(path: Path, clip: Path) -> Path:

@@ -6,7 +6,8 @@ import av
 import numpy as np
 import pytest
 
-from hapticplayer.media import AudioDecoder, VideoDecoder
+from hapticplayer.media.audio import AudioDecoder
+from hapticplayer.media.video import VideoDecoder
 
 PICTURES, RATE_HZ, SOUNDS = 30, 15, 3
 SOUND_HZ = 48_000

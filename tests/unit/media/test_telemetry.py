@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 
 from hapticplayer.errors import MediaError
-from hapticplayer.media import (
+from hapticplayer.media.clip_info import probe
+from hapticplayer.media.telemetry import (
     TelemetryPacket,
     add_telemetry,
     data_track_names,
-    probe,
     read_telemetry_packets,
 )
 

@@ -7,8 +7,12 @@ from pathlib import Path
 import av
 import pytest
 
-from hapticplayer.media import TelemetryPacket, add_telemetry, read_telemetry_packets
 from hapticplayer.media import telemetry as module
+from hapticplayer.media.telemetry import (
+    TelemetryPacket,
+    add_telemetry,
+    read_telemetry_packets,
+)
 
 
 @pytest.fixture

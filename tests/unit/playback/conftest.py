@@ -5,7 +5,8 @@ import pytest
 
 from hapticplayer.clock import ManualClock
 from hapticplayer.haptics.processes import HapticsProcesses
-from hapticplayer.media import probe, write_clip
+from hapticplayer.media.clip_info import probe
+from hapticplayer.media.encode import write_clip
 from hapticplayer.model import ForceTrack
 from hapticplayer.playback.audio import AudioRing
 from hapticplayer.playback.player import Player

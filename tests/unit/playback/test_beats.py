@@ -5,7 +5,9 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from hapticplayer.media import AudioDecoder, FrameConverter, VideoDecoder
+from hapticplayer.media.audio import AudioDecoder
+from hapticplayer.media.frames import FrameConverter
+from hapticplayer.media.video import VideoDecoder
 from hapticplayer.playback.beats import (
     FIRST_S,
     LENGTH_S,

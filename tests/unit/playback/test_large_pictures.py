@@ -4,7 +4,9 @@ import numpy as np
 import pytest
 
 from hapticplayer.clock import SystemClock
-from hapticplayer.media import FrameConverter, probe, write_clip
+from hapticplayer.media.clip_info import probe
+from hapticplayer.media.encode import write_clip
+from hapticplayer.media.frames import FrameConverter
 from hapticplayer.playback import headless
 from hapticplayer.playback.player import Player
 from hapticplayer.playback.source import open_source

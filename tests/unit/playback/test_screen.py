@@ -1,7 +1,7 @@
 """When the screen asks to be called again."""
 
 from hapticplayer.clock import ManualClock
-from hapticplayer.media import DecodedFrame
+from hapticplayer.media.frames import DecodedFrame
 from hapticplayer.model import PlaybackClock
 from hapticplayer.playback.screen import POLL_S, PREVIEW_POLL_S, NullSink, Screen
 

@@ -6,7 +6,9 @@ import threading
 import numpy as np
 import pytest
 
-from hapticplayer.media import AudioDecoder, FrameConverter, VideoDecoder
+from hapticplayer.media.audio import AudioDecoder
+from hapticplayer.media.frames import FrameConverter
+from hapticplayer.media.video import VideoDecoder
 from hapticplayer.playback.feeders import VideoFeeder
 from tests.unit.playback.conftest import Theatre
 

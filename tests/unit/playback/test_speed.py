@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 
 from hapticplayer.clock import ManualClock
-from hapticplayer.media import AudioBlock, TempoFilter
+from hapticplayer.media.audio import AudioBlock
+from hapticplayer.media.tempo import TempoFilter
 from hapticplayer.playback.audio import AudioRing
 from hapticplayer.playback.phases import Phase
 from hapticplayer.playback.sound_process import SilentOut

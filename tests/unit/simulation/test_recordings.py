@@ -8,7 +8,7 @@ import pytest
 from hapticplayer.capture import read_recording
 from hapticplayer.capture.choices import parse_choices
 from hapticplayer.errors import Cancelled, UsageError
-from hapticplayer.media import probe
+from hapticplayer.media.clip_info import probe
 from hapticplayer.simulation import recordings
 from hapticplayer.simulation.recordings import READ_AS, write_simulated_recording
 from hapticplayer.simulation.rides.recording import SimulatedRecording, simulate

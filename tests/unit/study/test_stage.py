@@ -9,7 +9,8 @@ import pytest
 from hapticplayer.clock import ManualClock, SystemClock
 from hapticplayer.haptics.contract import Mode
 from hapticplayer.haptics.limiter import Limits as ForceLimits
-from hapticplayer.media import probe, write_clip
+from hapticplayer.media.clip_info import probe
+from hapticplayer.media.encode import write_clip
 from hapticplayer.model import ForceTrack, Reconstruction
 from hapticplayer.playback.player import Player
 from hapticplayer.playback.source import Source

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from hapticplayer.capture import read_recording, synchronize
 from hapticplayer.capture.choices import parse_choices
 from hapticplayer.capture.si_csv import write_imu_csv
-from hapticplayer.media import write_clip
+from hapticplayer.media.encode import write_clip
 from hapticplayer.model import STANDARD_GRAVITY_MPS2, Sampling
 from hapticplayer.simulation.rides.board import PAPER, Board, record
 from hapticplayer.simulation.rides.catalogue import RIDES

@@ -8,7 +8,10 @@ from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 from hapticplayer.errors import Cancelled, MediaError, UsageError
-from hapticplayer.media import AudioDecoder, FrameConverter, VideoDecoder, probe
+from hapticplayer.media.audio import AudioDecoder
+from hapticplayer.media.clip_info import probe
+from hapticplayer.media.frames import FrameConverter
+from hapticplayer.media.video import VideoDecoder
 from hapticplayer.model import STANDARD_GRAVITY_MPS2
 from hapticplayer.simulation.film import film
 from hapticplayer.simulation.film.frame import PictureMaker

@@ -1,17 +1,101 @@
-"""Notices pictures that a damaged file has lost without a word from the decoder."""
+"""What the packets of a stream say: which frame a seek wants, and which frames are lost."""
 
+import itertools
+from collections import deque
+from collections.abc import Iterator
 from statistics import median
+from typing import TYPE_CHECKING, Any
 
+from av.packet import Packet
 from av.stream import Stream
 from av.video.frame import VideoFrame
 
-from hapticplayer.media.approach import ONE_TO_ONE, AnyPacket
+from hapticplayer.media.limits import MAX_AHEAD_BYTES, MAX_AHEAD_PACKETS
+
+ONE_TO_ONE = frozenset({"h264", "hevc"})
+"""Every packet becomes one frame with its time; VP8 and VP9 have hidden frames."""
+
+MARKED = frozenset({"h264"})
+"""Codecs that mark frames without references; in H.265 within one temporal layer only."""
 
 _FIRST_STEPS = 8  # what they are like, the rate is taken to be
 _EVEN = 0.1
 _LONGER = 1.5
 _LOST_AT_END = 2.6  # steps between the beginning of the last picture and the end
 _LOST_EARLY = 8  # the same where too few pictures came to know the rate
+
+if TYPE_CHECKING:
+    AnyPacket = Packet[Any]
+else:  # it takes no parameter at run time
+    AnyPacket = Packet
+
+
+class Lookahead:
+    """Packets read ahead of a seek, from a key frame to the wanted frame.
+
+    It is known then which of them holds the wanted frame, and frames before it that no
+    other frame refers to need not be decoded. What is shown stays the same to the bit:
+    H.264 marks such frames (`nal_ref_idc` is 0, ITU-T H.264 7.4.1).
+
+    Args:
+        is_marked: whether the codec marks frames that no other frame refers to.
+
+    Attributes:
+        wanted: time stamp of the frame that covers the position; None where the
+            packets do not tell.
+    """
+
+    def __init__(self, *, is_marked: bool) -> None:
+        self.wanted: int | None = None
+        self._read: deque[AnyPacket] = deque()
+        self._is_marked = is_marked
+        self._needed_from: int | None = None
+
+    def read(self, packets: Iterator[AnyPacket], until: int) -> None:
+        """Read until nothing that follows can be shown at `until` or before.
+
+        Whatever the reading raises passes through; `pop` has what was read.
+
+        Args:
+            packets: from a key frame on.
+            until: in the stream's time base.
+        """
+        if not self._read_past(packets, until):
+            return
+        pts = {p.pts for p in self._read if not p.is_discard and p.pts is not None}
+        covering = sorted(p for p in pts if p <= until)
+        self.wanted = covering[-1] if covering else None
+        if self._is_marked and len(covering) > 1:
+            # one more: the two fields of a frame may come in packets of their own
+            self._needed_from = covering[-2]
+
+    def _read_past(self, packets: Iterator[AnyPacket], until: int) -> bool:
+        """Read on; False where the times do not allow a conclusion."""
+        last_dts, size_bytes = None, 0
+        for packet in itertools.islice(packets, MAX_AHEAD_PACKETS):
+            self._read.append(packet)
+            pts, dts = packet.pts, packet.dts
+            if packet.size == 0 and dts is None:
+                return True  # the end of the file
+            if pts is None or dts is None or pts < dts:
+                return False
+            if last_dts is not None and dts <= last_dts:
+                return False
+            if dts > until:
+                return True
+            last_dts, size_bytes = dts, size_bytes + packet.size
+            if size_bytes > MAX_AHEAD_BYTES:
+                break
+        return False
+
+    def pop(self) -> AnyPacket | None:
+        """Return the next packet that was read ahead."""
+        return self._read.popleft() if self._read else None
+
+    def is_skipped(self, pts: int | None) -> bool:
+        """Whether a frame lies before the wanted one and nothing needs it."""
+        needed = self._needed_from
+        return needed is not None and pts is not None and pts < needed
 
 
 class Continuity:
