@@ -88,6 +88,24 @@ def _own_places(tmp_path, cache, monkeypatch) -> None:
     monkeypatch.setenv("XDG_CACHE_HOME", str(cache))
 
 
+@pytest.fixture(autouse=True)
+def idle_processes(monkeypatch) -> list[int]:
+    """Return the processes that only get what others leave; here they get their share.
+
+    On a busy machine they would not come to their end.
+    """
+    asked, really = [], os.sched_setscheduler
+
+    def set_scheduler(pid: int, policy: int, parameter: os.sched_param) -> None:
+        if policy == os.SCHED_IDLE:
+            asked.append(pid)
+        else:
+            really(pid, policy, parameter)
+
+    monkeypatch.setattr(os, "sched_setscheduler", set_scheduler)
+    return asked
+
+
 @pytest.fixture
 def application(qapp) -> QApplication:
     """The application as the program sets it up."""
