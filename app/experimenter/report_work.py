@@ -35,7 +35,7 @@ class Report:
 
 def made_report(answers: Answers, *, progress: Progress) -> Report:
     """Return the report of a study's answers."""
-    from hapticplayer.study.analysis.figures import DPI, pngs
+    from hapticplayer.study.analysis.figures import DPI, image
     from hapticplayer.study.analysis.report import analyse_study, parts_of
     from hapticplayer.study.analysis.typesetting import body
 
@@ -44,7 +44,7 @@ def made_report(answers: Answers, *, progress: Progress) -> Report:
     )
     progress(_ANALYSED, "drawing the figures")
     parts = parts_of(found)
-    pictures = pngs(parts.draw())
+    pictures = {name: image(figure) for name, figure in parts.draw().items()}
     html = body(parts.blocks, lambda name: SCHEME + name)
     return Report(answers, html, pictures, DPI)
 

@@ -1,7 +1,7 @@
 """The analysis of consistency as JSON, as a report, as tables and figures."""
 
-import dataclasses
 from collections.abc import Iterator
+from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -14,11 +14,6 @@ from hapticplayer.study.analysis.consistency import (
     Share,
     position,
 )
-from hapticplayer.study.analysis.consistency_words import (
-    ASSUMPTIONS,
-    AXIS_NAMES,
-    warnings_of,
-)
 from hapticplayer.study.analysis.contents import (
     Block,
     Heading,
@@ -27,8 +22,9 @@ from hapticplayer.study.analysis.contents import (
     Words,
     made_with,
 )
-from hapticplayer.study.analysis.figures import SIZE_IN, settings
-from hapticplayer.study.analysis.statistic import interval, number, p_value
+from hapticplayer.study.analysis.figures import new_panel
+from hapticplayer.study.analysis.psychometric import MOST_LAPSES
+from hapticplayer.study.analysis.statistic import interval, number, p_value, plain
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -37,14 +33,40 @@ if TYPE_CHECKING:
 _FIGURES = {"delay_s": "consistency-by-time-shift", "gain": "consistency-by-gain"}
 _LABELS = {"delay_s": "force later than picture (s)", "gain": "gain of the force"}
 _VALUES = ("lower", "upper", "centre", "window", "spread", "lapse", "peak")
+AXIS_NAMES = {"delay_s": "time shift", "gain": "gain"}
+_ALPHA, _LOW_PEAK, _FEW = 0.05, 0.75, 6
 _INK, _CURVE, _PERSON = "#222222", "#0072b2", "#999999"
+
+ASSUMPTIONS = (
+    (
+        "Shares count all answers of a level; their Wilson intervals take answers as "
+        "independent, and are too narrow where one participant answered several times."
+    ),
+    (
+        "Curves assume that what is perceived of a change has normal noise and is felt as "
+        "consistent between two criteria: a force may come too early or too late, be too weak "
+        "or too strong, and the two criteria need not be alike. A bell with one centre and "
+        "width would force them to be. Where only one side was tried there is one criterion. "
+        "At a criterion half of the answers are yes, if the window is wide against the "
+        "spread. Up to 10 % of the answers may be at random (lapse). Gains count as ratios."
+    ),
+    (
+        "Participants are counted together: the spread holds their differences as well as "
+        "the noise of each. Intervals are bootstrap intervals over participants, each with "
+        "all answers; they are too narrow for few of them."
+    ),
+    (
+        "The fit is judged by the deviance, compared with that of answers drawn from the "
+        "fitted curve. A large p is no proof that the curve is right."
+    ),
+)
 
 
 def summary(analysis: ConsistencyAnalysis) -> dict[str, Any]:
     """Return everything that was found; what is not defined is None."""
     return {
         "consistency": {axis: _axis(one) for axis, one in analysis.axes.items()},
-        "mixed_levels": [_plain_share(one) for one in analysis.mixed],
+        "mixed_levels": [plain(asdict(one)) for one in analysis.mixed],
         "missing": {
             "participants": len(analysis.participants),
             "answers_planned": analysis.planned,
@@ -82,8 +104,8 @@ def contents(analysis: ConsistencyAnalysis) -> Iterator[Block]:
     if analysis.mixed:
         yield _share_table("Time and gain changed at once", analysis.mixed)
     yield Heading("What this assumes")
-    for name, text in ASSUMPTIONS:
-        yield Words(text, name)
+    for text in ASSUMPTIONS:
+        yield Words(text)
     yield from made_with(analysis.choices)
 
 
@@ -109,29 +131,90 @@ def figures(analysis: ConsistencyAnalysis) -> dict[str, "Figure"]:
     return {_FIGURES[axis]: _figure(one) for axis, one in analysis.axes.items()}
 
 
+def warnings_of(analysis: ConsistencyAnalysis) -> list[str]:
+    """Return where something does not hold, is missing or cannot be told."""
+    told = list(analysis.remarks)
+    if analysis.missing:
+        told.append(
+            f"{analysis.missing} of {analysis.planned} answers are missing, "
+            f"{analysis.unsound} of them because the playback was not sound."
+        )
+    if len(analysis.participants) < _FEW:
+        told.append(
+            f"There are {len(analysis.participants)} participants: intervals are too "
+            "narrow, and say little about other people."
+        )
+    if len(analysis.feedbacks) > 1:
+        told.append("Answers to all feedbacks are counted together.")
+    if analysis.mixed:
+        told.append(
+            f"{len(analysis.mixed)} levels change time and gain at once; they are on no "
+            "curve."
+        )
+    if not analysis.axes:
+        told.append("Nothing was changed by more than one amount: there is no curve.")
+    for axis in analysis.axes.values():
+        for name, curve in axis.curves.items():
+            lead = f"{AXIS_NAMES[axis.axis]}, {name}: "
+            told += [lead + text for text in _curve_warnings(axis, curve)]
+    return told
+
+
+def _curve_warnings(axis: AxisAnalysis, curve: Curve | None) -> Iterator[str]:
+    if curve is None:
+        yield "there are too few levels for a curve."
+        return
+    if curve.is_flat:
+        yield (
+            "the shares of the levels do not differ significantly; the curve and its "
+            "criteria mean nothing."
+        )
+    if curve.p_fit < _ALPHA:
+        yield (
+            f"the curve does not fit (deviance {curve.deviance:.1f}, p = "
+            f"{curve.p_fit:.3f}): read the shares, not the criteria."
+        )
+    values = curve.values
+    outside = [
+        name
+        for name in ("lower", "upper")
+        if name in values and not axis.levels[0] <= values[name] <= axis.levels[-1]
+    ]
+    if outside:
+        yield f"{' and '.join(outside)}: beyond the levels that were tried."
+    if bool(np.any(curve.fits.is_steep)):
+        yield (
+            "the flanks lie between two levels; where exactly, and how steep they are, "
+            "only levels in between could tell."
+        )
+    if values.get("peak", 1.0) < _LOW_PEAK:
+        yield (
+            f"even at its centre only {values['peak']:.0%} of the answers are yes; at "
+            "the criteria it is less than half."
+        )
+    if values["lapse"] > 0.99 * MOST_LAPSES:
+        yield "as many answers as allowed are at random; the spread is hard to tell."
+
+
 def _axis(one: AxisAnalysis) -> dict[str, Any]:
     return {
-        "levels": {k: [_plain_share(s) for s in v] for k, v in one.shares.items()},
+        "levels": {k: [plain(asdict(s)) for s in v] for k, v in one.shares.items()},
         "curves": {k: _plain_curve(c) for k, c in one.curves.items()},
     }
-
-
-def _plain_share(one: Share) -> dict[str, Any]:
-    between = list(one.interval) if one.interval else None
-    return {**dataclasses.asdict(one), "interval": between}
 
 
 def _plain_curve(curve: Curve | None) -> dict[str, Any] | None:
     if curve is None:
         return None
-    return {
+    found = {
         "shape": curve.fits.shape.value,
         **curve.values,
-        "intervals": {name: list(pair) for name, pair in curve.intervals.items()},
+        "intervals": curve.intervals,
         "deviance": curve.deviance,
         "p_fit": curve.p_fit,
         "is_flat": curve.is_flat,
     }
+    return {name: plain(value) for name, value in found.items()}
 
 
 def _curve_row(name: str, curve: Curve) -> tuple[str, ...]:
@@ -161,31 +244,22 @@ def _share_table(title: str, shares: tuple[Share, ...]) -> Table:
 
 
 def _share_row(sequence: str, one: Share) -> list[Any]:
-    between = one.interval or (None, None)
-    counted = (one.delay_s, one.gain, one.yes, one.asked, one.share)
-    return [sequence, *counted, *between]
+    *counted, between = asdict(one).values()
+    return [sequence, *counted, *(between or (None, None))]
 
 
 def _figure(one: AxisAnalysis) -> "Figure":
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
-    from matplotlib.figure import Figure
-
-    with settings():
-        figure = Figure(figsize=SIZE_IN, layout="constrained")
-        FigureCanvasAgg(figure)
-        panel = figure.subplots()
-        for row, values in enumerate(one.by_person):
-            label = "one participant" if row == 0 else None
-            panel.plot(
-                one.levels, values, color=_PERSON, lw=0.7, alpha=0.45, label=label
-            )
+    with new_panel("share felt as consistent") as (figure, panel):
+        label: str | None = "one participant"
+        for values in one.by_person:
+            style: dict[str, Any] = {"color": _PERSON, "lw": 0.7, "alpha": 0.45}
+            panel.plot(one.levels, values, label=label, **style)
+            label = None
         _draw_shares(panel, one)
         if (curve := one.curves[ALL]) is not None:
             _draw_curve(panel, one, curve)
         panel.set_xlabel(_LABELS[one.axis])
-        panel.set_ylabel("share felt as consistent")
         panel.set_ylim(-0.03, 1.03)
-        panel.grid(visible=True, axis="y", color="#dddddd", linewidth=0.6)
         figure.legend(loc="outside upper center", ncols=4, frameon=False)
     return figure
 
@@ -196,16 +270,8 @@ def _draw_shares(panel: "Axes", one: AxisAnalysis) -> None:
     middle = np.array([share.share for share in shares], dtype=float)
     ends = np.array([share.interval for share in shares], dtype=float)
     apart = np.abs(ends.T - middle).clip(0.0)
-    panel.errorbar(
-        at,
-        middle,
-        apart,
-        fmt="o",
-        color=_INK,
-        capsize=3,
-        label="all, 95 %",
-        zorder=4,
-    )
+    style: dict[str, Any] = {"fmt": "o", "color": _INK, "capsize": 3, "zorder": 4}
+    panel.errorbar(at, middle, apart, label="all, 95 %", **style)
 
 
 def _draw_curve(panel: "Axes", one: AxisAnalysis, curve: Curve) -> None:

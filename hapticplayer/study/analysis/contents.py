@@ -30,10 +30,9 @@ class Heading:
 
 @dataclass(frozen=True, slots=True)
 class Words:
-    """A paragraph, with a few words in bold before it."""
+    """A paragraph."""
 
     text: str
-    lead: str = ""
 
 
 @dataclass(frozen=True, slots=True)

@@ -7,7 +7,6 @@ import io
 import warnings
 from collections.abc import Iterator
 from contextlib import contextmanager
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -74,23 +73,18 @@ def factors_by_feedback(analysis: Analysis) -> "Figure":
     return _figure(groups, analysis.scores.feedbacks, label, SCALE)
 
 
-def save(figure: "Figure", path: Path) -> None:
-    """Write a figure; the ending (.svg, .pdf, .png) is the format."""
+def image(figure: "Figure", suffix: str = ".png") -> bytes:
+    """Return a figure as SVG, PDF or PNG; the same analysis gives the same bytes."""
     none = {".svg": {"Date": None}, ".pdf": {"CreationDate": None}}
-    metadata = none.get(path.suffix.lower(), {"Software": None})
+    out = io.BytesIO()
     with settings():
-        figure.savefig(path, dpi=DPI, metadata=metadata)
-
-
-def pngs(drawn: dict[str, "Figure"]) -> dict[str, bytes]:
-    """Return figures as PNG by name."""
-    found = {}
-    for name, figure in drawn.items():
-        out = io.BytesIO()
-        with settings():
-            figure.savefig(out, dpi=DPI, format="png", metadata={"Software": None})
-        found[name] = out.getvalue()
-    return found
+        figure.savefig(
+            out,
+            dpi=DPI,
+            format=suffix[1:],
+            metadata=none.get(suffix, {"Software": None}),
+        )
+    return out.getvalue()
 
 
 @contextmanager
@@ -103,13 +97,13 @@ def settings() -> Iterator[None]:
         yield
 
 
-def _figure(
-    groups: dict[str, Floats],
-    feedbacks: tuple[str, ...],
-    label: str,
-    limits: tuple[int, int],
-) -> "Figure":
-    """Draw groups of (P, F) side by side."""
+@contextmanager
+def new_panel(label: str) -> Iterator[tuple["Figure", "Axes"]]:
+    """Yield a figure with one panel, to be drawn in the look of all figures.
+
+    Args:
+        label: of the values.
+    """
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
 
@@ -117,16 +111,27 @@ def _figure(
         figure = Figure(figsize=SIZE_IN, layout="constrained")
         FigureCanvasAgg(figure)
         panel = figure.subplots()
+        panel.set_ylabel(label)
+        panel.grid(visible=True, axis="y", color="#dddddd", linewidth=0.6)
+        panel.set_axisbelow(True)
+        yield figure, panel
+
+
+def _figure(
+    groups: dict[str, Floats],
+    feedbacks: tuple[str, ...],
+    label: str,
+    limits: tuple[int, int],
+) -> "Figure":
+    """Draw groups of (P, F) side by side."""
+    with new_panel(label) as (figure, panel):
         for place, values in enumerate(groups.values()):
             _draw_group(panel, place, values, limits[0])
         panel.set_xticks(range(len(groups)), list(groups))
         panel.tick_params(axis="x", length=0)
-        panel.set_ylabel(label)
         drawn = panel.dataLim  # a mean and its SD may leave the scale
         low, high = min(limits[0], drawn.y0), max(limits[1], drawn.y1)
         panel.set_ylim(low - 0.02 * (limits[1] - limits[0]), high * 1.04)
-        panel.grid(visible=True, axis="y", color="#dddddd", linewidth=0.6)
-        panel.set_axisbelow(True)
         _draw_legend(figure, feedbacks)
     return figure
 
@@ -135,43 +140,35 @@ def _draw_group(panel: "Axes", place: int, values: Floats, floor: float) -> None
     count = values.shape[1]
     width = _GROUP / count
     at = place + (np.arange(count) - (count - 1) / 2.0) * width
+    aside = _ASIDE * width
     for column in range(count):
         known = values[~np.isnan(values[:, column]), column]
         if not len(known):
             continue
-        height = known.mean() - floor
+        mean = known.mean()
+        look: dict[str, Any] = {
+            "facecolor": _COLOURS[column % 6],
+            "hatch": _HATCHES[column % 6],
+        }
         panel.bar(
-            at[column],
-            height,
-            0.92 * width,
-            floor,
-            edgecolor=_INK,
-            linewidth=0.6,
-            facecolor=_COLOURS[column % 6],
-            hatch=_HATCHES[column % 6],
+            at[column], mean - floor, 0.92 * width, floor, ec=_INK, lw=0.6, **look
         )
         if len(known) > 1:
-            spread = known.std(ddof=1)
-            panel.errorbar(
-                at[column] + _ASIDE * width,
-                known.mean(),
-                spread,
-                color=_INK,
-                capsize=4,
-                linewidth=1.4,
-                zorder=4,
-            )
+            bar: dict[str, Any] = {
+                "color": _INK,
+                "capsize": 4,
+                "linewidth": 1.4,
+                "zorder": 4,
+            }
+            panel.errorbar(at[column] + aside, mean, known.std(ddof=1), **bar)
+    line: dict[str, Any] = {
+        "color": _LINE,
+        "alpha": 0.35,
+        "linewidth": 0.7,
+        "zorder": 3,
+    }
     for row in values:
-        panel.plot(
-            at - _ASIDE * width,
-            row,
-            color=_LINE,
-            alpha=0.35,
-            linewidth=0.7,
-            marker="o",
-            markersize=2.0,
-            zorder=3,
-        )
+        panel.plot(at - aside, row, marker="o", markersize=2.0, **line)
 
 
 def _draw_legend(figure: "Figure", feedbacks: tuple[str, ...]) -> None:
@@ -179,26 +176,12 @@ def _draw_legend(figure: "Figure", feedbacks: tuple[str, ...]) -> None:
     from matplotlib.patches import Patch
 
     marks: list[Patch | Line2D] = [
-        Patch(
-            facecolor=_COLOURS[i % 6],
-            hatch=_HATCHES[i % 6],
-            edgecolor=_INK,
-            label=f,
-        )
-        for i, f in enumerate(feedbacks)
+        Patch(facecolor=_COLOURS[i % 6], hatch=_HATCHES[i % 6], ec=_INK, label=name)
+        for i, name in enumerate(feedbacks)
     ]
     marks.append(Line2D([], [], color=_INK, marker="_", label="mean ± SD"))
-    marks.append(
-        Line2D(
-            [],
-            [],
-            color=_LINE,
-            alpha=0.6,
-            marker="o",
-            markersize=3,
-            label="one participant",
-        )
-    )
+    one = "one participant"
+    marks.append(Line2D([], [], color=_LINE, alpha=0.6, marker="o", ms=3, label=one))
     figure.legend(
         handles=marks,
         loc="outside upper center",

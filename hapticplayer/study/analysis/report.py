@@ -105,7 +105,8 @@ def write_report(
         for place, (name, figure) in enumerate(parts.draw().items()):
             progress(0.2 + 0.2 * place, f"drawing {name}")
             for suffix in figures.FORMATS:
-                figures.save(figure, aside / f"{name}{suffix}")
+                content = figures.image(figure, suffix)
+                (aside / f"{name}{suffix}").write_bytes(content)
         svgs, pngs = (
             {path.stem: path.read_bytes() for path in sorted(aside.glob(pattern))}
             for pattern in ("*.svg", "*.png")

@@ -68,9 +68,8 @@ def _block(block: Block, source: Callable[[str], str]) -> str:
     match block:
         case Heading(text):
             return f"<h2>{html.escape(text)}</h2>"
-        case Words(text, lead):
-            bold = f"<b>{html.escape(lead)}</b> " if lead else ""
-            return f"<p>{bold}{html.escape(text)}</p>"
+        case Words(text):
+            return f"<p>{html.escape(text)}</p>"
         case Picture(name, caption):
             told = html.escape(caption)
             return (  # paragraphs, for the window does not know <figure>
@@ -111,9 +110,7 @@ def write_pdf(
                     pdf.add_page()
                 pdf.ln(3.0)
                 _paragraph(pdf, text, _HEADING_PT, bold=True)
-            case Words(text, lead):
-                if lead:
-                    _paragraph(pdf, lead, _TEXT_PT, bold=True)
+            case Words(text):
                 _paragraph(pdf, text, _TEXT_PT)
             case Picture(name, caption):
                 pdf.image(io.BytesIO(pngs[name]), w=pdf.epw)

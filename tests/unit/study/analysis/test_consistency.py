@@ -10,7 +10,7 @@ from scipy import optimize, stats
 from hapticplayer.errors import InputError
 from hapticplayer.study.analysis import Choices, Resampling
 from hapticplayer.study.analysis.consistency import ALL, analyse_consistency
-from hapticplayer.study.analysis.consistency_words import warnings_of
+from hapticplayer.study.analysis.consistency_report import warnings_of
 from hapticplayer.study.analysis.psychometric import Shape, fit
 from hapticplayer.study.analysis.report import analyse_study, parts_of, write_report
 from hapticplayer.study.answers import Answers, Judgement, Participant, read_answers
