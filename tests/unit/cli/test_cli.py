@@ -18,6 +18,8 @@ from hapticplayer.sequence import editing, open_sequence, store
 from hapticplayer.sequence.build import write_sequence
 
 SEAT = """
+from hapticplayer.devices import DeviceEntry
+from hapticplayer.devices.capabilities import FALCON
 from hapticplayer.errors import Message
 
 ENTRY = DeviceEntry("seat", Message("Seat"), "a seat by UDP", FALCON, "seat:make", "")
