@@ -16,7 +16,7 @@ from hapticplayer.errors import Cancelled, UsageError
 
 @contextlib.contextmanager
 def interruptible() -> Iterator[None]:
-    """Let SIGTERM end the work like Ctrl-C does: tidied up."""
+    """Make SIGTERM end the work like Ctrl-C does: nothing half-done is left."""
     if threading.current_thread() is not threading.main_thread():
         yield
         return
@@ -102,12 +102,12 @@ def agreed(options: argparse.Namespace, question: str) -> None:
     """Ask, unless `--yes` has answered.
 
     Raises:
-        UsageError: when nobody can be asked, or the answer is no.
+        UsageError: when there is no terminal to ask on, or the answer is no.
     """
     if options.yes:
         return
     if not sys.stdin.isatty():
-        raise UsageError(f"a decision is needed: {question} (--yes says so)")
+        raise UsageError(f"a decision is needed: {question} (answer with --yes)")
     sys.stderr.write(f"{question} [y/N] ")
     sys.stderr.flush()
     if sys.stdin.readline().strip().lower() not in ("y", "yes"):

@@ -65,7 +65,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
         device="",
     )
     add("info", "what a device can do, its firmware, whether it is homed", info)
-    home = add("home", "let the Falcon find its zero, with guidance", home_falcon)
+    home = add("home", "home the Falcon, with guidance", home_falcon)
     home.add_argument(
         "--timeout",
         type=positive,
@@ -75,16 +75,16 @@ def add_options(command: argparse.ArgumentParser) -> None:
     )
     upload = add(
         "upload-firmware",
-        "keep your copy of the Falcon's firmware, load it",
+        "store your copy of the Falcon's firmware, and load it",
         upload_firmware,
     )
     upload.add_argument(
-        "file", nargs="?", metavar="FILE", help="without it: load the one that is kept"
+        "file", nargs="?", metavar="FILE", help="without it: load the stored one"
     )
     upload.add_argument(
         "--accept-unknown",
         action="store_true",
-        help="also an image that is sound and not among the known ones",
+        help="also accept an intact image that is not among the known ones",
     )
     _add_yes(upload)
     _add_yes(add("test", "draw a slow circle of 0.8 N, after asking", test_forces))
@@ -125,7 +125,7 @@ def list_devices(options: argparse.Namespace) -> int:
 
 
 def info(options: argparse.Namespace) -> int:
-    """Print what a device can do, and how far a Falcon has come."""
+    """Print what a device can do, and the state of a Falcon."""
     entry = find_device(options.device)
     report: dict[str, Any] = {"device": entry.name, "title": entry.title}
     report["capabilities"] = asdict(entry.capabilities)
@@ -144,12 +144,12 @@ def info(options: argparse.Namespace) -> int:
 
 
 def home_falcon(options: argparse.Namespace) -> int:
-    """Guide a person through homing; no force is made."""
+    """Guide through homing; the device exerts no force."""
     clock = SystemClock()
     with interruptible(), _open(reach_of(options.device), clock) as driver:
-        told = _Told(is_quiet=options.json)
+        line = _GuidanceLine(is_quiet=options.json)
         for guidance in home(driver, clock, options.timeout):
-            told.show(guidance)
+            line.show(guidance)
         reading = driver.exchange(_ZERO, clock.now_s())
     if options.json:
         say(json.dumps({"homed": True, "position_m": reading.position_m}))
@@ -168,7 +168,7 @@ def upload_firmware(options: argparse.Namespace) -> int:
         image = firmware.install_image(
             Path(options.file), accept_unknown=options.accept_unknown
         )
-        say_aside(f"kept as {firmware.kept_path()}")
+        say_aside(f"stored as {firmware.kept_path()}")
     else:
         image = reach.image()
     report: dict[str, Any] = {
@@ -194,7 +194,7 @@ def upload_firmware(options: argparse.Namespace) -> int:
     return 0
 
 
-class _Told:
+class _GuidanceLine:
     """Shows guidance: on a terminal in one line, else a line for each news."""
 
     def __init__(self, *, is_quiet: bool) -> None:

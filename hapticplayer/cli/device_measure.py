@@ -27,13 +27,13 @@ HOMING_S = 120.0
 
 def measure_falcon(options: argparse.Namespace) -> int:
     """Measure, print, and save where asked."""
-    reach_of(options.device)  # a wrong name is told before anything else
+    reach_of(options.device)  # refuse a wrong name before anything else
     target = _new_file(options.output)
     agreed(
         options,
-        f"The Falcon will push with up to {measuring.MOST_N} N, partly without a hand "
+        f"The Falcon will exert up to {measuring.MOST_N} N, partly without a hand "
         "on it. A button on the grip stops. A guard takes the force away should this "
-        "program die; switch the Falcon off if it does not let go. Go on?",
+        "program die; switch the Falcon off if the force stays. Continue?",
     )
     report: dict[str, Any] = {
         "program": f"hapticplayer {__version__}",
@@ -91,7 +91,10 @@ def _with_forces(
     try:
         _wait(options, "Move the grip to all its ends for 20 s; there is no force.")
         stops = measuring.stops(driver, clock, STOPS_S)
-        _wait(options, "Hold the grip loosely in the middle; it pushes to the right.")
+        _wait(
+            options,
+            "Hold the grip loosely in the middle; it will be pushed to the right.",
+        )
         with watch.force():
             silence = measuring.force_after_silence(driver, watch, watch.was_disturbed)
         _wait(options, "Leave the grip in the middle and take the hand away.")
@@ -105,7 +108,7 @@ def _with_forces(
 def _wait(options: argparse.Namespace, text: str) -> None:
     sys.stderr.write(text + "\n")
     if not options.yes:
-        sys.stderr.write("  ENTER begins. ")
+        sys.stderr.write("  Press ENTER to start. ")
         sys.stderr.flush()
         sys.stdin.readline()
 

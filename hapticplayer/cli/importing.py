@@ -34,8 +34,8 @@ def add_options(command: argparse.ArgumentParser) -> None:
         "videos",
         metavar="VIDEO",
         nargs="+",
-        help="with several, each becomes a folder in DIR, with the log that lies beside "
-        "it under its name (ride.mp4, ride.csv), and a summary is printed",
+        help="with several, each becomes a folder in DIR, with the log beside "
+        "it under the same name (ride.mp4, ride.csv), and a summary is printed",
     )
     command.add_argument(
         "--imu",
@@ -124,7 +124,7 @@ class Row:
     Attributes:
         video: its name.
         sequence: the new folder, or "" where there is none.
-        status: 0 done, 1 refused, 2 a person has to decide.
+        status: 0 done, 1 refused, 2 a decision is needed.
         text: the offset and its confidence, or what was wrong.
     """
 

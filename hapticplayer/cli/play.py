@@ -178,11 +178,11 @@ def until_s(options: argparse.Namespace, source: Source) -> float:
     """Return the media time at which to stop.
 
     Raises:
-        UsageError: when the start lies behind the end of the clip.
+        UsageError: when the start is after the end of the clip.
     """
     if options.start >= source.clip.duration_s:
         raise UsageError(
-            f"--start {options.start:g} lies behind the end of {source.title} "
+            f"--start {options.start:g} is after the end of {source.title} "
             f"({source.clip.duration_s:.1f} s)"
         )
     if options.duration is None:
@@ -224,7 +224,7 @@ def _summary_text(source: Source, feedback: str, report: dict[str, Any]) -> str:
     frames, lateness = report["frames"], report["lateness_us"]
     lines = [
         f"{source.title} - feedback {feedback}, device {report['device']}",
-        f"  picture    {frames['shown']} shown, {frames['dropped']} dropped",
+        f"  frames     {frames['shown']} shown, {frames['dropped']} dropped",
         f"  clock      {report['clock']}"
         + (
             f", {report['audio_underrun_s']} s of sound missing"
@@ -238,7 +238,7 @@ def _summary_text(source: Source, feedback: str, report: dict[str, Any]) -> str:
             f"p50 {lateness['p50']:.0f} us, p99 {lateness['p99']:.0f} us, "
             f"p99.9 {lateness['p999']:.0f} us ({report['scheduling']})"
         )
-    for name, key in (("picture", "video"), ("sound", "audio")):
+    for name, key in (("video", "video"), ("sound", "audio")):
         stats = report[f"haptic_minus_{key}_ms"]
         if stats:
             lines.append(

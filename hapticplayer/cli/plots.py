@@ -35,7 +35,7 @@ def draw_motion(path: Path, processed: Processed, title: str) -> None:
     Args:
         path: of the new file; its ending (.png or .svg) is the format.
         processed: a recording without gravity.
-        title: for people.
+        title: of the figure.
     """
     import matplotlib as mpl
     from matplotlib.backends.backend_agg import FigureCanvasAgg
@@ -77,10 +77,10 @@ def _draw_axis(panel: "Axes", processed: Processed, axis: int) -> None:
             label="gravity ± sigma",
         )
     _draw_line(panel, time_s, gravity, _GRAVITY, "gravity")
-    for number, (begin_s, end_s) in enumerate(invalid_spans(time_s, track.valid)):
+    for number, (start_s, end_s) in enumerate(invalid_spans(time_s, track.valid)):
         label = "not valid" if not number else None
         panel.axvspan(
-            begin_s, end_s, color=_INVALID, alpha=0.15, linewidth=0.0, label=label
+            start_s, end_s, color=_INVALID, alpha=0.15, linewidth=0.0, label=label
         )
     panel.set_ylabel(f"{_AXES[axis]}, m/s²")
     panel.grid(visible=True, color="#e5e7eb", linewidth=0.6)
@@ -117,9 +117,9 @@ def _draw_line(
 
 
 def envelope(time_s: Floats, values: Floats) -> tuple[Floats, Floats]:
-    """Return a curve of few points (M,) that looks like the whole one.
+    """Return a curve of few points (M,) that looks like the full one.
 
-    Each part contributes its smallest and its largest value at its begin, so that no
+    Each bin contributes its smallest and its largest value at its start, so that no
     peak is lost.
     """
     if len(time_s) <= 2 * BINS:
@@ -130,7 +130,7 @@ def envelope(time_s: Floats, values: Floats) -> tuple[Floats, Floats]:
 
 
 def _bin_starts(count: int) -> NDArray[np.intp]:
-    """Return where up to BINS parts of a recording begin; all samples of a short one."""
+    """Return the starts of up to BINS bins; all samples of a short recording."""
     if count <= 2 * BINS:
         return np.arange(count)
     return np.linspace(0, count, BINS, endpoint=False).astype(np.intp)
@@ -139,9 +139,9 @@ def _bin_starts(count: int) -> NDArray[np.intp]:
 def invalid_spans(
     time_s: Floats, valid: NDArray[np.bool_]
 ) -> list[tuple[float, float]]:
-    """Return begin and end of the spans that are not valid, s; neighbours are joined.
+    """Return start and end of the spans that are not valid, s; neighbours are joined.
 
-    On a long recording, spans that no one could tell apart are one.
+    On a long recording, spans too close to be told apart are joined.
     """
     edges = np.flatnonzero(np.diff(~valid, prepend=False, append=False))
     if not len(edges):
@@ -170,8 +170,8 @@ def draw_sync(
         path: of the new file; its ending (.png or .svg) is the format.
         sound: of the clip.
         imu: its log.
-        found: how the log lies to the clip.
-        title: for people; empty for what was found.
+        found: the synchronisation of the log with the clip.
+        title: of the figure; empty for offset and confidence.
     """
     import matplotlib as mpl
     from matplotlib.backends.backend_agg import FigureCanvasAgg
@@ -186,12 +186,12 @@ def draw_sync(
         figure = Figure(figsize=(9.0, 4.6), layout="constrained")
         FigureCanvasAgg(figure)
         panels = figure.subplots(2, 2, sharex="col", width_ratios=(2, 1))
-        for column, (begin_s, end_s) in enumerate(_spans(found, heard_s)):
-            _draw(panels[0, column], heard_s, samples, _SOUND, (begin_s, end_s))
-            _draw(panels[1, column], felt_s, size, _MOTION, (begin_s, end_s))
+        for column, (start_s, end_s) in enumerate(_spans(found, heard_s)):
+            _draw(panels[0, column], heard_s, samples, _SOUND, (start_s, end_s))
+            _draw(panels[1, column], felt_s, size, _MOTION, (start_s, end_s))
             for panel in panels[:, column]:
                 _mark(panel, found)
-            panels[1, column].set_xlim(begin_s, end_s)
+            panels[1, column].set_xlim(start_s, end_s)
             panels[1, column].set_xlabel("media time, s")
         panels[0, 0].set_ylabel("sound")
         panels[1, 0].set_ylabel("specific force, m/s²")
@@ -204,7 +204,7 @@ def draw_sync(
 
 
 def _spans(found: Synchronisation, heard_s: Floats) -> list[tuple[float, float]]:
-    """Return the whole clip, and what lies around the first three pats."""
+    """Return the span of the whole clip, and that around the first three pats."""
     end_s = float(heard_s[-1]) if len(heard_s) else 1.0
     pats_s = [pat.heard_s for pat in found.pats[:3]] or [0.0]
     return [(0.0, end_s), (pats_s[0] - _AROUND_S / 2, pats_s[-1] + _AROUND_S / 2)]

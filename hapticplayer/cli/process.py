@@ -211,7 +211,7 @@ def _bias_texts(found: dict[str, Any]) -> list[tuple[str, str]]:
 def _leak_text(found: dict[str, Any]) -> str:
     leak_mps2 = found["leak_at_rest_mps2"]
     if leak_mps2 is None:
-        return "no still span to tell how much gravity is left"
+        return "no stationary span to measure how much gravity is left"
     return f"{leak_mps2:.3f} m/s^2 of gravity left, over {found['still_s']:.1f} s"
 
 

@@ -43,7 +43,7 @@ def add_mounting(command: argparse.ArgumentParser) -> None:
     command.add_argument(
         "--mounting",
         metavar="HOW",
-        help="how the camera or logger sat on the actor, who looks to the front: "
+        help="how the camera or logger was mounted on the actor, who faces the front: "
         f"{', '.join(MOUNTINGS)}, or right, front and up of the actor in the "
         "recorder's axes, such as --mounting=-x,y,-z (default: forward, and gravity has "
         "to agree)",
@@ -77,7 +77,7 @@ def add_sync(command: argparse.ArgumentParser, method: str) -> None:
         "--skew",
         type=number,
         metavar="S",
-        help="how much later than its picture the camera's sound comes",
+        help="delay of the camera's sound against its video",
     )
 
 
@@ -126,7 +126,7 @@ def chosen_mounting(options: argparse.Namespace) -> str:
 
 
 def chosen_log(options: argparse.Namespace) -> LogChoices:
-    """Return what the options decide about a log, kept as a template if wanted."""
+    """Return the choices about a log; saved as a template if wanted."""
     choices = parse_choices(options.read_as)
     if options.save_template is not None:
         write_template(Path(options.save_template), choices)
@@ -166,7 +166,7 @@ def chosen_processing(options: argparse.Namespace) -> Processing:
 
 
 def plot_target(options: argparse.Namespace) -> Path | None:
-    """Return the file to draw, checked before the long work begins."""
+    """Return the file to draw, checked before the long work starts."""
     if options.plot is None:
         return None
     target = Path(options.plot)

@@ -59,7 +59,7 @@ def _add_new(actions: Any) -> None:
         action="append",
         default=[],
         metavar="KEY=FOLDER",
-        help="where a sequence of the study lies; may be given for each",
+        help="folder of a sequence of the study; may be repeated",
     )
     _add_json(action)
 
@@ -68,7 +68,7 @@ def _add_run(actions: Any) -> None:
     action = add_action(actions, "run", "run a participant in the window")
     action.set_defaults(run=_run)
     action.add_argument("--language", metavar="L", help="of the participant's pages")
-    action.add_argument("--resume", metavar="CODE", help="go on with a session")
+    action.add_argument("--resume", metavar="CODE", help="resume a session")
     add_device_name(action)
     action.add_argument(
         "--windowed",
@@ -106,7 +106,7 @@ def _add_review(actions: Any) -> None:
         action="append",
         default=[],
         metavar="CODE[:QUESTION]",
-        help="let these be exported: they name nobody",
+        help="allow these to be exported: they identify no one",
     )
     _add_json(action)
 
@@ -132,7 +132,7 @@ def _add_merge(actions: Any) -> None:
 
 def _add_drop(actions: Any) -> None:
     action = add_action(
-        actions, "drop", "end a session that will not go on", drop_session
+        actions, "drop", "close a session that will not be resumed", drop_session
     )
     action.add_argument("code", metavar="CODE")
     action.add_argument("--reason", required=True)
@@ -263,7 +263,7 @@ def _missing(study: Study) -> list[str]:
 
 
 def review(options: argparse.Namespace) -> int:
-    """Show the answers in words that nobody has read, or let some pass."""
+    """Show the unreviewed free-text answers, or pass some."""
     study = open_study(options.study)
     for text in options.passed:
         code, _, question = text.partition(":")
@@ -335,7 +335,7 @@ def merge(options: argparse.Namespace) -> int:
 
 
 def drop_session(options: argparse.Namespace) -> int:
-    """End a session that will not go on."""
+    """Close a session that will not be resumed."""
     study = open_study(options.study)
     if study.session(options.code).state is not State.UNFINISHED:
         raise StudyError(f"session {options.code.upper()} has ended already")
@@ -350,5 +350,5 @@ def delete(options: argparse.Namespace) -> int:
     left = delete_participant(study, options.code)
     say(f"one participant was deleted; {study.deleted_count()} in all")
     for name in left:
-        complain(f"{name} still names the participant: make it anew or remove it")
+        complain(f"{name} still names the participant: write it again or remove it")
     return 1 if left else 0

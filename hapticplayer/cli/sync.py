@@ -71,7 +71,7 @@ class _Found:
 
 
 def run(options: argparse.Namespace, _open_window: object) -> int:
-    """Print clock offset and rate; status 2 where a person has to decide."""
+    """Print clock offset and rate; status 2 where a decision is needed."""
     if options.store_skew:
         _store_skew(options)
     with interruptible():
@@ -150,7 +150,7 @@ def _check(found: _Found, options: argparse.Namespace, choices: SyncChoices) -> 
 
 
 _ADVICE = (
-    "the pats cannot be used: stand still, pat the camera three times, half a second "
+    "the pats cannot be used: hold still, tap the camera three times, half a second "
     "apart and harder than anything else, and record again (see docs/recording.md)"
 )
 
@@ -159,9 +159,9 @@ def check_text(name: str, found: Mapping[str, Any]) -> str:
     """Return the sentence on what `StreamCheck.described` holds."""
     times = ", ".join(f"{at:.2f}" for at in found["pats_s"])
     if not found["pats_s"]:
-        return f"{name}: no three knocks in a rhythm"
+        return f"{name}: no three taps in a rhythm"
     verdict = "stand out" if found["is_usable"] else "do not stand out"
     return (
-        f"{name}: three knocks at {times} s {verdict} "
+        f"{name}: three taps at {times} s {verdict} "
         f"(the weakest is {rarity_text(found['rarity_hz'])})"
     )
