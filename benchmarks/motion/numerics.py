@@ -26,7 +26,11 @@ from hapticplayer.model import STANDARD_GRAVITY_MPS2, ImuLog, Sampling
 from hapticplayer.motion import SmootherParameters, remove_gravity
 from hapticplayer.motion import rotations as rot
 from hapticplayer.motion.smoother import block
-from hapticplayer.motion.smoother.calibrated import Problem, horizontal_band, minimise
+from hapticplayer.motion.smoother.least_squares import (
+    Problem,
+    horizontal_band,
+    minimise,
+)
 from hapticplayer.simulation.rides.motion_scenes import simulate_motion
 
 Floats = NDArray[np.float64]
@@ -348,7 +352,8 @@ _HEADER = ["unknowns", "band", "band, scaled", "calibration, scaled", "error flo
 
 
 def _conditions(problem: Problem) -> list[Any]:
-    band, covariance = horizontal_band(problem), minimise(problem).covariance
+    band, solution = horizontal_band(problem), minimise(problem)
+    covariance = solution.covariance_times(np.eye(len(solution.calibration)))
     scale = 1.0 / np.sqrt(np.diag(covariance))
     numbers = [condition(band, scaled=False), condition(band, scaled=True)]
     numbers.append(float(np.linalg.cond(covariance * scale * scale[:, None])))

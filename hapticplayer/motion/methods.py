@@ -6,7 +6,6 @@ from dataclasses import dataclass, replace
 from typing import Any, TypeVar
 
 import numpy as np
-from numpy.typing import NDArray
 
 from hapticplayer.errors import UsageError
 from hapticplayer.model import ImuLog, Sampling
@@ -19,7 +18,6 @@ from hapticplayer.motion.smoother import (
     Samples,
     SmoothedRecording,
     SmootherParameters,
-    bridged,
     smooth_recording,
     window_mean,
 )
@@ -74,10 +72,8 @@ def smoother(task: Task) -> Estimate:
         )
     parameters = _of_type(task.parameters, _SMOOTHER)
     is_chosen = parameters.time_constant_s is not None
-    samples, places = _samples(task)
-    done = smooth_recording(
-        samples, task.still, parameters, places, with_sigma=task.sigma
-    )
+    samples = _samples(task)
+    done = smooth_recording(samples, task.still, parameters, with_sigma=task.sigma)
     return Estimate(
         quaternion_wxyz=done.quaternion_wxyz,
         vertical=done.vertical,
@@ -89,45 +85,45 @@ def smoother(task: Task) -> Estimate:
 
 def _found(done: SmoothedRecording, is_chosen: bool) -> dict[str, Any]:
     """Return what the smoother found, for people."""
-    driven = float(done.mean("driven"))
+    vehicle_weight = float(done.mean("vehicle_weight"))
     return {
         "time_constant_s": [round(value, 2) for value in done.time_constant_s],
-        "time_constant_from": _CHOSEN if is_chosen else _reason(driven),
-        "driven": round(driven, 3),
+        "time_constant_from": _CHOSEN if is_chosen else _reason(vehicle_weight),
+        "driven": round(vehicle_weight, 3),
         "gyro_bias_radps": _rounded(done.mean("gyro_bias_radps")),
         "accelerometer_bias_mps2": _rounded(done.mean("accelerometer_bias_mps2")),
-        "accelerometer_scale": round(float(1.0 + done.mean("force_scale")), 5),
-        "accelerometer_scale_sigma": round(float(done.mean("force_scale_sigma")), 5),
+        "accelerometer_scale": round(float(done.mean("accelerometer_scale")), 5),
+        "accelerometer_scale_sigma": round(
+            float(done.mean("accelerometer_scale_sigma")), 5
+        ),
         "blocks": len(done.blocks),
     }
 
 
-def _reason(driven: float) -> str:
+def _reason(vehicle_weight: float) -> str:
     """Return what the time constant was derived from, for people."""
-    if driven < 0.5:
+    if vehicle_weight < 0.5:
         return "how fast the recording moves"
     return "that it drives: it is far from the centre of its turns"
 
 
-def _samples(task: Task) -> tuple[Samples, NDArray[np.intp] | None]:
-    """Return the samples, and their places where others were put between them."""
+def _samples(task: Task) -> Samples:
     imu, flaws = task.imu, task.flaws
     step = np.empty(len(imu))
     step[0] = flaws.interval_s
     np.subtract(imu.time_s[1:], imu.time_s[:-1], out=step[1:])
     if not flaws.flawless:
         step[flaws.beyond_bridging] = flaws.interval_s
-    samples = Samples(
+    return Samples(
         step,
         imu.specific_force_mps2,
         imu.angular_rate_radps,
         imu.sampling is Sampling.AVERAGED,
         flaws.lost_s(step),
         flaws.doubt_s(step),
-        task.gain,
         flaws.interval_s,
+        task.gain,
     )
-    return bridged(samples)
 
 
 def _piecewise(method: Method) -> Method:

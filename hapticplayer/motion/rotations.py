@@ -16,35 +16,42 @@ from hapticplayer.model.arrays import Floats
 Complexes = NDArray[np.complex128]
 Pair = tuple[Complexes, Complexes]
 
-# Up to this squared angle (0.7 rad) the series below are exact to 1e-16.
+# Up to this squared angle (0.7 rad) the series below is exact to 1e-16.
 SMALL_SQUARED_RAD2 = 0.5
 # How many of the lowest terms are as good up to a squared angle (0.02 and 0.2 rad).
 _ENOUGH = ((4e-4, 4), (0.04, 6))
-# cos(a / 2) and sin(a / 2) / a in powers of a^2, highest first
-_COSINE = tuple((-0.25) ** k / math.factorial(2 * k) for k in range(7, -1, -1))
+# sin(a / 2) / a in powers of a^2, highest first
 _HALF_SINC = tuple(
     0.5 * (-0.25) ** k / math.factorial(2 * k + 1) for k in range(7, -1, -1)
 )
-
-
-def _series(values: Floats, factors: tuple[float, ...], out: Floats) -> None:
-    """Write the polynomial with the highest power first."""
-    largest = values.max()
-    for limit, terms in _ENOUGH:
-        if largest < limit:
-            factors = factors[-terms:]
-            break
-    np.multiply(values, factors[0], out=out)
-    for factor in factors[1:-1]:
-        out += factor
-        out *= values
-    out += factors[-1]
+# The elements of a rotation matrix, row by row, from the products w w, w x, ... z z.
+_OF_PRODUCTS = np.array(
+    [
+        [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0, 0, 0, 0, -1],
+        [0, 0, 0, -2, 0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0],
+        [0, 0, 2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0],
+        [0, 0, 0, 2, 0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0],
+        [1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1],
+        [0, -2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 2, 0, 0, 0, 0],
+        [0, 0, -2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0],
+        [0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 2, 0, 0, 0, 0],
+        [1, 0, 0, 0, 0, -1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1],
+    ],
+    dtype=np.float64,
+)
 
 
 def half_sinc(squared_rad2: Floats) -> Floats:
-    """Return sin(a / 2) / a for small squared angles (SMALL_SQUARED_RAD2)."""
-    out = np.empty(squared_rad2.shape)
-    _series(squared_rad2, _HALF_SINC, out=out)
+    """Return sin(a / 2) / a for squared angles."""
+    largest = squared_rad2.max(initial=0.0)
+    if largest >= SMALL_SQUARED_RAD2:
+        # np.sinc(x) = sin(pi x) / (pi x) is exact at zero
+        return np.asarray(0.5 * np.sinc(np.sqrt(squared_rad2) / (2.0 * np.pi)))
+    terms = next((n for limit, n in _ENOUGH if largest < limit), len(_HALF_SINC))
+    out = np.full(squared_rad2.shape, _HALF_SINC[-terms])
+    for factor in _HALF_SINC[1 - terms :]:
+        out *= squared_rad2
+        out += factor
     return out
 
 
@@ -74,28 +81,23 @@ def squared_norm(vector: Floats) -> Floats:
 
 def cross(left: Floats, right: Floats) -> Floats:
     """Return the vector product along the first axis, (3, ...)."""
-    return np.stack(
-        [
-            left[1] * right[2] - left[2] * right[1],
-            left[2] * right[0] - left[0] * right[2],
-            left[0] * right[1] - left[1] * right[0],
-        ]
-    )
+    out = np.empty(np.broadcast(left, right).shape)
+    np.subtract(left[1] * right[2], left[2] * right[1], out=out[0])
+    np.subtract(left[2] * right[0], left[0] * right[2], out=out[1])
+    np.subtract(left[0] * right[1], left[1] * right[0], out=out[2])
+    return out
 
 
 def exponential(turn_rad: Floats) -> Pair:
     """Return the rotations of rotation vectors (3, ...) in rad."""
     squared = squared_norm(turn_rad)
+    by = half_sinc(squared)
     first = np.empty(squared.shape, np.complex128)
     second = np.empty(squared.shape, np.complex128)
-    if squared.size and squared.max() < SMALL_SQUARED_RAD2:
-        _series(squared, _COSINE, out=first.real)
-        by = half_sinc(squared)
+    if squared.max(initial=0.0) < SMALL_SQUARED_RAD2:
+        np.sqrt(1.0 - squared * by * by, out=first.real)
     else:
-        angle = np.sqrt(squared)
-        np.cos(0.5 * angle, out=first.real)
-        # np.sinc(x) = sin(pi x) / (pi x) is exact at zero
-        by = 0.5 * np.sinc(angle / (2.0 * np.pi))
+        np.cos(0.5 * np.sqrt(squared), out=first.real)
     np.multiply(by, turn_rad[0], out=first.imag)
     np.multiply(by, turn_rad[1], out=second.real)
     np.multiply(by, turn_rad[2], out=second.imag)
@@ -168,19 +170,10 @@ def rotate(rotation: Pair, vector: Floats) -> Floats:
 
 def matrices(rotation: Pair) -> Floats:
     """Return the rotation matrices (3, 3, ...)."""
-    w, x = rotation[0].real, rotation[0].imag
-    y, z = rotation[1].real, rotation[1].imag
-    out = np.empty((3, 3, *w.shape))
-    out[0, 0] = 1.0 - 2.0 * (y * y + z * z)
-    out[0, 1] = 2.0 * (x * y - w * z)
-    out[0, 2] = 2.0 * (x * z + w * y)
-    out[1, 0] = 2.0 * (x * y + w * z)
-    out[1, 1] = 1.0 - 2.0 * (x * x + z * z)
-    out[1, 2] = 2.0 * (y * z - w * x)
-    out[2, 0] = 2.0 * (x * z - w * y)
-    out[2, 1] = 2.0 * (y * z + w * x)
-    out[2, 2] = 1.0 - 2.0 * (x * x + y * y)
-    return out
+    first, second = rotation
+    q = np.array([first.real, first.imag, second.real, second.imag])
+    products = (q[:, None] * q).reshape(16, -1)
+    return np.asarray(_OF_PRODUCTS @ products).reshape(3, 3, *first.shape)
 
 
 def mean_matrices(turn_rad: Floats) -> Floats:
@@ -204,9 +197,11 @@ def vertical(rotation: Pair) -> Floats:
     """Return the earth's up direction in the sensor frame, (3, ...)."""
     w, x = rotation[0].real, rotation[0].imag
     y, z = rotation[1].real, rotation[1].imag
-    return np.stack(
-        [2.0 * (x * z - w * y), 2.0 * (y * z + w * x), w * w + z * z - x * x - y * y]
-    )
+    out = np.empty((3, *w.shape))
+    np.multiply(2.0, x * z - w * y, out=out[0])
+    np.multiply(2.0, y * z + w * x, out=out[1])
+    np.subtract(w * w + z * z, x * x + y * y, out=out[2])
+    return out
 
 
 def shortest(start: Floats, end: Floats) -> Pair:
@@ -222,15 +217,11 @@ def shortest(start: Floats, end: Floats) -> Pair:
         across[np.argmin(np.abs(start), axis=0), np.arange(start.shape[1])] = 1.0
         axis = np.where(opposite, cross(start, across), axis)
         w = np.where(opposite, 0.0, w)
-    first, second = np.empty(len(w), complex), np.empty(len(w), complex)
-    first.real, first.imag = w, axis[0]
-    second.real, second.imag = axis[1], axis[2]
-    return unit((first, second))
+    return unit((w + 1j * axis[0], axis[1] + 1j * axis[2]))
 
 
 def to_wxyz(rotation: Pair) -> Floats:
     """Return quaternions (..., 4)."""
-    out = np.empty((*rotation[0].shape, 4))
-    out[..., 0], out[..., 1] = rotation[0].real, rotation[0].imag
-    out[..., 2], out[..., 3] = rotation[1].real, rotation[1].imag
-    return out
+    out = np.empty((*rotation[0].shape, 2), np.complex128)
+    out[..., 0], out[..., 1] = rotation
+    return out.view(np.float64)

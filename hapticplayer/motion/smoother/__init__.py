@@ -1,15 +1,13 @@
 """The non-causal smoother: orientation from the whole recording."""
 
-from hapticplayer.motion.smoother.bridging import bridged
 from hapticplayer.motion.smoother.parameters import SmootherParameters
 from hapticplayer.motion.smoother.recording import SmoothedRecording, smooth_recording
-from hapticplayer.motion.smoother.strapdown import Samples, window_mean
+from hapticplayer.motion.smoother.samples import Samples, window_mean
 
 __all__ = [
     "Samples",
     "SmoothedRecording",
     "SmootherParameters",
-    "bridged",
     "smooth_recording",
     "window_mean",
 ]

@@ -10,7 +10,8 @@ from scipy.spatial.transform import Rotation
 from hapticplayer.model import STANDARD_GRAVITY_MPS2, ImuLog, MotionTrack, Sampling
 from hapticplayer.motion import remove_gravity
 from hapticplayer.motion import rotations as rot
-from hapticplayer.motion.smoother.strapdown import Samples, Windows
+from hapticplayer.motion.smoother.samples import Samples
+from hapticplayer.motion.smoother.strapdown import Windows
 
 Floats = NDArray[np.float64]
 UP_1_G = np.array([0.0, 0.0, STANDARD_GRAVITY_MPS2])
@@ -116,7 +117,8 @@ def apart(one: Rotation, other: Rotation) -> float:
 def samples_of(step_s, force, rate, averaged, **more) -> Samples:
     """Return samples without gaps."""
     lost_s, doubt_s = np.zeros((2, len(step_s)))
-    return Samples(step_s, force, rate, averaged, lost_s, doubt_s, **more)
+    interval_s = float(np.median(step_s))
+    return Samples(step_s, force, rate, averaged, lost_s, doubt_s, interval_s, **more)
 
 
 def rms(vectors: Floats) -> float:

@@ -5,7 +5,8 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from hapticplayer.motion import rotations as rot
-from hapticplayer.motion.smoother.strapdown import integrate, window_mean
+from hapticplayer.motion.smoother.samples import at_middles, window_mean
+from hapticplayer.motion.smoother.strapdown import integrate
 from tests.unit.motion.smoother.conftest import (
     UP_1_G,
     WOBBLE,
@@ -53,7 +54,7 @@ def test_a_fixed_force_is_recovered_exactly_from_a_steady_turn(turn_rad, per_win
     mean = closed_form_mean(motion.force(middle), rate, width_s)
     steps = np.full(count, width_s)
     samples = samples_of(steps, mean, np.tile(rate, (count, 1)), True)
-    windows = integrate(samples, per_window, NO_BIAS, NO_MATRIX)
+    windows = integrate(at_middles(samples, NO_BIAS), per_window, NO_BIAS, NO_MATRIX)
     starts = motion.attitude(per_window * width_s * np.arange(count // per_window))
     impulse = starts.apply(windows.impulse_mps.T)
     # nothing is approximated here, up to the one sample without a neighbour per end
@@ -77,7 +78,7 @@ def test_half_a_window_of_a_speeding_turn_is_exact(per_window):
     samples = samples_of(
         np.full(count, width_s), np.tile(UP_1_G, (count, 1)), rate, True
     )
-    windows = integrate(samples, per_window, NO_BIAS, NO_MATRIX)
+    windows = integrate(at_middles(samples, NO_BIAS), per_window, NO_BIAS, NO_MATRIX)
     for k in range(1, count - 1):
         start_s = k // per_window * per_window * width_s
         exact = Rotation.from_rotvec((angle(middle[k]) - angle(start_s)) * axis)
@@ -90,7 +91,9 @@ def averaged_windows(width_s, seconds=2.0, per_window=1, motion=WOBBLE):
     samples = samples_of(
         np.full(count, width_s), log.specific_force_mps2, log.angular_rate_radps, True
     )
-    return samples, integrate(samples, per_window, NO_BIAS, NO_MATRIX)
+    return samples, integrate(
+        at_middles(samples, NO_BIAS), per_window, NO_BIAS, NO_MATRIX
+    )
 
 
 @pytest.mark.parametrize("width_s", [0.02, 0.01])
@@ -168,7 +171,7 @@ def test_a_short_last_window_of_a_steady_turn_is_like_the_others(count, per_wind
         np.tile(rate, (count, 1)),
         True,
     )
-    windows = integrate(samples, per_window, NO_BIAS, NO_MATRIX)
+    windows = integrate(at_middles(samples, NO_BIAS), per_window, NO_BIAS, NO_MATRIX)
     for k in range(count):
         exact = Rotation.from_rotvec(rate * width_s * (k % per_window + 0.5))
         assert apart(inside_of(windows, k), exact) < 1e-12

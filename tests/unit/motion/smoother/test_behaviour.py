@@ -187,7 +187,7 @@ def test_a_gyro_with_a_wrong_scale_is_put_right():
     motion = Motion(tumbling, shake)
     log, up = motion.instant(TIME_S), motion.up(TIME_S)
     wrong = dataclasses.replace(log, angular_rate_radps=1.01 * log.angular_rate_radps)
-    stubborn = SmootherParameters(gyro_matrix=1e-9)
+    stubborn = SmootherParameters(gyro_matrix_sigma=1e-9)
     assert rms(miss(wrong, up)) < 0.7 * rms(miss(wrong, up, parameters=stubborn))
 
 
@@ -269,7 +269,7 @@ def test_only_a_bound_that_is_far_off_is_corrected_twice(monkeypatch, factor, mo
     monkeypatch.setattr(block, "linearised", noted)
     monkeypatch.setattr(block, "velocity_bound", told)
     # every change of the bias calls for another solution
-    eager = SmootherParameters(rebias_radps=1e-12, solutions=4)
+    eager = SmootherParameters(bias_change_radps=1e-12, solutions=4)
     analyse(usual(), parameters=eager)
     second, third, fourth = used_mps[-3:]
     assert second == pytest.approx(told_mps[1])
@@ -315,7 +315,7 @@ def test_a_long_push_is_not_put_down_to_the_accelerometer(constant_s, rng):
     done = analyse(long_push(rng), parameters=p)
     found = np.abs(done.summary["accelerometer_bias_mps2"]).max()
     # a bias of 0.14 m/s^2 is expected; the sensor has none
-    assert found < 5.0 * p.accelerometer_bias_mps2
+    assert found < 5.0 * p.accel_bias_sigma_mps2
     # half a minute after the push little of it is left in the vertical; a train that
     # chooses for itself is held to its velocity no tighter before the push than after
     left = done.track.acceleration_mps2[13000:, 0].mean()
@@ -402,7 +402,7 @@ def test_shortcuts_hardly_change_the_motion(scene):
 
 
 @pytest.mark.parametrize("value", [0.0, -1.0, float("nan"), float("inf")])
-@pytest.mark.parametrize("name", ["node_s", "time_constant_s", "gyro_bias_radps"])
+@pytest.mark.parametrize("name", ["node_s", "time_constant_s", "gyro_bias_sigma_radps"])
 def test_a_parameter_that_cannot_be_is_named(name, value):
     with pytest.raises(UsageError, match=f"{name} must be above zero"):
         SmootherParameters(**{name: value})
@@ -419,8 +419,8 @@ def test_a_parameter_that_cannot_be_is_named(name, value):
         {"window_hz": 1.0},
         {"window_hz": 1000.0},
         {"node_samples": 1},
-        {"local_s": 0.01},
-        {"rough_s": 0.01},
+        {"bound_half_width_s": 0.01},
+        {"vertical_half_width_s": 0.01},
         {"margin_s": 0.01, "block_s": 20.0},
         {"time_constant_s": 0.1},
         {"time_constant_s": 1000.0},

@@ -100,7 +100,7 @@ def test_the_heading_goes_on_where_blocks_meet():
 def test_nodes_half_as_far_apart_lie_on_straight_lines(coarse, fine, rng):
     known = rng.standard_normal((3, coarse))
     shared = np.append(2 * np.arange(coarse - 1), fine - 1)
-    for got, row in zip(nodes.finer(known, fine), known, strict=True):
+    for got, row in zip(nodes.refined(known, fine), known, strict=True):
         straight = np.interp(np.arange(fine), shared, row)
         assert np.allclose(got, straight, rtol=0.0, atol=1e-15)
 

@@ -7,52 +7,53 @@ import pytest
 
 from hapticplayer.model import STANDARD_GRAVITY_MPS2 as G
 from hapticplayer.motion import remove_gravity
-from hapticplayer.motion.smoother.calibrated import FORCE_BIAS, Problem, minimise
+from hapticplayer.motion.smoother.least_squares import ACCEL_BIAS, Problem, minimise
 from hapticplayer.motion.smoother.parameters import SmootherParameters
 from hapticplayer.motion.smoother.uncertainty import (
-    Wide,
-    force_bias_variance,
-    holes_of,
+    BoundExcess,
+    accel_bias_variance,
+    gaps_of,
     noise_variance,
     tilt_variance,
 )
 from hapticplayer.simulation.rides.motion_scenes import MOTION_SCENES, simulate_motion
-from tests.unit.motion.smoother.test_calibrated import Dense, packed
+from tests.unit.motion.smoother.test_least_squares import Dense, covariance
 
 STEP_S = 0.5
 
 
-def steady_problem(intervals, bound_mps, hole=None, hole_s=10.0):
+def steady_problem(intervals, bound_mps, gap=None, gap_s=10.0):
     """Return the problem of a sensor that slowly turns about the vertical.
 
     Args:
         intervals: of half a second.
         bound_mps: of the velocity; sets how soon a tilt is forgotten.
-        hole: interval in which nothing is known for `hole_s`, or None.
-        hole_s: how long.
+        gap: interval in which nothing is known for `gap_s`, or None.
+        gap_s: how long.
     """
     duration = np.full(intervals, STEP_S)
     tilt_noise = 0.0011**2 * duration + 0.001**2
     velocity_noise = 0.01**2 * duration + 0.04**2
-    if hole is not None:
-        tilt_noise[hole], velocity_noise[hole] = hole_s**2, (5.0 * hole_s) ** 2
-    tilt = np.zeros((2, 8, intervals))
-    impulse = np.zeros((3, 8, intervals))
+    if gap is not None:
+        tilt_noise[gap], velocity_noise[gap] = gap_s**2, (5.0 * gap_s) ** 2
+    tilt = np.zeros((8, 2, intervals))
+    impulse = np.zeros((8, 3, intervals))
     heading = 0.3 * STEP_S * np.arange(intervals)
     cosine, sine = STEP_S * np.cos(heading), STEP_S * np.sin(heading)
     # the vertical moves by (w_y, -w_x); a bias of the accelerometer by -R c
-    tilt[0, 1], tilt[0, 2], tilt[1, 1], tilt[1, 2] = sine, cosine, -cosine, sine
-    impulse[0, 4], impulse[0, 5] = -cosine, sine
-    impulse[1, 4], impulse[1, 5], impulse[2, 6] = -sine, -cosine, -STEP_S
+    tilt[1], tilt[2] = (sine, -cosine), (cosine, sine)
+    impulse[4, :2], impulse[5, :2] = (-cosine, -sine), (sine, -cosine)
+    impulse[6, 2] = -STEP_S
     around = np.full(intervals + 1, STEP_S)
     around[[0, -1]] *= 0.5
     return Problem(
         duration_s=duration,
-        rows=packed(tilt, impulse),
+        tilt=tilt,
+        impulse=impulse,
         tilt_weight=1.0 / tilt_noise,
         velocity_weight=1.0 / velocity_noise,
         bound_weight=around / (2.0 * bound_mps**2),
-        rest_weight=np.zeros(intervals),
+        zero_velocity_weight=np.zeros(intervals),
         prior=np.zeros(7),
         prior_weight=np.repeat([1 / 0.05**2, 1 / 0.14**2, 1 / 0.03**2], [3, 3, 1]),
     )
@@ -83,7 +84,7 @@ def exact_variance(problem):
 @pytest.mark.parametrize("bound_mps", [0.3, 1.0, 3.0])
 def test_inside_a_block_the_variance_is_that_of_the_inverse(bound_mps):
     problem = steady_problem(240, bound_mps)
-    ratio = noise_variance(problem, holes_of(problem)) / exact_variance(problem)
+    ratio = noise_variance(problem, gaps_of(problem)) / exact_variance(problem)
     assert np.abs(ratio[80:-80] - 1.0).max() < 0.15
     assert ratio.min() > 0.5
     assert ratio.max() < 2.0
@@ -92,17 +93,17 @@ def test_inside_a_block_the_variance_is_that_of_the_inverse(bound_mps):
 @pytest.mark.parametrize("intervals", [1, 2, 3, 7, 30])
 def test_of_a_short_block_the_variance_is_that_of_the_inverse(intervals):
     problem = steady_problem(intervals, 1.0)
-    ratio = noise_variance(problem, holes_of(problem)) / exact_variance(problem)
+    ratio = noise_variance(problem, gaps_of(problem)) / exact_variance(problem)
     assert ratio.min() > 0.8
     assert ratio.max() < 1.25
 
 
 @pytest.mark.parametrize("bound_mps", [0.3, 1.0, 3.0])
-@pytest.mark.parametrize("hole", [100, 113])
-def test_what_is_not_known_in_a_hole_is_not_overlooked(hole, bound_mps):
-    problem = steady_problem(240, bound_mps, hole)
-    ratio = noise_variance(problem, holes_of(problem)) / exact_variance(problem)
-    assert ratio[hole : hole + 2].min() > 0.7
+@pytest.mark.parametrize("gap", [100, 113])
+def test_what_is_not_known_in_a_gap_is_not_overlooked(gap, bound_mps):
+    problem = steady_problem(240, bound_mps, gap)
+    ratio = noise_variance(problem, gaps_of(problem)) / exact_variance(problem)
+    assert ratio[gap : gap + 2].min() > 0.7
     assert ratio.min() > 0.6
 
 
@@ -117,9 +118,9 @@ def test_both_ways_to_the_dense_inverse_agree():
 def test_the_calibration_adds_the_right_tilt_uncertainty(intervals):
     problem = steady_problem(intervals, 1.0)
     solution = minimise(problem)
-    rows = solution.tilt_per_calibration
-    spread = np.einsum("acn,cd,adn->n", rows, solution.covariance, rows)
-    total = 2.0 * noise_variance(problem, holes_of(problem)) + spread
+    rows = solution.states[1:, ..., 0]
+    spread = np.einsum("can,cd,dan->n", rows, covariance(solution), rows)
+    total = 2.0 * noise_variance(problem, gaps_of(problem)) + spread
     exact = Dense(problem).tilt_variance()
     assert np.abs(total / exact - 1.0)[intervals // 3 : -intervals // 3].max() < 0.15
     # of a short block it is much of what is not known, or this would test nothing
@@ -132,12 +133,12 @@ def test_the_accelerometer_bias_moves_the_tilt_as_stated(intervals):
     problem = steady_problem(intervals, 1.0)
     solution = minimise(problem)
     squares = np.zeros(intervals + 1)
-    for axis in range(FORCE_BIAS.start, FORCE_BIAS.stop):
+    for axis in range(ACCEL_BIAS.start, ACCEL_BIAS.stop):
         prior = problem.prior.copy()
         prior[axis] += problem.prior_weight[axis] ** -0.5
         other = minimise(dataclasses.replace(problem, prior=prior))
         squares += np.square(other.tilt - solution.tilt).sum(axis=0)
-    found = force_bias_variance(problem, solution)
+    found = accel_bias_variance(problem, solution)
     assert squares.max() > 1e-6
     assert found == pytest.approx(squares, rel=1e-6)
 
@@ -146,8 +147,8 @@ def tilt_sigma(problem, gyro_bias_radps=0.0):
     solution = minimise(problem)
     bias = np.array([gyro_bias_radps, 0.0, 0.0])
     p = SmootherParameters()
-    wide = Wide(np.ones(len(problem.bound_weight)))
-    found = tilt_variance(problem, solution, bias, wide, p)
+    excess = BoundExcess(np.ones(len(problem.bound_weight)))
+    found = tilt_variance(problem, solution, bias, excess, p)
     return np.sqrt(found)
 
 
@@ -167,9 +168,9 @@ def test_the_deviation_grows_with_what_is_not_known():
     # at the ends one side's information is missing
     assert steady[0] > steady[120]
     assert steady[-1] > steady[120]
-    holed = tilt_sigma(steady_problem(240, 1.0, 120))
-    assert holed[120:122].min() > steady[120:122].max()
-    assert np.allclose(holed[:40], steady[:40], rtol=0.05)
+    gapd = tilt_sigma(steady_problem(240, 1.0, 120))
+    assert gapd[120:122].min() > steady[120:122].max()
+    assert np.allclose(gapd[:40], steady[:40], rtol=0.05)
     longer = tilt_sigma(steady_problem(240, 3.0))
     assert (longer > steady).all()
 

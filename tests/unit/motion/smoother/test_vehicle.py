@@ -9,15 +9,15 @@ from scipy.spatial.transform import Rotation
 from hapticplayer.model import STANDARD_GRAVITY_MPS2 as G
 from hapticplayer.model import ImuLog
 from hapticplayer.motion import analyse, remove_gravity
-from hapticplayer.motion.smoother import block, travel
-from hapticplayer.motion.smoother.calibrated import minimise
+from hapticplayer.motion.smoother import block, vehicle
+from hapticplayer.motion.smoother.least_squares import minimise
 from hapticplayer.motion.smoother.nodes import gather, level_frames
 from hapticplayer.motion.smoother.parameters import SmootherParameters
+from hapticplayer.motion.smoother.problem import Knowledge, linearised
 from hapticplayer.motion.smoother.strapdown import integrate
-from hapticplayer.motion.smoother.travel import Travel, travel_of
+from hapticplayer.motion.smoother.vehicle import Locomotion, locomotion_of
 from hapticplayer.simulation.rides.motion_scenes import simulate_motion
 from tests.unit.motion.smoother.conftest import Motion, miss, rms, samples_of
-from tests.unit.motion.smoother.test_uncertainty import steady_problem
 
 RATE_HZ = 100.0
 SPEED_MPS = 15.0
@@ -64,7 +64,7 @@ def test_what_lasts_as_long_as_a_bend_is_not_levelled_away(rng, monkeypatch):
     assert rms(CAR.acceleration(TIME_S)) > 2.0
     kept = rms(miss(log, up))
     assert kept < 0.1
-    monkeypatch.setattr(travel, "travel_of", lambda *_: Travel())
+    monkeypatch.setattr(vehicle, "locomotion_of", lambda *_: Locomotion())
     assert rms(miss(log, up)) > 3.0 * kept
 
 
@@ -73,7 +73,7 @@ def test_the_velocity_found_is_that_of_the_car(rng, monkeypatch):
 
     def noted(nodes, vertical, frames, known, p):
         problem = linearised(nodes, vertical, frames, known, p)
-        if known.travel_sigma_mps:
+        if known.body_sigma_mps:
             found.append(minimise(problem).calibration[-3:])
         return problem
 
@@ -94,17 +94,17 @@ def swaying(speed_mps):
     ("speed_mps", "sigma_mps"), [(0.0, 0.0), (0.39, 0.0), (0.55, 10.0), (2.0, 10.0)]
 )
 def test_what_sways_has_none_and_what_goes_may_have_any(speed_mps, sigma_mps):
-    found = travel_of(swaying(speed_mps), WALKING_RADPS)
-    assert found.expected_mps == pytest.approx(sigma_mps, abs=1e-9)
+    found = locomotion_of(swaying(speed_mps), WALKING_RADPS)
+    assert found.body_sigma_mps == pytest.approx(sigma_mps, abs=1e-9)
 
 
 def test_between_the_two_nothing_jumps():
     speeds = np.linspace(0.4001, 0.7, 800)
-    found = [travel_of(swaying(speed), WALKING_RADPS) for speed in speeds]
-    steps = np.diff(np.log([one.expected_mps for one in found]))
+    found = [locomotion_of(swaying(speed), WALKING_RADPS) for speed in speeds]
+    steps = np.diff(np.log([one.body_sigma_mps for one in found]))
     assert steps.min() >= 0.0
     assert steps.max() < 0.03
-    assert found[0].expected_mps < 0.011  # as good as none
+    assert found[0].body_sigma_mps < 0.011  # as good as none
     bounds = [float(one.bound_mps(np.array([0.5]))[0]) for one in found]
     steps = np.diff(np.log(bounds))
     assert steps.min() >= 0.0
@@ -121,24 +121,22 @@ def nodes_of_a_turn(count):
     return gather(windows, 8)
 
 
-def test_three_columns_do_what_a_shifted_bound_would():
-    problem = steady_problem(40, 1.0)
+def test_a_body_velocity_pushes_as_it_rotates():
     nodes = nodes_of_a_turn(20)
-    assert len(nodes.duration_s) == 40
-    frames = level_frames(np.tile([[0.0], [0.0], [1.0]], 41))
-    rows = travel.with_travel(problem.rows, nodes, frames)
-    whole = replace(problem, rows=rows)
-    assert whole.tilt.shape == (2, 11, 40)
-    assert np.array_equal(whole.tilt[:, :8], problem.tilt)
-    assert not whole.tilt[:, 8:].any()
-    assert np.array_equal(whole.impulse[:, :8], problem.impulse)
+    count = len(nodes.duration_s)
+    up = np.tile([[0.0], [0.0], [1.0]], count + 1)
+    known = Knowledge(
+        np.ones(count + 1), np.zeros(count), np.zeros(7), np.zeros(3), 0.05, True, 10.0
+    )
+    problem = linearised(nodes, up, level_frames(up), known, SmootherParameters())
+    assert problem.tilt.shape == (11, 2, count)
+    assert not problem.tilt[8:].any()
     # a car that goes its own way forwards and turns by 0.3 rad/s is pushed by u x w
-    angle = 0.15 * np.arange(41)
-    north = np.stack([-np.sin(angle), np.cos(angle), np.zeros(41)])
-    assert whole.impulse[:, 9] == pytest.approx(-np.diff(north), abs=1e-9)
-    prior, weight = travel.travel_prior(problem.prior, problem.prior_weight, 10.0)
-    assert np.array_equal(prior, [*problem.prior, 0.0, 0.0, 0.0])
-    assert weight == pytest.approx([*problem.prior_weight, 0.01, 0.01, 0.01])
+    angle = 0.15 * np.arange(count + 1)
+    north = np.stack([-np.sin(angle), np.cos(angle), np.zeros(count + 1)])
+    assert problem.impulse[9] == pytest.approx(-np.diff(north), abs=1e-9)
+    assert np.array_equal(problem.prior[7:], np.zeros(3))
+    assert problem.prior_weight[7:] == pytest.approx(0.01)
 
 
 @pytest.mark.parametrize(
@@ -183,7 +181,7 @@ def last_assumed(log, monkeypatch):
     used = []
 
     def noted(nodes, vertical, frames, known, p):
-        used.append((known.bound_mps, known.travel_sigma_mps))
+        used.append((known.bound_mps, known.body_sigma_mps))
         return linearised(nodes, vertical, frames, known, p)
 
     linearised = block.linearised
@@ -224,12 +222,12 @@ def test_of_what_drives_a_part_is_bounded_like_the_whole(scene, kept, monkeypatc
 def test_what_goes_far_from_the_centre_of_its_turns_drives(
     speed_mps, turn_radps, share
 ):
-    assert travel_of(swaying(speed_mps), turn_radps).driven == share
+    assert locomotion_of(swaying(speed_mps), turn_radps).vehicle_weight == share
 
 
 def test_between_what_is_carried_and_what_drives_nothing_jumps():
-    found = [travel_of(swaying(2.0), w) for w in np.geomspace(0.4, 0.1, 400)]
-    shares = [one.driven for one in found]
+    found = [locomotion_of(swaying(2.0), w) for w in np.geomspace(0.4, 0.1, 400)]
+    shares = [one.vehicle_weight for one in found]
     steps = np.diff(shares)
     assert (shares[0], shares[-1]) == (0.0, 1.0)
     assert steps.min() >= 0.0
@@ -241,7 +239,7 @@ def test_between_what_is_carried_and_what_drives_nothing_jumps():
 def test_what_drives_is_solved_for_until_nothing_moves(scene, seed):
     """As many solutions as hands need left the motorways elsewhere."""
     log = simulate_motion(scene, seed).imu
-    much = SmootherParameters(steered_rebias_radps=1e-6, steered_solutions=40)
+    much = SmootherParameters(vehicle_bias_change_radps=1e-6, vehicle_solutions=40)
     settled = remove_gravity(log, parameters=much).gravity_mps2
     assert rms(remove_gravity(log).gravity_mps2 - settled) < 0.02
 
@@ -251,7 +249,7 @@ def test_without_turns_no_heading_is_looked_for(monkeypatch):
     solved = []
 
     def noted(nodes, vertical, frames, known, p):
-        solved.append(known.travel_sigma_mps)
+        solved.append(known.body_sigma_mps)
         return linearised(nodes, vertical, frames, known, p)
 
     linearised = block.linearised
@@ -270,24 +268,26 @@ def test_without_turns_no_heading_is_looked_for(monkeypatch):
     ("turn_radps", "share"), [(0.0, 0.0), (0.005, 0.0), (0.01, 0.5), (0.02, 1.0)]
 )
 def test_what_turns_shows_its_heading(turn_radps, share):
-    assert travel_of(swaying(2.0), turn_radps).steered == pytest.approx(share)
+    assert locomotion_of(swaying(2.0), turn_radps).heading_weight == pytest.approx(
+        share
+    )
 
 
 def test_a_vehicle_may_have_any_velocity_and_other_things_less():
-    assert Travel(going=1.0).expected_mps == pytest.approx(10.0)
-    assert Travel(going=1.0, driven=1.0).expected_mps == pytest.approx(80.0)
+    assert Locomotion(1.0).body_sigma_mps == pytest.approx(10.0)
+    assert Locomotion(1.0, vehicle_weight=1.0).body_sigma_mps == pytest.approx(80.0)
 
 
 def test_the_speed_bound_follows_only_unusual_speeds():
     found = np.array([0.5, 4.6, 9.2, 23.0])
-    assert Travel().bound_mps(found) == pytest.approx(found)
-    walked = Travel(going=1.0).bound_mps(found)
+    assert Locomotion().bound_mps(found) == pytest.approx(found)
+    walked = Locomotion(1.0).bound_mps(found)
     assert walked == pytest.approx([4.0, 4.0, 8.0, 20.0])
-    ridden = Travel(going=1.0, ridden=1.0).bound_mps(found)
+    ridden = Locomotion(1.0, 1.0).bound_mps(found)
     assert ridden == pytest.approx([8.0, 8.0, 8.0, 20.0])
-    half = Travel(going=0.5).bound_mps(found)
+    half = Locomotion(0.5).bound_mps(found)
     assert half == pytest.approx(np.sqrt(found * walked))
-    driven = Travel(going=1.0, ridden=1.0, driven=1.0).bound_mps(found)
+    driven = Locomotion(1.0, 1.0, 1.0).bound_mps(found)
     assert driven == pytest.approx(40.0)
 
 
@@ -303,7 +303,7 @@ def test_the_speed_bound_follows_only_unusual_speeds():
 def test_what_is_ridden_is_told_by_the_centre_of_its_turns(
     speed_mps, turn_radps, share
 ):
-    assert travel_of(swaying(speed_mps), turn_radps).ridden == share
+    assert locomotion_of(swaying(speed_mps), turn_radps).riding_weight == share
 
 
 # ---- what goes on feet and by bike, however it is cut ---------------------------
@@ -345,14 +345,14 @@ def test_half_of_a_downhill_ride_is_bounded_like_the_whole(seed, sensor, monkeyp
 def test_what_holes_seem_to_have_moved_is_not_looked_at():
     nodes = nodes_of_a_turn(60)
     time_s = np.append(0.0, np.cumsum(nodes.duration_s))
-    assert travel.undisturbed(nodes).all()
+    assert vehicle.undisturbed(nodes).all()
     lost = replace(nodes, lost_s=np.where(np.arange(120) == 60, 0.2, 0.0))
     begin_s, end_s = time_s[60:62]
     far = (time_s <= begin_s - 15.0) | (time_s >= end_s + 15.0)
-    assert np.array_equal(travel.undisturbed(lost), far)
+    assert np.array_equal(vehicle.undisturbed(lost), far)
     # where samples are doubtful all the time there is nothing else to go by
     doubtful = replace(nodes, doubt_s=np.where(np.arange(120) % 40 == 0, 0.1, 0.0))
-    assert travel.undisturbed(doubtful).all()
+    assert vehicle.undisturbed(doubtful).all()
 
 
 @pytest.mark.parametrize(

@@ -9,8 +9,11 @@ from scipy.spatial.transform import Rotation
 from hapticplayer.model import STANDARD_GRAVITY_MPS2 as G
 from hapticplayer.model import ImuLog, Sampling
 from hapticplayer.motion import SmootherParameters, analyse, remove_gravity
-from hapticplayer.motion.smoother import block, standing, strapdown
-from hapticplayer.motion.smoother.rest import Rest
+from hapticplayer.motion.smoother import block, stationary, strapdown
+from hapticplayer.motion.smoother.stationary import (
+    StillBins,
+    apparent_acceleration,
+)
 from tests.unit.motion.smoother.conftest import assert_sound, rms
 
 FULL = SmootherParameters(shortcuts=False)
@@ -104,26 +107,30 @@ def test_the_summary_is_the_same(rng):
 
 def test_only_what_is_still_to_its_end_is_taken_in_parts():
     at = np.linspace(0.0, 2000.0, 41)
-    still = Rest(at, at, np.zeros(3), 1e-3)
-    assert standing.samples_of_a_part(still, 2030, 0.005) == 12
-    assert standing.samples_of_a_part(still, 1000, 0.005) == 1  # too short
-    assert standing.samples_of_a_part(None, 2030, 0.005) == 1
-    some = dataclasses.replace(still, count=0.97 * at)
-    assert standing.samples_of_a_part(some, 2030, 0.005) == 1
+    still = StillBins(at, at, np.zeros(3), 1e-3)
+    assert stationary.decimation_of(still, 2030, 0.005) == 12
+    assert stationary.decimation_of(still, 1000, 0.005) == 1  # too short
+    assert stationary.decimation_of(None, 2030, 0.005) == 1
+    some = dataclasses.replace(still, still=0.97 * at)
+    assert stationary.decimation_of(some, 2030, 0.005) == 1
     for count, ends in ((2000, 200.0), (2003, 201.0), (2030, 200.0)):
-        parts = standing.in_parts(still, 10, count)
-        assert parts.at[-1] == parts.count[-1] == pytest.approx(ends)
+        parts = still.decimated(10, count)
+        assert parts.edges[-1] == parts.still[-1] == pytest.approx(ends)
 
 
-def test_orientations_of_either_sign_are_interpolated_alike(rng):
+def test_quaternions_get_one_sign_each_with_the_one_before(rng):
     turns = Rotation.from_rotvec(0.01 * np.cumsum(rng.standard_normal((50, 3)), axis=0))
     q = turns.as_quat(scalar_first=True)
     flipped = q * np.where(rng.random(50) < 0.5, -1.0, 1.0)[:, None]
-    usual = standing.orientation(q, 4, 200, averaged=True)
-    found = standing.orientation(flipped, 4, 200, averaged=True)
-    assert np.abs(np.abs(np.sum(usual * found, axis=1)) - 1.0).max() < 1e-12
-    # means of parts of 4 stand for their middles, between the second and the third
-    middle = standing.at_samples(np.arange(50.0)[:, None], 4, 200, averaged=True)
+    found = stationary.with_one_sign(flipped)
+    assert np.abs(np.abs(np.sum(q * found, axis=1)) - 1.0).max() < 1e-12
+    assert (np.sum(found[1:] * found[:-1], axis=1) > 0.0).all()
+
+
+def test_means_stand_for_the_middles_of_their_parts():
+    # of parts of 4, between the second sample and the third
+    rows = np.arange(50.0)[:, None]
+    middle = stationary.interpolated(rows, 4, 200, averaged=True)
     assert middle[4:8, 0] == pytest.approx([0.625, 0.875, 1.125, 1.375])
 
 
@@ -136,5 +143,38 @@ def test_between_the_middles_of_parts_there_are_straight_lines(
     place = (np.arange(count) + (0.5 if averaged else 1.0)) / per_part - 0.5
     rows = np.arange(len(values))
     expected = np.stack([np.interp(place, rows, one) for one in values.T], axis=1)
-    found = standing.at_samples(values, per_part, count, averaged=averaged)
+    found = stationary.interpolated(values, per_part, count, averaged=averaged)
     assert np.abs(found - expected).max() < 1e-12
+
+
+# ---- zero-velocity intervals ----------------------------------------------------
+
+
+@pytest.fixture
+def solved_s(rng):
+    return rng.uniform(0.5, 1.0, 40)
+
+
+@pytest.fixture
+def found(rng):
+    return rng.standard_normal((2, 41))
+
+
+def test_an_acceleration_is_the_change_of_velocity_over_time(found, solved_s):
+    change = np.linalg.norm(np.diff(found), axis=0)
+    apparent = apparent_acceleration(found, solved_s, solved_s)
+    assert apparent == pytest.approx(change / solved_s)
+
+
+def test_intervals_that_were_solved_need_no_interpolation(found, solved_s):
+    same = apparent_acceleration(found, solved_s, solved_s)
+    assert apparent_acceleration(found, solved_s, solved_s.copy()) == pytest.approx(
+        same
+    )
+
+
+def test_half_an_interval_of_steady_acceleration_has_all_of_it(solved_s):
+    time_s = np.concatenate([[0.0], np.cumsum(solved_s)])
+    steady = np.stack([3.0 * time_s, -4.0 * time_s])
+    halves_s = np.repeat(0.5 * solved_s, 2)
+    assert apparent_acceleration(steady, solved_s, halves_s) == pytest.approx(5.0)

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from hapticplayer.motion import rotations as rot
-from hapticplayer.motion.smoother import linearise, strapdown
+from hapticplayer.motion.smoother import problem, strapdown
 from hapticplayer.motion.smoother.nodes import gather, rough_vertical
 from tests.unit.motion.smoother.conftest import samples_of
 
@@ -15,7 +15,7 @@ def rough(force_mps2, step_s):
     """Return the rough verticals of a sensor that does not turn, and its nodes' times."""
     samples = samples_of(step_s, force_mps2, np.zeros_like(force_mps2), averaged=False)
     windows = strapdown.integrate(samples, 4, np.zeros(3), np.zeros((3, 3)))
-    nodes = gather(windows, 5, with_scale=False)
+    nodes = gather(windows, 5, with_matrix=False)
     time_s = np.append(0.0, np.cumsum(nodes.duration_s))
     return rough_vertical(nodes, HALF_WIDTH_S), time_s
 
@@ -59,7 +59,7 @@ def test_a_mean_square_counts_each_node_by_the_time_around_it(intervals, rng):
     duration_s = rng.uniform(0.2, 1.2, intervals)
     states = rng.standard_normal((intervals + 1, 4))
     # as a solution keeps them: not contiguous
-    found = linearise.mean_square(states.T[2:], duration_s, HALF_WIDTH_S)
+    found = problem.mean_square(states.T[2:], duration_s, HALF_WIDTH_S)
     time_s = np.append(0.0, np.cumsum(duration_s))
     width_s = 0.5 * (np.append(0.0, duration_s) + np.append(duration_s, 0.0))
     squared = np.square(states[:, 2:]).sum(axis=1)
