@@ -9,7 +9,7 @@ from app.bridge.languages import translated
 from app.player.health import cause_text, device_name
 from app.widgets.numbers import local
 from hapticplayer.haptics.contract import Cause
-from hapticplayer.study.preflight import DEVICE, DISK, SCHEDULING, SCREEN, Check
+from hapticplayer.study.preflight import DEVICE, DISK, SCHEDULING, SCREEN, SessionCheck
 
 translate = QCoreApplication.translate
 
@@ -68,7 +68,7 @@ def reason_text(reason: str) -> str:
     }.get(reason, reason)
 
 
-def found_text(check: Check) -> str:
+def found_text(check: SessionCheck) -> str:
     """Return what a check has found."""
     found = check.found
     if check.name == DEVICE and ", " in found:

@@ -22,7 +22,7 @@ from app.widgets.buttons import set_role, text_button
 from app.widgets.room import indent
 from app.widgets.texts import titled
 from hapticplayer.study.orders import Balance
-from hapticplayer.study.preflight import Check
+from hapticplayer.study.preflight import SessionCheck
 
 _WIDEST_PX = 420
 _GOOD, _BAD = "\u25cf", "\u25a0"
@@ -128,7 +128,7 @@ class StartPanel(QWidget):
         )
         self.balance.setText(text.format(a=a, b=b, c=c, d=d))
 
-    def show_checks(self, checks: tuple[Check, ...]) -> None:
+    def show_checks(self, checks: tuple[SessionCheck, ...]) -> None:
         """Show what was found; begin only when all is well, or somebody insists."""
         names = self._names()
         lines = []

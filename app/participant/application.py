@@ -33,9 +33,14 @@ from hapticplayer.playback.sound import AudioFactory
 from hapticplayer.playback.sound_process import SoundProcess
 from hapticplayer.playback.source import Source
 from hapticplayer.study.pages import PageKind
-from hapticplayer.study.preflight import Check, described, look, volume_of
+from hapticplayer.study.preflight import (
+    SessionCheck,
+    checks_as_json,
+    run_checks,
+    volume_in_checks,
+)
 from hapticplayer.study.runner import Observer, SessionRunner
-from hapticplayer.study.session_folder import State
+from hapticplayer.study.session_folder import SessionState
 from hapticplayer.study.session_setup import (
     Material,
     check_unchanged,
@@ -78,7 +83,7 @@ class StudySession:
         self.surface = VideoSurface()
         self.player = Player(clock, SurfaceSink(self.surface), audio=audio)
         sessions, _ = study.sessions()
-        unfinished = [s.code for s in sessions if s.state is State.UNFINISHED]
+        unfinished = [s.code for s in sessions if s.state is SessionState.UNFINISHED]
         self.start_panel = StartPanel(study.definition.languages, unfinished)
         self.start_panel.show_balance(study.balance())
         self.start_panel.volume_chosen.connect(self._set_volume)
@@ -121,11 +126,11 @@ class StudySession:
 
     # --- before the session ------------------------------------------------------
 
-    def look(self) -> tuple[Check, ...]:
+    def current_checks(self) -> tuple[SessionCheck, ...]:
         """Return the state of everything that a session needs."""
         screen = self.participant.screen()
         size = screen.geometry().size() * screen.devicePixelRatio()
-        return look(
+        return run_checks(
             self.player,
             self.study.definition.checks,
             self.study.folder,
@@ -162,7 +167,7 @@ class StudySession:
         Raises:
             HapticPlayerError: why it cannot be; nothing is shown then.
         """
-        checks = self.look()
+        checks = self.current_checks()
         if code:
             session = self.study.session(code)
             check_unchanged(session, self.material)
@@ -180,7 +185,7 @@ class StudySession:
             self.study, session.code, stage, self._clock, self._observer
         )
         is_good = all(check.is_good for check in checks)
-        self.runner.keep_checks(described(checks), overridden=not is_good)
+        self.runner.keep_checks(checks_as_json(checks), overridden=not is_good)
         self.participant.follow(self.runner)
         self.participant.activateWindow()
         self.control.follow(self.runner, self.participant.refresh)
@@ -210,10 +215,10 @@ class StudySession:
                 self.player.snapshot(), self.player.measurements()
             )
             if self.runner is None:
-                self.start_panel.show_checks(self.look())
+                self.start_panel.show_checks(self.current_checks())
 
     def _tell_force(self) -> None:
-        """Hand the forces since the last look to whoever watches."""
+        """Hand the forces since the last call to whoever watches."""
         if self._observer is None:
             return
         ticks = self.player.ticks_since(self._told_s)
@@ -235,7 +240,7 @@ class StudySession:
         self._is_over = True
         self.pump.stop()
         self.player.close()
-        self._tell_force()  # those since the last look
+        self._tell_force()  # those since the last call
         if self.runner is not None:
             self.runner.close()
         self.undisturbed.release()
@@ -305,7 +310,7 @@ def _last_volume(study: Study) -> int:
     for session in reversed(sessions):
         for record in reversed(session.records.intact):
             if record.kind == "checks":
-                found = volume_of(record.content.get("checks"))
+                found = volume_in_checks(record.content.get("checks"))
                 if found is not None:
                     return found
     return 100

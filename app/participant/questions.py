@@ -21,7 +21,7 @@ from app.participant.look import paragraph
 from app.widgets import theme
 from app.widgets.buttons import Button
 from hapticplayer.study.definition import LIKERT, QuestionKind
-from hapticplayer.study.pages import Asked
+from hapticplayer.study.pages import AskedQuestion
 
 Word = Callable[[str], str]
 TEXT_LINES = 2
@@ -42,7 +42,7 @@ class QuestionRow(QFrame):
     answered = Signal()
     entered = Signal()
 
-    def __init__(self, asked: Asked) -> None:
+    def __init__(self, asked: AskedQuestion) -> None:
         super().__init__()
         self.asked = asked
         self.setProperty("role", "question")
@@ -102,7 +102,7 @@ class ButtonsRow(QuestionRow):
 
     def __init__(
         self,
-        asked: Asked,
+        asked: AskedQuestion,
         answers: list[tuple[Any, str]],
         ends: tuple[str, str] = ("", ""),
     ) -> None:
@@ -182,7 +182,7 @@ class _AnswerButton(Button):
 class NumberRow(QuestionRow):
     """A whole number, typed or stepped to."""
 
-    def __init__(self, asked: Asked) -> None:
+    def __init__(self, asked: AskedQuestion) -> None:
         super().__init__(asked)
         self.box = QSpinBox()
         # one below the least stands for "not answered"
@@ -225,7 +225,7 @@ class NumberRow(QuestionRow):
 class TextRow(QuestionRow):
     """An answer in words; Tab leaves it."""
 
-    def __init__(self, asked: Asked) -> None:
+    def __init__(self, asked: AskedQuestion) -> None:
         super().__init__(asked)
         self.box = QPlainTextEdit()
         self.box.setTabChangesFocus(True)
@@ -262,7 +262,7 @@ class TextRow(QuestionRow):
         self.box.setFocus(Qt.FocusReason.TabFocusReason)
 
 
-def make_row(asked: Asked, word: Word, scale: tuple[str, str]) -> QuestionRow:
+def make_row(asked: AskedQuestion, word: Word, scale: tuple[str, str]) -> QuestionRow:
     """Return the row for a question."""
     match asked.kind:
         case QuestionKind.LIKERT:

@@ -29,7 +29,7 @@ from hapticplayer.media.encode import write_clip
 from hapticplayer.model import STANDARD_GRAVITY_MPS2, ClockMap, ImuLog
 from hapticplayer.sequence.build import Choices, write_sequence
 from hapticplayer.study.creation import change_definition, create_study
-from hapticplayer.study.session_folder import State, StoredSession
+from hapticplayer.study.session_folder import SessionState, StoredSession
 from hapticplayer.study.study_folder import Study
 
 LATEST_S = 1.5  # after the session is about to be made or opened
@@ -174,7 +174,7 @@ class _Sessions:
         if not self.code:
             return  # killed before there was a session
         state = check(self.study, self.code, self.acknowledged, tally)
-        if state is not State.UNFINISHED:
+        if state is not SessionState.UNFINISHED:
             tally.completed += 1
             self.code, self.acknowledged = "", []
 
@@ -183,19 +183,21 @@ def unfinished(study: Study) -> str:
     """Return the session that was just begun, if there is one."""
     sessions, remarks = study.sessions()
     assert not remarks, remarks
-    left = [s.code for s in sessions if s.state is State.UNFINISHED]
+    left = [s.code for s in sessions if s.state is SessionState.UNFINISHED]
     assert len(left) <= 1
     return left[0] if left else ""
 
 
-def check(study: Study, code: str, acknowledged: list[str], tally: Tally) -> State:
+def check(
+    study: Study, code: str, acknowledged: list[str], tally: Tally
+) -> SessionState:
     """Compare what was acknowledged with what is on the disk."""
     try:
         session = study.session(code)
     except StudyError as problem:
         tally.unreadable += 1
         tally.problems.append(str(problem))
-        return State.STOPPED
+        return SessionState.STOPPED
     kept = kept_answers(session)
     tally.torn = max(tally.torn, len(session.records.damaged))
     for text in acknowledged:

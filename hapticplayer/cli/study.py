@@ -12,15 +12,15 @@ from hapticplayer.cli.common import add_device_name, complain, say, say_aside
 from hapticplayer.clock import SystemClock
 from hapticplayer.errors import StudyError, UsageError
 from hapticplayer.interchange.study_export import EXPORTERS, export_study
-from hapticplayer.study.answers import collect_answers, keep_reviewed, text_digest
+from hapticplayer.study.answers import collect_answers, save_reviewed, text_digest
 from hapticplayer.study.creation import create_study, sequence_folder
 from hapticplayer.study.merging import merge_sessions
-from hapticplayer.study.session_folder import State, StoredSession
+from hapticplayer.study.session_folder import SessionState, StoredSession
 from hapticplayer.study.steps import answered_trials
 from hapticplayer.study.study_folder import (
     Study,
     delete_participant,
-    drop,
+    drop_session,
     open_study,
 )
 
@@ -132,7 +132,7 @@ def _add_merge(actions: Any) -> None:
 
 def _add_drop(actions: Any) -> None:
     action = add_action(
-        actions, "drop", "close a session that will not be resumed", drop_session
+        actions, "drop", "close a session that will not be resumed", close_session
     )
     action.add_argument("code", metavar="CODE")
     action.add_argument("--reason", required=True)
@@ -299,7 +299,7 @@ def _let_pass(study: Study, code: str, question: str) -> None:
     ]
     if not digests:
         raise StudyError(f"{code}:{question} has no answer in words to pass")
-    keep_reviewed(folder, digests)
+    save_reviewed(folder, digests)
 
 
 def _name(question: str, feedback: str) -> str:
@@ -334,12 +334,12 @@ def merge(options: argparse.Namespace) -> int:
     return 1 if merged.conflicts else 0
 
 
-def drop_session(options: argparse.Namespace) -> int:
+def close_session(options: argparse.Namespace) -> int:
     """Close a session that will not be resumed."""
     study = open_study(options.study)
-    if study.session(options.code).state is not State.UNFINISHED:
+    if study.session(options.code).state is not SessionState.UNFINISHED:
         raise StudyError(f"session {options.code.upper()} has ended already")
-    drop(study, options.code, options.reason, SystemClock())
+    drop_session(study, options.code, options.reason, SystemClock())
     say(f"{options.code.upper()} has ended; its place is free again")
     return 0
 

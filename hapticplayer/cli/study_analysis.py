@@ -13,13 +13,18 @@ from hapticplayer.sequence import files
 from hapticplayer.simulation.effects import draw_effect, effect_named, paper_effect
 from hapticplayer.simulation.participants import simulated_answers
 from hapticplayer.simulation.sessions import write_answers
-from hapticplayer.study.analysis import Analysis, Choices, MissingPolicy, Resampling
+from hapticplayer.study.analysis import (
+    Analysis,
+    AnalysisOptions,
+    MissingPolicy,
+    Resampling,
+)
 from hapticplayer.study.analysis.analysis import STATISTICS
 from hapticplayer.study.analysis.consistency import ConsistencyAnalysis
 from hapticplayer.study.analysis.power import (
     Draw,
-    Goal,
     Power,
+    PowerGoal,
     draw_pilot,
     find_power,
     power_summary,
@@ -147,7 +152,7 @@ def analyse(options: argparse.Namespace) -> int:
     """Print the statistics of a study, and write its report where that is wanted."""
     if options.output is not None:
         files.refuse_existing(options.output)
-    choices = Choices(
+    choices = AnalysisOptions(
         MissingPolicy(options.missing), options.with_unsound, Resampling(options.seed)
     )
     with interruptible(), shown_progress() as progress:
@@ -200,7 +205,7 @@ def simulate(options: argparse.Namespace) -> int:
 
 def power(options: argparse.Namespace) -> int:
     """Tell how many participants a design needs."""
-    goal = Goal(
+    goal = PowerGoal(
         options.alpha, options.power, options.largest, options.studies, options.seed
     )
     draw, feedbacks, source = _population(options)

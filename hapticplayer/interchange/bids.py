@@ -14,7 +14,12 @@ import numpy as np
 
 from hapticplayer import __version__
 from hapticplayer.haptics.record_reader import RecordReader
-from hapticplayer.interchange.study_csv import Column, Table, participants, separated
+from hapticplayer.interchange.study_csv import (
+    DataColumn,
+    DataTable,
+    participants,
+    separated,
+)
 from hapticplayer.interchange.study_data import (
     StudyData,
     markers_of,
@@ -30,14 +35,14 @@ from hapticplayer.study.steps import AnsweredTrial, answered_trials
 VERSION = "1.10.0"
 TASK, SYSTEM, RATE_HZ = "qoe", "falcon", 1000
 _BEH = (
-    Column("trial_index", "place in this participant's order, from 1"),
-    Column("attempt", "1, or more where the trial was repeated"),
-    Column("sequence", "what was played"),
-    Column("feedback", "force condition"),
-    Column("delay_s", "by which the force came later than recorded"),
-    Column("gain", "of the force, 1 as recorded"),
-    Column("sound", "whether the playback was without a fault"),
-    Column("response_time", "from the page of questions to its answer"),
+    DataColumn("trial_index", "place in this participant's order, from 1"),
+    DataColumn("attempt", "1, or more where the trial was repeated"),
+    DataColumn("sequence", "what was played"),
+    DataColumn("feedback", "force condition"),
+    DataColumn("delay_s", "by which the force came later than recorded"),
+    DataColumn("gain", "of the force, 1 as recorded"),
+    DataColumn("sound", "whether the playback was without a fault"),
+    DataColumn("response_time", "from the page of questions to its answer"),
 )
 _CHANNELS = (
     # name, component, type, unit, decimals
@@ -96,9 +101,9 @@ def _participants(answers: Answers, folder: Path) -> None:
     """Write who took part, as in the table of the CSV export."""
     name, columns, rows = participants(answers)
     first, *others = columns
-    table = Table(
+    table = DataTable(
         name,
-        (Column("participant_id", first.meaning), *others),
+        (DataColumn("participant_id", first.meaning), *others),
         [(f"sub-{code}", *values) for code, *values in rows],
     )
     _table(folder / "participants.tsv", table)
@@ -154,9 +159,9 @@ def _subject(session: StoredSession, data: StudyData, folder: Path) -> None:
     folder.mkdir(mode=private.FOLDER_MODE)
     behaviour.mkdir(mode=private.FOLDER_MODE)
     keys = [question.key for question in data.definition.trial_questions]
-    columns = [*_BEH, *(Column(key, "") for key in keys)]
+    columns = [*_BEH, *(DataColumn(key, "") for key in keys)]
     rows = [_beh_row(trial, keys) for trial in answered_trials(session.records)]
-    table = Table(f"{name}_task-{TASK}_beh.tsv", columns, rows)
+    table = DataTable(f"{name}_task-{TASK}_beh.tsv", columns, rows)
     _table(behaviour / table.name, table)
     scans: list[tuple[str, str]] = []
     for number, path in enumerate(tick_files(session), 1):
@@ -281,9 +286,9 @@ def _json(path: Path, content: Any) -> None:
     private.write_new(path, text.encode())
 
 
-def _table(path: Path, table: Table) -> None:
+def _table(path: Path, table: DataTable) -> None:
     private.write_new(path, separated(table, "\t", "n/a"))
 
 
 def _rows(path: Path, head: Sequence[str], rows: Sequence[Sequence[Any]]) -> None:
-    _table(path, Table(path.name, [Column(name, "") for name in head], rows))
+    _table(path, DataTable(path.name, [DataColumn(name, "") for name in head], rows))

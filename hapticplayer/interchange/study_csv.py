@@ -14,7 +14,7 @@ from hapticplayer.study.session_folder import StoredSession
 from hapticplayer.study.steps import answered_trials
 
 
-class Column(NamedTuple):
+class DataColumn(NamedTuple):
     """One column: its name, what it holds, and its unit or levels."""
 
     name: str
@@ -22,38 +22,41 @@ class Column(NamedTuple):
     levels: str = ""
 
 
-class Table(NamedTuple):
+class DataTable(NamedTuple):
     """A table: name of the file, columns, rows."""
 
     name: str
-    columns: Sequence[Column]
+    columns: Sequence[DataColumn]
     rows: Sequence[Sequence[Any]]
 
 
-_WHO = Column("participant", "code made by the program")
-_WHERE = (Column("sequence", "what was played"), Column("feedback", "force condition"))
-_SOUND = Column("sound", "whether the playback was without a fault", "true|false")
+_WHO = DataColumn("participant", "code made by the program")
+_WHERE = (
+    DataColumn("sequence", "what was played"),
+    DataColumn("feedback", "force condition"),
+)
+_SOUND = DataColumn("sound", "whether the playback was without a fault", "true|false")
 _PLAYED = (
-    Column("media_s", "position reached", "s"),
-    Column("pictures_shown", "pictures on the screen"),
-    Column("pictures_dropped", "pictures that came too late"),
-    Column("silence_s", "sound that was missing", "s"),
-    Column("missed", "skipped periods of the 1 kHz force loop"),
-    Column("ticks", "exchanges with the device"),
+    DataColumn("media_s", "position reached", "s"),
+    DataColumn("pictures_shown", "pictures on the screen"),
+    DataColumn("pictures_dropped", "pictures that came too late"),
+    DataColumn("silence_s", "sound that was missing", "s"),
+    DataColumn("missed", "skipped periods of the 1 kHz force loop"),
+    DataColumn("ticks", "exchanges with the device"),
 )
 _TRIAL_COLUMNS = (
     _WHO,
-    Column("position", "place in this participant's order, from 1"),
-    Column("attempt", "1, or more where the trial was repeated"),
+    DataColumn("position", "place in this participant's order, from 1"),
+    DataColumn("attempt", "1, or more where the trial was repeated"),
     *_WHERE,
-    Column("delay_s", "by which the force came later than recorded", "s"),
-    Column("gain", "of the force, 1 as recorded"),
-    Column("repeat", "number of the repetition of this condition"),
+    DataColumn("delay_s", "by which the force came later than recorded", "s"),
+    DataColumn("gain", "of the force, 1 as recorded"),
+    DataColumn("repeat", "number of the repetition of this condition"),
     _SOUND,
-    Column("reasons", "why it was not, separated by semicolons"),
+    DataColumn("reasons", "why it was not, separated by semicolons"),
     *_PLAYED,
-    Column("response_s", "from the page of questions to its answer", "s"),
-    Column("answers", "all answers as JSON"),
+    DataColumn("response_s", "from the page of questions to its answer", "s"),
+    DataColumn("answers", "all answers as JSON"),
 )
 
 
@@ -67,7 +70,7 @@ def write_csv(data: StudyData, folder: Path) -> None:
         participants(answers),
         _ratings(answers),
         _judgements(answers),
-        Table("trials.csv", _TRIAL_COLUMNS, list(_trial_rows(data.sessions))),
+        DataTable("trials.csv", _TRIAL_COLUMNS, list(_trial_rows(data.sessions))),
         _texts(answers),
     ]
     tables = [table for table in made if table.rows]
@@ -75,16 +78,16 @@ def write_csv(data: StudyData, folder: Path) -> None:
         private.write_new(folder / table.name, separated(table))
 
 
-def participants(answers: Answers) -> Table:
+def participants(answers: Answers) -> DataTable:
     """Return who took part."""
     columns = (
         _WHO,
-        Column("age", "age of the participant", "years"),
-        Column("gender", "as answered"),
-        Column("handedness", "hand that writes"),
-        Column("used_device_before", "knew such a device", "true|false"),
-        Column("complete", "the session came to its end", "true|false"),
-        Column("simulated", "made by the program, nobody sat there", "true|false"),
+        DataColumn("age", "age of the participant", "years"),
+        DataColumn("gender", "as answered"),
+        DataColumn("handedness", "hand that writes"),
+        DataColumn("used_device_before", "knew such a device", "true|false"),
+        DataColumn("complete", "the session came to its end", "true|false"),
+        DataColumn("simulated", "made by the program, nobody sat there", "true|false"),
     )
     rows = [
         (
@@ -93,15 +96,15 @@ def participants(answers: Answers) -> Table:
         )
         for p in answers.participants
     ]
-    return Table("participants.csv", columns, rows)
+    return DataTable("participants.csv", columns, rows)
 
 
-def _ratings(answers: Answers) -> Table:
+def _ratings(answers: Answers) -> DataTable:
     columns = (
         _WHO,
         *_WHERE,
-        Column("factor", "what was rated", "|".join(answers.factors)),
-        Column(
+        DataColumn("factor", "what was rated", "|".join(answers.factors)),
+        DataColumn(
             "value", "rating; empty where it is missing", "1 not at all to 5 totally"
         ),
         _SOUND,
@@ -110,38 +113,38 @@ def _ratings(answers: Answers) -> Table:
         (r.participant, r.sequence, r.feedback, r.factor, r.value, r.sound)
         for r in answers.ratings
     ]
-    return Table("ratings.csv", columns, rows)
+    return DataTable("ratings.csv", columns, rows)
 
 
-def _judgements(answers: Answers) -> Table:
+def _judgements(answers: Answers) -> DataTable:
     columns = (
         _WHO,
         _WHERE[0],
-        Column("delay_s", "by which the force came later than recorded", "s"),
-        Column("gain", "of the force, 1 as recorded"),
-        Column("consistent", "felt as consistent with the picture", "true|false"),
+        DataColumn("delay_s", "by which the force came later than recorded", "s"),
+        DataColumn("gain", "of the force, 1 as recorded"),
+        DataColumn("consistent", "felt as consistent with the picture", "true|false"),
         _SOUND,
     )
     rows = [
         (j.participant, j.sequence, j.delay_s, j.gain, j.consistent, j.sound)
         for j in answers.judgements
     ]
-    return Table("judgements.csv", columns, rows)
+    return DataTable("judgements.csv", columns, rows)
 
 
-def _texts(answers: Answers) -> Table:
+def _texts(answers: Answers) -> DataTable:
     columns = (
         _WHO,
-        Column("question", "key in the definition"),
-        Column("feedback", "that it is about; empty where it is about all"),
-        Column("text", "as written; a person has read it and let it pass"),
+        DataColumn("question", "key in the definition"),
+        DataColumn("feedback", "that it is about; empty where it is about all"),
+        DataColumn("text", "as written; a person has read it and let it pass"),
     )
     rows = [
         (a.participant, a.question, a.feedback, a.text)
         for a in answers.open_answers
         if a.reviewed
     ]
-    return Table("texts.csv", columns, rows)
+    return DataTable("texts.csv", columns, rows)
 
 
 def _trial_rows(sessions: Iterable[StoredSession]) -> Iterator[Sequence[Any]]:
@@ -166,19 +169,19 @@ def _trial_rows(sessions: Iterable[StoredSession]) -> Iterator[Sequence[Any]]:
             )
 
 
-def _dictionary(tables: Iterable[Table]) -> Table:
+def _dictionary(tables: Iterable[DataTable]) -> DataTable:
     """Return the data dictionary: what each column of each table means."""
     columns = (
-        Column("file", "name of the table"),
-        Column("column", "name of the column"),
-        Column("meaning", "what it holds"),
-        Column("unit_or_levels", "SI unit, or what values there are"),
+        DataColumn("file", "name of the table"),
+        DataColumn("column", "name of the column"),
+        DataColumn("meaning", "what it holds"),
+        DataColumn("unit_or_levels", "SI unit, or what values there are"),
     )
     rows = [(t.name, c.name, c.meaning, c.levels) for t in tables for c in t.columns]
-    return Table("data_dictionary.csv", columns, rows)
+    return DataTable("data_dictionary.csv", columns, rows)
 
 
-def separated(table: Table, mark: str = ",", missing: str = "") -> bytes:
+def separated(table: DataTable, mark: str = ",", missing: str = "") -> bytes:
     """Return a table as text.
 
     Args:

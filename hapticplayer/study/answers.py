@@ -16,7 +16,7 @@ from hapticplayer.study.definition import (
     QuestionKind,
     TrialKind,
 )
-from hapticplayer.study.session_folder import State, StoredSession
+from hapticplayer.study.session_folder import SessionState, StoredSession
 from hapticplayer.study.steps import AnsweredTrial, answered_trials, page_values
 from hapticplayer.study.study_folder import Study, open_study
 
@@ -67,7 +67,7 @@ class Judgement:
 
 
 @dataclass(frozen=True, slots=True)
-class OpenAnswer:
+class TextAnswer:
     """An answer in words; nobody has seen it yet who could tell if it names someone.
 
     Attributes:
@@ -132,7 +132,7 @@ class Answers:
     sequences: tuple[str, ...]
     feedbacks: tuple[str, ...]
     factors: tuple[str, ...]
-    open_answers: tuple[OpenAnswer, ...] = ()
+    open_answers: tuple[TextAnswer, ...] = ()
     judgements: tuple[Judgement, ...] = ()
     repeated: int = 0
     remarks: tuple[str, ...] = ()
@@ -180,7 +180,7 @@ def _about(sessions: list[StoredSession]) -> Iterator[str]:
             empty=empty,
             count=len(sessions),
         )
-    if early := sum(s.state is not State.COMPLETE for s in answered):
+    if early := sum(s.state is not SessionState.COMPLETE for s in answered):
         yield Message(
             "{early} of {count} sessions have answers and no end",
             early=early,
@@ -241,7 +241,7 @@ class _Collector:
             gender=_of_type(sheet.get("gender"), str),
             handedness=_of_type(sheet.get("handedness"), str),
             used_device_before=_of_type(sheet.get("used_device_before"), bool),
-            complete=self._session.state is State.COMPLETE,
+            complete=self._session.state is SessionState.COMPLETE,
             simulated=_is_simulated(self._session),
         )
 
@@ -278,7 +278,7 @@ class _Collector:
                 trial.sound if trial else True,
             )
 
-    def open_answers(self) -> Iterator[OpenAnswer]:
+    def open_answers(self) -> Iterator[TextAnswer]:
         """Return what was answered in words, on all pages."""
         reviewed = read_reviewed(self._session.folder)
         session = self._session
@@ -291,7 +291,7 @@ class _Collector:
                 question, _, feedback = name.partition("@")
                 if question in words and isinstance(value, str) and value.strip():
                     is_passed = text_digest(session.code, name, value) in reviewed
-                    yield OpenAnswer(session.code, question, feedback, value, is_passed)
+                    yield TextAnswer(session.code, question, feedback, value, is_passed)
 
 
 def _of_type(value: Any, kind: Any) -> Any:
@@ -317,7 +317,7 @@ def read_reviewed(session_folder: Path) -> set[str]:
         return set()  # the safe side: they are read once more
 
 
-def keep_reviewed(session_folder: Path, digests: Iterable[str]) -> None:
+def save_reviewed(session_folder: Path, digests: Iterable[str]) -> None:
     """Remember that a person let these texts pass.
 
     Raises:

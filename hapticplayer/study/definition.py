@@ -58,11 +58,11 @@ class OrderMethod(enum.StrEnum):
     """From orders.csv in the study's folder."""
 
 
-class Entry(Struct, frozen=True, forbid_unknown_fields=True):
+class JsonObject(Struct, frozen=True, forbid_unknown_fields=True):
     """An object in the file; a misspelt entry is refused."""
 
 
-class Sequence(Entry, frozen=True):
+class StudySequence(JsonObject, frozen=True):
     """A sequence that is played.
 
     Attributes:
@@ -76,14 +76,14 @@ class Sequence(Entry, frozen=True):
     folder: Annotated[str, Meta(max_length=MAX_TEXT)]
 
 
-class Choice(Entry, frozen=True):
+class AnswerOption(JsonObject, frozen=True):
     """One of the answers that a question offers."""
 
     key: Key
     text: Text
 
 
-class Question(Entry, frozen=True):
+class Question(JsonObject, frozen=True):
     """One question.
 
     Attributes:
@@ -104,7 +104,7 @@ class Question(Entry, frozen=True):
     published: Text | None = None
     least: Whole | None = None
     most: Whole | None = None
-    choices: Several[Choice] = ()
+    choices: Several[AnswerOption] = ()
     for_each_feedback: bool = False
     required: bool = True
 
@@ -133,14 +133,14 @@ class Question(Entry, frozen=True):
         return MAX_ANSWER if self.most is None else self.most
 
 
-class Level(Entry, frozen=True):
+class ForceLevel(JsonObject, frozen=True):
     """By how much the force of a consistency trial is changed."""
 
     delay_s: Annotated[float, Meta(ge=-5.0, le=5.0)] = 0.0
     gain: Annotated[float, Meta(ge=0.0, le=10.0)] = 1.0
 
 
-class Condition(Entry, frozen=True):
+class Condition(JsonObject, frozen=True):
     """What is played in one trial."""
 
     sequence: Key
@@ -158,7 +158,7 @@ class Condition(Entry, frozen=True):
         return made
 
 
-class Order(Entry, frozen=True):
+class Order(JsonObject, frozen=True):
     """How orders are made.
 
     Attributes:
@@ -172,7 +172,7 @@ class Order(Entry, frozen=True):
     no_sequence_twice_in_a_row: bool = False
 
 
-class Limits(Entry, frozen=True):
+class PlaybackLimits(JsonObject, frozen=True):
     """Beyond which a trial's playback is not sound.
 
     Attributes:
@@ -188,7 +188,7 @@ class Limits(Entry, frozen=True):
     silence_s: Amount = 0.1
 
 
-class Checks(Entry, frozen=True):
+class Checks(JsonObject, frozen=True):
     """What has to be in order before the first trial.
 
     Attributes:
@@ -204,14 +204,14 @@ class Checks(Entry, frozen=True):
     scheduling: Some[Literal["fifo", "slice", "normal"]] = ("fifo", "slice")
 
 
-class Scale(Entry, frozen=True):
+class Scale(JsonObject, frozen=True):
     """What the ends of the five-point scale say."""
 
     lowest: Text
     highest: Text
 
 
-class PageTexts(Entry, frozen=True):
+class PageTexts(JsonObject, frozen=True):
     """What the pages say; how long data are kept."""
 
     consent: Text
@@ -223,7 +223,7 @@ class PageTexts(Entry, frozen=True):
     retention: Text
 
 
-class ButtonWords(Entry, frozen=True):
+class ButtonWords(JsonObject, frozen=True):
     """What the participant's buttons and short messages say."""
 
     agree: Text
@@ -243,7 +243,7 @@ class ButtonWords(Entry, frozen=True):
     problem: Text
 
 
-class Definition(Entry, frozen=True):
+class Definition(JsonObject, frozen=True):
     """A study.
 
     Attributes:
@@ -273,7 +273,7 @@ class Definition(Entry, frozen=True):
     template: Line
     languages: Some[Key]
     trial: TrialKind
-    sequences: Some[Sequence]
+    sequences: Some[StudySequence]
     feedbacks: Some[Key]
     factors: Several[Question]
     scale: Scale
@@ -284,9 +284,9 @@ class Definition(Entry, frozen=True):
     order: Order
     use_published: bool
     operator_is_blind: bool
-    limits: Limits
+    limits: PlaybackLimits
     checks: Checks
-    levels: Several[Level] = ()
+    levels: Several[ForceLevel] = ()
     repeats: Annotated[int, Meta(ge=1, le=100)] = 1
     consistency: Question | None = None
     lsl: bool = False

@@ -20,7 +20,7 @@ from typing import Any
 from hapticplayer.clock import Clock, utc_now_iso
 from hapticplayer.errors import Message, StudyError
 from hapticplayer.study.json_files import read_file
-from hapticplayer.study.private import failed
+from hapticplayer.study.private import raise_write_error
 
 VERSION = 1
 MAX_BYTES, MAX_RECORD_BYTES = 256 << 20, 1 << 20
@@ -29,7 +29,7 @@ _TAIL = re.compile(rb',"crc":"([0-9a-f]{8})"\}')
 
 
 @dataclass(frozen=True, slots=True)
-class Record:
+class JournalRecord:
     """One intact record.
 
     Attributes:
@@ -59,7 +59,7 @@ class Records:
         newest_version: of the records, 0 where there are none.
     """
 
-    intact: tuple[Record, ...]
+    intact: tuple[JournalRecord, ...]
     damaged: tuple[str, ...]
     size_bytes: int
     is_torn: bool
@@ -108,7 +108,7 @@ def decode(data: bytes) -> Records:
     A record is taken only where its checksum holds, so nothing that was changed is
     ever read as if it were right.
     """
-    intact: list[Record] = []
+    intact: list[JournalRecord] = []
     damaged: list[str] = []
     newest = at = covered = 0
     while (at := data.find(_HEAD, at)) >= 0:
@@ -126,7 +126,7 @@ def decode(data: bytes) -> Records:
     return Records(tuple(intact), tuple(damaged), len(data), is_torn, newest)
 
 
-def _record_at(data: bytes, at: int) -> tuple[Record, int, int] | None:
+def _record_at(data: bytes, at: int) -> tuple[JournalRecord, int, int] | None:
     """Return the intact record that begins at a place, its version and its end."""
     # an answer may be called "crc", too: the first tail is not always the record's
     for tail in _TAIL.finditer(data, at, at + MAX_RECORD_BYTES):
@@ -142,12 +142,14 @@ def _record_at(data: bytes, at: int) -> tuple[Record, int, int] | None:
         kind = content.pop("kind")
     except (ValueError, KeyError, RecursionError):
         return None  # written by nobody: a checksum can be forged
-    record = Record(int(number), str(utc), float(monotonic_s), str(kind), content)
+    record = JournalRecord(
+        int(number), str(utc), float(monotonic_s), str(kind), content
+    )
     return record, int(version), tail.end()
 
 
 def _name_gap(
-    data: bytes, begin: int, end: int, intact: list[Record], damaged: list[str]
+    data: bytes, begin: int, end: int, intact: list[JournalRecord], damaged: list[str]
 ) -> None:
     """Name what lies between two intact records, unless it is one line break."""
     gap = data[begin:end]
@@ -187,7 +189,7 @@ class Journal:
         try:
             self._file = os.open(path, os.O_RDWR | os.O_APPEND | os.O_NOFOLLOW)
         except OSError as problem:
-            failed(problem, path)
+            raise_write_error(problem, path)
         try:
             _take(self._file, path)
             found = read_journal(path)
@@ -198,7 +200,7 @@ class Journal:
         self._next = found.next_number
         self._is_torn = found.is_torn
 
-    def append(self, kind: str, **content: Any) -> Record:
+    def append(self, kind: str, **content: Any) -> JournalRecord:
         """Keep one record; when this returns, it is on the disk.
 
         Raises:
@@ -221,7 +223,7 @@ class Journal:
                 remedy="call the experimenter",
                 reason=problem,
             ) from problem
-        made = Record(self._next, utc, monotonic_s, kind, content)
+        made = JournalRecord(self._next, utc, monotonic_s, kind, content)
         self._next += 1
         return made
 

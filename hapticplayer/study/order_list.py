@@ -21,7 +21,7 @@ COLUMNS = ("order", "position", "sequence", "feedback")
 OPTIONAL = ("delay_s", "gain", "repeat")
 
 
-class Row(Condition, frozen=True, kw_only=True):
+class OrderRow(Condition, frozen=True, kw_only=True):
     """A trial of an order."""
 
     order: str
@@ -39,7 +39,7 @@ def read_orders(path: Path, definition: Definition) -> list[tuple[Condition, ...
     known = {condition.key: condition for condition in definition.conditions}
     for where, cells in _rows(path):
         filled = {name: text for name, text in cells.items() if text}
-        row = convert(filled, Row, where, strict=False)
+        row = convert(filled, OrderRow, where, strict=False)
         if row.key not in known:
             what = Message("the study has no condition {key}", key=row.key)
             refuse(where, "", what)

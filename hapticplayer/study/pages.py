@@ -36,7 +36,7 @@ Replays = tuple[tuple[str, tuple[tuple[str, str], ...]], ...]
 
 
 @dataclass(frozen=True, slots=True)
-class Asked:
+class AskedQuestion:
     """A question in the participant's language.
 
     Attributes:
@@ -77,7 +77,7 @@ class Page:
     kind: PageKind
     step: str
     text: str = ""
-    questions: tuple[Asked, ...] = ()
+    questions: tuple[AskedQuestion, ...] = ()
     replays: Replays = ()
     position: int = 0
     count: int = 0
@@ -133,7 +133,7 @@ class PageMaker:
             return self.word(kind.value)
         return "" if kind is PageKind.PLAYING else self.text(kind.value)
 
-    def _asked(self, step: str) -> Iterator[Asked]:
+    def _asked(self, step: str) -> Iterator[AskedQuestion]:
         """Yield the questions of a step, those about each feedback several times."""
         definition = self._definition
         pages = {SHEET: definition.sheet, POST_TEST: definition.post_test}
@@ -145,9 +145,9 @@ class PageMaker:
                 name = f"{question.key}@{feedback}"
                 yield self._ask(question, name, self._feedback_name(number))
 
-    def _ask(self, question: Question, name: str, heading: str = "") -> Asked:
+    def _ask(self, question: Question, name: str, heading: str = "") -> AskedQuestion:
         language = self._plan.language
-        return Asked(
+        return AskedQuestion(
             name=name,
             kind=question.kind,
             text=self._definition.wording(question, language),
@@ -174,7 +174,7 @@ class PageMaker:
 
 
 def check_answers(
-    questions: Iterable[Asked], values: Mapping[str, Any]
+    questions: Iterable[AskedQuestion], values: Mapping[str, Any]
 ) -> dict[str, Any]:
     """Return the answers of a page; unanswered ones are None.
 
@@ -198,7 +198,7 @@ def check_answers(
     return checked
 
 
-def _fits(question: Asked, value: Any) -> bool:
+def _fits(question: AskedQuestion, value: Any) -> bool:
     is_whole = isinstance(value, int) and not isinstance(value, bool)
     match question.kind:
         case QuestionKind.LIKERT:
@@ -213,7 +213,7 @@ def _fits(question: Asked, value: Any) -> bool:
             return isinstance(value, str) and len(value) <= question.most
 
 
-def _limits(question: Asked) -> str:
+def _limits(question: AskedQuestion) -> str:
     if question.kind is QuestionKind.NUMBER:
         return Message(
             "needs a number from {least} to {most}",

@@ -15,7 +15,7 @@ from msgspec import Meta
 
 from hapticplayer.errors import Message, StudyError
 from hapticplayer.study import json_files
-from hapticplayer.study.definition import Condition, Entry, Key, OrderMethod, Seed
+from hapticplayer.study.definition import Condition, JsonObject, Key, OrderMethod, Seed
 
 SCHEMA = "hapticplayer.session"
 VERSION = 1
@@ -24,7 +24,7 @@ LETTERS = "CDFGHJKMNPQRTVWXY34679"
 LENGTH = 6
 
 
-class Plan(Entry, frozen=True, kw_only=True):
+class Plan(JsonObject, frozen=True, kw_only=True):
     """One participant's session as planned, as `session.json` holds it.
 
     Attributes:

@@ -27,7 +27,7 @@ SIMULATED = "simulated"  # nobody feels anything: good for trying a study out
 
 
 @dataclass(frozen=True, slots=True)
-class Check:
+class SessionCheck:
     """One thing that was looked at.
 
     Attributes:
@@ -41,7 +41,7 @@ class Check:
     found: str
 
 
-def look(
+def run_checks(
     player: Player,
     checks: Checks,
     folder: Path,
@@ -49,7 +49,7 @@ def look(
     *,
     is_sound_heard: bool,
     volume_percent: int,
-) -> tuple[Check, ...]:
+) -> tuple[SessionCheck, ...]:
     """Return the state of everything that a session needs.
 
     Args:
@@ -65,13 +65,15 @@ def look(
         _device(now, checks),
         _homed(now, checks),
         _scheduling(now, checks),
-        Check(
+        SessionCheck(
             SOUND,
             is_sound_heard or not checks.sound,
             "heard" if is_sound_heard else "not confirmed",
         ),
-        Check(VOLUME, volume_percent > 0 or not checks.sound, f"{volume_percent} %"),
-        Check(
+        SessionCheck(
+            VOLUME, volume_percent > 0 or not checks.sound, f"{volume_percent} %"
+        ),
+        SessionCheck(
             SCREEN,
             bool(screen.get("refresh_hz", 0) >= 30),
             "{width_px} x {height_px}, {refresh_hz:.0f} Hz, screens: {screens}".format(
@@ -82,12 +84,12 @@ def look(
     )
 
 
-def described(checks: tuple[Check, ...]) -> list[dict[str, Any]]:
+def checks_as_json(checks: tuple[SessionCheck, ...]) -> list[dict[str, Any]]:
     """Return the checks as they are kept."""
     return [{"check": c.name, "ok": c.is_good, "found": c.found} for c in checks]
 
 
-def volume_of(checks: object) -> int | None:
+def volume_in_checks(checks: object) -> int | None:
     """Return the volume that kept checks tell, per cent; None where they tell none."""
     rows = checks if isinstance(checks, list) else []
     texts = [
@@ -99,33 +101,33 @@ def volume_of(checks: object) -> int | None:
     return min(int(number), 100) if number.isdecimal() else None
 
 
-def _device(now: Snapshot, checks: Checks) -> Check:
+def _device(now: Snapshot, checks: Checks) -> SessionCheck:
     if now.device == NO_DEVICE:
-        return Check(DEVICE, not checks.device, "none")
+        return SessionCheck(DEVICE, not checks.device, "none")
     is_real = SIMULATED not in now.device or not checks.device
     is_good = is_real and now.device_health is Health.READY
-    return Check(DEVICE, is_good, f"{now.device}, {now.device_health}")
+    return SessionCheck(DEVICE, is_good, f"{now.device}, {now.device_health}")
 
 
-def _homed(now: Snapshot, checks: Checks) -> Check:
+def _homed(now: Snapshot, checks: Checks) -> SessionCheck:
     if now.device == NO_DEVICE:
-        return Check(HOMED, not checks.device, "no device")
+        return SessionCheck(HOMED, not checks.device, "no device")
     if now.tick is None:
-        return Check(HOMED, False, "the device has said nothing yet")
+        return SessionCheck(HOMED, False, "the device has said nothing yet")
     is_homed = now.cause is not Cause.NOT_HOMED
-    return Check(HOMED, is_homed, "yes" if is_homed else "not yet")
+    return SessionCheck(HOMED, is_homed, "yes" if is_homed else "not yet")
 
 
-def _scheduling(now: Snapshot, checks: Checks) -> Check:
+def _scheduling(now: Snapshot, checks: Checks) -> SessionCheck:
     if now.device == NO_DEVICE:
-        return Check(SCHEDULING, not checks.device, "no device")
+        return SessionCheck(SCHEDULING, not checks.device, "no device")
     found = now.scheduling
-    return Check(SCHEDULING, found in checks.scheduling, found)
+    return SessionCheck(SCHEDULING, found in checks.scheduling, found)
 
 
-def _disk(checks: Checks, folder: Path) -> Check:
+def _disk(checks: Checks, folder: Path) -> SessionCheck:
     try:
         free_mb = shutil.disk_usage(folder).free / 1e6
     except OSError as problem:
-        return Check(DISK, False, problem.strerror or "unreadable")
-    return Check(DISK, free_mb >= checks.disk_free_mb, f"{free_mb:.0f} MB free")
+        return SessionCheck(DISK, False, problem.strerror or "unreadable")
+    return SessionCheck(DISK, free_mb >= checks.disk_free_mb, f"{free_mb:.0f} MB free")

@@ -19,7 +19,7 @@ def make_folder(folder: Path) -> None:
     try:
         folder.mkdir(mode=FOLDER_MODE, parents=True, exist_ok=True)
     except OSError as problem:
-        failed(problem, folder)
+        raise_write_error(problem, folder)
 
 
 def write_new(path: Path, content: bytes) -> None:
@@ -48,7 +48,7 @@ def replace(path: Path, content: bytes) -> None:
     except OSError as problem:
         with suppress(OSError):
             aside.unlink()
-        failed(problem, path)
+        raise_write_error(problem, path)
 
 
 @contextmanager
@@ -83,7 +83,7 @@ def sync_file(writer: BinaryIO) -> None:
     os.fsync(writer.fileno())
 
 
-def failed(problem: OSError, path: Path) -> NoReturn:
+def raise_write_error(problem: OSError, path: Path) -> NoReturn:
     """Raise StudyError for what the system refused."""
     raise StudyError(
         "cannot be written ({reason})",

@@ -18,8 +18,8 @@ from hapticplayer.study.definition import Condition
 from hapticplayer.study.journal import Journal
 from hapticplayer.study.pages import Page, PageKind, PageMaker, check_answers
 from hapticplayer.study.plan import describe
-from hapticplayer.study.session_folder import ANSWERS, State
-from hapticplayer.study.stage import Played, Stage
+from hapticplayer.study.session_folder import ANSWERS, SessionState
+from hapticplayer.study.stage import PlaybackResult, TrialStage
 from hapticplayer.study.steps import (
     CONSENT,
     DEMONSTRATION,
@@ -30,12 +30,12 @@ from hapticplayer.study.steps import (
     steps_done,
     steps_of,
 )
-from hapticplayer.study.study_folder import Study, keep_consent
+from hapticplayer.study.study_folder import Study, save_consent
 
 END = "end"
 
 
-class Mode(enum.Enum):
+class StepMode(enum.Enum):
     """What is going on at a step."""
 
     AT_PAGE = enum.auto()
@@ -53,11 +53,11 @@ _AT_STEP = {
     POST_TEST: PageKind.QUESTIONS,
 }
 _IN_MODE = {
-    Mode.PLAYING: PageKind.PLAYING,
-    Mode.SHOWING: PageKind.PLAYING,
-    Mode.ASKING: PageKind.QUESTIONS,
-    Mode.PAUSED: PageKind.PAUSED,
-    Mode.PROBLEM: PageKind.PROBLEM,
+    StepMode.PLAYING: PageKind.PLAYING,
+    StepMode.SHOWING: PageKind.PLAYING,
+    StepMode.ASKING: PageKind.QUESTIONS,
+    StepMode.PAUSED: PageKind.PAUSED,
+    StepMode.PROBLEM: PageKind.PROBLEM,
 }
 
 
@@ -93,12 +93,12 @@ class SessionRunner:
         self,
         study: Study,
         code: str,
-        stage: Stage,
+        stage: TrialStage,
         clock: Clock,
         observer: Observer | None = None,
     ) -> None:
         session = study.session(code)
-        if session.state is not State.UNFINISHED:
+        if session.state is not SessionState.UNFINISHED:
             raise StudyError(
                 "session {code} is {state}",
                 remedy="begin a new one",
@@ -108,7 +108,7 @@ class SessionRunner:
         self.plan, self.definition = session.plan, session.definition
         self.study, self.stage = study, stage
         self.problem = ""
-        self.last_trial: Played | None = None
+        self.last_trial: PlaybackResult | None = None
         self._clock, self._observer = clock, observer
         self._conditions = session.plan.order
         self.maker = PageMaker(self.definition, self.plan)
@@ -118,8 +118,8 @@ class SessionRunner:
         self._done = steps_done(records)
         self._attempts = {s: attempts_of(records, s) for s in self._steps}
         self._again = ""
-        self._mode, self._before_pause = Mode.AT_PAGE, Mode.AT_PAGE
-        self._before_problem = Mode.AT_PAGE
+        self._mode, self._before_pause = StepMode.AT_PAGE, StepMode.AT_PAGE
+        self._before_problem = StepMode.AT_PAGE
         self._pending: Callable[[], None] | None = None
         self._is_complete: bool | None = None
         self._number = 0
@@ -175,7 +175,7 @@ class SessionRunner:
         return self.maker.page(self._kind(), self.step, self._number)
 
     def _kind(self) -> PageKind:
-        if self._mode is Mode.AT_PAGE:
+        if self._mode is StepMode.AT_PAGE:
             if self._is_complete is not None:
                 return PageKind.THANKS if self._is_complete else PageKind.STOPPED
             return _AT_STEP.get(self.step, PageKind.READY)
@@ -187,7 +187,7 @@ class SessionRunner:
         """Keep the decision; a refusal ends the session."""
         self._expect(PageKind.CONSENT)
         try:
-            keep_consent(
+            save_consent(
                 self.study,
                 self.plan.code,
                 given=given,
@@ -223,7 +223,7 @@ class SessionRunner:
 
     def go_on(self) -> None:
         """Press the one button of a page: start a trial, pass a page, end a pause."""
-        if self._mode is Mode.PAUSED:
+        if self._mode is StepMode.PAUSED:
             self.resume("participant")
         elif self.step == DEMONSTRATION:
             self._expect(PageKind.DEMONSTRATION)
@@ -251,9 +251,9 @@ class SessionRunner:
     def halt(self, reason: str) -> None:
         """Take the force away at once; an interrupted trial has to be begun again."""
         self.stage.halt()
-        if self.is_over or self._mode in (Mode.PAUSED, Mode.PROBLEM):
+        if self.is_over or self._mode in (StepMode.PAUSED, StepMode.PROBLEM):
             return
-        if self._mode is Mode.PLAYING:
+        if self._mode is StepMode.PLAYING:
             self._finish_trial(lambda: self._pause(reason), reason)
         else:
             self._pause(reason)
@@ -270,18 +270,18 @@ class SessionRunner:
 
     def resume(self, by: str = "operator") -> None:
         """Go on after a pause."""
-        if self._mode is Mode.PAUSED:
+        if self._mode is StepMode.PAUSED:
             self.stage.rearm()
             self._keep("go-on", self._after_pause, by=by)
 
     def repeat(self) -> None:
         """Play the present trial again, or the last one where none has begun yet."""
-        if self.is_over or self._mode is Mode.PROBLEM:
+        if self.is_over or self._mode is StepMode.PROBLEM:
             return
         step = self._trial_to_repeat()
         if not step:
             return
-        if self._mode is Mode.PLAYING:
+        if self._mode is StepMode.PLAYING:
             self.halt("repeated")
         self.stage.rearm()
 
@@ -292,18 +292,18 @@ class SessionRunner:
         self._keep("repeat", again, step=step)
 
     def _trial_to_repeat(self) -> str:
-        if self._mode in (Mode.PLAYING, Mode.ASKING):
+        if self._mode in (StepMode.PLAYING, StepMode.ASKING):
             return self.step
         played = [s for s in self._steps if position_of(s) and self._attempts[s]]
         return self.step if self.step in played else (played[-1] if played else "")
 
     def skip(self, reason: str) -> None:
         """Leave the present step out; consent cannot be."""
-        if self.is_over or self.step == CONSENT or self._mode is Mode.PROBLEM:
+        if self.is_over or self.step == CONSENT or self._mode is StepMode.PROBLEM:
             return
         if not reason.strip():
             raise StudyError("a step is skipped only with a reason")
-        if self._mode in (Mode.PLAYING, Mode.SHOWING):
+        if self._mode in (StepMode.PLAYING, StepMode.SHOWING):
             self.halt("skipped")
         self.stage.rearm()
         self._keep("skip", self._complete_step, step=self.step, reason=reason.strip())
@@ -315,7 +315,7 @@ class SessionRunner:
         """
         self.retry()
         self.halt("stopped")
-        if not self.is_over and self._mode is not Mode.PROBLEM:
+        if not self.is_over and self._mode is not StepMode.PROBLEM:
             self._end(is_complete=False, reason=reason, by=by)
 
     def note(self, text: str) -> None:
@@ -343,9 +343,9 @@ class SessionRunner:
 
     def poll(self) -> None:
         """Look whether a clip has ended."""
-        if self._mode is Mode.PLAYING and self.stage.is_over():
+        if self._mode is StepMode.PLAYING and self.stage.is_over():
             self._finish_trial(self._ask)
-        elif self._mode is Mode.SHOWING and self.stage.is_over():
+        elif self._mode is StepMode.SHOWING and self.stage.is_over():
             self._enter()
 
     def _expect(self, kind: PageKind) -> Page:
@@ -371,16 +371,16 @@ class SessionRunner:
         """Stop the participant with a message until an operator has helped."""
         self.stage.halt()
         self.problem = message_of(problem)
-        if self._mode is Mode.PROBLEM and self._pending is not None:
+        if self._mode is StepMode.PROBLEM and self._pending is not None:
             self._pending = _both(self._pending, again)
             return
         self._pending = again
-        self._before_problem, self._mode = self._mode, Mode.PROBLEM
+        self._before_problem, self._mode = self._mode, StepMode.PROBLEM
         self._turn_page()
 
     def _enter(self) -> None:
         """Come to the first page of the present step."""
-        self._mode = Mode.AT_PAGE
+        self._mode = StepMode.AT_PAGE
         if self.step == END and self._is_complete is None:
             self._end(is_complete=True, reason="", by="")
             return
@@ -402,14 +402,14 @@ class SessionRunner:
         }
 
     def _play(self) -> None:
-        self._mode = Mode.PLAYING
+        self._mode = StepMode.PLAYING
         self.stage.begin()
         assert self.condition is not None
         self._mark(f"{self.step} begin {self.condition.key}")
         self._turn_page()
 
     def _show(self) -> None:
-        self._mode = Mode.SHOWING
+        self._mode = StepMode.SHOWING
         self.stage.begin()
         self._turn_page()
 
@@ -426,19 +426,19 @@ class SessionRunner:
         )
 
     def _ask(self) -> None:
-        self._mode = Mode.ASKING
+        self._mode = StepMode.ASKING
         self._mark(f"{self.step} questions")
         self._turn_page()
 
     def _pause(self, reason: str) -> None:
         self._before_pause = self._mode
-        self._mode = Mode.PAUSED
+        self._mode = StepMode.PAUSED
         self._turn_page()
         self._keep("pause", lambda: None, step=self.step, reason=reason)
 
     def _after_pause(self) -> None:
         """Come back to the questions, or to where a clip can be begun again."""
-        if self._before_pause is Mode.ASKING:
+        if self._before_pause is StepMode.ASKING:
             self._ask()
         else:
             self._enter()
@@ -454,7 +454,7 @@ class SessionRunner:
     def _end(self, *, is_complete: bool, reason: str, by: str) -> None:
         def ended() -> None:
             self._is_complete = is_complete
-            self._mode = Mode.AT_PAGE
+            self._mode = StepMode.AT_PAGE
             self._mark("session end")
             self._turn_page()
 

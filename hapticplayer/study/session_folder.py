@@ -23,7 +23,7 @@ from hapticplayer.study.plan import (
 PLAN, DEFINITION_COPY, ANSWERS = "session.json", "study.json", "answers.jsonl"
 
 
-class State(enum.StrEnum):
+class SessionState(enum.StrEnum):
     """How far a session is."""
 
     UNFINISHED = "unfinished"
@@ -57,12 +57,16 @@ class StoredSession:
         return self.plan.code
 
     @property
-    def state(self) -> State:
+    def state(self) -> SessionState:
         """How far it is; the last end counts."""
         ends = [r for r in self.records.intact if r.kind == "end"]
         if not ends:
-            return State.UNFINISHED
-        return State.COMPLETE if ends[-1].content.get("complete") else State.STOPPED
+            return SessionState.UNFINISHED
+        return (
+            SessionState.COMPLETE
+            if ends[-1].content.get("complete")
+            else SessionState.STOPPED
+        )
 
 
 def create_session(folder: Path, plan: Plan, definition: bytes, clock: Clock) -> None:

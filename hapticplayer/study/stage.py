@@ -17,7 +17,7 @@ from hapticplayer.playback.phases import Phase
 from hapticplayer.playback.player import Player
 from hapticplayer.playback.snapshot import Measurements, Snapshot
 from hapticplayer.playback.source import Source
-from hapticplayer.study.definition import Checks, Condition, Limits
+from hapticplayer.study.definition import Checks, Condition, PlaybackLimits
 
 # reasons that belong to playing a clip from its beginning to its end
 _HARMLESS = (Cause.NONE, Cause.PAUSED, Cause.SEEK, Cause.TRACK_ENDED, Cause.CLOSING)
@@ -25,7 +25,7 @@ _ACTING = (Mode.ENTERING, Mode.FOLLOWING)
 
 
 @dataclass(frozen=True, slots=True)
-class Played:
+class PlaybackResult:
     """What a trial's playback was like.
 
     Attributes:
@@ -39,7 +39,7 @@ class Played:
     playback: Mapping[str, Any]
 
 
-class Stage(Protocol):
+class TrialStage(Protocol):
     """Where clips are played; everything on the thread that polls the player."""
 
     def prepare(self, condition: Condition) -> None:
@@ -58,7 +58,7 @@ class Stage(Protocol):
         """Whether the clip has ended; looks for faults meanwhile."""
         ...
 
-    def played(self, *reasons: str) -> Played:
+    def played(self, *reasons: str) -> PlaybackResult:
         """Return what was played since `begin`; `reasons` are added."""
         ...
 
@@ -92,7 +92,7 @@ class PlayerStage:
         player: Player,
         sources: Mapping[str, Source],
         demonstration: Source,
-        rules: tuple[Limits, Checks],
+        rules: tuple[PlaybackLimits, Checks],
         clock: Clock,
         record: str = "",
     ) -> None:
@@ -107,7 +107,7 @@ class PlayerStage:
         """Load a condition's clip with its force alone."""
         source = self._sources[condition.sequence]
         track = source.tracks[condition.feedback]
-        shifted = altered(track, condition.delay_s, condition.gain)
+        shifted = shifted_and_scaled(track, condition.delay_s, condition.gain)
         self._open(replace(source, tracks={condition.feedback: shifted}))
 
     def prepare_demonstration(self) -> None:
@@ -140,7 +140,7 @@ class PlayerStage:
         """Let the force come back after `halt`."""
         self.player.rearm()
 
-    def played(self, *reasons: str) -> Played:
+    def played(self, *reasons: str) -> PlaybackResult:
         """Return what was played since `begin`."""
         self._watch.look()
         found = [*reasons, *self._watch.reasons(self._limits, self._checks)]
@@ -148,10 +148,10 @@ class PlayerStage:
         if self._record:
             figures["record"] = self._record
         distinct = tuple(dict.fromkeys(found))
-        return Played(not distinct, distinct, figures)
+        return PlaybackResult(not distinct, distinct, figures)
 
 
-def altered(track: ForceTrack, delay_s: float, gain: float) -> ForceTrack:
+def shifted_and_scaled(track: ForceTrack, delay_s: float, gain: float) -> ForceTrack:
     """Return a force that comes later by `delay_s` and is `gain` times as large."""
     if delay_s == 0.0 and gain == 1.0:
         return track
@@ -231,7 +231,7 @@ class _Watch:
             "scheduling": after.scheduling,
         }
 
-    def reasons(self, limits: Limits, checks: Checks) -> list[str]:
+    def reasons(self, limits: PlaybackLimits, checks: Checks) -> list[str]:
         """Return why this playback was not sound."""
         found = [f"fault:{fault['cause']}" for fault in self._faults]
         after, measured = self._player.snapshot(), self._player.measurements()
@@ -257,7 +257,7 @@ class _Watch:
         return found
 
     def _sound_reasons(
-        self, limits: Limits, after: Snapshot, measured: Measurements
+        self, limits: PlaybackLimits, after: Snapshot, measured: Measurements
     ) -> list[str]:
         if after.source is None or not after.source.clip.has_audio:
             return []
@@ -267,7 +267,7 @@ class _Watch:
         missing_s = measured.audio_underrun_s - before_s
         return ["sound_missing"] if missing_s > limits.silence_s else []
 
-    def _force_reasons(self, limits: Limits, after: Snapshot) -> list[str]:
+    def _force_reasons(self, limits: PlaybackLimits, after: Snapshot) -> list[str]:
         found = []
         if after.device_health in (Health.FAILED, Health.GONE):
             found.append("device_lost")

@@ -27,7 +27,7 @@ from hapticplayer.study.orders import Assignment, Balance, assign, balance_of
 from hapticplayer.study.plan import Plan, checked_code, is_code, new_code
 from hapticplayer.study.session_folder import (
     ANSWERS,
-    State,
+    SessionState,
     StoredSession,
     create_session,
     read_session,
@@ -121,7 +121,7 @@ class Study:
     def balance(self) -> Balance:
         """Count the orders of all who did not drop out."""
         sessions, _ = self.sessions()
-        orders = [s.plan.order for s in sessions if s.state != State.STOPPED]
+        orders = [s.plan.order for s in sessions if s.state != SessionState.STOPPED]
         return balance_of(self.definition, orders)
 
 
@@ -190,20 +190,20 @@ def _assignment(study: Study, code: str) -> Assignment:
     used = [
         s.plan.row
         for s in sessions
-        if s.state != State.STOPPED
+        if s.state != SessionState.STOPPED
         and s.plan.definition_sha256 == sha256(study.content)
     ]
     return assign(study.definition, code, used, study.listed_orders())
 
 
-def drop(study: Study, code: str, reason: str, clock: Clock) -> None:
+def drop_session(study: Study, code: str, reason: str, clock: Clock) -> None:
     """End a session that will not be resumed; its row is free again.
 
     Raises:
         StudyError: when it is open elsewhere or cannot be written.
     """
     session = study.session(code)
-    if session.state is State.UNFINISHED:
+    if session.state is SessionState.UNFINISHED:
         journal = Journal(session.folder / ANSWERS, clock)
         try:
             journal.append("end", complete=False, reason=reason, by="operator")
@@ -237,7 +237,7 @@ def delete_participant(study: Study, code: str) -> list[str]:
             if changed.is_dir():
                 files.sync_folder(changed)
     except OSError as problem:
-        private.failed(problem, folder)
+        private.raise_write_error(problem, folder)
     _finish_deletions(study)
     return _files_with(study.folder, code.encode())
 
@@ -255,7 +255,7 @@ def _finish_deletions(study: Study) -> None:
             shutil.rmtree(leaving)
             files.sync_folder(leaving.parent)
         except OSError as problem:
-            private.failed(problem, leaving)
+            private.raise_write_error(problem, leaving)
 
 
 def _files_with(folder: Path, code: bytes) -> list[str]:
@@ -278,7 +278,7 @@ def _contains(path: Path, code: bytes) -> bool:
     return False
 
 
-def keep_consent(
+def save_consent(
     study: Study, code: str, *, given: bool, text: str, language: str
 ) -> None:
     """Keep what a participant decided, apart from the answers.

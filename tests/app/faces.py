@@ -53,7 +53,7 @@ from hapticplayer.errors import DeviceError
 from hapticplayer.playback.player import Player
 from hapticplayer.sequence.editing import GainPreview
 from hapticplayer.study.creation import create_study
-from hapticplayer.study.preflight import Check
+from hapticplayer.study.preflight import SessionCheck
 
 CONTROLS = (
     QAbstractButton,
@@ -146,7 +146,9 @@ def _operator(surface) -> SessionControl:
         "screen": "3840 x 2160, 60 Hz, screens: 2",
         "disk": "120 MB free",
     }
-    start.show_checks(tuple(Check(name, False, what) for name, what in found.items()))
+    start.show_checks(
+        tuple(SessionCheck(name, False, what) for name, what in found.items())
+    )
     return SessionControl(start, Mirror(surface), shows_force=True)
 
 

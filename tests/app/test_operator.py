@@ -7,7 +7,7 @@ from PySide6.QtTest import QTest
 from sitting import Person
 
 from hapticplayer.study.pages import PageKind
-from hapticplayer.study.preflight import volume_of
+from hapticplayer.study.preflight import volume_in_checks
 
 
 def play(session, wait_for) -> Person:
@@ -67,7 +67,7 @@ def test_the_volume_is_kept_for_the_next_participant(make_study, sit, wait_for):
         for r in study.session(code).records.intact
         if r.kind == "checks"
     ]
-    assert volume_of(kept[-1]) == 65
+    assert volume_in_checks(kept[-1]) == 65
     second = sit(study)
     assert second.start_panel.volume.value() == 65
     assert second.player._clip.sound.ring.gain == 0.65**3
@@ -86,7 +86,7 @@ def test_a_note_is_shown_with_its_time_and_kept_with_its_own(make_study, sit, wa
 
 
 def test_checks_that_tell_no_volume_are_no_reason_to_fail():
-    assert volume_of(None) is None
-    assert volume_of([{"check": "sound", "found": "heard"}, 3]) is None
-    assert volume_of([{"check": "volume", "found": "1e9 %"}]) is None
-    assert volume_of([{"check": "volume", "found": "900 %"}]) == 100
+    assert volume_in_checks(None) is None
+    assert volume_in_checks([{"check": "sound", "found": "heard"}, 3]) is None
+    assert volume_in_checks([{"check": "volume", "found": "1e9 %"}]) is None
+    assert volume_in_checks([{"check": "volume", "found": "900 %"}]) == 100

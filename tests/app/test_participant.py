@@ -17,7 +17,7 @@ from hapticplayer.study.answers import read_answers
 from hapticplayer.study.creation import change_definition
 from hapticplayer.study.journal import read_journal
 from hapticplayer.study.pages import PageKind, PageMaker
-from hapticplayer.study.session_folder import State
+from hapticplayer.study.session_folder import SessionState
 from hapticplayer.study.study_folder import open_study
 
 CLIP_S = 2.0
@@ -131,7 +131,7 @@ def test_somebody_may_leave_and_keeps_what_was_given(make_study, sit, wait_for):
     person.page.buttons["leave"].click()
     person.wait_page(PageKind.STOPPED)
     stored = session.study.session(person.runner.plan.code)
-    assert stored.state is State.STOPPED
+    assert stored.state is SessionState.STOPPED
     ratings = read_answers(session.study.folder).ratings
     assert sum(r.value is not None for r in ratings) == 4
 
@@ -149,7 +149,7 @@ def test_closing_in_the_middle_is_asked_once(make_study, sit, wait_for, monkeypa
     assert not session.control.isVisible()
     assert not session.participant.isVisible()
     stored = session.study.session(session.runner.plan.code)
-    assert stored.state is State.UNFINISHED
+    assert stored.state is SessionState.UNFINISHED
 
 
 def test_the_participant_cannot_close_the_window(make_study, sit, wait_for):

@@ -6,7 +6,7 @@ from app.bridge import languages
 from app.experimenter.session_words import found_text, reason_text
 from app.player.remake import dress
 from hapticplayer.haptics.contract import Cause
-from hapticplayer.study.preflight import Check
+from hapticplayer.study.preflight import SessionCheck
 
 REASONS = [
     "paused",
@@ -72,7 +72,10 @@ def test_checks_are_told_in_german(spoken):
         "screen": "1920 x 1080, 60 Hz, screens: 1",
         "disk": "72094 MB free",
     }
-    told = {name: found_text(Check(name, False, what)) for name, what in found.items()}
+    told = {
+        name: found_text(SessionCheck(name, False, what))
+        for name, what in found.items()
+    }
     assert told["disk"] == "72,1 GB frei"
     assert told["screen"] == "1920 \u00d7 1080, 60 Hz; Bildschirme insgesamt: 1"
     assert not {"starting", "not yet"} & {

@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 
 from hapticplayer.study.creation import create_study
-from hapticplayer.study.session_folder import State
+from hapticplayer.study.session_folder import SessionState
 
 ROOT = Path(__file__).resolve().parents[2]
 VICTIM = Path(__file__).with_name("study_victim.py")
@@ -73,7 +73,7 @@ def plain(values):
 
 def unfinished(study):
     states = {code: study.session(code).state for code in study.codes()}
-    found = [code for code, state in states.items() if state is State.UNFINISHED]
+    found = [code for code, state in states.items() if state is SessionState.UNFINISHED]
     assert len(found) <= 1
     return found[0] if found else ""
 
@@ -94,4 +94,4 @@ def test_no_answer_that_was_accepted_is_lost(tmp_path):
     sessions = [study.session(code) for code in study.codes()]
     assert accepted <= set().union(*map(kept, sessions))
     assert len(accepted) > KILLS
-    assert {session.state for session in sessions} == {State.COMPLETE}
+    assert {session.state for session in sessions} == {SessionState.COMPLETE}

@@ -1,7 +1,7 @@
 """Statistics, figures and the report of a study; simulated answers and power."""
 
-from hapticplayer.study.analysis.analysis import Analysis, Choices, analyse
+from hapticplayer.study.analysis.analysis import Analysis, AnalysisOptions, analyse
 from hapticplayer.study.analysis.describing import Resampling
 from hapticplayer.study.analysis.scores import MissingPolicy
 
-__all__ = ["Analysis", "Choices", "MissingPolicy", "Resampling", "analyse"]
+__all__ = ["Analysis", "AnalysisOptions", "MissingPolicy", "Resampling", "analyse"]

@@ -16,8 +16,8 @@ import scipy
 from hapticplayer.model.arrays import Floats
 from hapticplayer.study.analysis.statistic import (
     ALPHA,
-    Column,
     Found,
+    ReportColumn,
     Statistic,
     listed,
     number,
@@ -154,13 +154,13 @@ ALIGNED_RANKS = Statistic(
     lambda sample, _: structure(sample.by_condition, sample.everybody),
     of="effect",
     columns=(
-        Column("n", "n", str),
-        Column("F", "f"),
-        Column("df", "df", lambda df: f"{df[0]:.0f}, {df[1]:.0f}"),
-        Column("p", "p", p_value),
-        Column("epsilon", "epsilon"),
-        Column("corrected p", "p_corrected", p_value),
-        Column("partial eta²", "partial_eta_squared", number),
+        ReportColumn("n", "n", str),
+        ReportColumn("F", "f"),
+        ReportColumn("df", "df", lambda df: f"{df[0]:.0f}, {df[1]:.0f}"),
+        ReportColumn("p", "p", p_value),
+        ReportColumn("epsilon", "epsilon"),
+        ReportColumn("corrected p", "p_corrected", p_value),
+        ReportColumn("partial eta²", "partial_eta_squared", number),
     ),
     assumes="The analysis of variance of aligned ranks looks at sequences and feedbacks together, for participants who answered "
     "everything. It assumes equally unequal differences (sphericity), for which the "

@@ -45,7 +45,7 @@ Progress = Callable[[float, str], None]
 
 
 @dataclass(frozen=True, slots=True)
-class Choices:
+class AnalysisOptions:
     """What a person decides before the numbers are seen.
 
     Attributes:
@@ -99,7 +99,7 @@ class Analysis:
     """
 
     scores: Scores
-    choices: Choices
+    choices: AnalysisOptions
     measures: dict[str, MeasureAnalysis]
     found: dict[str, dict[str, Any]]
     remarks: tuple[str, ...]
@@ -107,7 +107,7 @@ class Analysis:
 
 def analyse(
     answers: Answers,
-    choices: Choices | None = None,
+    choices: AnalysisOptions | None = None,
     progress: Progress = lambda _fraction, _step: None,
 ) -> Analysis:
     """Return everything that is reported of a study.
@@ -120,7 +120,7 @@ def analyse(
     Raises:
         InputError: when the answers do not fit their own design.
     """
-    choices = choices or Choices()
+    choices = choices or AnalysisOptions()
     scores = scores_of(answers, with_unsound=choices.with_unsound)
     measures: dict[str, MeasureAnalysis] = {}
     found: dict[str, dict[str, Any]] = {name: {} for name in STATISTICS}
@@ -135,7 +135,9 @@ def analyse(
     return Analysis(scores, choices, measures, found, answers.remarks)
 
 
-def _described(scores: Scores, measure: str, choices: Choices) -> MeasureAnalysis:
+def _described(
+    scores: Scores, measure: str, choices: AnalysisOptions
+) -> MeasureAnalysis:
     sample = sample_of(scores, measure, choices.missing)
 
     def summary(values: Any, label: str) -> Summary:

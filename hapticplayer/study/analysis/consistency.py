@@ -15,7 +15,7 @@ from scipy import stats
 
 from hapticplayer.errors import InputError
 from hapticplayer.model.arrays import Floats
-from hapticplayer.study.analysis.analysis import Choices, Progress
+from hapticplayer.study.analysis.analysis import AnalysisOptions, Progress
 from hapticplayer.study.analysis.describing import CONFIDENCE
 from hapticplayer.study.analysis.psychometric import Fits, deviance, fit, shape_of
 from hapticplayer.study.answers import Answers, Judgement
@@ -106,7 +106,7 @@ class ConsistencyAnalysis:
     """
 
     participants: tuple[str, ...]
-    choices: Choices
+    choices: AnalysisOptions
     axes: dict[Axis, AxisAnalysis]
     mixed: tuple[Share, ...]
     planned: int
@@ -118,7 +118,7 @@ class ConsistencyAnalysis:
 
 def analyse_consistency(
     answers: Answers,
-    choices: Choices | None = None,
+    choices: AnalysisOptions | None = None,
     progress: Progress = lambda _fraction, _step: None,
 ) -> ConsistencyAnalysis:
     """Return everything that is reported of a study of consistency.
@@ -126,7 +126,7 @@ def analyse_consistency(
     Raises:
         InputError: when there is no judgement that counts.
     """
-    choices = choices or Choices()
+    choices = choices or AnalysisOptions()
     counted = [
         one
         for one in answers.judgements
@@ -180,7 +180,7 @@ def _share(delay_s: float, gain: float, yes: int, asked: int) -> Share:
 
 
 def _axis(
-    axis: Axis, judged: list[Judgement], answers: Answers, choices: Choices
+    axis: Axis, judged: list[Judgement], answers: Answers, choices: AnalysisOptions
 ) -> AxisAnalysis:
     levels = np.unique([getattr(one, axis) for one in judged])
     parts = {ALL: judged}
@@ -216,7 +216,12 @@ def _counts(
 
 
 def _curve(
-    axis: Axis, levels: Floats, yes: Floats, asked: Floats, choices: Choices, label: str
+    axis: Axis,
+    levels: Floats,
+    yes: Floats,
+    asked: Floats,
+    choices: AnalysisOptions,
+    label: str,
 ) -> Curve | None:
     used = asked.sum(axis=0) > 0
     x, yes, asked = position(axis, levels[used]), yes[:, used], asked[:, used]

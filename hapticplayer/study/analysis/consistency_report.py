@@ -15,11 +15,11 @@ from hapticplayer.study.analysis.consistency import (
     position,
 )
 from hapticplayer.study.analysis.contents import (
-    Block,
     Heading,
-    Picture,
-    Table,
-    Words,
+    Paragraph,
+    ReportBlock,
+    ReportFigure,
+    ReportTable,
     made_with,
 )
 from hapticplayer.study.analysis.figures import new_panel
@@ -78,23 +78,23 @@ def summary(analysis: ConsistencyAnalysis) -> dict[str, Any]:
     }
 
 
-def contents(analysis: ConsistencyAnalysis) -> Iterator[Block]:
+def contents(analysis: ConsistencyAnalysis) -> Iterator[ReportBlock]:
     """Yield the parts of the report."""
     yield Heading("Participants and answers")
-    yield Words(
+    yield Paragraph(
         f"{len(analysis.participants)} participants; {analysis.missing} of "
         f"{analysis.planned} answers are missing ({analysis.unsound} because the "
         "playback was not sound)."
     )
     yield Heading("Where care is needed")
     for text in warnings_of(analysis) or ["Nothing speaks against the curves below."]:
-        yield Words(text)
+        yield Paragraph(text)
     for axis, one in analysis.axes.items():
         name = AXIS_NAMES[axis]
         yield Heading(f"Consistency by {name}")
-        yield Picture(_FIGURES[axis], f"Share felt as consistent by {name}")
+        yield ReportFigure(_FIGURES[axis], f"Share felt as consistent by {name}")
         rows = tuple(_curve_row(k, c) for k, c in one.curves.items() if c is not None)
-        yield Table(
+        yield ReportTable(
             f"Curves by {name}; intervals of 95 %",
             ("sequence", *(h for v in _VALUES[:5] for h in (v, "95 %")), "lapse", "p"),
             rows,
@@ -105,7 +105,7 @@ def contents(analysis: ConsistencyAnalysis) -> Iterator[Block]:
         yield _share_table("Time and gain changed at once", analysis.mixed)
     yield Heading("What this assumes")
     for text in ASSUMPTIONS:
-        yield Words(text)
+        yield Paragraph(text)
     yield from made_with(analysis.choices)
 
 
@@ -229,7 +229,7 @@ def _curve_row(name: str, curve: Curve) -> tuple[str, ...]:
     return name, *cells, number(curve.values["lapse"]), p_value(curve.p_fit)
 
 
-def _share_table(title: str, shares: tuple[Share, ...]) -> Table:
+def _share_table(title: str, shares: tuple[Share, ...]) -> ReportTable:
     rows = tuple(
         (
             number(one.delay_s, 3),
@@ -240,7 +240,7 @@ def _share_table(title: str, shares: tuple[Share, ...]) -> Table:
         )
         for one in shares
     )
-    return Table(title, ("later by, s", "gain", "yes", "share", "95 %"), rows)
+    return ReportTable(title, ("later by, s", "gain", "yes", "share", "95 %"), rows)
 
 
 def _share_row(sequence: str, one: Share) -> list[Any]:

@@ -6,13 +6,18 @@ from dataclasses import dataclass
 from hapticplayer.study.analysis.analysis import (
     STATISTICS,
     Analysis,
-    Choices,
+    AnalysisOptions,
     missing,
     warnings_of,
 )
 from hapticplayer.study.analysis.describing import Summary
 from hapticplayer.study.analysis.scores import QOE
-from hapticplayer.study.analysis.statistic import Column, Statistic, interval, number
+from hapticplayer.study.analysis.statistic import (
+    ReportColumn,
+    Statistic,
+    interval,
+    number,
+)
 
 _MEANS = (
     "Means and standard deviations describe ratings as if the steps of the scale were equally wide. Medians and "
@@ -29,14 +34,14 @@ class Heading:
 
 
 @dataclass(frozen=True, slots=True)
-class Words:
+class Paragraph:
     """A paragraph."""
 
     text: str
 
 
 @dataclass(frozen=True, slots=True)
-class Table:
+class ReportTable:
     """Rows of texts under a head; the first column names them."""
 
     title: str
@@ -45,56 +50,58 @@ class Table:
 
 
 @dataclass(frozen=True, slots=True)
-class Picture:
+class ReportFigure:
     """A figure by its name."""
 
     name: str
     caption: str
 
 
-Block = Heading | Words | Table | Picture
+ReportBlock = Heading | Paragraph | ReportTable | ReportFigure
 
 
-def contents(analysis: Analysis) -> Iterator[Block]:
+def contents(analysis: Analysis) -> Iterator[ReportBlock]:
     """Yield the parts of the report."""
     yield from _people(analysis)
     yield Heading("Where care is needed")
     warned = warnings_of(analysis)
     for text in warned or ["Nothing was found that speaks against the tests below."]:
-        yield Words(text)
+        yield Paragraph(text)
     yield Heading("Figures")
-    yield Picture("qoe-by-sequence", "QoE by sequence and feedback")
-    yield Picture("factors-by-feedback", "Factors by feedback, mean over the sequences")
+    yield ReportFigure("qoe-by-sequence", "QoE by sequence and feedback")
+    yield ReportFigure(
+        "factors-by-feedback", "Factors by feedback, mean over the sequences"
+    )
     yield Heading("Means and spreads")
     yield from _means(analysis)
     yield Heading("Tests")
     for name, statistic in STATISTICS.items():
         yield _table(statistic, analysis.found[name])
     yield Heading("What the tests assume")
-    yield Words(_MEANS)
+    yield Paragraph(_MEANS)
     for statistic in STATISTICS.values():
         if statistic.assumes:
-            yield Words(statistic.assumes)
+            yield Paragraph(statistic.assumes)
     yield from made_with(analysis.choices)
 
 
-def made_with(choices: Choices) -> Iterator[Block]:
+def made_with(choices: AnalysisOptions) -> Iterator[ReportBlock]:
     """Yield what is needed to make the report again."""
     yield Heading("How this was made")
     made = choices.provenance()
     versions = ", ".join(f"{k} {v}" for k, v in made["versions"].items())
-    yield Words(
+    yield Paragraph(
         f"{made['program']}; {versions}. Seed {made['seed']}, {made['resamples']} "
         "resamples, intervals of 95 %. The same answers, seed and versions give the "
         "same report to the bit."
     )
 
 
-def _people(analysis: Analysis) -> Iterator[Block]:
+def _people(analysis: Analysis) -> Iterator[ReportBlock]:
     found, scores = missing(analysis), analysis.scores
     used = sum(scores.used_before.values())
     yield Heading("Participants and answers")
-    yield Words(
+    yield Paragraph(
         f"{found['participants']} participants, {used} of them had used the device "
         f"before; {len(scores.sequences)} sequences x {len(scores.feedbacks)} feedbacks "
         f"x {len(scores.factors)} factors. {found['answers_missing']} of "
@@ -106,11 +113,11 @@ def _people(analysis: Analysis) -> Iterator[Block]:
     )
 
 
-def _means(analysis: Analysis) -> Iterator[Block]:
+def _means(analysis: Analysis) -> Iterator[ReportBlock]:
     head = ("n", "mean", "95 %", "SD", "median", "quartiles", "range")
     for name, one in analysis.measures.items():
         rows = (_summary_row(*item) for item in one.feedbacks.items())
-        yield Table(_label(name), ("feedback", *head), tuple(rows))
+        yield ReportTable(_label(name), ("feedback", *head), tuple(rows))
     for name, one in analysis.measures.items():
         rows = (
             _summary_row(f"{sequence}, {feedback}", summary)
@@ -118,7 +125,7 @@ def _means(analysis: Analysis) -> Iterator[Block]:
             for feedback, summary in by_feedback.items()
         )
         title = f"{_label(name)} by condition, all answers"
-        yield Table(title, ("condition", *head), tuple(rows))
+        yield ReportTable(title, ("condition", *head), tuple(rows))
 
 
 def _label(measure: str) -> str:
@@ -141,7 +148,7 @@ def _summary_row(name: str, one: Summary) -> tuple[str, ...]:
     )
 
 
-def _table(statistic: Statistic, found: dict[str, object]) -> Table:
+def _table(statistic: Statistic, found: dict[str, object]) -> ReportTable:
     """Return the table of a statistic, from what was found by measure."""
     parts = {
         f"{_label(measure)}: {name}" if name else _label(measure): part
@@ -150,10 +157,12 @@ def _table(statistic: Statistic, found: dict[str, object]) -> Table:
     }
     columns = statistic.columns
     if not columns and parts:
-        columns = tuple(Column(key, key, str) for key in next(iter(parts.values())))
+        columns = tuple(
+            ReportColumn(key, key, str) for key in next(iter(parts.values()))
+        )
     rows = tuple(
         (name, *(column.text(part.get(column.key)) for column in columns))
         for name, part in parts.items()
     )
     heads = (column.head for column in columns)
-    return Table(statistic.title, (statistic.of, *heads), rows)
+    return ReportTable(statistic.title, (statistic.of, *heads), rows)

@@ -17,9 +17,9 @@ from hapticplayer.study.analysis.describing import Resampling
 from hapticplayer.study.analysis.scores import Sample
 from hapticplayer.study.analysis.statistic import (
     ALPHA,
-    Column,
     Found,
     Holm,
+    ReportColumn,
     Statistic,
     number,
     p_value,
@@ -193,15 +193,15 @@ FRIEDMAN = Statistic(
     _of_sample,
     of="measure",
     columns=(
-        Column("n", "n", str),
-        Column("chi²", "chi2"),
-        Column("df", "df", str),
-        Column("p", "p", p_value),
-        Column("Kendall's W", "kendall_w", lambda w: number(w, 3)),
-        Column("exact p", "p_exact", p_value),
-        Column("Holm", "p_holm", p_value),
-        Column("F", "f"),
-        Column("p of F", "p_f", p_value),
+        ReportColumn("n", "n", str),
+        ReportColumn("chi²", "chi2"),
+        ReportColumn("df", "df", str),
+        ReportColumn("p", "p", p_value),
+        ReportColumn("Kendall's W", "kendall_w", lambda w: number(w, 3)),
+        ReportColumn("exact p", "p_exact", p_value),
+        ReportColumn("Holm", "p_holm", p_value),
+        ReportColumn("F", "f"),
+        ReportColumn("p of F", "p_f", p_value),
     ),
     assumes="Friedman's test assumes that participants are independent of each other and "
     "that the values of one participant can be ranked; the null hypothesis is that every order is "
@@ -219,7 +219,7 @@ NEMENYI = Statistic(
     "Pairs of feedbacks: Nemenyi",
     lambda sample, _: sample.each_pair(lambda pairs: nemenyi(sample.values, pairs)),
     of="pair",
-    columns=(Column("q", "q"), Column("p", "p", p_value)),
+    columns=(ReportColumn("q", "q"), ReportColumn("p", "p", p_value)),
     assumes="Nemenyi's test compares pairs by the ranks among all feedbacks, and is meant "
     "to follow a significant Friedman test. It corrects for all pairs and is conservative.",
 )
@@ -230,9 +230,9 @@ CONOVER = Statistic(
     lambda sample, _: sample.each_pair(lambda pairs: conover(sample.values, pairs)),
     of="pair",
     columns=(
-        Column("t", "t"),
-        Column("p", "p", p_value),
-        Column("Holm", "p_holm", p_value),
+        ReportColumn("t", "t"),
+        ReportColumn("p", "p", p_value),
+        ReportColumn("Holm", "p_holm", p_value),
     ),
     assumes="Conover's test compares pairs by the ranks among all feedbacks, and is meant "
     "to follow a significant Friedman test. It is more sensitive than Nemenyi's, and trusts that the "

@@ -29,7 +29,7 @@ Draw = Callable[[int, int, np.random.Generator], Floats]
 
 
 @dataclass(frozen=True, slots=True)
-class Goal:
+class PowerGoal:
     """What is asked for.
 
     Attributes:
@@ -74,7 +74,7 @@ class Power:
             even the largest number does not.
     """
 
-    goal: Goal
+    goal: PowerGoal
     participants: tuple[int, ...]
     curves: dict[str, tuple[float, ...]]
     needed: dict[str, int | None]
@@ -104,7 +104,7 @@ def draw_pilot(pilot: Sample) -> Draw:
 def find_power(
     draw: Draw,
     feedbacks: tuple[str, ...],
-    goal: Goal,
+    goal: PowerGoal,
     progress: Callable[[float, str], None] = lambda _fraction, _step: None,
 ) -> Power:
     """Return the power for each number of participants.

@@ -28,7 +28,7 @@ _LEAST_P = 1e-12
 _LAPSE_START = -2.0  # logit of the share of MOST_LAPSES
 
 
-class Shape(StrEnum):
+class CurveShape(StrEnum):
     """Which criteria the levels can show."""
 
     WINDOW = "window"
@@ -41,7 +41,7 @@ class Shape(StrEnum):
     @property
     def least_levels(self) -> int:
         """With fewer the curve is not determined."""
-        return 4 if self is Shape.WINDOW else 3
+        return 4 if self is CurveShape.WINDOW else 3
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,7 +58,7 @@ class Fits:
         is_steep: where the spread is at its bound: too steep for these levels (N,).
     """
 
-    shape: Shape
+    shape: CurveShape
     lower: Floats
     upper: Floats
     spread: Floats
@@ -75,14 +75,14 @@ class Fits:
         return np.asarray(lapse / 2.0 + (1.0 - lapse) * inside)
 
 
-def shape_of(levels: Floats) -> Shape:
+def shape_of(levels: Floats) -> CurveShape:
     """Return which curve levels (L,) can show; 0 is no change."""
     if levels.min() < 0.0 < levels.max():
-        return Shape.WINDOW
-    return Shape.RISING if levels.min() < 0.0 else Shape.FALLING
+        return CurveShape.WINDOW
+    return CurveShape.RISING if levels.min() < 0.0 else CurveShape.FALLING
 
 
-def fit(levels: Floats, yes: Floats, asked: Floats, shape: Shape) -> Fits:
+def fit(levels: Floats, yes: Floats, asked: Floats, shape: CurveShape) -> Fits:
     """Fit curves to counts.
 
     Args:
@@ -125,14 +125,14 @@ class _Space:
     of a falling curve; only a window has the second parameter.
     """
 
-    def __init__(self, levels: Floats, shape: Shape) -> None:
+    def __init__(self, levels: Floats, shape: CurveShape) -> None:
         self.levels, self.shape = levels, shape
         known = levels[np.isfinite(levels)]
         self._range, gap = float(np.ptp(known)), float(np.diff(known).min())
         self._low, self._high = known[0] - self._range, known[-1] + self._range
         self._narrowest = _NARROWEST * gap
         self._known = known
-        self._has_window = shape is Shape.WINDOW
+        self._has_window = shape is CurveShape.WINDOW
 
     def start(self, yes: Floats, asked: Floats) -> Floats:
         """Return the best point (N, K) of a grid for each row of counts."""
@@ -180,11 +180,11 @@ class _Space:
         lapse = MOST_LAPSES * special.expit(theta[:, -1])
         infinite = np.full_like(position, np.inf)
         match self.shape:
-            case Shape.WINDOW:
+            case CurveShape.WINDOW:
                 return position, position + np.exp(theta[:, 1]), spread, lapse
-            case Shape.RISING:
+            case CurveShape.RISING:
                 return position, infinite, spread, lapse
-            case Shape.FALLING:
+            case CurveShape.FALLING:
                 return -infinite, position, spread, lapse
 
     def _grid(self) -> Floats:

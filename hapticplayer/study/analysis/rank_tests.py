@@ -18,9 +18,9 @@ from hapticplayer.study.analysis.describing import TAILS, Resampling
 from hapticplayer.study.analysis.scores import Sample
 from hapticplayer.study.analysis.statistic import (
     ALPHA,
-    Column,
     Found,
     Holm,
+    ReportColumn,
     Statistic,
     interval,
     listed,
@@ -242,7 +242,10 @@ SHAPIRO = Statistic(
     "Normality: Shapiro-Wilk",
     lambda sample, _: sample.each_feedback(lambda _name, column: shapiro(column)),
     of="feedback",
-    columns=(Column("W", "w", lambda w: number(w, 3)), Column("p", "p", p_value)),
+    columns=(
+        ReportColumn("W", "w", lambda w: number(w, 3)),
+        ReportColumn("p", "p", p_value),
+    ),
     assumes="The test of Shapiro and Wilk asks whether values may come from a normal distribution. With few "
     "participants it seldom sees a deviation: a large p is no proof. The other tests "
     "here do not need normal values.",
@@ -255,16 +258,16 @@ WILCOXON = Statistic(
     _signed_ranks,
     of="pair",
     columns=(
-        Column("n", "n", str),
-        Column("zeros", "zeros", str),
-        Column("W+", "w_plus", lambda w: number(w, 1)),
-        Column("W-", "w_minus", lambda w: number(w, 1)),
-        Column("p", "p", p_value),
-        Column("Holm", "p_holm", p_value),
-        Column("r", "rank_biserial"),
-        Column("95 %", "rank_biserial_interval", interval),
-        Column("shift", "shift"),
-        Column("95 %", "shift_interval", interval),
+        ReportColumn("n", "n", str),
+        ReportColumn("zeros", "zeros", str),
+        ReportColumn("W+", "w_plus", lambda w: number(w, 1)),
+        ReportColumn("W-", "w_minus", lambda w: number(w, 1)),
+        ReportColumn("p", "p", p_value),
+        ReportColumn("Holm", "p_holm", p_value),
+        ReportColumn("r", "rank_biserial"),
+        ReportColumn("95 %", "rank_biserial_interval", interval),
+        ReportColumn("shift", "shift"),
+        ReportColumn("95 %", "shift_interval", interval),
     ),
     assumes="Wilcoxon's signed-rank test assumes paired values whose differences are symmetric about their median "
     "and can be ranked by size. Pairs without a difference are left out; p counts all "
@@ -280,13 +283,13 @@ MANN_WHITNEY = Statistic(
     _expertise,
     of="feedback",
     columns=(
-        Column("before", "n_before", str),
-        Column("new", "n_new", str),
-        Column("U", "u", lambda u: number(u, 1)),
-        Column("p", "p", p_value),
-        Column("Holm", "p_holm", p_value),
-        Column("r", "rank_biserial"),
-        Column("95 %", "rank_biserial_interval", interval),
+        ReportColumn("before", "n_before", str),
+        ReportColumn("new", "n_new", str),
+        ReportColumn("U", "u", lambda u: number(u, 1)),
+        ReportColumn("p", "p", p_value),
+        ReportColumn("Holm", "p_holm", p_value),
+        ReportColumn("r", "rank_biserial"),
+        ReportColumn("95 %", "rank_biserial_interval", interval),
     ),
     assumes="The test of Mann and Whitney assumes two independent groups and values that can be ranked. It speaks of "
     "medians only if both distributions have one shape. Few participants see only large "

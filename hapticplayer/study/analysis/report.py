@@ -13,7 +13,7 @@ from hapticplayer.study.analysis import consistency_report, contents, figures
 from hapticplayer.study.analysis.analysis import (
     STATISTICS,
     Analysis,
-    Choices,
+    AnalysisOptions,
     Progress,
     analyse,
     summary,
@@ -44,14 +44,14 @@ class Parts:
     """
 
     numbers: dict[str, Any]
-    blocks: tuple[contents.Block, ...]
+    blocks: tuple[contents.ReportBlock, ...]
     draw: Callable[[], dict[str, "Figure"]]
     tables: Mapping[str, Iterable[list[Any]]]
 
 
 def analyse_study(
     answers: Answers,
-    choices: Choices | None = None,
+    choices: AnalysisOptions | None = None,
     progress: Progress = lambda _fraction, _step: None,
 ) -> StudyAnalysis:
     """Analyse ratings, or judgements where these are what was asked for.

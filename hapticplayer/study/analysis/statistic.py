@@ -33,7 +33,7 @@ def interval(value: Sequence[float] | None) -> str:
     return "-" if value is None else f"[{value[0]:.2f}, {value[1]:.2f}]"
 
 
-class Column(NamedTuple):
+class ReportColumn(NamedTuple):
     """A column of a statistic's table.
 
     Attributes:
@@ -81,7 +81,7 @@ class Statistic:
     title: str
     compute: Callable[[Sample, Resampling], Any]
     of: str = "part"
-    columns: tuple[Column, ...] = ()
+    columns: tuple[ReportColumn, ...] = ()
     assumes: str = ""
     warn: Callable[[dict[str, Any]], Iterable[str]] = lambda _found: ()
     rows: Callable[[Any], Mapping[str, Found]] = lambda found: found

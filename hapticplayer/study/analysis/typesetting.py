@@ -9,7 +9,13 @@ from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from hapticplayer.study.analysis.contents import Block, Heading, Picture, Table, Words
+from hapticplayer.study.analysis.contents import (
+    Heading,
+    Paragraph,
+    ReportBlock,
+    ReportFigure,
+    ReportTable,
+)
 
 if TYPE_CHECKING:
     from fpdf import FPDF
@@ -33,7 +39,7 @@ _MARGIN_MM, _PADDING_MM, _LEAST_ROOM_MM = 20.0, 1.2, 30.0
 _POLICY = "default-src 'none'; img-src data:; style-src 'unsafe-inline'"
 
 
-def page(title: str, blocks: Iterable[Block], svgs: dict[str, bytes]) -> str:
+def page(title: str, blocks: Iterable[ReportBlock], svgs: dict[str, bytes]) -> str:
     """Return the whole page.
 
     Args:
@@ -54,7 +60,7 @@ def page(title: str, blocks: Iterable[Block], svgs: dict[str, bytes]) -> str:
     )
 
 
-def body(blocks: Iterable[Block], source: Callable[[str], str]) -> str:
+def body(blocks: Iterable[ReportBlock], source: Callable[[str], str]) -> str:
     """Return the parts as HTML.
 
     Args:
@@ -64,23 +70,23 @@ def body(blocks: Iterable[Block], source: Callable[[str], str]) -> str:
     return "\n".join(_block(block, source) for block in blocks)
 
 
-def _block(block: Block, source: Callable[[str], str]) -> str:
+def _block(block: ReportBlock, source: Callable[[str], str]) -> str:
     match block:
         case Heading(text):
             return f"<h2>{html.escape(text)}</h2>"
-        case Words(text):
+        case Paragraph(text):
             return f"<p>{html.escape(text)}</p>"
-        case Picture(name, caption):
+        case ReportFigure(name, caption):
             told = html.escape(caption)
             return (  # paragraphs, for the window does not know <figure>
                 f'<p><img src="{html.escape(source(name))}" alt="{told}"></p>'
                 f"<p><i>{told}</i></p>"
             )
-        case Table():
+        case ReportTable():
             return _table(block)
 
 
-def _table(table: Table) -> str:
+def _table(table: ReportTable) -> str:
     def row(cells: tuple[str, ...], tag: str) -> str:
         inner = "".join(f"<{tag}>{html.escape(cell)}</{tag}>" for cell in cells)
         return f"<tr>{inner}</tr>"
@@ -91,7 +97,7 @@ def _table(table: Table) -> str:
 
 
 def write_pdf(
-    path: Path, title: str, blocks: Iterable[Block], pngs: dict[str, bytes]
+    path: Path, title: str, blocks: Iterable[ReportBlock], pngs: dict[str, bytes]
 ) -> None:
     """Write the report.
 
@@ -110,12 +116,12 @@ def write_pdf(
                     pdf.add_page()
                 pdf.ln(3.0)
                 _paragraph(pdf, text, _HEADING_PT, bold=True)
-            case Words(text):
+            case Paragraph(text):
                 _paragraph(pdf, text, _TEXT_PT)
-            case Picture(name, caption):
+            case ReportFigure(name, caption):
                 pdf.image(io.BytesIO(pngs[name]), w=pdf.epw)
                 _paragraph(pdf, caption, _TEXT_PT)
-            case Table():
+            case ReportTable():
                 _add_table(pdf, block)
     pdf.output(str(path))
 
@@ -151,7 +157,7 @@ def _paragraph(pdf: "FPDF", text: str, size_pt: float, *, bold: bool = False) ->
     pdf.ln(0.0 if bold else 1.5)
 
 
-def _add_table(pdf: "FPDF", table: Table) -> None:
+def _add_table(pdf: "FPDF", table: ReportTable) -> None:
     """Write a table as wide as its texts, in smaller letters where there is no room."""
     from fpdf.enums import TableBordersLayout
 

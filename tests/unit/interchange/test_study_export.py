@@ -22,7 +22,7 @@ from hapticplayer.haptics.shared import TICK
 from hapticplayer.interchange.study_export import EXPORTERS, Exporter, export_study
 from hapticplayer.interchange.xdf import XdfWriter
 from hapticplayer.simulation.sessions import write_scripted_session
-from hapticplayer.study.answers import keep_reviewed, text_digest
+from hapticplayer.study.answers import save_reviewed, text_digest
 from hapticplayer.study.creation import create_study
 from hapticplayer.study.journal import Journal
 from hapticplayer.study.plan import describe
@@ -47,7 +47,7 @@ def study(tmp_path, manual_clock):
     journal.append("answers", step="post-test", values=words)
     journal.close()
     digest = text_digest(folder.name, "comfortable", words["comfortable"])
-    keep_reviewed(folder, [digest])
+    save_reviewed(folder, [digest])
     write_ticks(folder / "ticks-01.hprec", manual_clock.now_s() - 1.0)
     return open_study(made.folder)
 

@@ -12,7 +12,7 @@ from hapticplayer.simulation.effects import (
 )
 from hapticplayer.simulation.participants import simulated_answers
 from hapticplayer.simulation.sessions import write_answers
-from hapticplayer.study.analysis import Choices, Resampling, analyse
+from hapticplayer.study.analysis import AnalysisOptions, Resampling, analyse
 from hapticplayer.study.analysis.analysis import summary
 from hapticplayer.study.answers import collect_answers
 from hapticplayer.study.creation import create_study
@@ -30,7 +30,7 @@ NAMES = ("none", "random", "realistic")
 @pytest.fixture(scope="module", params=[2012, 1, 2])
 def found(request):
     answers = simulated_answers(15, seed=request.param)
-    return summary(analyse(answers, Choices(resampling=Resampling(7, 99))))
+    return summary(analyse(answers, AnalysisOptions(resampling=Resampling(7, 99))))
 
 
 def test_a_simulated_sample_has_the_papers_means_and_sds(found):

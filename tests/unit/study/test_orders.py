@@ -21,7 +21,7 @@ from hapticplayer.study.orders import (
     williams_design,
 )
 from hapticplayer.study.plan import LETTERS, checked_code, new_code, number_of
-from hapticplayer.study.study_folder import begin_session, drop, open_study
+from hapticplayer.study.study_folder import begin_session, drop_session, open_study
 
 codes = st.text(alphabet=LETTERS, min_size=6, max_size=6)
 
@@ -71,7 +71,7 @@ def test_the_row_of_one_who_dropped_out_is_given_again(template, study, manual_c
     study = change_definition(study, template)
     first = [begin_session(study, "en", {}, manual_clock) for _ in range(5)]
     assert sorted(s.plan.row for s in first) == [0, 1, 2, 3, 4]
-    drop(study, first[2].code, "felt sick", manual_clock)
+    drop_session(study, first[2].code, "felt sick", manual_clock)
     rest = [begin_session(study, "en", {}, manual_clock) for _ in range(8)]
     assert sorted(s.plan.row for s in rest) == [2, 5, 6, 7, 8, 9, 10, 11]
     balance = study.balance()

@@ -12,8 +12,8 @@ from hapticplayer.study.definition import Condition
 from hapticplayer.study.journal import read_journal
 from hapticplayer.study.pages import PageKind
 from hapticplayer.study.runner import SessionRunner
-from hapticplayer.study.session_folder import State
-from hapticplayer.study.stage import Played
+from hapticplayer.study.session_folder import SessionState
+from hapticplayer.study.stage import PlaybackResult
 from hapticplayer.study.study_folder import begin_session
 from tests.unit.study.conftest import SHEET, VALUES
 
@@ -44,7 +44,7 @@ class FakeStage:
 
     def played(self, *reasons):
         found = (*reasons, *self.reasons)
-        return Played(not found, found, {"pictures_shown": 50})
+        return PlaybackResult(not found, found, {"pictures_shown": 50})
 
     def halt(self):
         self.halts += 1
@@ -129,7 +129,7 @@ def test_a_whole_session_goes_from_consent_to_thanks(sitting):
     assert sitting.kind is PageKind.THANKS
     assert sitting.runner.is_over
     session = sitting.study.session(sitting.code)
-    assert session.state is State.COMPLETE
+    assert session.state is SessionState.COMPLETE
     assert not session.records.damaged
     played = sitting.stage.prepared
     assert played == list(session.plan.order)
@@ -266,7 +266,7 @@ def test_stopping_keeps_what_was_answered(sitting):
     sitting.runner.go_on()
     sitting.runner.leave()
     assert sitting.kind is PageKind.STOPPED
-    assert sitting.study.session(sitting.code).state is State.STOPPED
+    assert sitting.study.session(sitting.code).state is SessionState.STOPPED
     ratings = read_answers(sitting.study.folder).ratings
     assert sum(r.value is not None for r in ratings) == 20
     assert sitting.stage.halts

@@ -15,12 +15,12 @@ from hapticplayer.model import ForceTrack, Reconstruction
 from hapticplayer.playback.player import Player
 from hapticplayer.playback.source import Source
 from hapticplayer.study import demonstration
-from hapticplayer.study.definition import Checks, Condition, Limits
-from hapticplayer.study.preflight import look
-from hapticplayer.study.stage import PlayerStage, altered
+from hapticplayer.study.definition import Checks, Condition, PlaybackLimits
+from hapticplayer.study.preflight import run_checks
+from hapticplayer.study.stage import PlayerStage, shifted_and_scaled
 
 SECONDS, RATE_HZ = 1.0, 25
-LOOSE = Limits(1.0, 1e6, 1.0, 1e6)  # a busy machine is no fault here
+LOOSE = PlaybackLimits(1.0, 1e6, 1.0, 1e6)  # a busy machine is no fault here
 NOTHING = Checks(device=False, sound=False, disk_free_mb=0, scheduling=("normal",))
 
 
@@ -106,7 +106,7 @@ def test_a_trial_whose_ticks_could_not_be_recorded_is_not_sound(source, monkeypa
 
 
 def test_limits_make_a_playback_unsound(source):
-    strict = Limits(dropped_share=-1.0)
+    strict = PlaybackLimits(dropped_share=-1.0)
     stage, clock = stage_of(
         source, "none", strict, msgspec.structs.replace(NOTHING, device=True)
     )
@@ -124,12 +124,12 @@ def test_a_shifted_and_scaled_force_is_the_same_force_later(reconstruction):
     times = np.arange(0.0, 2.0, 0.01)
     force = np.sin(times)[:, None] * [1.0, -2.0, 0.5]
     track = ForceTrack(times, force, reconstruction)
-    shifted = altered(track, 0.3, 0.5)
+    shifted = shifted_and_scaled(track, 0.3, 0.5)
     at_s = 0.3 + (np.arange(150) + 0.4) * 0.01  # never where a held value changes
     assert shifted.at(at_s) == pytest.approx(0.5 * track.at(at_s - 0.3), abs=1e-6)
-    early = altered(track, -0.4, 1.0)
+    early = shifted_and_scaled(track, -0.4, 1.0)
     assert early.at(at_s - 0.4) == pytest.approx(track.at(at_s), abs=1e-6)
-    assert altered(track, 0.0, 1.0) is track
+    assert shifted_and_scaled(track, 0.0, 1.0) is track
 
 
 def test_the_demonstration_uses_every_axis_at_full_strength():
@@ -155,10 +155,10 @@ def test_checks_say_what_is_missing(tmp_path):
     screen = {"width_px": 1920, "height_px": 1080, "refresh_hz": 60.0, "screens": 2}
     wanted = Checks(disk_free_mb=10**9)
     silent = {"volume_percent": 0, "is_sound_heard": False}
-    found = look(player, wanted, tmp_path, screen, **silent)
+    found = run_checks(player, wanted, tmp_path, screen, **silent)
     bad = [check.name for check in found if not check.is_good]
     assert bad == ["device", "homed", "scheduling", "sound", "volume", "disk"]
     heard = {"volume_percent": 70, "is_sound_heard": True}
-    found = look(player, NOTHING, tmp_path, screen, **heard)
+    found = run_checks(player, NOTHING, tmp_path, screen, **heard)
     assert all(check.is_good for check in found)
     player.close()

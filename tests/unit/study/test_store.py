@@ -10,19 +10,19 @@ import pytest
 from hapticplayer.errors import StudyError
 from hapticplayer.study.answers import (
     collect_answers,
-    keep_reviewed,
     read_answers,
+    save_reviewed,
     text_digest,
 )
 from hapticplayer.study.journal import Journal
 from hapticplayer.study.plan import describe
-from hapticplayer.study.session_folder import State
+from hapticplayer.study.session_folder import SessionState
 from hapticplayer.study.study_folder import (
     begin_session,
     delete_participant,
-    drop,
-    keep_consent,
+    drop_session,
     open_study,
+    save_consent,
 )
 from tests.unit.study.conftest import SHEET, VALUES, tree
 
@@ -31,7 +31,7 @@ def test_everything_is_private_whatever_the_umask(study, scripted):
     before = os.umask(0)
     try:
         code = scripted(study)
-        keep_consent(study, code, given=True, text="yes?", language="en")
+        save_consent(study, code, given=True, text="yes?", language="en")
         delete_participant(study, scripted(study))
     finally:
         os.umask(before)
@@ -42,7 +42,7 @@ def test_everything_is_private_whatever_the_umask(study, scripted):
 
 def test_the_plan_is_there_before_anything_else(study, manual_clock):
     session = begin_session(study, "fr", {"bike": "0" * 64}, manual_clock)
-    assert session.state is State.UNFINISHED
+    assert session.state is SessionState.UNFINISHED
     plan = json.loads((session.folder / "session.json").read_text())
     assert plan["language"] == "fr"
     assert plan["seed"] == 2012
@@ -134,7 +134,7 @@ def test_a_session_without_an_intact_plan_is_named(study, scripted):
 
 def test_a_deleted_participant_leaves_a_count_and_nothing_else(study, scripted):
     code, other = scripted(study), scripted(study)
-    keep_consent(study, code, given=True, text="yes?", language="en")
+    save_consent(study, code, given=True, text="yes?", language="en")
     assert delete_participant(study, code.lower()) == []
     left = tree(study.folder)
     assert not any(code in name or code.encode() in text for name, text in left.items())
@@ -183,7 +183,7 @@ def test_a_participant_who_sits_there_is_not_deleted(study, manual_clock):
     from hapticplayer.study.journal import Journal
 
     session = begin_session(study, "en", {}, manual_clock)
-    keep_consent(study, session.code, given=True, text="yes?", language="en")
+    save_consent(study, session.code, given=True, text="yes?", language="en")
     journal = Journal(session.folder / "answers.jsonl", manual_clock)
     with pytest.raises(StudyError, match="another window"):
         delete_participant(study, session.code)
@@ -194,7 +194,7 @@ def test_a_participant_who_sits_there_is_not_deleted(study, manual_clock):
 
 def test_consent_is_kept_apart_and_without_its_text(study, manual_clock):
     session = begin_session(study, "en", {}, manual_clock)
-    keep_consent(study, session.code, given=True, text="Do you agree?", language="en")
+    save_consent(study, session.code, given=True, text="Do you agree?", language="en")
     kept = json.loads((study.folder / "consents" / f"{session.code}.json").read_text())
     assert kept["given"] is True
     assert len(kept["text_sha256"]) == 64
@@ -221,7 +221,7 @@ def test_texts_are_unreviewed_until_a_person_lets_them_pass(study, manual_clock)
         ("label", "random", "wobbly", False),
         ("tiring", "", "no, Anna", False),
     }
-    keep_reviewed(session.folder, [text_digest(session.code, "label@random", "wobbly")])
+    save_reviewed(session.folder, [text_digest(session.code, "label@random", "wobbly")])
     found = read_answers(study.folder).open_answers
     assert {a.question for a in found if a.reviewed} == {"label"}
 
@@ -246,5 +246,5 @@ def test_who_left_early_and_who_never_was_there_is_told(study, scripted, manual_
 
 def test_dropping_ends_a_session_for_good(study, manual_clock):
     session = begin_session(study, "en", {}, manual_clock)
-    drop(study, session.code, "left", manual_clock)
-    assert study.session(session.code).state is State.STOPPED
+    drop_session(study, session.code, "left", manual_clock)
+    assert study.session(session.code).state is SessionState.STOPPED

@@ -5,14 +5,14 @@ import numpy as np
 import pytest
 
 from hapticplayer.errors import Cancelled, InputError
-from hapticplayer.study.analysis import Choices, MissingPolicy, analyse
+from hapticplayer.study.analysis import AnalysisOptions, MissingPolicy, analyse
 from hapticplayer.study.analysis.analysis import summary
 from hapticplayer.study.analysis.scores import sample_of, scores_of
 
 
 @pytest.fixture
-def choices(quick) -> Choices:
-    return Choices(resampling=quick)
+def choices(quick) -> AnalysisOptions:
+    return AnalysisOptions(resampling=quick)
 
 
 @pytest.fixture

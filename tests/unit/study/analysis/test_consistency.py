@@ -8,10 +8,10 @@ import pytest
 from scipy import optimize, stats
 
 from hapticplayer.errors import InputError
-from hapticplayer.study.analysis import Choices, Resampling
+from hapticplayer.study.analysis import AnalysisOptions, Resampling
 from hapticplayer.study.analysis.consistency import ALL, analyse_consistency
 from hapticplayer.study.analysis.consistency_report import warnings_of
-from hapticplayer.study.analysis.psychometric import Shape, fit
+from hapticplayer.study.analysis.psychometric import CurveShape, fit
 from hapticplayer.study.analysis.report import analyse_study, parts_of, write_report
 from hapticplayer.study.answers import Answers, Judgement, Participant, read_answers
 from hapticplayer.study.creation import create_study
@@ -41,15 +41,15 @@ def judged(seed, p=truth, people=20, clips=("bike", "horse"), levels=DELAYS_S):
 
 
 def quick(count=199):
-    return Choices(resampling=Resampling(3, count))
+    return AnalysisOptions(resampling=Resampling(3, count))
 
 
 @pytest.mark.parametrize(
     ("shape", "lower", "upper", "levels"),
     [
-        (Shape.WINDOW, LOWER_S, UPPER_S, DELAYS_S),
-        (Shape.RISING, LOWER_S, np.inf, DELAYS_S[:4]),
-        (Shape.FALLING, -np.inf, UPPER_S, DELAYS_S[3:]),
+        (CurveShape.WINDOW, LOWER_S, UPPER_S, DELAYS_S),
+        (CurveShape.RISING, LOWER_S, np.inf, DELAYS_S[:4]),
+        (CurveShape.FALLING, -np.inf, UPPER_S, DELAYS_S[3:]),
     ],
 )
 def test_a_curve_through_exact_shares_has_their_parameters(shape, lower, upper, levels):
@@ -63,7 +63,7 @@ def test_a_curve_through_exact_shares_has_their_parameters(shape, lower, upper, 
 def test_no_other_curve_is_more_likely_by_scipys_optimiser():
     rng = np.random.default_rng(1)
     yes = rng.binomial(40, truth(DELAYS_S), (12, 8)).astype(float)
-    found = fit(DELAYS_S, yes, np.full_like(yes, 40.0), Shape.WINDOW)
+    found = fit(DELAYS_S, yes, np.full_like(yes, 40.0), CurveShape.WINDOW)
     for row, likelihood in zip(yes, found.likelihood, strict=True):
 
         def lost(v, row=row):

@@ -6,7 +6,7 @@ from statsmodels.stats.power import TTestPower
 
 from hapticplayer.errors import Cancelled, UsageError
 from hapticplayer.simulation.effects import draw_effect, effect_named
-from hapticplayer.study.analysis.power import Goal, draw_pilot, find_power
+from hapticplayer.study.analysis.power import PowerGoal, draw_pilot, find_power
 from hapticplayer.study.analysis.scores import sample_of, scores_of
 
 NAMES = ("none", "random", "realistic")
@@ -15,7 +15,7 @@ NAMES = ("none", "random", "realistic")
 def test_without_an_effect_the_power_is_alpha():
     """2000 studies: the standard error of 0.05 is 0.005."""
     draw = draw_effect(effect_named("none"), "qoe", 4)
-    found = find_power(draw, NAMES, Goal(largest=25))
+    found = find_power(draw, NAMES, PowerGoal(largest=25))
     assert found.curves["friedman"][-1] == pytest.approx(0.05, abs=0.02)
     assert set(found.needed.values()) == {None}
 
@@ -30,14 +30,14 @@ def test_a_normal_shift_needs_the_t_tests_n_over_efficiency(d):
         values = rng.standard_normal((studies, people, 2)) / np.sqrt(2.0)
         return values + np.array([0.0, d])
 
-    found = find_power(draw, ("a", "b"), Goal(largest=40, studies=4000))
+    found = find_power(draw, ("a", "b"), PowerGoal(largest=40, studies=4000))
     assert found.needed["a-b"] == pytest.approx(expected, abs=1.5)
 
 
 def test_a_larger_effect_needs_fewer():
     needed = [
         find_power(
-            draw_effect(effect_named(name), "qoe", 4), NAMES, Goal(studies=500)
+            draw_effect(effect_named(name), "qoe", 4), NAMES, PowerGoal(studies=500)
         ).needed["friedman"]
         for name in ("1", "0.5", "0.3")
     ]
@@ -47,7 +47,7 @@ def test_a_larger_effect_needs_fewer():
 
 def test_a_pilot_stands_for_the_population(make_answers):
     pilot = sample_of(scores_of(make_answers(3, 12)), "qoe")
-    found = find_power(draw_pilot(pilot), pilot.feedbacks, Goal(studies=200))
+    found = find_power(draw_pilot(pilot), pilot.feedbacks, PowerGoal(studies=200))
     assert found.needed["friedman"] is not None
     few = sample_of(scores_of(make_answers(3, 4)), "qoe")
     with pytest.raises(UsageError, match="five participants"):
@@ -61,4 +61,4 @@ def test_the_power_calculation_stops_when_asked():
 
     draw = draw_effect(effect_named("0.5"), "comfort", 4)
     with pytest.raises(Cancelled):
-        find_power(draw, NAMES, Goal(largest=5, studies=500), stop)
+        find_power(draw, NAMES, PowerGoal(largest=5, studies=500), stop)

@@ -10,7 +10,7 @@ import pytest
 
 from hapticplayer import cli
 from hapticplayer.errors import Cancelled, SequenceError
-from hapticplayer.study.analysis import Choices, analyse
+from hapticplayer.study.analysis import AnalysisOptions, analyse
 from hapticplayer.study.analysis.analysis import STATISTICS, summary
 from hapticplayer.study.analysis.figures import factors_by_feedback
 from hapticplayer.study.analysis.report import write_report
@@ -22,7 +22,7 @@ NASTY = "<script>alert(1)</script> $x^2$ $ \\frac é"
 @pytest.fixture(scope="module")
 def analysis(make_answers, quick):
     answers = make_answers(5, 8, sequences=2, holes=0.01)
-    return analyse(answers, Choices(resampling=quick))
+    return analyse(answers, AnalysisOptions(resampling=quick))
 
 
 @pytest.fixture(scope="module")
@@ -46,7 +46,9 @@ def test_a_spread_beyond_the_scale_is_drawn_whole(make_answers, quick):
         replace(r, value=2 if r.participant == lowest.participants[0].code else 1)
         for r in lowest.ratings
     ]
-    found = analyse(replace(lowest, ratings=tuple(ratings)), Choices(resampling=quick))
+    found = analyse(
+        replace(lowest, ratings=tuple(ratings)), AnalysisOptions(resampling=quick)
+    )
     (panel,) = factors_by_feedback(found).axes
     ends = np.concatenate([line.get_ydata() for line in panel.lines])
     assert ends.min() == pytest.approx(1.125 - np.sqrt(1 / 8))
@@ -116,7 +118,7 @@ def test_names_from_a_definition_are_only_shown(make_answers, quick, tmp_path):
     answers = make_answers(5, 4, sequences=1, feedbacks=("none", NASTY))
     named = tuple(replace(one, sequence=NASTY) for one in answers.ratings)
     odd = replace(answers, ratings=named, sequences=(NASTY,))
-    found = analyse(odd, Choices(resampling=quick))
+    found = analyse(odd, AnalysisOptions(resampling=quick))
     write_report(found, tmp_path / "x", NASTY)
     text = (tmp_path / "x" / "report.html").read_text(encoding="utf-8")
     assert "<script" not in text
@@ -149,7 +151,7 @@ def test_a_statistic_in_the_registry_is_in_every_output(
 
     entry = Statistic("dummy", "Spread of the participants", spread)
     monkeypatch.setitem(STATISTICS, "dummy", entry)
-    found = analyse(make_answers(5, 6, sequences=1), Choices(resampling=quick))
+    found = analyse(make_answers(5, 6, sequences=1), AnalysisOptions(resampling=quick))
     write_report(found, tmp_path / "x", "Study")
     numbers = json.loads((tmp_path / "x" / "numbers.json").read_text("utf-8"))
     expected = np.ptp(found.measures["qoe"].sample.values[:, 0])
