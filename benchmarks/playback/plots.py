@@ -1,0 +1,152 @@
+"""What the live plots cost, as a share of one core, and painting the grip in space.
+
+One window plays a clip whose motion and force have 1000 samples a second, with the
+simulated device; its CPU time is taken with the plots, without the grip beside them, and
+with the plots hidden, in turns: the difference is what they cost. The grip is painted at
+320 x 320 with all that can be shown; a step is what each new position costs, a turn what
+a drag costs, which paints the whole scene again.
+"""
+
+import argparse
+import functools
+import math
+import os
+import tempfile
+import time
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+
+import numpy as np
+from PySide6.QtCore import QSizeF
+from PySide6.QtGui import QImage, QPainter
+
+from app.player.window import PlayerWindow
+from app.plots.grip_camera import Camera
+from app.plots.grip_painter import GripPainter
+from app.plots.grip_scene import Activity, Grip
+from benchmarks.common import Report, interleaved, medians
+from benchmarks.stage import moving_clip
+from benchmarks.window import open_window, run_for
+from hapticplayer.capture.recording import Recording
+from hapticplayer.media.clip_info import probe
+from hapticplayer.model import STANDARD_GRAVITY_MPS2, ClockMap, ImuLog
+from hapticplayer.playback.source import open_source
+from hapticplayer.sequence.build import Choices, write_sequence
+
+RATE_HZ = 1000
+SETTLE_S = 1.0
+WAYS = {"plots and grip": (True, True), "plots": (True, False), "hidden": (False, True)}
+LIMIT_PERCENT = 15.0
+SIDE_PX, PAINTINGS = 320, 500
+GRIP = Grip(
+    "Simulated grip",
+    "Force is active",
+    Activity.ACTIVE,
+    (0.030, 0.015, 0.010),
+    (2.0, 1.0, 1.0),
+    (2.5, 1.0, 1.0),
+    (-0.8, -0.4, -0.2),
+    tuple(
+        (0.03 * math.sin(k / 6), 0.02 * math.cos(k / 5), 0.01 * math.sin(k / 9))
+        for k in range(26)
+    ),
+)
+
+
+def shaken_sequence(folder: Path, seconds: float) -> Path:
+    """Write a clip that is shaken in three directions, sampled at 1 kHz."""
+    clip = moving_clip(folder, seconds)
+    time_s = np.arange(0.0, seconds, 1.0 / RATE_HZ)
+    shake = [np.sin(2 * np.pi * f * time_s) for f in (2.3, 3.1, 7.7)]
+    force = 2.0 * np.stack(shake, axis=1)
+    force[:, 2] += STANDARD_GRAVITY_MPS2
+    log = ImuLog(time_s, force, np.zeros_like(force), source="shake")
+    made, choices = Recording(log, ClockMap(), "made"), Choices(title="shake", seed=1)
+    return write_sequence(probe(clip), made, folder / "sequence", choices=choices)
+
+
+def options(parser: argparse.ArgumentParser) -> None:
+    """Add the options."""
+    parser.add_argument("--rounds", type=int, help="(3)")
+    parser.add_argument("--seconds", type=float, help="(6)")
+
+
+def run(options: argparse.Namespace, report: Report) -> None:
+    """Play with each way of showing plots in turns, and paint the grip."""
+    rounds = options.rounds or (1 if options.quick else 3)
+    seconds = options.seconds or (2.0 if options.quick else 6.0)
+    opened = open_window(None)
+    window, player = opened.window, opened.player
+    with tempfile.TemporaryDirectory(prefix="hp-plots-") as name:
+        length_s = len(WAYS) * (seconds + SETTLE_S) * rounds + 2.0
+        sequence = shaken_sequence(Path(name), min(length_s, 24.0))
+        window.session.show_source(open_source(sequence))
+        contenders = {
+            way: functools.partial(_measured, window, way, seconds) for way in WAYS
+        }
+        found = interleaved(contenders, rounds)
+        window.close()
+    opened.application.processEvents()
+    middle = {way: medians(each) for way, each in found.items()}
+    header = ["", "% of a core", "plots drawn, Hz", "frames, Hz"]
+    report.table("Plots", header, [[w, *m.values()] for w, m in middle.items()])
+    rest = middle["hidden"]["percent"]
+    cost = {way: middle[way]["percent"] - rest for way in list(WAYS)[:2]}
+    what = "plots and grip, % of a core"
+    report.target(what, cost["plots and grip"], ("<=", LIMIT_PERCENT))
+    player.close()
+    rows = [
+        [kind, f"{scale:g}", *np.percentile(_painted(kind, scale), [50, 95]).tolist()]
+        for scale in (1.0, 2.0)
+        for kind in ("step", "turn")
+    ]
+    report.table("Grip in space", ["painting", "scale", "p50 ms", "p95 ms"], rows)
+    report.figures |= {"medians": middle, "cost_percent": cost, "grip": rows}
+
+
+def _measured(window: PlayerWindow, way: str, seconds: float) -> dict[str, float]:
+    """Play for a while, and return what it took."""
+    plots, grip = WAYS[way]
+    window.player.seek(0.0)
+    window.player.play()
+    window.show_plots(are_wanted=plots)
+    window.plots.show_grip(is_wanted=grip)
+    run_for(SETTLE_S)
+    panel = window.plots.panel
+    assert panel is not None
+    drawn, draw = [0], panel.force.drawForeground
+
+    def counted(*arguments: Any) -> None:
+        drawn[0] += 1
+        draw(*arguments)
+
+    panel.force.drawForeground = counted
+    shown = window.player.snapshot().frames_shown
+    cpu_s, wall_s = time.process_time(), time.monotonic()
+    run_for(seconds)
+    cpu_s, wall_s = time.process_time() - cpu_s, time.monotonic() - wall_s
+    shown = window.player.snapshot().frames_shown - shown
+    panel.force.drawForeground = draw
+    drawn_hz = drawn[0] / wall_s
+    percent = 100.0 * cpu_s / wall_s
+    return {"percent": percent, "drawn_hz": drawn_hz, "frames_hz": shown / wall_s}
+
+
+def _painted(kind: str, scale: float) -> list[float]:
+    """Return how long each of some paintings took, ms."""
+    side = round(SIDE_PX * scale)
+    image = QImage(side, side, QImage.Format.Format_RGB32)
+    image.setDevicePixelRatio(scale)
+    scene, took_ms = GripPainter(), []
+    for number in range(PAINTINGS):
+        grip = replace(GRIP, position_m=(0.030, 0.015, 0.0001 * (number % 90)))
+        camera = Camera(0.01 * number) if kind == "turn" else Camera()
+        begin_s = time.perf_counter()
+        painter = QPainter(image)
+        scene.paint(painter, QSizeF(SIDE_PX, SIDE_PX), camera, grip)
+        painter.end()
+        took_ms.append(1e3 * (time.perf_counter() - begin_s))
+    return took_ms[20:]
