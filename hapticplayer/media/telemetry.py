@@ -1,7 +1,7 @@
 """A camera's telemetry packets: taken out of a clip without reading its video, or added."""
 
 import os
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from pathlib import Path
@@ -12,7 +12,7 @@ from av.packet import Packet
 from av.stream import DataStream, Stream
 
 from hapticplayer.errors import MediaError, Message
-from hapticplayer.media.files import COPY_AGAIN, resolve_regular
+from hapticplayer.media.files import COPY_AGAIN
 from hapticplayer.media.limits import (
     MAX_TELEMETRY_BYTES,
     MAX_TELEMETRY_PACKET_BYTES,
@@ -69,9 +69,8 @@ def data_track_names(path: str | os.PathLike[str]) -> tuple[str, ...]:
 def read_telemetry_packets(path: str | os.PathLike[str]) -> list[TelemetryPacket]:
     """Return the telemetry payloads of a clip in the order they are stored.
 
-    A clip without a telemetry track gives an empty list. Pictures and sound are
-    not read from disk, nor what lies around the payloads where the file's index
-    tells where they are: 20 ms for 43 min in 714 MB.
+    A clip without a telemetry track gives an empty list. Video and sound are not read
+    from disk: 0.1 s for 43 min in 810 MB.
 
     Raises:
         MediaError: when the file cannot be opened, or its telemetry is damaged or
@@ -86,70 +85,19 @@ def read_telemetry_packets(path: str | os.PathLike[str]) -> list[TelemetryPacket
             return []
         # asked of the index itself: a few bytes declare millions of entries
         _check_limits(0, 0, len(stream.index_entries) - 1, path)
-        start_s = origin_s(container)
-        up, down = (stream.time_base or Fraction(0)).as_integer_ratio()
-        spans = _indexed(stream)
-        found = (
-            _demuxed(container, stream, path) if spans is None else _picked(spans, path)
-        )
-        return [
-            TelemetryPacket(begin * up / down - start_s, length * up / down, payload)
-            for begin, length, payload in found
-        ]
-
-
-_Ticks = tuple[int, int, bytes]
-"""Begin and length of a payload in units of the track's time base, and its bytes."""
-
-
-def _demuxed(
-    container: InputContainer, stream: DataStream, path: str | os.PathLike[str]
-) -> Iterator[_Ticks]:
-    read_only(container, stream)
-    total_bytes = count = 0
-    for packet in container.demux(stream):
-        if packet.size == 0 or packet.pts is None:
-            continue
-        total_bytes += packet.size
-        _check_limits(packet.size, total_bytes, count, path)
-        count += 1
-        yield packet.pts, packet.duration or 0, bytes(packet)
-
-
-_Span = tuple[int, int, int, int]
-"""Where a payload lies in the file, its bytes, its begin and its length."""
-
-
-def _indexed(stream: DataStream) -> list[_Span] | None:
-    """Return where the payloads lie, None where the index does not tell it of all."""
-    entries = stream.index_entries
-    count, duration = len(entries), stream.duration
-    if not count or count != stream.frames or duration is None:
-        return None
-    places = [(entry.pos, entry.size, entry.timestamp) for entry in entries]
-    begins = [begin for _, _, begin in places]
-    ends = [*begins[1:], begins[0] + duration]
-    spans = [
-        (*place, end - begin)
-        for place, begin, end in zip(places, begins, ends, strict=True)
-    ]
-    is_sound = all(span[0] >= 0 and span[3] >= 0 for span in spans)
-    return spans if is_sound else None
-
-
-def _picked(spans: list[_Span], path: str | os.PathLike[str]) -> Iterator[_Ticks]:
-    """Read the payloads and nothing else: FFmpeg would fetch 32 KiB for each."""
-    total_bytes = count = 0
-    with resolve_regular(path).open("rb", buffering=0) as file:
-        for place, size_bytes, begin, length in spans:
-            if size_bytes <= 0:
+        read_only(container, stream)
+        start_s, tick = origin_s(container), stream.time_base or Fraction(0)
+        found: list[TelemetryPacket] = []
+        total_bytes = 0
+        for packet in container.demux(stream):
+            if packet.size == 0 or packet.pts is None:
                 continue
-            total_bytes += size_bytes
-            _check_limits(size_bytes, total_bytes, count, path)
-            count += 1
-            payload = os.pread(file.fileno(), size_bytes, place)
-            if payload:
-                yield begin, length, payload
+            total_bytes += packet.size
+            _check_limits(packet.size, total_bytes, len(found), path)
+            begin_s = float(packet.pts * tick) - start_s
+            length_s = float((packet.duration or 0) * tick)
+            found.append(TelemetryPacket(begin_s, length_s, bytes(packet)))
+        return found
 
 
 def _check_limits(

@@ -88,6 +88,6 @@ def test_an_index_beyond_the_limit_is_not_listed(
     path = tmp_path / "camera.mp4"
     add_telemetry(clip, path, [TelemetryPacket(t, 1.0, b"1234") for t in range(5)])
     monkeypatch.setattr(module, "MAX_TELEMETRY_PACKETS", 4)
-    monkeypatch.setattr(module, "_indexed", None)
+    monkeypatch.setattr(module, "read_only", None)
     with pytest.raises(MediaError, match="telemetry is larger"):
         read_telemetry_packets(path)

@@ -1,4 +1,6 @@
 import builtins
+import shutil
+import subprocess
 from pathlib import Path
 from typing import Any
 
@@ -39,6 +41,29 @@ def test_payloads_come_back_with_their_times(with_telemetry: Path) -> None:
     )
     assert packets[0].duration_s == pytest.approx(1.001)
     assert packets[3].payload == bytes([3]) * 103
+
+
+@pytest.mark.skipif(shutil.which("ffmpeg") is None, reason="needs the program ffmpeg")
+@pytest.mark.parametrize(
+    "options",
+    [
+        ("-movflags", "faststart"),
+        ("-movflags", "frag_keyframe+empty_moov"),
+        ("-output_ts_offset", "1.5"),
+    ],
+    ids=["index first", "fragments", "edit list"],
+)
+def test_other_layouts_give_the_same(
+    with_telemetry: Path, tmp_path: Path, options: tuple[str, ...]
+) -> None:
+    other = tmp_path / "again.mp4"
+    command = ["ffmpeg", "-nostdin", "-loglevel", "error", "-i", str(with_telemetry)]
+    command += ["-map", "0", "-c", "copy", "-copy_unknown", *options, str(other)]
+    subprocess.run(command, check=True)
+    found, packets = (read_telemetry_packets(p) for p in (other, with_telemetry))
+    assert [p.payload for p in found] == [p.payload for p in packets]
+    steps_s = np.diff([p.start_s for p in found[1:]])  # ffmpeg moves a first fragment
+    assert steps_s == pytest.approx(np.full(3, 1.001), abs=2e-3)
 
 
 def test_copy_keeps_pictures_and_sound(with_telemetry: Path, clip: Path) -> None:
