@@ -8,7 +8,7 @@ from types import FrameType
 
 from PySide6.QtCore import QSocketNotifier, QTimer
 
-from hapticplayer.haptics.alarm import HEARD_S, alarm
+from hapticplayer.haptics.messages import ALARM_S, signal_alarm
 
 NUMBERS = (signal.SIGINT, signal.SIGTERM)
 
@@ -52,25 +52,25 @@ def closing_on_signals(close: Callable[[], None]) -> Iterator[None]:
 @contextlib.contextmanager
 def _awake() -> Iterator[None]:
     """Let every signal wake Qt's event loop, and the haptic loops stop by themselves."""
-    ring = alarm()
-    notifier = QSocketNotifier(ring.ear.fileno(), QSocketNotifier.Type.Read)
-    later = QTimer(singleShot=True, interval=round(1000 * HEARD_S))
+    alarm = signal_alarm()
+    notifier = QSocketNotifier(alarm.read_end.fileno(), QSocketNotifier.Type.Read)
+    later = QTimer(singleShot=True, interval=round(1000 * ALARM_S))
 
-    def silence() -> None:
-        ring.silence()
+    def clear() -> None:
+        alarm.clear()
         notifier.setEnabled(True)
 
     def wait() -> None:
         notifier.setEnabled(False)
         later.start()
 
-    later.timeout.connect(silence)
+    later.timeout.connect(clear)
     notifier.activated.connect(wait)
-    before = signal.set_wakeup_fd(ring.bell.fileno(), warn_on_full_buffer=False)
+    before = signal.set_wakeup_fd(alarm.write_end.fileno(), warn_on_full_buffer=False)
     try:
         yield
     finally:
         signal.set_wakeup_fd(before)
         notifier.setEnabled(False)
         later.stop()
-        ring.silence()
+        alarm.clear()

@@ -26,7 +26,6 @@ def main(argv: list[str] | None = None) -> int:
     parser.add_argument("--alarm", type=int, required=True, help="descriptor")
     parser.add_argument("--device", required=True)
     parser.add_argument("--handle", type=int, required=True, help="descriptor")
-    parser.add_argument("--guarded", action="store_true")
     parser.add_argument("--faults", action="store_true", help="take faults")
     parser.add_argument("--scheduling", choices=[s.value for s in Scheduling])
     options = parser.parse_args(argv)
@@ -39,7 +38,7 @@ def main(argv: list[str] | None = None) -> int:
         signal.signal(number, signal.SIG_IGN)
     block = LoopBlock(options.block)
     end = socket.socket(fileno=options.line)
-    line = Line(end, options.alarm, inbox=block.outbox)
+    line = Line(end, options.alarm)
     try:
         device = find_device(options.device).make(options.handle)
         device.open()
@@ -57,7 +56,6 @@ def main(argv: list[str] | None = None) -> int:
             device,
             limits,
             centring_of(limits),
-            is_guarded=options.guarded,
             cpu_latency=CpuLatencyRequest(),
             lifeline=map_lifeline(options.lifeline),
         )

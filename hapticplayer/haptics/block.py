@@ -19,7 +19,7 @@ _CLOCK = struct.Struct("<qqdddd")  # track id, epoch, the four numbers of the cl
 _SLOTS_AT = (64, 128)
 # a cache line for each writer
 _NEWEST_AT, _HEARTBEAT_AT, _HEAD_AT, _GUARD_AT = 192, 256, 320, 384
-_LIFE_AT, _OUTBOX_AT = 448, 512
+_LIFE_AT = 448
 RING_AT = 4096
 BLOCK_BYTES = RING_AT + RING_TICKS * TICK_FIELDS.size
 
@@ -39,8 +39,6 @@ class LoopBlock:
         self._last_tick = view[_HEAD_AT + 8 : _HEAD_AT + 16].cast("d")
         self._guard = view[_GUARD_AT : _GUARD_AT + 8].cast("d")
         self.life = view[_LIFE_AT : _LIFE_AT + LIFE_BYTES]  # of the loop
-        # of the player's line
-        self.outbox = view[_OUTBOX_AT : _OUTBOX_AT + 8].cast("Q")
 
     def write_clock(self, clock: PlaybackClock, track_id: int) -> None:
         """Publish the clock and the track it belongs to (player)."""

@@ -99,7 +99,7 @@ class Supervision(NamedTuple):
         request: of a person.
         is_device_gone: whether the device refused the last exchange for good.
         is_stale: whether the last command was too old to be sent.
-        guard_s: monotonic time of the guard's last beat; inf where none is needed.
+        guard_s: monotonic time of the guard's last beat.
         missed_share: periods skipped in the last 10 s.
     """
 

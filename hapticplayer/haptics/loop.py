@@ -64,7 +64,6 @@ class Loop:
     device: HapticDevice
     limits: Limits = field(default_factory=Limits)
     centring: Centring = field(default_factory=Centring)
-    is_guarded: bool = False
     cpu_latency: CpuLatencyRequest | None = None
     lifeline: Lifeline | None = None
 
@@ -143,7 +142,7 @@ class Loop:
             request,
             self._is_device_gone,
             self._is_stale,
-            guard_s if self.is_guarded else math.inf,
+            guard_s,
             self._missed.add(missed),
         )
 

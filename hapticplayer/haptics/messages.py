@@ -1,9 +1,11 @@
-"""What the player says to the haptics process and back, over one socket pair.
+"""Messages between the player and the haptic loop, over one socket pair.
 
-A closed end is a message too.
+A closed end is a message too. Signals have an alarm of their own, which the loop polls
+with the same call.
 """
 
 import enum
+import functools
 import json
 import os
 import select
@@ -13,15 +15,15 @@ from typing import NamedTuple
 from hapticplayer.errors import from_json, to_json
 
 _MAX_BYTES = 4096
-RESTS = 3
-"""How many calls of `receive` in a row believe the inbox that nothing has come."""
+ALARM_S = 0.05
+"""How long an alarm stays on for the loops, which poll it every millisecond."""
 
 
 class Word(enum.Enum):
     """First byte of a message."""
 
     TRACK = b"T"  # + track id; the descriptor of the track comes along
-    FORGET = b"F"  # + track id: nobody plays it any more
+    FORGET = b"F"  # + id of a track that is not needed any more
     STOP = b"S"
     REARM = b"A"
     QUIT = b"Q"
@@ -47,30 +49,16 @@ class Line:
 
     Args:
         end: it is the line's from now on.
-        alarm: descriptor of an alarm to listen for too, see hapticplayer.haptics.alarm.
-        outbox: number in shared memory of what was sent, the end too; kept up here.
-        inbox: the other end's outbox. With it `receive` asks the kernel only where
-            something was sent, and at every fourth call (see `RESTS`) for an alarm and
-            for the end of a process that died: at 1 kHz the question is a twentieth of
-            a tick.
+        alarm: descriptor of the reading end of an `Alarm`, -1 for none.
 
     Attributes:
         is_open: whether the other end has not hung up, as far as is known.
-        is_alarmed: whether the alarm sounded when the kernel was asked last.
+        is_alarmed: whether the alarm was on at the last `receive`.
     """
 
-    def __init__(
-        self,
-        end: socket.socket,
-        alarm: int = -1,
-        *,
-        outbox: memoryview | None = None,
-        inbox: memoryview | None = None,
-    ) -> None:
+    def __init__(self, end: socket.socket, alarm: int = -1) -> None:
         end.setblocking(False)
         self._end, self._alarm = end, alarm
-        self._outbox, self._inbox = outbox, inbox
-        self._heard, self._rests = 0, 0
         self._poll = select.poll()
         self._poll.register(end, select.POLLIN)
         if alarm >= 0:
@@ -87,25 +75,16 @@ class Line:
             socket.send_fds(self._end, [word.value + text.encode()], descriptors)
         except OSError:
             self.is_open = False
-        self._count()
         return self.is_open
 
     def receive(self, timeout_ms: int = 0) -> Received | None:
         """Return the next message, or None; clears `is_open` at the end."""
         if not self.is_open:
             return None
-        sent = 0
-        if self._inbox is not None:
-            sent = self._inbox[0]
-            if sent == self._heard and self._rests > 0:
-                self._rests -= 1
-                return None
-            self._rests = RESTS
         ready = self._poll.poll(timeout_ms)
+        self.is_alarmed = bool(ready) and self._has_alarm(ready)
         if not ready:
-            self.is_alarmed, self._heard = False, sent
             return None
-        self.is_alarmed = self._sounds(ready)
         try:
             data, descriptors, _, _ = socket.recv_fds(self._end, _MAX_BYTES, 1)
         except BlockingIOError:
@@ -121,26 +100,49 @@ class Line:
             text = from_json(json.loads(text))
         return Received(word, text, received)
 
-    def _sounds(self, ready: list[tuple[int, int]]) -> bool:
-        """Return whether it is the alarm; a hung-up one is none, and not looked at again."""
+    def _has_alarm(self, ready: list[tuple[int, int]]) -> bool:
         events = dict(ready).get(self._alarm, 0)
         if events & (select.POLLHUP | select.POLLERR | select.POLLNVAL):
-            self._poll.unregister(self._alarm)
+            self._poll.unregister(self._alarm)  # its process has ended
             return False
         return bool(events)
-
-    def _count(self) -> None:
-        if self._outbox is not None:
-            self._outbox[0] += 1
 
     def close(self) -> None:
         """Hang up; the other side reads it as the end."""
         self.is_open = False
         self._end.close()
-        self._count()
 
 
 def close_descriptor(descriptor: int) -> None:
     """Close a received descriptor, if there is one."""
     if descriptor >= 0:
         os.close(descriptor)
+
+
+class Alarm(NamedTuple):
+    """Reports signals, above all Ctrl-C, to the loops while the interpreter is busy.
+
+    The interpreter's handler in C writes one byte for each signal, in whichever thread
+    it comes (signal.set_wakeup_fd). Python's own handler follows when the main thread
+    gets to it, which painting can delay by tens of milliseconds. The loops poll the
+    reading end and read nothing from it. Neither end blocks.
+    """
+
+    write_end: socket.socket
+    read_end: socket.socket
+
+    def clear(self) -> None:
+        """Turn the alarm off, once all loops have had the time to see it."""
+        try:
+            self.read_end.recv(4096)
+        except BlockingIOError:
+            return
+
+
+@functools.cache
+def signal_alarm() -> Alarm:
+    """Return the alarm of this process, which is never closed."""
+    write_end, read_end = socket.socketpair()
+    write_end.setblocking(False)
+    read_end.setblocking(False)
+    return Alarm(write_end, read_end)

@@ -13,9 +13,8 @@ from numpy.typing import NDArray
 from hapticplayer.clock import Clock
 from hapticplayer.devices import NO_DEVICE, DeviceEntry, find_device, load
 from hapticplayer.errors import DeviceError, HapticsError, Message, UsageError
-from hapticplayer.haptics.alarm import alarm
 from hapticplayer.haptics.lifeline import hold_lifeline
-from hapticplayer.haptics.messages import Line, Word
+from hapticplayer.haptics.messages import Line, Word, signal_alarm
 from hapticplayer.haptics.recorder import Recording
 from hapticplayer.haptics.scheduling import DEVICE_PRIORITY, Scheduling, grant
 from hapticplayer.haptics.shared import BLOCK_BYTES, SharedBlock
@@ -129,16 +128,16 @@ class HapticsProcesses:
         if simulator is not None:
             self._processes["device"] = simulator
         ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
-        self._line = Line(ours, outbox=self._block.outbox)
+        self._line = Line(ours)
         stack.enter_context(theirs)
         descriptors = {
             "--block": block,
             "--handle": for_loop,
             "--line": theirs.fileno(),
             "--lifeline": hold_lifeline(),
-            "--alarm": alarm().ear.fileno(),
+            "--alarm": signal_alarm().read_end.fileno(),
         }
-        options = ["--device", entry.name, "--guarded"]
+        options = ["--device", entry.name]
         for name, descriptor in descriptors.items():
             options += [name, str(descriptor)]
         if self.takes_faults:

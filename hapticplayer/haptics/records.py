@@ -79,7 +79,12 @@ def open_record(path: Path) -> int:
     except FileExistsError as problem:
         raise InputError("already exists", where=str(path), remedy=_REMEDY) from problem
     except (OSError, ValueError) as problem:
-        raise cannot_write(problem, str(path)) from problem
+        raise InputError(
+            "the record cannot be written ({reason})",
+            reason=problem,
+            where=str(path),
+            remedy=_REMEDY,
+        ) from problem
 
 
 class RecordWriter:
@@ -148,13 +153,3 @@ def _field(entry: object) -> tuple[str, str, tuple[int, ...]]:
     if not _NAME.fullmatch(name) or kind not in _TYPES:
         raise ValueError("a field has an unknown type or an unusual name")
     return name, kind, shape
-
-
-def cannot_write(problem: Exception, where: str) -> InputError:
-    """Return the error for a person."""
-    return InputError(
-        "the record cannot be written ({reason})",
-        where=where,
-        remedy=_REMEDY,
-        reason=problem,
-    )

@@ -27,7 +27,6 @@ SYNC_LOG_PERIOD_S = 1.0
 TICKS_BEFORE_S = 0.02  # of an event: the tick that it falls into, even a late one
 COMPARE_PERIOD_S = 0.2  # an alarm looks at half a second
 READ_PERIOD_S = 0.05  # plots draw at 30 Hz; more often costs more than it shows
-UNSEEN_PERIOD_S = 0.2  # while nobody looks and the track is followed
 
 MakeProcesses = Callable[..., HapticsProcesses]
 
@@ -123,7 +122,7 @@ class ForceOutput:
         now_s = self._clock.now_s()
         if health is not Health.NONE and (now_s >= self._next_read_s or is_dead):
             self._read()
-            self._next_read_s = now_s + self._pause_s()
+            self._next_read_s = now_s + READ_PERIOD_S
         if is_dead and before is not health and not self._is_closed:
             self._reporter.event("device_lost", problem=self.problem)
             self._reporter.notify(self.problem)
@@ -191,18 +190,12 @@ class ForceOutput:
             self._log_modes(records, lost)
             self._log_sync()
 
-    def _pause_s(self) -> float:
-        """Return how long the ticks may wait to be read."""
-        is_seen, latest = self.history.was_followed(), self.history.latest()
-        is_steady = latest is not None and latest["mode"] == Mode.FOLLOWING
-        return UNSEEN_PERIOD_S if is_steady and not is_seen else READ_PERIOD_S
-
     def _compare(self, what: str, meter: SyncMeter) -> None:
         """Measure how much later the force came, and report when that can be felt."""
         if not meter.is_waiting:
             return
         alarm = self._alarms[what]
-        ticks = self.history.read_since(meter.oldest_s - TICKS_BEFORE_S)
+        ticks = self.history.since(meter.oldest_s - TICKS_BEFORE_S)
         if not alarm.add(meter.compare(ticks)):
             return
         if alarm.is_on:

@@ -18,9 +18,6 @@ STATS_TICKS = 10_000
 TRACE_EVENTS = 1800  # 30 s of pictures at 60 Hz
 _LATEST_US, _LATENESS_STEP_US = 20_000.0, 1.0
 _FARTHEST_MS, _DIFFERENCE_STEP_MS = 200.0, 0.02
-_ROOM_TICKS = 18_000
-_AT_ONCE_TICKS = _ROOM_TICKS - HISTORY_TICKS
-_COUNTED_TOGETHER_TICKS = 1000
 # People do not notice a touch that comes up to 50 ms after what they see, but notice
 # one that comes 15 ms before it (Di Luca & Mahnan 2019).
 EARLY_MS, LATE_MS = -15.0, 50.0
@@ -90,77 +87,49 @@ class Tally:
 
 
 class TickHistory:
-    """The last ticks for plots and stats, and the lateness of all of them.
-
-    They lie in memory that is taken once: what is read five times a second and kept for
-    12 s would be spread over the heap.
-    """
+    """The last ticks for plots and statistics, and the lateness of all of them."""
 
     def __init__(self) -> None:
-        # as plain bytes: numpy copies records field by field
-        self._rows = np.empty(_ROOM_TICKS, (np.void, TICK.itemsize))
-        self._ticks: NDArray[Any] = self._rows.view(TICK)
-        self._end = self._counted = 0
+        # as plain bytes: numpy copies records field by field, a hundred times slower
+        self._rows = np.empty(0, (np.void, TICK.itemsize))
         self._lateness_us = Tally(0.0, _LATEST_US, _LATENESS_STEP_US)
         self._missed = 0
-        self._is_followed = False
         self.lost = 0
 
     def add(self, records: NDArray[Any], lost: int) -> None:
         """Append what came from the ring."""
         self.lost += lost
-        for first in range(0, len(records), _AT_ONCE_TICKS):
-            self._append(records[first : first + _AT_ONCE_TICKS])
+        if len(records):
+            rows = np.concatenate([self._rows, records.view(self._rows.dtype)])
+            self._rows = rows[-HISTORY_TICKS:]
+            self._lateness_us.add(records["lateness_s"] * np.float32(1e6))
+            self._missed += int(records["missed"].sum())
 
-    def _append(self, records: NDArray[Any]) -> None:
-        if self._end + len(records) > _ROOM_TICKS:
-            self._count()
-            first = max(0, self._end - HISTORY_TICKS)
-            self._rows[: self._end - first] = self._rows[first : self._end]
-            self._end = self._counted = self._end - first
-        end = self._end + len(records)
-        self._rows[self._end : end] = records.view(self._rows.dtype)
-        self._end = end
-        if end - self._counted >= _COUNTED_TOGETHER_TICKS:
-            self._count()
-
-    def _count(self) -> None:
-        """Count what came: in few large pieces, where many small ones cost ten times."""
-        ticks, self._counted = self._ticks[self._counted : self._end], self._end
-        self._lateness_us.add(ticks["lateness_s"] * np.float32(1e6))
-        self._missed += int(ticks["missed"].sum())
+    @property
+    def _ticks(self) -> NDArray[Any]:
+        return self._rows.view(TICK)
 
     def since(self, monotonic_s: float) -> NDArray[Any]:
-        """Return the ticks after a time, of the last 12 s, oldest first, for who follows."""
-        self._is_followed = True
-        return self.read_since(monotonic_s)
-
-    def was_followed(self) -> bool:
-        """Whether somebody has asked for ticks since the last call of this."""
-        was, self._is_followed = self._is_followed, False
-        return was
-
-    def read_since(self, monotonic_s: float) -> NDArray[Any]:
-        """Return the same for a look now and then."""
-        begin = max(0, self._end - HISTORY_TICKS)
-        times_s = self._ticks["monotonic_s"][begin : self._end]
-        first = begin + int(times_s.searchsorted(monotonic_s, side="right"))
-        return self._rows[first : self._end].copy().view(TICK)
+        """Return the ticks after a time, of the last 12 s, oldest first."""
+        first = self._ticks["monotonic_s"].searchsorted(monotonic_s, side="right")
+        return self._rows[int(first) :].copy().view(TICK)
 
     def latest(self) -> Any:
         """Return the newest tick, or None."""
-        return self._ticks[self._end - 1].copy() if self._end else None
+        return self._ticks[-1].copy() if len(self._rows) else None
 
     def recent_stats(self) -> LoopStats | None:
         """Return the health over the last 10 s."""
-        ticks = self._ticks[max(0, self._end - STATS_TICKS) : self._end]
+        ticks = self._ticks[-STATS_TICKS:]
         if not len(ticks):
             return None
-        return _loop_stats(ticks["lateness_s"] * 1e6, int(ticks["missed"].sum()))
+        lateness_us = ticks["lateness_s"] * 1e6
+        p50, p99, p999 = np.percentile(lateness_us, [50.0, 99.0, 99.9]).tolist()
+        missed, most_us = int(ticks["missed"].sum()), float(lateness_us.max())
+        return LoopStats(len(ticks), missed, p50, p99, p999, most_us)
 
     def total_stats(self) -> LoopStats | None:
         """Return the health over everything."""
-        self._count()
         late = self._lateness_us
         if not late.count:
             return None
@@ -277,18 +246,6 @@ class SyncAlarm:
         """Return the alarm in words."""
         template = _ALARMS[self._against, self.p50_ms < 0.0]
         return Message(template, ms=abs(self.p50_ms))
-
-
-def _loop_stats(lateness_us: NDArray[Any], missed: int) -> LoopStats:
-    p50, p99, p999 = np.percentile(lateness_us, [50.0, 99.0, 99.9])
-    return LoopStats(
-        len(lateness_us),
-        missed,
-        float(p50),
-        float(p99),
-        float(p999),
-        float(lateness_us.max()),
-    )
 
 
 def _sync_stats(difference_ms: NDArray[np.float64]) -> SyncStats | None:

@@ -9,13 +9,13 @@ import pytest
 from PySide6.QtCore import QEventLoop, QTimer
 
 from app.bridge.interrupts import closing_on_signals
-from hapticplayer.haptics.alarm import alarm
+from hapticplayer.haptics.messages import signal_alarm
 
 
 def heard():
     """Return the signals that a loop would hear now."""
     try:
-        return alarm().ear.recv(100, socket.MSG_PEEK)
+        return signal_alarm().read_end.recv(100, socket.MSG_PEEK)
     except BlockingIOError:
         return b""
 

@@ -85,8 +85,8 @@ class Rig:
         descriptor = anonymous_memory("test", BLOCK_BYTES)
         self.block = SharedBlock(descriptor)
         os.close(descriptor)
-        self.player = Line(ours, outbox=self.block.outbox)
-        self.line = Line(theirs, inbox=self.block.outbox)
+        self.player = Line(ours)
+        self.line = Line(theirs)
         self.clock = clock or SlowClock()
         self.device = device or Grip()
         self.loop = Loop(
@@ -95,7 +95,6 @@ class Rig:
             self.line,
             self.device,
             limits_of(FALCON),
-            is_guarded=True,
         )
         self.beats, self.refreshes, self.guards = True, True, True
         self.epoch, self.rate, self.track_id = 1, 1.0, 1

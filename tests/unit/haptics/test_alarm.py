@@ -1,4 +1,4 @@
-"""A signal stops the loop within four periods, whatever the player's thread does."""
+"""A signal stops the loop at its next tick, whatever the player's thread does."""
 
 import signal
 import socket
@@ -6,10 +6,9 @@ import socket
 import pytest
 
 from hapticplayer.clock import SystemClock
-from hapticplayer.haptics.alarm import Alarm, alarm
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.limiter import ZERO
-from hapticplayer.haptics.messages import RESTS, Line, Word
+from hapticplayer.haptics.messages import Alarm, Line, Word, signal_alarm
 from hapticplayer.haptics.processes import HapticsProcesses
 from hapticplayer.model import ForceTrack
 from tests.unit.haptics.test_loop import CONSTANT, Rig
@@ -17,20 +16,20 @@ from tests.unit.haptics.test_process import follow
 
 
 @pytest.fixture
-def bell():
+def alarm():
     """The alarm of one test."""
-    bell, ear = socket.socketpair()
-    bell.setblocking(False)
-    ear.setblocking(False)
-    with bell, ear:
-        yield Alarm(bell, ear)
+    write_end, read_end = socket.socketpair()
+    write_end.setblocking(False)
+    read_end.setblocking(False)
+    with write_end, read_end:
+        yield Alarm(write_end, read_end)
 
 
 @pytest.fixture
-def rig(bell):
-    """A loop that listens for it, and has a force on the hand."""
+def rig(alarm):
+    """A loop that polls it, and has a force on the hand."""
     rig = Rig()
-    rig.loop.line = Line(rig.line._end, bell.ear.fileno(), inbox=rig.block.outbox)
+    rig.loop.line = Line(rig.line._end, alarm.read_end.fileno())
     rig.give_track(CONSTANT)
     rig.play()
     assert rig.tick(300).force_n == pytest.approx((0.0, 2.0, 0.0))
@@ -38,36 +37,34 @@ def rig(bell):
     rig.close()
 
 
-@pytest.mark.parametrize("phase", range(RESTS + 1))
-def test_the_fourth_tick_trips_at_the_latest_and_stays_so(bell, rig, phase):
-    rig.tick(phase)
-    bell.bell.send(b"\x02")
-    state = rig.tick(RESTS + 1)
+def test_the_next_tick_trips_and_stays_so(alarm, rig):
+    alarm.write_end.send(b"\x02")
+    state = rig.tick()
     assert (state.force_n, state.mode) == (ZERO, Mode.TRIPPED)
     assert state.cause is Cause.STOPPED
     rig.player.send(Word.REARM)
     assert rig.tick(5).mode is Mode.TRIPPED
 
 
-def test_once_silenced_a_person_may_re_arm(bell, rig):
-    bell.bell.send(b"\x02\x0f")
-    assert rig.tick(RESTS + 1).mode is Mode.TRIPPED
-    bell.silence()
-    bell.silence()  # there may be nothing to be taken
+def test_once_cleared_a_person_may_re_arm(alarm, rig):
+    alarm.write_end.send(b"\x02\x0f")
+    assert rig.tick().mode is Mode.TRIPPED
+    alarm.clear()
+    alarm.clear()  # there may be nothing to clear
     rig.player.send(Word.REARM)
     assert rig.tick(400).force_n == pytest.approx((0.0, 2.0, 0.0))
 
 
-def test_messages_are_obeyed_while_it_sounds(bell, rig):
-    bell.bell.send(b"\x02")
-    rig.tick(RESTS + 1)
+def test_messages_are_handled_while_the_alarm_is_on(alarm, rig):
+    alarm.write_end.send(b"\x02")
+    rig.tick()
     rig.player.send(Word.QUIT)
     rig.tick(2)
     assert rig.loop.is_over
 
 
-def test_an_alarm_that_hangs_up_is_no_alarm(bell, rig):
-    bell.bell.close()
+def test_the_end_of_an_alarm_is_not_an_alarm(alarm, rig):
+    alarm.write_end.close()
     assert rig.tick(10).force_n == pytest.approx((0.0, 2.0, 0.0))
     assert not rig.loop.is_over
 
@@ -79,9 +76,9 @@ def _has_stopped(ticks):
 def test_the_loop_stops_before_the_players_handler_runs():
     clock, handled_s = SystemClock(), []
     process = HapticsProcesses(clock)
-    ring = alarm()
+    alarm = signal_alarm()
     before = signal.signal(signal.SIGALRM, lambda *_: handled_s.append(clock.now_s()))
-    wakeup = signal.set_wakeup_fd(ring.bell.fileno(), warn_on_full_buffer=False)
+    wakeup = signal.set_wakeup_fd(alarm.write_end.fileno(), warn_on_full_buffer=False)
     try:
         process.wait_ready()
         track = ForceTrack([0.0, 1e4], [[0, 0, 2.0], [0, 0, 2.0]])
@@ -94,7 +91,7 @@ def test_the_loop_stops_before_the_players_handler_runs():
     finally:
         signal.set_wakeup_fd(wakeup)
         signal.signal(signal.SIGALRM, before)
-        ring.silence()
+        alarm.clear()
         process.close()
     stopped = ticks[ticks["cause"] == Cause.STOPPED]
     assert stopped["monotonic_s"][0] < handled_s[0]

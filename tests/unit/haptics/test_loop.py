@@ -1,5 +1,6 @@
 """The loop itself on a virtual clock: deadlines, skipping, listening, ending."""
 
+import math
 import os
 import socket
 
@@ -42,8 +43,9 @@ class Rig:
         descriptor = anonymous_memory("test", BLOCK_BYTES)
         self.block = SharedBlock(descriptor)
         os.close(descriptor)
-        self.player = Line(ours, outbox=self.block.outbox)
-        self.line = Line(theirs, inbox=self.block.outbox)
+        self.block.beat_guard(math.inf)
+        self.player = Line(ours)
+        self.line = Line(theirs)
         self.clock = clock or ManualClock()
         self.loop = Loop(self.clock, self.block, self.line, SimulatedFalcon())
 

@@ -19,12 +19,8 @@ from hapticplayer.haptics.recorder import (
     Recorder,
     Recording,
     Status,
-    finish_recorder,
-    open_record,
-    recorder_problem,
-    start_recorder,
 )
-from hapticplayer.haptics.records import RecordWriter
+from hapticplayer.haptics.records import RecordWriter, open_record
 from hapticplayer.haptics.shared import BLOCK_BYTES, RING_TICKS, SharedBlock
 from hapticplayer.haptics.track import anonymous_memory
 
@@ -74,16 +70,15 @@ def start(ring, loop, tmp_path):
 
     def start_one(name="record"):
         path = tmp_path / name
-        recorder = start_recorder(
-            ring.descriptor, loop.pid, path, {"device": "test", "scheduling": "fifo"}
-        )
-        started.append(recorder)
-        return recorder, path
+        recording = Recording(path, ring.descriptor)
+        started.append(recording)
+        recording.start(loop.pid, {"device": "test", "scheduling": "fifo"})
+        return recording, path
 
     yield start_one
-    for recorder in started:
-        recorder.kill()
-        recorder.wait()
+    for recording in started:
+        recording.process.kill()
+        recording.process.wait()
 
 
 def wait_until(condition):
@@ -197,7 +192,8 @@ def test_it_ends_with_the_loop_and_holds_the_last_tick(start, ring, loop):
     ring.tick(400)
     ring.tick(5, mode=4)
     loop.kill()
-    assert finish_recorder(recorder) == ""
+    recorder.finish()
+    assert recorder.problem == ""
     record = read_record(path)
     assert numbers(record) == list(range(905))
     assert record.ticks["mode"][-5:].tolist() == [4] * 5
@@ -210,7 +206,8 @@ def test_ticks_from_before_it_was_there_are_kept(start, ring, loop):
     ring.tick(3000)
     recorder, path = start()
     loop.kill()
-    assert finish_recorder(recorder) == ""
+    recorder.finish()
+    assert recorder.problem == ""
     assert numbers(read_record(path)) == list(range(3000))
 
 
@@ -219,24 +216,25 @@ def test_signals_to_the_player_do_not_end_it(start, ring, loop, number):
     recorder, path = start()
     ring.tick(10)
     wait_for_ticks(path, 10)
-    assert os.getpgid(recorder.pid) != os.getpgid(0)
-    recorder.send_signal(number)
+    assert os.getpgid(recorder.process.pid) != os.getpgid(0)
+    recorder.process.send_signal(number)
     ring.tick(10)
     wait_for_ticks(path, 20)
     loop.kill()
-    assert finish_recorder(recorder) == ""
+    recorder.finish()
+    assert recorder.problem == ""
 
 
 def test_killed_itself_it_leaves_what_it_had_written(start, ring):
     recorder, path = start()
     ring.tick(300)
     wait_for_ticks(path, 300)
-    recorder.kill()
-    recorder.wait()
+    recorder.process.kill()
+    recorder.process.wait()
     record = read_record(path)
     assert numbers(record) == list(range(300))
     assert not record.is_complete
-    assert "status -9" in recorder_problem(recorder)
+    assert "status -9" in recorder.problem
 
 
 def test_the_record_of_a_killed_player_goes_to_the_end(tmp_path):
@@ -259,10 +257,10 @@ def test_a_full_disk_ends_it_with_a_reason_and_a_whole_record(start, ring, capfd
     ring.tick(100)
     wait_for_ticks(path, 100)
     limit = path.stat().st_size + 5000  # bytes; a frame of 200 ticks does not fit
-    resource.prlimit(recorder.pid, resource.RLIMIT_FSIZE, (limit, limit))
+    resource.prlimit(recorder.process.pid, resource.RLIMIT_FSIZE, (limit, limit))
     ring.tick(200)
-    assert recorder.wait(PATIENCE_S) == Status.FULL
-    assert "the disk is full" in recorder_problem(recorder)
+    assert recorder.process.wait(PATIENCE_S) == Status.FULL
+    assert "the disk is full" in recorder.problem
     record = read_record(path)
     assert len(record.ticks) >= 100
     assert numbers(record) == list(range(len(record.ticks)))
@@ -275,49 +273,18 @@ def test_a_removed_file_ends_it_with_a_reason(start, ring, capfd):
     ring.tick(10)
     wait_for_ticks(path, 10)
     path.unlink()
-    assert recorder.wait(PATIENCE_S) == Status.REMOVED
-    assert "removed" in recorder_problem(recorder)
+    assert recorder.process.wait(PATIENCE_S) == Status.REMOVED
+    assert "removed" in recorder.problem
     assert "removed" in capfd.readouterr().err
 
 
 def test_a_block_of_another_version_is_refused(tmp_path, loop, capfd):
     descriptor = anonymous_memory("test", 4096)
-    recorder = start_recorder(descriptor, loop.pid, tmp_path / "record", {})
+    recorder = Recording(tmp_path / "record", descriptor)
+    recorder.start(loop.pid, {})
     os.close(descriptor)
-    assert recorder.wait(PATIENCE_S) == Status.FAILED
+    assert recorder.process.wait(PATIENCE_S) == Status.FAILED
     assert "versions differ" in capfd.readouterr().err
-
-
-def test_without_a_loop_it_takes_a_path_and_ends_with_silence(ring, tmp_path):
-    ring.tick(20)
-    path = tmp_path / "record"
-    code = (
-        "import sys, hapticplayer.haptics.recorder as r; r.SILENCE_S = 0.2;"
-        "sys.exit(r.main(sys.argv[1:]))"
-    )
-    options = ["--block", str(ring.descriptor), "--file", str(path)]
-    done = subprocess.run(
-        [sys.executable, "-P", "-c", code, *options],
-        pass_fds=[ring.descriptor],
-        timeout=PATIENCE_S,
-        check=False,
-    )
-    assert done.returncode == Status.DONE
-    record = read_record(path)
-    assert numbers(record) == list(range(20))
-    assert record.is_complete
-
-
-def test_a_file_that_exists_is_refused_before_anything_starts(
-    start, tmp_path, monkeypatch
-):
-    (tmp_path / "record").write_text("dear")
-    monkeypatch.setattr(subprocess, "Popen", None)
-    with pytest.raises(InputError, match="already exists"):
-        start("record")
-    with pytest.raises(InputError, match="cannot be written"):
-        start("none/record")
-    assert (tmp_path / "record").read_text() == "dear"
 
 
 def test_it_imports_nothing_heavy():
@@ -354,7 +321,7 @@ def test_a_recording_of_a_loop_that_never_was_leaves_no_file(ring, tmp_path):
     assert path.exists()
     handle.finish()
     assert not path.exists()
-    handle.start(os.getpid(), {})
+    handle.start(os.getpid(), {})  # too late: ignored
     assert not path.exists()
     assert handle.problem == ""
 
@@ -377,6 +344,9 @@ def test_a_recording_never_replaces_a_file_and_leaks_nothing(ring, tmp_path):
     before = open_descriptors()
     with pytest.raises(InputError, match="already exists"):
         Recording(tmp_path / "record", ring.descriptor)
+    with pytest.raises(InputError, match="cannot be written"):
+        Recording(tmp_path / "none" / "record", ring.descriptor)
+    assert (tmp_path / "record").read_text() == "dear"
     handle = Recording(tmp_path / "other", ring.descriptor)
     handle.finish()
     assert open_descriptors() == before

@@ -79,14 +79,14 @@ def test_the_history_is_bounded_and_the_totals_are_not():
         chunk = ticks(1000, start_s=100.0 + k)
         chunk["missed"][0] = 1
         history.add(chunk, lost=0)
-    assert len(history.read_since(-math.inf)) == HISTORY_TICKS
-    assert np.all(np.diff(history.read_since(-math.inf)["monotonic_s"]) > 0)
+    assert len(history.since(-math.inf)) == HISTORY_TICKS
+    assert np.all(np.diff(history.since(-math.inf)["monotonic_s"]) > 0)
     total = history.total_stats()
     assert (total.ticks, total.missed) == (40_000, 40)
     assert total.lateness_p99_us == pytest.approx(20.0, rel=1e-4)
 
 
-@pytest.mark.parametrize("most", [40, 700, 5000, 20_000])
+@pytest.mark.parametrize("most", [40, 5000, 20_000])
 def test_the_history_has_the_last_ticks_whatever_is_read_at_once(most, rng):
     whole = ticks(80_000)
     whole["lateness_s"] = rng.uniform(0.0, 1e-3, len(whole))
@@ -100,11 +100,11 @@ def test_the_history_has_the_last_ticks_whatever_is_read_at_once(most, rng):
         last = whole[max(0, end - HISTORY_TICKS) : end]
         if not end or rng.random() > 20.0 * most / len(whole):
             continue  # most are only added
-        assert np.array_equal(history.read_since(-math.inf), last)
+        assert np.array_equal(history.since(-math.inf), last)
         assert history.latest() == whole[end - 1]
         for at_s in (99.0, float(last["monotonic_s"][len(last) // 2]), 1e9):
             newer = last[last["monotonic_s"] > at_s]
-            assert np.array_equal(history.read_since(at_s), newer)
+            assert np.array_equal(history.since(at_s), newer)
         stats, told = last[-10_000:], history.recent_stats()
         assert told.missed == stats["missed"].sum()
         assert told.lateness_p50_us == pytest.approx(
@@ -117,7 +117,7 @@ def test_the_history_has_the_last_ticks_whatever_is_read_at_once(most, rng):
 def test_what_was_read_from_the_history_stays_as_it_was():
     history = TickHistory()
     history.add(ticks(10_000), lost=0)
-    kept = (history.read_since(-math.inf), history.read_since(105.0), history.latest())
+    kept = (history.since(-math.inf), history.since(105.0), history.latest())
     before = [part.copy() for part in kept]
     history.add(ticks(30_000, start_s=110.0), lost=0)
     assert all(map(np.array_equal, kept, before))
