@@ -5,9 +5,7 @@ times, and the gyro becomes the mean rate over each of its intervals. Time 0 is 
 first picture.
 """
 
-import contextlib
-import gc
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -23,7 +21,6 @@ from hapticplayer.capture.gopro_axes import (
 from hapticplayer.capture.gopro_streams import (
     OTHER_CAMERA,
     RAW_MAGIC,
-    Packet,
     Payload,
     SensorStream,
     collect,
@@ -47,6 +44,7 @@ from hapticplayer.capture.streams import mean_rate_with_holes
 from hapticplayer.errors import InputError, Message, TelemetryError
 from hapticplayer.media.telemetry import (
     HANDLER,
+    TelemetryPacket,
     data_track_names,
     read_telemetry_packets,
 )
@@ -96,7 +94,7 @@ READER = Reader(recognises, read)
 
 
 def read_gopro(
-    packets: Sequence[Packet], source: str = "", *, is_raw: bool = False
+    packets: Sequence[TelemetryPacket], source: str = "", *, is_raw: bool = False
 ) -> Recording:
     """Return the motion in GPMF payloads.
 
@@ -109,8 +107,7 @@ def read_gopro(
         TelemetryError: when there is no usable motion, and why.
     """
     try:
-        with _uncollected():
-            return _read(packets, source, is_raw=is_raw)
+        return _read(packets, source, is_raw=is_raw)
     except InputError as error:
         raise TelemetryError(
             error.what,
@@ -119,19 +116,9 @@ def read_gopro(
         ) from error
 
 
-@contextlib.contextmanager
-def _uncollected() -> Iterator[None]:
-    """Leave out the search for garbage, which takes a fifth of the time: there is none."""
-    collects = gc.isenabled()
-    gc.disable()
-    try:
-        yield
-    finally:
-        if collects:
-            gc.enable()
-
-
-def _read(packets: Sequence[Packet], source: str, *, is_raw: bool) -> Recording:
+def _read(
+    packets: Sequence[TelemetryPacket], source: str, *, is_raw: bool
+) -> Recording:
     payloads, damaged = parse_packets(packets)
     camera = text_of(payloads[0].device.find("DVNM")) or "GoPro"
     clock = Clock(first_stamp_us(payloads, _FRAME_KEYS), not is_raw)
@@ -225,7 +212,7 @@ def _in_frame_a(stream: SensorStream, camera: str, kind: _Kind) -> Floats:
         is_finite = np.isfinite(values)
         values = np.where(is_finite, values, np.nan)
         largest = float(np.nanmax(np.abs(values))) if is_finite.any() else np.inf
-    values = _turned(values, rotation)
+    values = values @ rotation.T
     if largest > kind.limit or np.isnan(largest):
         raise TelemetryError(
             "its telemetry claims {largest:.3g} {unit}, beyond what sensors measure",
@@ -238,18 +225,6 @@ def _in_frame_a(stream: SensorStream, camera: str, kind: _Kind) -> Floats:
 def _largest(values: Floats) -> float:
     """Return the largest size, not finite where one is not."""
     return max(float(values.max()), -float(values.min())) if values.size else np.inf
-
-
-def _turned(values: Floats, rotation: Floats) -> Floats:
-    """Return values @ rotation.T; where axes are only exchanged, in a fifth of the time."""
-    source = np.argmax(np.abs(rotation), axis=1)
-    signs = rotation[np.arange(3), source]
-    if not np.array_equal(rotation, signs[:, None] * np.eye(3)[source]):
-        return values @ rotation.T
-    turned = np.empty_like(values)
-    for column, (at, sign) in enumerate(zip(source, signs, strict=True)):
-        np.multiply(values[:, at], sign, out=turned[:, column])
-    return turned
 
 
 def _magnetic_field(

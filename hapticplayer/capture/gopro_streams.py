@@ -4,10 +4,9 @@ A drone or a gimbal may write into the same track as a device of its own; only w
 belongs to the camera is kept.
 """
 
-import itertools
+import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import NamedTuple, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,6 +14,7 @@ from numpy.typing import NDArray
 from hapticplayer.capture.gpmf import Entry, first_number_of, numbers_of, parse, text_of
 from hapticplayer.capture.limits import MAX_PAYLOADS, MAX_SAMPLES
 from hapticplayer.errors import Message, TelemetryError
+from hapticplayer.media.telemetry import TelemetryPacket
 from hapticplayer.model.arrays import Floats
 
 RAW_MAGIC = b"DEVC"
@@ -27,44 +27,16 @@ OTHER_CAMERA = Message(
 )
 
 
-class Packet(Protocol):
-    """What is needed of a telemetry packet (`media.TelemetryPacket` has it)."""
-
-    @property
-    def start_s(self) -> float:
-        """Media time of the span it covers."""
-        ...
-
-    @property
-    def duration_s(self) -> float:
-        """Length of that span."""
-        ...
-
-    @property
-    def payload(self) -> bytes:
-        """GPMF."""
-        ...
-
-
-@dataclass(frozen=True, slots=True)
-class RawPacket:
-    """A payload of a raw dump with an assumed time."""
-
-    start_s: float
-    duration_s: float
-    payload: bytes
-
-
-def split_raw(content: bytes) -> list[RawPacket]:
+def split_raw(content: bytes) -> list[TelemetryPacket]:
     """Cut a dump into its DEVC entries, which follow one another."""
-    packets: list[RawPacket] = []
+    packets: list[TelemetryPacket] = []
     offset = 0
     while content[offset : offset + 4] == RAW_MAGIC and offset + 8 <= len(content):
         struct_bytes = content[offset + 5]
         repeat = int.from_bytes(content[offset + 6 : offset + 8], "big")
         end = offset + 8 + -(-struct_bytes * repeat // 4) * 4
         start_s = len(packets) * RAW_PAYLOAD_S
-        packets.append(RawPacket(start_s, RAW_PAYLOAD_S, content[offset:end]))
+        packets.append(TelemetryPacket(start_s, RAW_PAYLOAD_S, content[offset:end]))
         offset = end
     return packets
 
@@ -86,7 +58,7 @@ class Payload:
     streams: dict[str, Entry]
 
 
-def parse_packets(packets: Sequence[Packet]) -> tuple[list[Payload], int]:
+def parse_packets(packets: Sequence[TelemetryPacket]) -> tuple[list[Payload], int]:
     """Return the payloads of the device with the accelerometer, and the damaged ones.
 
     Raises:
@@ -127,9 +99,9 @@ def _identity(device: Entry) -> bytes:
 def _streams_of(device: Entry) -> dict[str, Entry]:
     """Return the first STRM entry that holds each key."""
     found: dict[str, Entry] = {}
-    for stream in reversed(device[4]):  # fields by number: tens of thousands an hour
-        if stream[0] == "STRM":
-            found.update(dict.fromkeys([child[0] for child in stream[4]], stream))
+    for stream in device.find_all("STRM"):
+        for child in stream.children:
+            found.setdefault(child.key, stream)
     return found
 
 
@@ -168,81 +140,59 @@ class SensorStream:
 
 
 def collect(payloads: Sequence[Payload], key: str) -> SensorStream | None:
-    """Return a sensor's stream, or None when the recording has none.
+    """Return a sensor's stream, or None if the recording has none.
 
     Raises:
         TelemetryError: when the scale is unusable or there are too many samples.
     """
-    rows: list[_Row] = []
+    rows: list[tuple[Payload, Entry]] = []
     parts: list[Floats] = []
-    # decoded together where the metadata is the same, which in a camera's file it is
-    for _, alike in itertools.groupby(_rows(payloads, key), _form):
-        group = list(alike)
-        values = _scaled(group, key)
-        width = parts[0].shape[1] if parts else values.shape[1]
-        if len(values) and width and values.shape[1] == width:
-            rows += (row for row in group if row.samples)
+    for payload in payloads:
+        stream = payload.streams.get(key)
+        values = np.zeros((0, 0)) if stream is None else _scaled(stream, key)
+        if (
+            stream
+            and values.size
+            and values.shape[1] == (parts or [values])[0].shape[1]
+        ):
+            rows.append((payload, stream))
             parts.append(values)
     if not rows:
         return None
-    counts = np.array([row.samples for row in rows], dtype=np.int64)
+    counts = np.array([len(part) for part in parts], dtype=np.int64)
     if counts.sum() > MAX_SAMPLES:
         raise TelemetryError(
             "{key} has {count} samples, more than is read", key=key, count=counts.sum()
         )
+    totals, stamps_us = (
+        np.array([first_number_of(stream.find(mark)) for _, stream in rows])
+        for mark in ("TSMP", "STMP")
+    )
     return SensorStream(
-        values=parts[0] if len(parts) == 1 else np.concatenate(parts),
-        first_index=_first_index(counts, _numbers(rows, "TSMP")),
+        values=np.concatenate(parts),
+        first_index=_first_index(counts, totals),
         counts=counts,
-        start_s=np.array([row.payload.start_s for row in rows]),
-        duration_s=np.array([row.payload.duration_s for row in rows]),
-        stamp_us=_numbers(rows, "STMP"),
-        first=rows[0].stream,
+        start_s=np.array([payload.start_s for payload, _ in rows]),
+        duration_s=np.array([payload.duration_s for payload, _ in rows]),
+        stamp_us=stamps_us,
+        first=rows[0][1],
     )
 
 
 def first_stamp_us(payloads: Sequence[Payload], keys: Sequence[str]) -> float | None:
     """Return the camera's time of frame 0: the first stamp of a per-frame stream."""
-    for key in keys:
-        for row in _rows(payloads[:1], key):
-            stamp_us = first_number_of(row.named.get("STMP"))
-            if row.samples and np.isfinite(stamp_us):
-                return stamp_us
+    for stream in (payloads[0].streams.get(key) for key in keys):
+        stamp_us = first_number_of(stream.find("STMP")) if stream else math.nan
+        if math.isfinite(stamp_us):
+            return stamp_us
     return None
 
 
-class _Row(NamedTuple):
-    """The samples of one payload, not decoded yet."""
-
-    payload: Payload
-    stream: Entry
-    named: dict[str, Entry]  # the last of each key
-    entry: Entry
-    samples: int
-
-
-def _rows(payloads: Sequence[Payload], key: str) -> Iterator[_Row]:
-    for payload in payloads:
-        stream = payload.streams.get(key)
-        if stream is not None:
-            named = {child[0]: child for child in stream[4]}
-            entry = named[key]
-            size = entry.struct_bytes
-            samples = len(entry.payload) // size if size else 0
-            yield _Row(payload, stream, named, entry, samples)
-
-
-def _form(row: _Row) -> tuple[object, ...]:
-    """Return all that tells how the bytes of the samples are to be read."""
-    entry, (_, _, named, _, _) = row.entry, row
-    return (entry.kind, entry.struct_bytes, *map(named.get, ("TYPE", "SCAL")))
-
-
-def _scaled(rows: Sequence[_Row], key: str) -> Floats:
+def _scaled(stream: Entry, key: str) -> Floats:
     """Divide by SCAL, which has one value for all axes or one for each."""
-    stream, entry = rows[0].stream, rows[0].entry
-    joined = entry._replace(payload=b"".join(row.entry.payload for row in rows))
-    values = numbers_of(joined, text_of(stream.find("TYPE")))
+    entry = stream.find(key)
+    assert entry is not None  # the stream was found by it
+    values = numbers_of(entry, text_of(stream.find("TYPE")))
     scale_entry = stream.find("SCAL")
     if scale_entry is None or not values.size:
         return values
@@ -252,25 +202,7 @@ def _scaled(rows: Sequence[_Row], key: str) -> Floats:
         raise TelemetryError(
             "the scale of {key} is damaged ({scale})", key=key, scale=scale[:3].tolist()
         )
-    values /= scale
-    return values
-
-
-def _numbers(rows: Sequence[_Row], key: str) -> Floats:
-    """Return the first number under a key in each payload, NaN where there is none."""
-    entries = [row.named.get(key) for row in rows]
-    first = entries[0]
-    if first is not None and all(
-        entry is not None
-        and entry[1:3] == first[1:3]
-        and len(entry[3]) == entry[2] == len(first[3])
-        for entry in entries
-    ):
-        joined = first._replace(payload=b"".join(e.payload for e in entries if e))
-        values = numbers_of(joined)
-        if values.shape[1]:
-            return values[:, 0]
-    return np.array([first_number_of(entry) for entry in entries])
+    return values / scale
 
 
 def _first_index(counts: NDArray[np.int64], totals: Floats) -> NDArray[np.int64]:

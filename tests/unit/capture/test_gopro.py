@@ -6,9 +6,9 @@ from numpy.typing import NDArray
 
 from hapticplayer.capture import read_recording
 from hapticplayer.capture.gopro import read_gopro
-from hapticplayer.capture.gopro_streams import RawPacket
 from hapticplayer.capture.recording import Recording
 from hapticplayer.errors import TelemetryError
+from hapticplayer.media import TelemetryPacket
 from hapticplayer.model import Sampling
 from tests.unit.capture.conftest import (
     device,
@@ -128,7 +128,7 @@ def synthetic(
     frame0_us: int = 0,
     totals: list[int] | None = None,
     **more: bytes,
-) -> list[RawPacket]:
+) -> list[TelemetryPacket]:
     """Packets of a camera that turns about its upright axis, faster each second."""
     packets, first = [], 0
     for number, count in enumerate(counts):
@@ -147,7 +147,7 @@ def synthetic(
                 sensor("SHUT", shutter, stamp_us=frame0_us + 1_001_000 * number)
             )
         payload = device("HERO9 Black", *streams, *more.values())
-        packets.append(RawPacket(1.001 * number, 1.001, payload))
+        packets.append(TelemetryPacket(1.001 * number, 1.001, payload))
         first += count
     return packets
 
@@ -249,7 +249,7 @@ def test_raw_dumps_of_any_length_believe_their_stamps() -> None:
 def test_drone_that_carries_the_camera_is_ignored() -> None:
     drone = device("Karma", sensor("ACCL", np.full((200, 3), 3.0)), number=99)
     packets = [
-        RawPacket(p.start_s, p.duration_s, p.payload + drone)
+        TelemetryPacket(p.start_s, p.duration_s, p.payload + drone)
         for p in synthetic([200] * 3)
     ]
     imu = read_gopro(packets).imu
@@ -263,7 +263,8 @@ def test_scale_per_axis_is_divided() -> None:
     )  # fmt: skip
     gyro = sensor("GYRO", np.zeros((200, 3)))
     packets = [
-        RawPacket(float(k), 1.0, device("HERO9 Black", stream, gyro)) for k in range(2)
+        TelemetryPacket(float(k), 1.0, device("HERO9 Black", stream, gyro))
+        for k in range(2)
     ]
     imu = read_gopro(packets).imu
     np.testing.assert_allclose(imu.specific_force_mps2[0], [-0.5, -2.0, 9.81])
@@ -308,7 +309,8 @@ def test_unusable_telemetry_is_refused_in_one_sentence(
     streams: list[bytes], sentence: str
 ) -> None:
     packets = [
-        RawPacket(float(k), 1.0, device("HERO9 Black", *streams)) for k in range(3)
+        TelemetryPacket(float(k), 1.0, device("HERO9 Black", *streams))
+        for k in range(3)
     ]
     with pytest.raises(TelemetryError, match=sentence) as caught:
         read_gopro(packets, "ride.mp4")

@@ -211,9 +211,11 @@ def test_matrix_says_the_same_as_the_letters(
 
 
 def test_unknown_camera_without_axes_is_noted() -> None:
-    from hapticplayer.capture.gopro_streams import RawPacket
+    from hapticplayer.media import TelemetryPacket
     from tests.unit.capture.conftest import device
 
     streams = [sensor(key, np.full((200, 3), 5.7), orin="") for key in ("ACCL", "GYRO")]
-    packets = [RawPacket(float(k), 1.0, device("Mystery", *streams)) for k in range(3)]
+    packets = [
+        TelemetryPacket(float(k), 1.0, device("Mystery", *streams)) for k in range(3)
+    ]
     assert any("axes of a HERO5" in note for note in read_gopro(packets).notes)

@@ -7,8 +7,8 @@ import pytest
 
 from hapticplayer.capture import read_recording
 from hapticplayer.capture.gopro import read_gopro
-from hapticplayer.capture.gopro_streams import RawPacket
 from hapticplayer.errors import TelemetryError
+from hapticplayer.media import TelemetryPacket
 from tests.faults.import_formats import gopro_payloads
 from tests.faults.import_signal import (
     Sampled,
@@ -20,8 +20,8 @@ from tests.faults.import_signal import (
 from tests.unit.capture.conftest import device, recorded, sensor
 
 
-def packets(clean: Sampled) -> list[RawPacket]:
-    return [RawPacket(t, 1.0, payload) for t, payload in gopro_payloads(clean)]
+def packets(clean: Sampled) -> list[TelemetryPacket]:
+    return [TelemetryPacket(t, 1.0, payload) for t, payload in gopro_payloads(clean)]
 
 
 def test_motion_in_closed_form_comes_back() -> None:
@@ -65,7 +65,7 @@ def test_missing_rates_are_marked_where_they_were_missing() -> None:
     assert np.abs(error[good]).max() < 0.02
 
 
-def with_compass(components: int, orin: str) -> list[RawPacket]:
+def with_compass(components: int, orin: str) -> list[TelemetryPacket]:
     """The closed form's field in MAGN, 25 a second, stored as Z, X, Y."""
     out = []
     for t, payload in gopro_payloads(sample(apart=True)):
@@ -80,7 +80,7 @@ def with_compass(components: int, orin: str) -> list[RawPacket]:
         # into the camera's own DEVC, whose length stands in its head
         body = payload[8:] + magn
         head = payload[:4] + b"\0\x01" + len(body).to_bytes(2, "big")
-        out.append(RawPacket(t, 1.0, head + body))
+        out.append(TelemetryPacket(t, 1.0, head + body))
     return out
 
 
@@ -130,7 +130,9 @@ def test_orientations_without_accelerations_are_refused() -> None:
     """What a DJI-like GPMF would be: quaternions only."""
     payload = device("Osmo", sensor("CORI", np.tile([1.0, 0, 0, 0], (30, 1))))
     with pytest.raises(TelemetryError, match="no accelerometer samples"):
-        read_gopro([RawPacket(0.0, 1.0, payload), RawPacket(1.0, 1.0, payload)])
+        read_gopro(
+            [TelemetryPacket(0.0, 1.0, payload), TelemetryPacket(1.0, 1.0, payload)]
+        )
 
 
 def test_a_rate_in_degrees_is_not_believed() -> None:
