@@ -1,8 +1,7 @@
-"""Recordings in: camera telemetry and motion logs, and how their clocks lie to a clip.
+"""Reads real recordings (camera telemetry, motion logs) and synchronises them.
 
-Times are media time (0 is the first frame) where the clocks are one; frame A is x right,
-y front, z up. What reads a recording is loaded when it is used: the list of formats
-needs nothing.
+Times are media time (0 is the first frame) if the clocks are the same; frame A is x
+right, y front, z up. Readers are imported when they are used.
 """
 
 import importlib

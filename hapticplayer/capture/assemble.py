@@ -1,7 +1,7 @@
 """From a raw log to a recording: units, axes, common times, checks, repairs.
 
-Nothing is guessed: what a format declares is held against gravity and against what
-hands can do, and where that fails a person is asked.
+Nothing is guessed: what a format declares is checked against gravity and plausible
+rates, and a person is asked if it fails.
 """
 
 import dataclasses
@@ -13,8 +13,8 @@ from numpy.typing import NDArray
 
 from hapticplayer.capture import log_checks
 from hapticplayer.capture.choices import (
+    ACCEL_UNITS,
     FIELD_UNITS,
-    FORCE_UNITS,
     RATE_UNITS,
     LogChoices,
     LogQuestion,
@@ -45,7 +45,7 @@ def log_reader(
     """Return the reader of a format whose logs are assembled here."""
 
     def read(source: Source, choices: LogChoices) -> Recording:
-        # held by nobody else, so that `assemble` can give up what it has used
+        # no other reference, so that `assemble` can free what it has used
         return assemble(read_raw(source, choices), choices, str(source.path))
 
     return Reader(recognises, read)
@@ -56,13 +56,13 @@ def assemble(raw: RawLog, choices: LogChoices, where: str) -> Recording:
 
     Raises:
         InputError: when it cannot be used.
-        UsageError: when units or axes are doubtful; says how to decide.
+        UsageError: when units or axes are ambiguous.
     """
     raw = _decided(raw, choices)
     samples = _common(raw, where)
-    # ten hours fill half a gigabyte: nothing is kept longer than it is needed
+    # ten hours take half a gigabyte: free early
     raw = _without_samples(raw)
-    said = samples.notes
+    stream_notes = samples.notes
     part = _beginning(samples)
     in_si = _in_si(samples, raw)
     del samples
@@ -77,8 +77,8 @@ def assemble(raw: RawLog, choices: LogChoices, where: str) -> Recording:
         )
         raise LogQuestion(what, (other,), where) from error
     del in_si
-    # streams with times of their own have said themselves where they have gaps
-    texts = [one.text for one in repairs if not (said and one.kind == "lost")]
+    # streams with their own times have their own notes on gaps
+    texts = [one.text for one in repairs if not (stream_notes and one.kind == "lost")]
     figures = log_checks.figures(imu, raw)
     if raw.is_gravity_free:
         notes: tuple[str, ...] = (
@@ -95,10 +95,16 @@ def assemble(raw: RawLog, choices: LogChoices, where: str) -> Recording:
             offset_s=-(raw.frame0_s or 0.0), confidence=1.0 if known else 0.0
         ),
         camera=raw.name,
-        notes=(log_checks.how_read(raw, figures), *notes, *raw.notes, *said, *texts),
+        notes=(
+            log_checks.how_read(raw, figures),
+            *notes,
+            *raw.notes,
+            *stream_notes,
+            *texts,
+        ),
         provenance={
             "reader": raw.name,
-            "force_unit": raw.force_unit,
+            "force_unit": raw.accel_unit,
             "rate_unit": raw.rate_unit,
             "axes": raw.axes,
             **figures,
@@ -108,14 +114,14 @@ def assemble(raw: RawLog, choices: LogChoices, where: str) -> Recording:
 
 
 def _decided(raw: RawLog, choices: LogChoices) -> RawLog:
-    """Return the log with what a person decided in place of what it declares."""
-    force = raw.force
-    if choices.force_sign == "-":
-        force = Stream(force.time_s, -force.values)
+    """Return the log with the answers of a person in place of what it declares."""
+    accel = raw.accel
+    if choices.accel_sign == "-":
+        accel = Stream(accel.time_s, -accel.values)
     return dataclasses.replace(
         raw,
-        force=force,
-        force_unit=choices.force_unit or raw.force_unit,
+        accel=accel,
+        accel_unit=choices.accel_unit or raw.accel_unit,
         rate_unit=choices.rate_unit or raw.rate_unit,
         field_unit=choices.field_unit or raw.field_unit,
         axes=choices.axes or raw.axes,
@@ -124,22 +130,22 @@ def _decided(raw: RawLog, choices: LogChoices) -> RawLog:
 
 def _common(raw: RawLog, where: str) -> Samples:
     if raw.rate is not None and not raw.is_gravity_free:
-        return on_common_times(raw.force, raw.rate, raw.field, where)
+        return on_common_times(raw.accel, raw.rate, raw.field, where)
     if not raw.is_gravity_free:
         raise InputError(
-            "holds no angular rate, without which gravity cannot be told from motion",
+            "holds no angular rate; gravity cannot be removed without it",
             where=where,
             remedy="record the gyroscope too",
         )
-    # where gravity is gone nothing needs to be turned
-    still = np.zeros_like(raw.force.values)
-    return Samples(raw.force.time_s, raw.force.values, still, None, ())
+    # gravity-free motion needs no rotation
+    stationary = np.zeros_like(raw.accel.values)
+    return Samples(raw.accel.time_s, raw.accel.values, stationary, None, ())
 
 
 def _beginning(samples: Samples) -> Samples:
-    """Return a copy of the first rows, which does not keep the others alive."""
-    time_s, force, rate = (part[:_TRIED_ROWS].copy() for part in samples[:3])
-    return Samples(time_s, force, rate, None, ())
+    """Return a copy of the first rows, so that the others can be freed."""
+    time_s, accel, rate = (part[:_TRIED_ROWS].copy() for part in samples[:3])
+    return Samples(time_s, accel, rate, None, ())
 
 
 def _without_samples(raw: RawLog) -> RawLog:
@@ -147,30 +153,30 @@ def _without_samples(raw: RawLog) -> RawLog:
     empty = Stream(np.zeros(0), np.zeros((0, 3)))
     return dataclasses.replace(
         raw,
-        force=empty,
+        accel=empty,
         rate=None if raw.rate is None else empty,
         field=None if raw.field is None else empty,
     )
 
 
 def _in_si(samples: Samples, raw: RawLog) -> Samples:
-    """Return the samples in SI and frame A; float32, as no sensor has 24 bits."""
-    turned = axes_matrix(raw.axes).T
-    force_factor = factor(raw.force_unit, FORCE_UNITS, "force-unit")
+    """Return the samples in SI and frame A; float32, because no sensor has 24 bits."""
+    rotated = axes_matrix(raw.axes).T
+    accel_factor = factor(raw.accel_unit, ACCEL_UNITS, "accel-unit")
     rate_factor = factor(raw.rate_unit, RATE_UNITS, "rate-unit")
     field_factor = factor(raw.field_unit, FIELD_UNITS, "field-unit")
-    # what overflows here is damage, and is found to be so
+    # overflow is damage, detected later
     with np.errstate(all="ignore"):
-        force = _finite(samples.force) @ (turned * force_factor)
-        if raw.is_gravity_free:  # for the checks, which look for gravity
-            force += _ONE_G
-        rate = _finite(samples.rate) @ (turned * rate_factor)
+        accel = _finite(samples.accel) @ (rotated * accel_factor)
+        if raw.is_gravity_free:  # for the checks, which expect gravity
+            accel += _ONE_G
+        rate = _finite(samples.rate) @ (rotated * rate_factor)
         field = samples.field
         if field is not None:
-            field = (_finite(field) @ (turned * field_factor)).astype(np.float32)
+            field = (_finite(field) @ (rotated * field_factor)).astype(np.float32)
         return Samples(
             samples.time_s,
-            force.astype(np.float32),
+            accel.astype(np.float32),
             rate.astype(np.float32),
             field,
             samples.notes,
@@ -185,8 +191,8 @@ def _finite(values: Floats) -> Floats:
 def _cleaned(
     samples: Samples, raw: RawLog, where: str
 ) -> tuple[ImuLog, tuple["Repair", ...]]:
-    time_s, force, rate, field, _ = samples
-    imu, repairs = clean(time_s, force, rate, field, source=where)
+    time_s, accel, rate, field, _ = samples
+    imu, repairs = clean(time_s, accel, rate, field, source=where)
     if not raw.is_gravity_free:
         return imu, repairs
     free = np.asarray(imu.specific_force_mps2 - _ONE_G)
@@ -196,20 +202,19 @@ def _cleaned(
 
 def clean(
     time_s: Floats,
-    force: Reals,
+    accel: Reals,
     rate: Reals,
     field: Reals | None = None,
     *,
     source: str = "",
 ) -> tuple[ImuLog, tuple["Repair", ...]]:
-    """Return the log with every flaw repaired or marked, and what was done.
+    """Return the log with outliers, gaps and dropouts repaired or marked, and notes.
 
-    A log without any noise (made by a program, or by a stuck sensor) is taken as it
-    is, and doubted.
+    A log without any noise (from a program or a stuck sensor) is kept, with a note.
 
     Args:
         time_s: (N,).
-        force: (N, 3) m/s2, frame A; NaN where missing.
+        accel: (N, 3) specific force in m/s2, frame A; NaN where missing.
         rate: (N, 3) rad/s, frame A; NaN where missing.
         field: (N, 3) uT, frame A, or None.
         source: for messages and provenance.
@@ -220,14 +225,14 @@ def clean(
     from hapticplayer.motion import repair_samples  # brings scipy along
     from hapticplayer.motion.repair.timestamps import Kind, Repair
 
-    if not _is_constant(time_s, force, rate):
-        done = repair_samples(time_s, force, rate, field, source=source)
+    if not _is_constant(time_s, accel, rate):
+        done = repair_samples(time_s, accel, rate, field, source=source)
         return done.imu, done.repairs
     has_field = field is not None and np.isfinite(field).all()
     text = Message("all samples are the same: was the sensor stuck?")
     imu = ImuLog(
         time_s,
-        np.asarray(force, np.float64),
+        np.asarray(accel, np.float64),
         np.asarray(rate, np.float64),
         np.asarray(field, np.float64) if has_field else None,
         source=source,
@@ -235,19 +240,19 @@ def clean(
     return imu, (Repair(Kind.STUCK, len(time_s), 0, text),)
 
 
-def _is_constant(time_s: Floats, force: Reals, rate: Reals) -> bool:
+def _is_constant(time_s: Floats, accel: Reals, rate: Reals) -> bool:
     """Whether times are in order and every sample is like the first, about 1 g."""
     from hapticplayer.motion.repair.units import PLAUSIBLE_NORM_MPS2
 
     low, high = PLAUSIBLE_NORM_MPS2
     return bool(
         len(time_s) > 1
-        and (force[:2] == force[0]).all()  # nearly always settles it
-        and low <= np.linalg.norm(force[0]) <= high
+        and (accel[:2] == accel[0]).all()  # fails early for nearly all logs
+        and low <= np.linalg.norm(accel[0]) <= high
         and np.isfinite(time_s).all()
         and (np.diff(time_s) > 0.0).all()
         and np.isfinite(rate[0]).all()
-        and (force == force[0]).all()
+        and (accel == accel[0]).all()
         and (rate == rate[0]).all()
     )
 
@@ -255,21 +260,21 @@ def _is_constant(time_s: Floats, force: Reals, rate: Reals) -> bool:
 def _other_units(
     part: Samples, raw: RawLog, choices: LogChoices, where: str
 ) -> str | None:
-    """Return which other units a part of the log would fit, as a choice, or None."""
-    force_units = [raw.force_unit] if choices.force_unit else ["m/s2", "g", "mg"]
+    """Return other units that a part of the log would fit, as a choice, or None."""
+    accel_units = [raw.accel_unit] if choices.accel_unit else ["m/s2", "g", "mg"]
     rate_units = [raw.rate_unit] if choices.rate_unit else ["rad/s", "deg/s"]
-    for force_unit in force_units:
+    for accel_unit in accel_units:
         for rate_unit in rate_units:
-            if (force_unit, rate_unit) == (raw.force_unit, raw.rate_unit):
+            if (accel_unit, rate_unit) == (raw.accel_unit, raw.rate_unit):
                 continue
-            other = dataclasses.replace(raw, force_unit=force_unit, rate_unit=rate_unit)
+            other = dataclasses.replace(raw, accel_unit=accel_unit, rate_unit=rate_unit)
             try:
                 _cleaned(_in_si(part, other), other, where)
             except InputError:
                 continue
             words = []
-            if force_unit != raw.force_unit:
-                words.append(f"force-unit={force_unit}")
+            if accel_unit != raw.accel_unit:
+                words.append(f"accel-unit={accel_unit}")
             if rate_unit != raw.rate_unit:
                 words.append(f"rate-unit={rate_unit}")
             return joined(Message(" and "), words)

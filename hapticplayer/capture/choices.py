@@ -1,7 +1,7 @@
-"""What a person may decide about a log that does not explain itself.
+"""Answers about a log that does not describe itself.
 
-The same keys serve the command line (`--read-as KEY=VALUE`) and a template: a JSON
-file that is written once for a logger and used for all its logs.
+The same keys serve the command line (`--read-as KEY=VALUE`) and templates: JSON files
+written once for a logger and used for all its logs.
 """
 
 import dataclasses
@@ -20,7 +20,7 @@ from hapticplayer.model import STANDARD_GRAVITY_MPS2, Sampling
 
 OPTION = "--read-as"
 
-FORCE_UNITS: Mapping[str, float] = {
+ACCEL_UNITS: Mapping[str, float] = {
     "m/s2": 1.0,
     "g": STANDARD_GRAVITY_MPS2,
     "mg": STANDARD_GRAVITY_MPS2 / 1000.0,
@@ -43,31 +43,31 @@ TIME_UNITS: Mapping[str, float] = {"s": 1.0, "ms": 1e-3, "us": 1e-6, "ns": 1e-9}
 
 @dataclass(frozen=True, slots=True)
 class LogChoices:
-    """Decisions about a log; "" leaves one to the format.
+    """Answers about a log; "" leaves one to the format.
 
     Attributes:
-        format: key of a format, instead of recognising it.
-        columns: of a table: a name for each cell of a row, "-" for what is not
-            wanted: time, ax ay az, gx gy gz, mx my mz.
+        format: name of a format, instead of recognising it.
+        columns: of a table: a name for each cell of a row: time, ax ay az, gx gy gz,
+            mx my mz, "-" to ignore it.
         time_unit: s, ms, us or ns.
-        force_unit: m/s2, g, mg or the factor to m/s2.
+        accel_unit: m/s2, g, mg or the factor to m/s2.
         rate_unit: rad/s, deg/s or the factor to rad/s.
         field_unit: uT, gauss ... or the factor to uT.
         axes: right, front and up in the log's axes, such as "x,-z,y".
-        force_sign: "-" where the accelerometer shows -1 g upwards at rest.
-        rate_hz: samples a second, for a log without times.
-        sampling: "averaged" where each sample is a mean over the window around its
-            time, "instant" where it is not.
+        accel_sign: "-" if the accelerometer reads -1 g upwards at rest.
+        rate_hz: samples per second, for a log without timestamps.
+        sampling: "averaged" if each sample is a mean over a window around its time,
+            "instant" if not.
     """
 
     format: str = ""
     columns: str = ""
     time_unit: str = ""
-    force_unit: str = ""
+    accel_unit: str = ""
     rate_unit: str = ""
     field_unit: str = ""
     axes: str = ""
-    force_sign: str = ""
+    accel_sign: str = ""
     rate_hz: str = ""
     sampling: str = ""
 
@@ -76,7 +76,7 @@ class LogChoices:
         """The rate as a number.
 
         Raises:
-            UsageError: when it is none.
+            UsageError: when it is not a rate.
         """
         if not self.rate_hz:
             return None
@@ -86,17 +86,20 @@ class LogChoices:
             value = math.nan
         if not (math.isfinite(value) and value > 0.0):
             raise UsageError(
-                "rate-hz={rate_hz} is no rate; give 100, for example",
+                "rate-hz={rate_hz} is not a rate; give 100, for example",
                 rate_hz=self.rate_hz,
             )
         return value
 
 
+_OLD_KEYS = {"force-unit": "accel-unit", "force-sign": "accel-sign"}
+"""Of earlier versions, in scripts and templates."""
+
 KEYS = tuple(field.name.replace("_", "-") for field in dataclasses.fields(LogChoices))
 
 
 def factor(unit: str, table: Mapping[str, float], key: str) -> float:
-    """Return what a number in a unit is multiplied by.
+    """Return the factor of a unit.
 
     Args:
         unit: a name in the table, or the factor itself as a number.
@@ -114,7 +117,7 @@ def factor(unit: str, table: Mapping[str, float], key: str) -> float:
         value = math.nan
     if not math.isfinite(value) or value <= 0.0:
         raise UsageError(
-            "{key}={unit} is no unit; choose {known}, or give the factor to SI as "
+            "{key}={unit} is not a unit; choose {known}, or give the factor to SI as "
             "a number above zero",
             key=key,
             unit=unit,
@@ -123,8 +126,12 @@ def factor(unit: str, table: Mapping[str, float], key: str) -> float:
     return value
 
 
+def _current(key: str) -> str:
+    return _OLD_KEYS.get(key, key)
+
+
 def parse_choices(words: Sequence[str]) -> LogChoices:
-    """Return what `KEY=VALUE` words say; `template=FILE` brings the keys of a file.
+    """Return the answers in `KEY=VALUE` words; `template=FILE` adds those of a file.
 
     Raises:
         UsageError: for a key that does not exist.
@@ -133,7 +140,7 @@ def parse_choices(words: Sequence[str]) -> LogChoices:
     values: dict[str, str] = {}
     for word in words:
         key, equals, value = word.partition("=")
-        key = key.strip().lower()
+        key = _current(key.strip().lower())
         if key == "template" and value:
             values = {**read_template(Path(value)), **values}
         elif not equals or key not in KEYS:
@@ -145,10 +152,10 @@ def parse_choices(words: Sequence[str]) -> LogChoices:
             )
         else:
             values[key.replace("-", "_")] = value.strip()
-    if values.get("force_sign", "") not in {"", "+", "-"}:
-        raise UsageError("force-sign is + or -")
+    if values.get("accel_sign", "") not in {"", "+", "-"}:
+        raise UsageError("accel-sign must be + or -")
     if values.get("sampling", "") not in {"", *(kind.value for kind in Sampling)}:
-        raise UsageError("sampling is averaged or instant")
+        raise UsageError("sampling must be averaged or instant")
     return LogChoices(**values)
 
 
@@ -156,44 +163,45 @@ def read_template(path: Path) -> dict[str, str]:
     """Return the choices of a template by attribute.
 
     Raises:
-        InputError: when it is no template.
+        InputError: when it is not a template.
     """
     file = resolve_regular(path, InputError)
     try:
         if file.stat().st_size > MAX_TEMPLATE_BYTES:
             raise ValueError(Message("it is too large"))  # noqa: TRY301
-        held: Any = json.loads(file.read_text(encoding="utf-8"))
-        is_fitting = isinstance(held, dict) and all(
-            key in KEYS and isinstance(value, str) for key, value in held.items()
+        content: Any = json.loads(file.read_text(encoding="utf-8"))
+        is_fitting = isinstance(content, dict) and all(
+            _current(key) in KEYS and isinstance(value, str)
+            for key, value in content.items()
         )
         if not is_fitting:
             raise ValueError(  # noqa: TRY301
-                Message("it may hold texts for {known}", known=", ".join(KEYS))
+                Message("it must hold texts for {known}", known=", ".join(KEYS))
             )
     except (ValueError, OSError, RecursionError) as error:
         raise InputError(
-            "is no template of a log ({reason})",
+            "is not a template for logs ({reason})",
             where=str(file),
             remedy="write one with --save-template",
             reason=error,
         ) from error
-    return {key.replace("-", "_"): value for key, value in held.items()}
+    return {_current(key).replace("-", "_"): value for key, value in content.items()}
 
 
 def write_template(path: Path, choices: LogChoices) -> None:
-    """Write the choices that were made as a template.
+    """Write answers as a template.
 
     Raises:
         InputError: when the file cannot be written.
     """
-    held = {
+    content = {
         key.replace("_", "-"): value
         for key, value in dataclasses.asdict(choices).items()
         if value
     }
     part = path.with_name(f".{path.name}.{secrets.token_hex(4)}.part")
     try:
-        part.write_text(json.dumps(held, indent=2) + "\n", encoding="utf-8")
+        part.write_text(json.dumps(content, indent=2) + "\n", encoding="utf-8")
         part.replace(path)
     except OSError as error:
         part.unlink(missing_ok=True)
@@ -209,8 +217,8 @@ class LogQuestion(UsageError):  # noqa: N818 - it asks
     """A decision about a log is needed (exit status 2).
 
     Attributes:
-        what: is doubtful.
-        answers: each as it is typed (KEY=VALUE), with a word on what it means.
+        what: is ambiguous.
+        answers: each as typed (KEY=VALUE), with its meaning.
         where: the file.
     """
 

@@ -1,9 +1,8 @@
 """Reads tables of numbers: every text log and every force track goes through here.
 
-Whole chunks go through numpy's tokenizer (0.06 us a number); only a chunk that does
-not fit is read line by line. An empty cell is NaN. A line that is no row of numbers
-is left out and counted; a table whose columns are named is strict, and refused at
-the first such line.
+Whole chunks go through numpy's tokenizer (0.06 us per number); only a chunk that does
+not fit is read line by line. An empty cell is NaN. A damaged line is skipped and
+counted; a strict table, whose columns are named, is rejected at the first one.
 """
 
 import io
@@ -33,13 +32,13 @@ class Shape:
         width: cells of a row.
         separator: between the cells; blanks around them do not count.
         decimal: "." or ",".
-        columns: which cells are wanted, in order.
-        integer: which cell holds integers too long for float64 (time in ns); its
-            first value is subtracted exactly.
+        columns: wanted cells, in order.
+        integer: cell with integers too long for float64 (time in ns); its first value
+            is subtracted exactly.
         skip_lines: of the header.
-        marks: what stands in a line beside numbers, and what takes its place.
-        names: of all cells, of a strict table.
-        least_rows: fewer make no sense.
+        marks: text in the lines besides numbers, and its replacement.
+        names: of all cells, for a strict table.
+        min_rows: required number.
     """
 
     width: int
@@ -50,7 +49,7 @@ class Shape:
     skip_lines: int = 0
     marks: tuple[tuple[bytes, bytes], ...] = ()
     names: tuple[str, ...] = ()
-    least_rows: int = 2
+    min_rows: int = 2
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -59,9 +58,9 @@ class Numbers:
 
     Attributes:
         values: (rows, columns), NaN in empty cells.
-        origin: what was subtracted from the integer column.
-        lines: of the rows, counted from 1, a part for each chunk.
-        damaged: the lines that were left out.
+        origin: subtracted from the integer column.
+        lines: line numbers of the rows, from 1, a part for each chunk.
+        damaged: skipped lines.
     """
 
     values: Floats
@@ -71,27 +70,23 @@ class Numbers:
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """What was left out, in words."""
+        """The skipped lines, in words."""
         if not self.damaged:
             return ()
         first = self.damaged[0]
         if len(self.damaged) == 1:
-            return (
-                Message(
-                    "1 line is damaged and left out (first: line {line})", line=first
-                ),
-            )
+            return (Message("1 damaged line was skipped (line {line})", line=first),)
         count = len(self.damaged)
         return (
             Message(
-                "{count} lines are damaged and left out (first: line {line})",
+                "{count} damaged lines were skipped (the first: line {line})",
                 count=count,
                 line=first,
             ),
         )
 
     def line(self, row: int) -> int:
-        """Return the line in which a row stands."""
+        """Return the line number of a row."""
         for part in self.lines:
             if row < len(part):
                 return part[row]
@@ -116,7 +111,7 @@ def read_numbers(stream: BinaryIO, shape: Shape, where: str) -> Numbers:
     parts = [parser.parse(chunk) for chunk in parser.chunks(stream)]
     values = _joined(parts, len(shape.columns))
     damaged = parser.damaged
-    if len(values) < shape.least_rows or len(damaged) > MAX_DAMAGED_SHARE * len(values):
+    if len(values) < shape.min_rows or len(damaged) > MAX_DAMAGED_SHARE * len(values):
         more = (
             Message(" and {count} damaged lines", count=len(damaged)) if damaged else ""
         )
@@ -132,7 +127,7 @@ def read_numbers(stream: BinaryIO, shape: Shape, where: str) -> Numbers:
 
 
 def _joined(parts: list[Floats], columns: int) -> Floats:
-    """Return all parts in one array; each is given up as soon as it is copied."""
+    """Return all parts in one array; each is freed once copied."""
     values = np.empty((sum(map(len, parts)), columns))
     end = len(values)
     while parts:
@@ -143,7 +138,7 @@ def _joined(parts: list[Floats], columns: int) -> Floats:
 
 
 class _Parser:
-    """Turns the chunks of one table into rows, and keeps count of its lines."""
+    """Parses the chunks of one table and counts its lines."""
 
     def __init__(self, shape: Shape, where: str) -> None:
         self._shape, self._where = shape, where
@@ -156,7 +151,7 @@ class _Parser:
         """Yield whole lines, about CHUNK_BYTES at a time, without the header."""
         rest, to_skip = b"", self._shape.skip_lines
         while content := stream.read(CHUNK_BYTES):
-            if b"\n" not in content:  # lines may end as they did on old Macs
+            if b"\n" not in content:  # lines may end with CR alone
                 content = content.replace(b"\r", b"\n")
             whole, newline, rest = (rest + content).rpartition(b"\n")
             if not newline and len(rest) > MAX_LINE_BYTES:
@@ -177,7 +172,7 @@ class _Parser:
         """Return the rows of whole lines."""
         shape = self._shape
         chunk = chunk.replace(b"\r", b"").removeprefix(b"\xef\xbb\xbf")
-        if b'"' in chunk:  # numbers between quotes; a comma in them shows in the width
+        if b'"' in chunk:  # a comma between quotes shows in the width
             chunk = chunk.replace(b'"', b"")
         for mark, number in shape.marks:
             chunk = chunk.replace(mark, number)
@@ -199,7 +194,7 @@ class _Parser:
         return values
 
     def _whole(self, chunk: bytes, count: int) -> Floats | None:
-        """Return all rows of a chunk without any fault, or None."""
+        """Return all rows of a chunk without a damaged line, else None."""
         shape, separator = self._shape, self._shape.separator.encode()
         separators = chunk.count(separator)
         if separators % max(1, shape.width - 1) or b"_" in chunk or not chunk.strip():
@@ -220,7 +215,7 @@ class _Parser:
             )
         except (ValueError, IndexError, OverflowError, UnicodeDecodeError):
             return None
-        # usecols does not mind cells that are missing or too many at the end
+        # usecols ignores missing and extra cells at the end
         if len(rows) * (shape.width - 1) != separators:
             return None
         first = self._line + 1
@@ -239,7 +234,7 @@ class _Parser:
             if column.dtype.kind == "i":
                 if self.origin is None:
                     self.origin = int(column[0])
-                # wraps round where a damaged number is huge, which is refused later
+                # wraps around for huge damaged numbers, rejected later
                 column = column - np.int64(self.origin)
             values[:, number] = column
         return values
@@ -288,7 +283,7 @@ class _Parser:
         return float(whole - self.origin)
 
     def _blame(self, content: bytes, line: int) -> None:
-        """Raise what is wrong with a line of a strict table."""
+        """Raise the error of a damaged line in a strict table."""
         try:
             text = content.decode().strip()
         except UnicodeDecodeError as error:
@@ -314,7 +309,7 @@ class _Parser:
 
 
 def at(file: str, line: int, column: str = "") -> Message:
-    """Return the place of a fault in a file."""
+    """Return the place of an error in a file."""
     place = Message("{file}, line {line}", file=file, line=line)
     return (
         Message("{line}, column {column}", line=place, column=column)
@@ -327,7 +322,7 @@ _TOO_LONG = Message("is longer than {most} characters", most=MAX_LINE_BYTES)
 
 
 def not_text(where: str) -> InputError:
-    """Return the refusal of a file that is no text."""
+    """Return the error for a file that is not text."""
     return InputError(
         "is not a text file in UTF-8",
         where=where,
@@ -341,14 +336,14 @@ def column_names(line: str, separator: str = ",") -> tuple[str, ...]:
 
 
 def find_separator(line: str) -> str:
-    """Return the separator that a line has most of."""
+    """Return the most frequent separator of a line."""
     return max((",", ";", "\t"), key=line.count)
 
 
 def first_numbers(source: Source, name: str) -> list[list[float]]:
-    """Return the rows of numbers at the beginning of a member; [] where none are.
+    """Return the rows of numbers at the beginning of a member, or [].
 
-    Empty cells are NaN. The last line of the beginning is left out, for it may be cut.
+    Empty cells are NaN. The last line is omitted, because it may be cut.
     """
     lines = source.head(name).replace("\r", "\n").split("\n")
     rows = []

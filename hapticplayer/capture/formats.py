@@ -1,8 +1,7 @@
-"""The formats of recordings, one line for each.
+"""The registry of recording formats, one line for each.
 
-Command line, window, validation and documents read this list; a new format is a line
-here and a module with its reader. Needs nothing but the standard library: a reader is
-imported when there is a file to be read.
+Command line, window, validation and documents use it; a new format is a line here and a
+module with its reader, which is imported when a file is read.
 """
 
 import enum
@@ -19,23 +18,23 @@ if TYPE_CHECKING:
 
 
 class Confidence(enum.IntEnum):
-    """How sure a reader is that a source is its own."""
+    """How well a source fits a format."""
 
     NO = 0
     POSSIBLE = 1
-    """It can be read so, but something more special may fit."""
+    """It can be read, but a more specific format may fit."""
     LIKELY = 2
-    """Its layout fits; another format could look the same."""
+    """The layout fits; another format could have the same."""
     CERTAIN = 3
-    """It says so itself: by a header or a mark that nothing else has."""
+    """A header or mark that no other format has."""
 
 
 class Reader(NamedTuple):
-    """What reads a format.
+    """The functions of a format.
 
     Attributes:
-        recognises: from the beginnings of the files; reads no more of them.
-        read: the whole recording.
+        recognises: judges by the beginnings of the files only.
+        read: reads the whole recording.
     """
 
     recognises: "Callable[[Source], Confidence]"
@@ -46,7 +45,7 @@ class RecordingFormat(NamedTuple):
     """One format that can be read.
 
     Attributes:
-        name: how `--read-as format=` calls it.
+        name: for `--read-as format=`.
         text: for people.
         home: of its `Reader`, as module:name.
     """
@@ -76,6 +75,6 @@ FORMATS: tuple[RecordingFormat, ...] = (
     RecordingFormat("opencamera", Message("OpenCamera Sensors"), f"{_HERE}.logs.opencamera:READER"),
     RecordingFormat("csv", Message("CSV with chosen columns"), f"{_HERE}.logs.any_table:READER"),
 )  # fmt: skip
-"""As they are listed; which one a source is, its content tells."""
+"""In the order in which they are listed."""
 
 ANY_TABLE = FORMATS[-1]

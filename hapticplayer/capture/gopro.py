@@ -2,7 +2,7 @@
 
 Accelerometer and gyro have clocks of their own; the log has the accelerometer's
 times, and the gyro becomes the mean rate over each of its intervals. Time 0 is the
-first picture.
+first frame.
 """
 
 from collections.abc import Sequence
@@ -52,16 +52,16 @@ from hapticplayer.model import ClockMap, ImuLog
 from hapticplayer.model.arrays import Floats
 
 _FRAME_KEYS = ("SHUT", "CORI", "IORI", "ISOE", "WBAL")
-"""Streams with one sample per picture; their first stamp is the first picture."""
+"""Streams with one sample per frame; their first stamp is that of the first frame."""
 
-_LEAST_SAMPLES_PER_PAYLOAD = 10
+_MIN_SAMPLES_PER_PAYLOAD = 10
 
 _SHOWN_SAMPLES = 60_000
-"""Of which the norm at rest is shown: five minutes."""
+"""For the norm at rest: five minutes."""
 
 
 def recognises(source: Source) -> Confidence:
-    """A telemetry track of GoPro's in a video, or the mark of a raw dump."""
+    """A GoPro telemetry track in a video, or the magic of a raw dump."""
     if source.is_one_file and _is_raw(source):
         return Confidence.CERTAIN
     names = data_track_names(source.path) if source.is_binary else ()
@@ -77,7 +77,7 @@ def read(source: Source, _choices: LogChoices) -> Recording:
     """Return the motion in a video, or in a raw dump (`.gpmf`, `.bin`, `.raw`).
 
     Raises:
-        TelemetryError: when there is no usable motion, and why.
+        TelemetryError: when there is no usable motion.
     """
     path, where = source.path, str(source.path)
     if not _is_raw(source):
@@ -104,7 +104,7 @@ def read_gopro(
         is_raw: the packets' times are assumed, not measured.
 
     Raises:
-        TelemetryError: when there is no usable motion, and why.
+        TelemetryError: when there is no usable motion.
     """
     try:
         return _read(packets, source, is_raw=is_raw)
@@ -122,27 +122,27 @@ def _read(
     payloads, damaged = parse_packets(packets)
     camera = text_of(payloads[0].device.find("DVNM")) or "GoPro"
     clock = Clock(first_stamp_us(payloads, _FRAME_KEYS), not is_raw)
-    force = _sensor(payloads, _FORCE, camera, clock)
+    accel = _sensor(payloads, _ACCEL, camera, clock)
     rate = _sensor(payloads, _RATE, camera, clock)
-    times, force_first = force.times, force.first
+    times, accel_first = accel.times, accel.first
     rows, mean = mean_rate_with_holes(times.time_s, rate.times.time_s, rate.values)
     if len(rows) < 2:
         raise TelemetryError("its accelerometer and gyro do not overlap in time")
     covered = slice(rows[0], rows[-1] + 1)  # they follow one another
     time_s, gyro_rate_hz = times.time_s[covered], rate.times.rate_hz
     field, field_notes = _magnetic_field(payloads, time_s, clock)
-    # no sensor has the 24 bits of float32, and ten hours fill half a gigabyte
-    small_force: Reals = force.values[covered].astype(np.float32)
+    # float32: no sensor has 24 bits, and ten hours take half a gigabyte
+    small_accel: Reals = accel.values[covered].astype(np.float32)
     small_rate: Reals = mean.astype(np.float32)
-    del force, rate, mean, payloads
-    imu, repairs = clean(time_s, small_force, small_rate, field, source=source)
+    del accel, rate, mean, payloads
+    imu, repairs = clean(time_s, small_accel, small_rate, field, source=source)
     return Recording(
         imu=imu,
         clock_map=ClockMap(),
         camera=camera,
         notes=(
             *_how_read(imu),
-            *_notes(force_first, camera, times, damaged),
+            *_notes(accel_first, camera, times, damaged),
             *field_notes,
             *(repair.text for repair in repairs),
             *gap_notes(imu),
@@ -156,7 +156,7 @@ def _read(
 
 
 class _Kind(NamedTuple):
-    """A sensor, and what no such sensor measures."""
+    """A sensor and its limit."""
 
     key: str
     name: str
@@ -164,7 +164,7 @@ class _Kind(NamedTuple):
     unit: str
 
 
-_FORCE = _Kind("ACCL", "accelerometer", MAX_ACCELERATION_MPS2, "m/s2")
+_ACCEL = _Kind("ACCL", "accelerometer", MAX_ACCELERATION_MPS2, "m/s2")
 _RATE = _Kind("GYRO", Message("gyro"), MAX_ANGULAR_RATE_RADPS, "rad/s")
 
 
@@ -187,14 +187,14 @@ def _sensor(
             camera=camera,
             kind=kind.name,
         )
-    if kind is _FORCE:
+    if kind is _ACCEL:
         _refuse_time_lapse(stream)
     times = sample_times(stream, clock)
     return _Sensor(times, _in_frame_a(stream, camera, kind), stream.first)
 
 
 def _refuse_time_lapse(stream: SensorStream) -> None:
-    if np.median(stream.counts) < _LEAST_SAMPLES_PER_PAYLOAD:
+    if np.median(stream.counts) < _MIN_SAMPLES_PER_PAYLOAD:
         raise TelemetryError(
             "it holds {samples} motion samples in {payloads} payloads, as "
             "time-lapse recordings do",
@@ -208,7 +208,7 @@ def _in_frame_a(stream: SensorStream, camera: str, kind: _Kind) -> Floats:
     rotation = frame_a_from_stored(stream.first, camera)
     values, largest = stream.values, _largest(stream.values)
     if not np.isfinite(largest):
-        # single samples that are missing are filled in and marked later
+        # single missing samples are filled and marked later
         is_finite = np.isfinite(values)
         values = np.where(is_finite, values, np.nan)
         largest = float(np.nanmax(np.abs(values))) if is_finite.any() else np.inf
@@ -223,7 +223,7 @@ def _in_frame_a(stream: SensorStream, camera: str, kind: _Kind) -> Floats:
 
 
 def _largest(values: Floats) -> float:
-    """Return the largest size, not finite where one is not."""
+    """Return the largest magnitude, not finite if a value is not."""
     return max(float(values.max()), -float(values.min())) if values.size else np.inf
 
 
@@ -232,11 +232,10 @@ def _magnetic_field(
 ) -> tuple[Floats | None, tuple[str, ...]]:
     """Return the field of the GoPros that have a compass (Fusion, MAX), and notes.
 
-    MAGN has three components in uT, or four on the MAX: one of another kind before x,
-    y and z, and not to be trusted before its firmware 2. It is used only where the
-    stream says which axes it has, because nothing else does (Fusion's do not follow
-    from its gyro either: no signed permutation explains 15 s of turning better than
-    1.3 uT). A broken compass is no reason to refuse the motion: it is left out.
+    MAGN has three components in uT, or four on the MAX: another quantity before x, y
+    and z, unreliable before firmware 2. It is used only if the stream declares its axes
+    (Fusion's do not follow from its gyro: no signed permutation explains 15 s of rotation
+    better than 1.3 uT). A broken compass is left out; the motion is still usable.
 
     Source: gopro/gpmf-parser, README (Fusion, MAX); measured.
 
@@ -251,14 +250,12 @@ def _magnetic_field(
         components = stream.values.shape[1]
         if components not in {3, 4} or not has_own_axes(stream.first):
             return None, (
-                Message(
-                    "The compass is left out: the file does not say which axes it has."
-                ),
+                Message("The compass is ignored: the file does not declare its axes."),
             )
         at_s = sample_times(stream, clock).time_s
         rotation = frame_a_from_stored(stream.first, "")
     except TelemetryError as error:
-        return None, (Message("The compass is left out: {what}.", what=error.what),)
+        return None, (Message("The compass is ignored: {what}.", what=error.what),)
     xyz = stream.values[:, -3:]
     values = np.where(np.isfinite(xyz), xyz, np.nan) @ rotation.T
     field = np.stack([np.interp(time_s, at_s, axis) for axis in values.T], axis=1)
@@ -267,7 +264,7 @@ def _magnetic_field(
 
 
 def _how_read(imu: ImuLog) -> tuple[str, ...]:
-    """Return units and axes, and what speaks for them."""
+    """Return units, axes and the figures that support them."""
     few, rate = slice(_SHOWN_SAMPLES), imu.angular_rate_radps
     norm = norm_at_rest(
         ImuLog(imu.time_s[few], imu.specific_force_mps2[few], rate[few])
@@ -276,7 +273,7 @@ def _how_read(imu: ImuLog) -> tuple[str, ...]:
     text = Message(
         "read as telemetry of the camera: specific force in m/s2, angular "
         "rate in rad/s, x to its right, y to where it looks, z to its "
-        "top{rest}, turning at {largest_radps:.2f} rad/s at most",
+        "top{rest}, at most {largest_radps:.2f} rad/s",
         rest=rest,
         largest_radps=_largest(rate),
     )
@@ -286,7 +283,7 @@ def _how_read(imu: ImuLog) -> tuple[str, ...]:
     return (
         text,
         Message(
-            "gravity is 9.81 m/s2 and not {norm:.2f}: the accelerometer is doubtful",
+            "the accelerometer reads {norm:.2f} m/s2 at rest instead of 9.81",
             norm=norm,
         ),
     )
@@ -299,14 +296,13 @@ def _notes(
     if not times.is_stamped:
         notes.append(
             Message(
-                "This camera does not stamp its samples: they may lie 10 to 30 ms off "
-                "the picture."
+                "This camera does not timestamp its samples: they may be 10 to 30 ms off."
             )
         )
     if not is_order_known(stream, camera):
         notes.append(
             Message(
-                "The file does not say how the sensor sits in {camera!r}: the axes of "
+                "The file does not declare the sensor axes of {camera!r}: those of "
                 "a HERO5 are assumed.",
                 camera=camera,
             )

@@ -5,7 +5,7 @@ by the camera, although the stream names say "right/left, forward/back". Evidenc
 a camera-to-IMU calibration of a HERO9 against a chequerboard (urbste's OpenICC,
 published with cheng-chi/ORB_SLAM3) has the rows (-1,0,0), (0,0,-1), (0,-1,0) on
 OpenCV's axes; GoPro's issue #100 says that Y points backwards; and in karma.mp4 a
-positive rate about X moves the picture up (`tests/unit/capture/test_gopro_axes.py`).
+positive rate about X moves the image up (`tests/unit/capture/test_gopro_axes.py`).
 Frame A (x right, y front, z up) is therefore half a turn about Z away.
 
 Source: github.com/gopro/gpmf-parser, issues #56, #100, #132, #165 (ORIN, ORIO, MTRX).
@@ -30,10 +30,10 @@ def frame_a_from_stored(stream: Entry, camera: str) -> Floats:
 
     Args:
         stream: the STRM entry with ACCL or GYRO.
-        camera: device name, which decides where the stream does not say.
+        camera: device name, used if the stream does not declare its axes.
 
     Raises:
-        TelemetryError: when the axes in the file are no proper rotation.
+        TelemetryError: when the axes are not a proper rotation.
     """
     orin, matrix = stream.find("ORIN"), stream.find("MTRX")
     if orin is None and matrix is not None:
@@ -50,14 +50,14 @@ def frame_a_from_stored(stream: Entry, camera: str) -> Floats:
 
 
 def is_order_known(stream: Entry, camera: str) -> bool:
-    """Whether the file or the camera's name settles the order of the axes."""
+    """Whether the file or the camera's name determines the order of the axes."""
     name = camera.lower()
     known = (*(hint for hint, _ in _WITHOUT_ORIN), "hero5", "camera")
     return has_own_axes(stream) or any(hint in name for hint in known)
 
 
 def has_own_axes(stream: Entry) -> bool:
-    """Whether the stream itself says which axes its components are."""
+    """Whether the stream declares the axes of its components."""
     return stream.find("ORIN") is not None
 
 
@@ -73,7 +73,7 @@ def _camera_from(order: str) -> Floats:
     """
     if sorted(order.upper()) != list(_AXES):
         raise TelemetryError(
-            "{order!r} are no axes, so the telemetry is damaged", order=order
+            "{order!r} are not axes, so the telemetry is damaged", order=order
         )
     matrix = np.zeros((3, 3))
     for column, letter in enumerate(order):
@@ -84,5 +84,5 @@ def _camera_from(order: str) -> Floats:
 def _matrix(entry: Entry) -> Floats:
     values = numbers_of(entry).ravel()
     if values.size != 9 or not np.isfinite(values).all():
-        raise TelemetryError("its axes (MTRX) are no matrix, so it is damaged")
+        raise TelemetryError("its axes (MTRX) are not a matrix, so it is damaged")
     return values.reshape(3, 3)

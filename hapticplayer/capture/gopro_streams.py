@@ -1,7 +1,7 @@
 """From a GoPro's telemetry packets to one sensor's samples and time marks.
 
-A drone or a gimbal may write into the same track as a device of its own; only what
-belongs to the camera is kept.
+A drone or a gimbal may write into the same track as another device; only the camera's
+entries are kept.
 """
 
 import math
@@ -20,7 +20,7 @@ from hapticplayer.model.arrays import Floats
 RAW_MAGIC = b"DEVC"
 
 RAW_PAYLOAD_S = 1.001
-"""Length of a payload where a raw dump does not tell: 30 frames at 29.97 Hz."""
+"""Assumed length of a payload in a raw dump: 30 frames at 29.97 Hz."""
 
 OTHER_CAMERA = Message(
     "record with a camera that stores its motion, or give an IMU log"
@@ -28,7 +28,7 @@ OTHER_CAMERA = Message(
 
 
 def split_raw(content: bytes) -> list[TelemetryPacket]:
-    """Cut a dump into its DEVC entries, which follow one another."""
+    """Split a dump into its DEVC entries."""
     packets: list[TelemetryPacket] = []
     offset = 0
     while content[offset : offset + 4] == RAW_MAGIC and offset + 8 <= len(content):
@@ -46,7 +46,7 @@ class Payload:
     """A parsed GPMF payload.
 
     Attributes:
-        start_s: media time at which its span begins.
+        start_s: media time of its start.
         duration_s: length of the span; nominal in the last payload.
         device: the camera's DEVC entry.
         streams: by key, the first STRM entry that holds it.
@@ -59,7 +59,7 @@ class Payload:
 
 
 def parse_packets(packets: Sequence[TelemetryPacket]) -> tuple[list[Payload], int]:
-    """Return the payloads of the device with the accelerometer, and the damaged ones.
+    """Return the payloads of the device with the accelerometer, and how many are damaged.
 
     Raises:
         TelemetryError: when no device has an accelerometer.
@@ -91,7 +91,7 @@ def _devices(root: Entry, key: str) -> Iterator[Entry]:
 
 
 def _identity(device: Entry) -> bytes:
-    """Return what tells the camera from the drone that carries it."""
+    """Return the id of a device, to separate the camera from a drone."""
     entry = device.find("DVID")
     return b"" if entry is None else bytes(entry.payload)
 
@@ -107,18 +107,17 @@ def _streams_of(device: Entry) -> dict[str, Entry]:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class SensorStream:
-    """All samples of one sensor with the marks that time them.
+    """All samples of one sensor with their time marks.
 
-    One row per payload in which the sensor delivered.
+    One row per payload that holds samples of the sensor.
 
     Attributes:
         values: (N, elements) in SI, in stored order.
-        first_index: (P,) index of the payload's first sample since the start, with
-            lost samples counted.
+        first_index: (P,) index of the payload's first sample, lost samples counted.
         counts: (P,) samples.
-        start_s: (P,) media time at which the payload begins.
+        start_s: (P,) media time of the payload's start.
         duration_s: (P,) its length.
-        stamp_us: (P,) the camera's own time of the first sample, NaN where absent.
+        stamp_us: (P,) the camera's own time of the first sample, or NaN.
         first: the first STRM entry, for its axes.
     """
 
@@ -162,7 +161,7 @@ def collect(payloads: Sequence[Payload], key: str) -> SensorStream | None:
     counts = np.array([len(part) for part in parts], dtype=np.int64)
     if counts.sum() > MAX_SAMPLES:
         raise TelemetryError(
-            "{key} has {count} samples, more than is read", key=key, count=counts.sum()
+            "{key} has {count} samples, too many", key=key, count=counts.sum()
         )
     totals, stamps_us = (
         np.array([first_number_of(stream.find(mark)) for _, stream in rows])
@@ -206,11 +205,11 @@ def _scaled(stream: Entry, key: str) -> Floats:
 
 
 def _first_index(counts: NDArray[np.int64], totals: Floats) -> NDArray[np.int64]:
-    """Return where each payload begins, counting samples that were lost.
+    """Return the index of each payload's first sample, lost samples counted.
 
-    TSMP counts what was delivered since the recording began, this payload
-    included; in a later chapter it starts high. Where it contradicts the payloads
-    (runs backwards or leaps), only the payloads count.
+    TSMP counts the samples since the recording began, this payload included; in a later
+    chapter it starts high. If it contradicts the payloads (decreases or jumps), only the
+    payloads count.
     """
     plain = np.cumsum(counts) - counts
     if not np.isfinite(totals).all():

@@ -1,11 +1,11 @@
 """When each sample of a GoPro sensor was taken, in media time.
 
-Newer cameras stamp the first sample of each payload (STMP, us). One straight line
-through the stamps leaves 0.01 to 0.3 ms up to a minute; beyond that the sensor's
-clock warms up (3.8 ms in two minutes), so the line is broken at each payload.
-HERO5 to 7 have no stamps: there a line through the sample counts against the
-packets' times is the best there is (10 to 30 ms). Nominal rates are never used: a
-"200 Hz" sensor runs at 189 to 203 Hz.
+Newer cameras timestamp the first sample of each payload (STMP, us). A straight line
+through the stamps leaves a residual of 0.01 to 0.3 ms up to a minute; beyond that the
+sensor's clock drifts with temperature (3.8 ms in two minutes), so the line is piecewise.
+HERO5 to 7 have no stamps: a line through the sample counts against the packets' times is
+accurate to 10 to 30 ms. Nominal rates are not used: a "200 Hz" sensor runs at 189 to
+203 Hz.
 
 Source: measured; gpmf-parser issues #63, #80, #189, #212.
 """
@@ -20,25 +20,25 @@ from hapticplayer.errors import TelemetryError
 from hapticplayer.model.arrays import Floats
 
 ONE_LINE_S = 60.0
-"""Up to this length one line is straighter than the stamps are exact."""
+"""Up to this length one line is more accurate than the stamps."""
 
 _RATE_TOLERANCE = 0.25
-"""Stamps whose rate differs more from the packets' are not believed."""
+"""Stamps whose rate differs more from the packets' are ignored."""
 
 _GAP_PACE = 1.2
-"""Counts jitter by 5 %: a payload that lasts longer has lost samples."""
+"""Counts jitter by 5 %: a longer payload has lost samples."""
 
 _OFFSET_TOLERANCE_S = 2.0
-"""Stamps that lie farther from the packets' times are not believed."""
+"""Stamps that are farther from the packets' times are ignored."""
 
 
 class Clock(NamedTuple):
-    """What the times of all sensors of a camera are measured by.
+    """Reference of the times of all sensors of a camera.
 
     Attributes:
-        frame0_us: the camera's time of frame 0, None where it does not stamp samples.
+        frame0_us: the camera's time of frame 0; None without timestamps.
         has_packet_times: whether the payloads' times come from a video container,
-            so that the stamps can be held against them.
+            so that the stamps can be checked against them.
     """
 
     frame0_us: float | None
@@ -52,7 +52,7 @@ class SampleTimes:
     Attributes:
         time_s: (N,) strictly increasing.
         rate_hz: mean rate.
-        is_stamped: from the camera's stamps, not from the packets' times.
+        is_stamped: whether from the camera's stamps, not from the packets' times.
     """
 
     time_s: Floats
@@ -64,17 +64,17 @@ def sample_times(stream: SensorStream, clock: Clock) -> SampleTimes:
     """Return when the samples of a stream were taken.
 
     Raises:
-        TelemetryError: when the marks run backwards.
+        TelemetryError: when the times are not increasing.
     """
     stamp_us, frame0_us = stream.stamp_us, clock.frame0_us
     if frame0_us is not None and len(stamp_us) > 1 and np.isfinite(stamp_us).all():
         marks_s = (stamp_us - frame0_us) * 1e-6
-        if _are_believable(stream, marks_s, clock.has_packet_times):
+        if _are_plausible(stream, marks_s, clock.has_packet_times):
             return _from_stamps(stream, marks_s)
     return _from_packets(stream)
 
 
-def _are_believable(
+def _are_plausible(
     stream: SensorStream, marks_s: Floats, has_packet_times: bool
 ) -> bool:
     if np.diff(marks_s).min() <= 0.0:
@@ -93,7 +93,7 @@ def _from_stamps(stream: SensorStream, marks_s: Floats) -> SampleTimes:
     pace = np.diff(marks_s) / np.diff(first)
     is_gap = pace > _GAP_PACE * np.median(pace)
     if is_gap.any():
-        # samples that the camera did not count are missing there
+        # samples are missing there that the camera did not count
         steady = float(np.median(pace))
         time_s = np.repeat(marks_s, stream.counts) + steady * (
             index - np.repeat(first, stream.counts)
@@ -102,7 +102,7 @@ def _from_stamps(stream: SensorStream, marks_s: Floats) -> SampleTimes:
         time_s = slope * index + offset
     else:
         time_s = np.interp(index, first, marks_s)
-        # the last payload has no mark at its end: the pace of the whole goes on
+        # the last payload has no stamp at its end: extrapolate the mean rate
         is_last = index > first[-1]
         time_s[is_last] = marks_s[-1] + slope * (index[is_last] - first[-1])
     return _checked(time_s, slope, is_stamped=True)
@@ -111,9 +111,9 @@ def _from_stamps(stream: SensorStream, marks_s: Floats) -> SampleTimes:
 def _from_packets(stream: SensorStream) -> SampleTimes:
     """Fit counts to packet times.
 
-    A packet's start is the moment up to which all earlier samples had come. The
-    first says nothing about the pace (sensors start up to 0.2 s early), and the
-    end of the last is nominal (it would give 184 Hz instead of 199 for 12 s).
+    All earlier samples had arrived by a packet's start. The first packet is no measure
+    of the rate (sensors start up to 0.2 s early), and the end of the last is nominal (it
+    would give 184 Hz instead of 199 for 12 s).
     """
     first = stream.first_index.astype(np.float64)
     use = slice(1, None) if len(first) > 2 else slice(None)

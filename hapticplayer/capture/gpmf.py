@@ -2,8 +2,8 @@
 
 Each entry is a four-character key, a type letter, the size of one structure, a
 16-bit repeat count (big endian) and the values, padded to four bytes. The reader
-takes what is intact: a length that leaves its parent ends that parent, and unknown
-types are kept as bytes.
+keeps what is intact: a length beyond its parent ends that parent, and unknown types are
+kept as bytes.
 
 Source: github.com/gopro/gpmf-parser, README ("GPMF-core Structure").
 """
@@ -50,9 +50,9 @@ class Entry(NamedTuple):
         key: four characters.
         kind: type letter; NESTED when the value is a list of entries.
         struct_bytes: size of one structure.
-        payload: the value without padding, a part of the whole; empty where nested.
+        payload: the value without padding; empty if nested.
         children: entries of a nested value.
-        is_cut: the nested value, or one in it, ended in the middle of an entry.
+        is_cut: the nested value, or one in it, ended within an entry.
     """
 
     key: str
@@ -75,7 +75,7 @@ def parse(payload: bytes) -> Entry:
     """Return the entries of a payload as children of an unnamed entry.
 
     Raises:
-        TelemetryError: when entries are nested deeper than any camera's.
+        TelemetryError: when entries are nested too deeply.
     """
     children, is_cut = _parse_list(memoryview(payload), depth=0)
     return Entry("", NESTED, 1, b"", children, is_cut)
@@ -153,7 +153,7 @@ def first_number_of(entry: Entry | None) -> float:
 
 
 def _uniform(entry: Entry, rows: int) -> Floats:
-    """Return values of one type; bytes behind the last whole one are not used."""
+    """Return values of one type; trailing bytes are ignored."""
     dtype = np.dtype(_DTYPES[entry.kind])
     width, spare = divmod(entry.struct_bytes, dtype.itemsize)
     if not rows or not width:
@@ -196,7 +196,7 @@ def _structure(letters: str) -> tuple[np.dtype[np.void], list[float]]:
 
 
 def _with_size(dtype: np.dtype[np.void], size_bytes: int) -> np.dtype[np.void]:
-    """Return the structure with unused bytes behind it."""
+    """Return the structure with trailing padding."""
     spare = size_bytes - dtype.itemsize
     if not spare:
         return dtype

@@ -1,9 +1,8 @@
-"""What a recording may ask of this program, and what its numbers may be, in one place.
+"""Limits of sizes and of plausible numbers in recordings.
 
-Sizes lie far above what recorders write: a file beyond them is damaged or made to do
-harm, and is refused before memory is spent on it. Plausible numbers are those of a
-sensor that is held in a hand or fixed to a vehicle; what lies outside is in another
-unit, or damage.
+Sizes are far above what recorders write: a larger file is damaged or malicious, and is
+rejected before memory is used. Plausible numbers are those of a sensor in a hand or on a
+vehicle; others are in another unit or damaged.
 """
 
 # --- sizes ---------------------------------------------------------------------
@@ -30,13 +29,13 @@ MAX_LINE_BYTES = 4096
 """One line of a text log."""
 
 MAX_DAMAGED_SHARE = 0.05
-"""A log with more damaged lines than this part is not believed."""
+"""A log with a larger share of damaged lines is rejected."""
 
 MAX_MEMBERS = 2000
 """Files of one recording in a folder or a zip; apps write about twenty."""
 
 MAX_FOLDER_DEPTH = 4
-"""Levels of folders that are looked into: mav0/imu0/data.csv is three deep."""
+"""Levels of folders: mav0/imu0/data.csv is three deep."""
 
 MAX_TEMPLATE_BYTES = 65_536
 """Answers about a log, as JSON."""
@@ -45,7 +44,7 @@ MAX_VIDEO_BYTES = 16 << 30
 MAX_ANSWER_BYTES = 1 << 30
 MEMORY_BYTES = 2 << 30
 TIME_LIMIT_S = 60.0
-"""Of telemetry-parser: the video it is given, what it answers, and its process."""
+"""Of telemetry-parser: its input, its output, its process."""
 
 # --- specific force ------------------------------------------------------------
 
@@ -56,36 +55,36 @@ REST_MPS2 = (8.5, 11.0)
 """Norm at rest; cheap accelerometers are up to 10 % off."""
 
 COARSE_REST_MPS2 = (7.0, 13.0)
-"""Median norm that tells an accelerometer's file from a gyroscope's."""
+"""Median norm that separates an accelerometer's file from a gyroscope's."""
 
 REST_G = (0.6, 1.5)
 """Median norm of the first rows of a log in g."""
 
 UPRIGHT = 0.7
-"""Cosine of 45 degrees: an axis that is farther from up is not meant to be z."""
+"""Cosine of 45 degrees: an axis farther from up is not z."""
 
 MIN_MEAN_SHARE = 0.5
-"""Mean vector over mean norm; below it gravity turned too much to show an axis."""
+"""Mean vector over mean norm; below it the sensor rotated too much to show an axis."""
 
 # --- angular rate, time and the rest ---------------------------------------------
 
 MAX_ANGULAR_RATE_RADPS = 100.0
-"""5700 deg/s; sensors end at 2000 or 4000 deg/s."""
+"""5700 deg/s; sensors saturate at 2000 or 4000 deg/s."""
 
 MAX_SI_RATE_RADPS = 40.0
-"""Beyond 2300 deg/s: no hand turns so fast, so a log in SI is in another unit."""
+"""2300 deg/s: no hand rotates faster, so a larger number is in another unit."""
 
 MAX_USUAL_RATE_RADPS = 35.0
-"""Sensors end at 2000 deg/s; no hand turns faster for long."""
+"""Sensors saturate at 2000 deg/s; no hand rotates faster for long."""
 
 GAP_STEPS = 3.0
 """A step of more than this many samples is a gap."""
 
 MAX_REACH_S = 1.0
-"""A slow sensor (compass, gravity) counts for no longer than this."""
+"""Longest extrapolation of a slow sensor (compass, gravity)."""
 
 FIRST_FRAME_S = -60.0
-"""A video that begins earlier than this before its log is not of that log."""
+"""A video that begins earlier than this before its log does not belong to it."""
 
 MAX_FORCE_N = 1000.0
-"""No haptic device of this kind pushes harder; the Falcon ends at 9 N."""
+"""Beyond any haptic device of this kind; the Falcon has 9 N."""

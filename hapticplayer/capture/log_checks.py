@@ -1,6 +1,6 @@
-"""Holds what a log declares against gravity and against what hands can do.
+"""Checks what a log declares against gravity and plausible rates.
 
-Where a number does not fit, a person is asked; what was decided is not asked again.
+A person is asked if a figure does not fit; their answers are not questioned again.
 """
 
 from collections.abc import Mapping as Dict
@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 
 from hapticplayer.capture.choices import (
+    ACCEL_UNITS,
     FIELD_UNITS,
-    FORCE_UNITS,
     RATE_UNITS,
     LogChoices,
     LogQuestion,
@@ -24,9 +24,9 @@ from hapticplayer.model import STANDARD_GRAVITY_MPS2, ImuLog
 from hapticplayer.model.arrays import Floats
 
 _WINDOW_S = 0.5
-_STILL_MPS2 = 0.25
-_STILL_RADPS = 0.15
-_LEAST_STILL_WINDOWS = 4
+_STATIONARY_MPS2 = 0.25
+_STATIONARY_RADPS = 0.15
+_MIN_STATIONARY_WINDOWS = 4
 _FAST_SHARE = 0.001
 
 
@@ -40,32 +40,34 @@ def figures(imu: ImuLog, raw: RawLog) -> dict[str, Any]:
 
 
 def norm_at_rest(imu: ImuLog) -> float | None:
-    """Return the norm of the specific force while the sensor is still, or None."""
-    force, rate = imu.specific_force_mps2, imu.angular_rate_radps
+    """Return the norm of the specific force while stationary, or None."""
+    accel, rate = imu.specific_force_mps2, imu.angular_rate_radps
     count = max(2, round(_WINDOW_S * imu.rate_hz))
     windows = len(imu) // count
-    if windows < _LEAST_STILL_WINDOWS:
+    if windows < _MIN_STATIONARY_WINDOWS:
         return None
     shape = (windows, count, 3)
-    blocks = force[: windows * count].reshape(shape)
-    turning = np.abs(rate[: windows * count].reshape(shape)).mean(axis=(1, 2))
+    blocks = accel[: windows * count].reshape(shape)
+    rate_mean = np.abs(rate[: windows * count].reshape(shape)).mean(axis=(1, 2))
     spread = blocks.std(axis=1).max(axis=1)
-    scale = float(np.median(np.linalg.norm(force, axis=1))) / STANDARD_GRAVITY_MPS2
-    still = (spread < _STILL_MPS2 * min(1.0, scale)) & (turning < _STILL_RADPS)
-    if np.count_nonzero(still) < _LEAST_STILL_WINDOWS:
+    scale = float(np.median(np.linalg.norm(accel, axis=1))) / STANDARD_GRAVITY_MPS2
+    stationary = (spread < _STATIONARY_MPS2 * min(1.0, scale)) & (
+        rate_mean < _STATIONARY_RADPS
+    )
+    if np.count_nonzero(stationary) < _MIN_STATIONARY_WINDOWS:
         return None
-    return float(np.median(np.linalg.norm(blocks[still].mean(axis=1), axis=1)))
+    return float(np.median(np.linalg.norm(blocks[stationary].mean(axis=1), axis=1)))
 
 
 def check_norm(
     found: Dict[str, Any], raw: RawLog, choices: LogChoices, where: str
 ) -> None:
-    """Ask for the unit of the specific force where the norm at rest is not 1 g.
+    """Ask for the unit of the specific force if the norm at rest is not 1 g.
 
     Args:
         found: of `figures`.
         raw: the log; its units were applied.
-        choices: a unit that a person chose is not asked about again.
+        choices: a chosen unit is not questioned.
         where: the file.
 
     Raises:
@@ -73,29 +75,27 @@ def check_norm(
     """
     norm = found["norm_at_rest_mps2"]
     low, high = REST_MPS2
-    if norm is None or low <= norm <= high or choices.force_unit:
+    if norm is None or low <= norm <= high or choices.accel_unit:
         return
-    to_si = factor(raw.force_unit, FORCE_UNITS, "force-unit")
+    to_si = factor(raw.accel_unit, ACCEL_UNITS, "accel-unit")
     fitting = to_si * STANDARD_GRAVITY_MPS2 / norm
     raise LogQuestion(
         Message(
-            "the specific force is {norm:.3g} m/s2 at rest when it is read in "
-            "{force_unit}, but gravity is 9.81",
+            "the specific force is {norm:.3g} m/s2 at rest when read in "
+            "{accel_unit}, but gravity is 9.81",
             norm=norm,
-            force_unit=raw.force_unit,
+            accel_unit=raw.accel_unit,
         ),
         (
-            Message(
-                "force-unit={force_unit} to take it as it is", force_unit=raw.force_unit
-            ),
-            Message("force-unit={fitting:.6g} to scale it to gravity", fitting=fitting),
+            Message("accel-unit={accel_unit} to keep it", accel_unit=raw.accel_unit),
+            Message("accel-unit={fitting:.6g} to scale it to gravity", fitting=fitting),
         ),
         where,
     )
 
 
 def check_rate(imu: ImuLog, raw: RawLog, choices: LogChoices, where: str) -> None:
-    """Ask for the unit of the angular rate where it is beyond any sensor.
+    """Ask for the unit of the angular rate if it is beyond any sensor.
 
     Raises:
         UsageError: with the units that would fit.
@@ -123,12 +123,12 @@ def check_rate(imu: ImuLog, raw: RawLog, choices: LogChoices, where: str) -> Non
 
 
 def how_read(raw: RawLog, found: Dict[str, Any]) -> str:
-    """Return one sentence with units, axes and what speaks for them."""
+    """Return one sentence with format, units, axes and the figures that support them."""
     parts = [
         Message(
             "read as {name}: specific force in {unit}",
             name=raw.name,
-            unit=_unit(raw.force_unit),
+            unit=_unit(raw.accel_unit),
         )
     ]
     if raw.rate is not None and not raw.is_gravity_free:
@@ -145,7 +145,7 @@ def how_read(raw: RawLog, found: Dict[str, Any]) -> str:
     if raw.rate is not None and not raw.is_gravity_free:
         parts.append(
             Message(
-                "turning at {largest_radps:.2f} rad/s at most",
+                "at most {largest_radps:.2f} rad/s",
                 largest_radps=found["largest_rate_radps"],
             )
         )
@@ -153,29 +153,29 @@ def how_read(raw: RawLog, found: Dict[str, Any]) -> str:
 
 
 def _unit(unit: str) -> str:
-    """Return how a unit is said; a factor is a number of counts."""
-    is_named = unit in {**FORCE_UNITS, **RATE_UNITS, **FIELD_UNITS}
+    """Return the name of a unit; a factor is shown as counts."""
+    is_named = unit in {**ACCEL_UNITS, **RATE_UNITS, **FIELD_UNITS}
     return unit if is_named else Message("counts of {unit:.4g}", unit=float(unit))
 
 
 def check_upright(
     imu: ImuLog, raw: RawLog, choices: LogChoices, where: str
 ) -> tuple[str, ...]:
-    """Hold a specific force in frame A against "up is up"; return notes.
+    """Check that the specific force points up in frame A; return notes.
 
     Args:
-        imu: of the log, in frame A as it declares it.
+        imu: of the log, in frame A as declared.
         raw: the log; its axes were applied.
-        choices: axes that a person chose are not asked about again.
+        choices: chosen axes are not questioned.
         where: the file.
 
     Raises:
-        UsageError: asking for the axes, when another one was up.
+        UsageError: asking for the axes, if another axis was up.
     """
     mean = mean_up(imu)
     if mean is None:
         return (
-            Message("the sensor turned so much that gravity does not show its axes"),
+            Message("the sensor rotated so much that gravity does not show its axes"),
         )
     if mean[2] >= UPRIGHT:
         return ()
@@ -201,14 +201,14 @@ def check_upright(
         ),
         (
             Message("axes={axes} or what else was right, front, up", axes=proposal),
-            Message("force-sign=- if its accelerometer shows -1 g upwards"),
+            Message("accel-sign=- if its accelerometer reads -1 g upwards"),
         ),
         where,
     )
 
 
 def _proposal(up: int, is_down: bool, back_axis: str) -> str:
-    """Return right, front, up with the axis that was up."""
+    """Return right, front, up for the axis that was up."""
     upward, front = np.zeros(3), np.zeros(3)
     upward[up] = -1.0 if is_down else 1.0
     back = AXES.find(back_axis) if back_axis else -1

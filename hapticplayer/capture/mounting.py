@@ -1,7 +1,7 @@
-"""How a recorder sat on the actor: from the recorder's frame to frame A.
+"""The mounting of a recorder on the actor: from the recorder's frame to frame A.
 
-A camera that looks forward and stands upright needs nothing. Of any other a person
-says which of its axes were right, front and up; which one was up its samples tell.
+A camera that looks forward and is upright needs none. For any other a person gives its
+right, front and up axes; the samples show which axis was up.
 """
 
 import dataclasses
@@ -27,8 +27,8 @@ MOUNTINGS = {
     "to-the-sky": "x,-z,y",
     "to-the-ground": "x,z,-y",
 }
-"""Usual ones: right, front and up of the actor in the recorder's axes, which are x to
-its right, y where it looks, z to its top."""
+"""Common ones: right, front and up of the actor in the recorder's axes (x to its right,
+y where it looks, z to its top)."""
 
 AXES = "xyz"
 
@@ -40,7 +40,7 @@ def axes_matrix(axes: str) -> Floats:
         axes: right, front and up in stored axes, such as "x,-z,y".
 
     Raises:
-        UsageError: when they are no axes, or mirrored.
+        UsageError: when they are not axes, or mirrored.
     """
     rows = []
     for part in axes.lower().replace(" ", "").split(","):
@@ -59,7 +59,7 @@ def axes_matrix(axes: str) -> Floats:
         )
     if np.linalg.det(matrix) < 0.0:
         raise UsageError(
-            "axes={axes} mirror the log; turn one sign round, for right, front "
+            "axes={axes} mirror the log; change one sign: right, front "
             "and up have to follow the right hand",
             axes=axes,
         )
@@ -67,7 +67,7 @@ def axes_matrix(axes: str) -> Floats:
 
 
 def all_mountings() -> list[str]:
-    """Return the 24 there are, the usual ones first."""
+    """Return all 24, the common ones first."""
     signed = [sign + axis for axis in "xyz" for sign in ("", "-")]
     made = (",".join(three) for three in itertools.permutations(signed, 3))
     proper = [axes for axes in made if _is_proper(axes)]
@@ -76,17 +76,17 @@ def all_mountings() -> list[str]:
 
 
 def mounting_axes(text: str) -> str:
-    """Return the axes of a mounting that a person named, by its name or by its axes.
+    """Return the axes of a mounting given by name or by axes.
 
     Raises:
-        UsageError: naming what there is.
+        UsageError: for an unknown mounting.
     """
     axes = MOUNTINGS.get(text.strip().lower(), text)
     try:
         axes_matrix(axes)
     except UsageError:
         raise UsageError(
-            "there is no mounting {text!r}; choose one of {known}, or give right, "
+            "mounting {text!r} not found; choose one of {known}, or give right, "
             "front and up of the actor in the recorder's axes, such as "
             "--mounting=-x,y,-z",
             text=text,
@@ -96,10 +96,10 @@ def mounting_axes(text: str) -> str:
 
 
 def ask_for_mounting(imu: ImuLog, where: str) -> None:
-    """Ask how a recorder sat, where gravity says: not upright.
+    """Ask for the mounting if gravity shows that the recorder was not upright.
 
     Raises:
-        UsageError: with the usual mounting that fits; the front only a person knows.
+        UsageError: with the common mounting that fits; only a person knows the front.
     """
     up = mean_up(imu)
     if up is None or up[2] >= UPRIGHT:
@@ -108,7 +108,7 @@ def ask_for_mounting(imu: ImuLog, where: str) -> None:
     name = next(name for name, usual in MOUNTINGS.items() if usual == axes)
     raise UsageError(
         "{file}: {what}; give --mounting {name}, or another of {known}, or "
-        "--mounting forward to take it as it is",
+        "--mounting forward to keep its axes",
         file=where,
         what=fallen_text(up),
         name=name,
@@ -117,11 +117,11 @@ def ask_for_mounting(imu: ImuLog, where: str) -> None:
 
 
 def fallen_text(up: tuple[float, float, float]) -> str:
-    """Return in words that a recorder did not stand upright."""
+    """Return in words that a recorder was not upright."""
     at = int(np.argmax(np.abs(up)))
     sign = "-" if up[at] < 0.0 else ""
     return Message(
-        "gravity says that {sign}{axis} of the recorder was up, not its z",
+        "gravity shows that {sign}{axis} of the recorder was up, not its z",
         sign=sign,
         axis="xyz"[at],
     )
@@ -143,38 +143,38 @@ def mounted(imu: ImuLog, axes: str) -> ImuLog:
         axes: right, front and up of the actor in that frame; "" for as it is.
 
     Raises:
-        UsageError: when they are no axes, or mirrored.
+        UsageError: when they are not axes, or mirrored.
     """
     if not axes or axes == AS_RECORDED:
         return imu
-    turn = axes_matrix(axes).T
+    rotation_t = axes_matrix(axes).T
     field = imu.magnetic_field_ut
     return dataclasses.replace(
         imu,
-        specific_force_mps2=imu.specific_force_mps2 @ turn,
-        angular_rate_radps=imu.angular_rate_radps @ turn,
-        magnetic_field_ut=None if field is None else field @ turn,
+        specific_force_mps2=imu.specific_force_mps2 @ rotation_t,
+        angular_rate_radps=imu.angular_rate_radps @ rotation_t,
+        magnetic_field_ut=None if field is None else field @ rotation_t,
     )
 
 
 def mean_up(imu: ImuLog) -> tuple[float, float, float] | None:
-    """Return where up was on average (unit, recorder's frame); None where it turned."""
-    force = imu.specific_force_mps2
-    mean = np.asarray(force.mean(axis=0), dtype=float)
+    """Return the mean up direction (unit, recorder's frame); None if it rotated too much."""
+    accel = imu.specific_force_mps2
+    mean = np.asarray(accel.mean(axis=0), dtype=float)
     length = float(np.linalg.norm(mean))
-    if length < MIN_MEAN_SHARE * float(np.linalg.norm(force, axis=1).mean()):
+    if length < MIN_MEAN_SHARE * float(np.linalg.norm(accel, axis=1).mean()):
         return None
     x, y, z = (mean / length).tolist()
     return x, y, z
 
 
 def up_in_frame_a(up: tuple[float, float, float], axes: str) -> Floats:
-    """Return where up was after a mounting is applied; (0, 0, 1) where it fits."""
+    """Return the up direction after a mounting; (0, 0, 1) if it fits."""
     return np.asarray(axes_matrix(axes) @ np.array(up))
 
 
 def proposed_mounting(up: tuple[float, float, float] | None) -> str:
-    """Return the axes of the usual mounting in which up is up; the front is a guess."""
+    """Return the axes of the common mounting with this up; the front is a guess."""
     if up is None:
         return AS_RECORDED
     fits = {axes: float(up_in_frame_a(up, axes)[2]) for axes in MOUNTINGS.values()}

@@ -1,11 +1,10 @@
 """Cameras beyond GoPro, through the optional library `telemetry-parser`.
 
 It runs in a child process with limits of memory and time, on a copy of the video in a
-folder of its own, because it reads side-car files that happen to lie beside a video.
-What it is known to get wrong (its version 0.3.0) is refused: GoPro is never given to
-it; samples without acceleration (DJI, and floats that it drops) are no log; it pairs
-sensors by index, so that missing samples in between are a sign of wrong times. It
-declares no frame, so the axes have to be decided.
+separate folder, because it reads side-car files next to a video. Its known errors
+(version 0.3.0) are avoided: GoPro videos are not given to it; samples without acceleration
+(DJI, and floats that it drops) are rejected; it pairs sensors by index, so that missing
+samples mean wrong times. It declares no frame, so a person gives the axes.
 """
 
 import importlib.util
@@ -37,21 +36,21 @@ from hapticplayer.media.telemetry import data_track_names
 from hapticplayer.model.arrays import Floats
 
 _COMMAND = (sys.executable, "-P", "-m", "hapticplayer.capture.telemetry_child")
-_LEAST_SHARE = 0.98
-"""Of the samples that must hold acceleration and rate."""
+_MIN_SHARE = 0.98
+"""Of the samples that must have acceleration and rate."""
 
 
 def recognises(source: Source) -> Confidence:
-    """A video; GoPro's are recognised for certain."""
+    """Any video; GoPro has a higher confidence."""
     return Confidence.POSSIBLE if source.is_binary else Confidence.NO
 
 
 def read(source: Source, choices: LogChoices) -> RawLog:
-    """Return the motion in a video, if there is any that can be read.
+    """Return the motion in a video.
 
     Raises:
-        TelemetryError: when it holds none, or the library is not installed.
-        UsageError: when the axes are not decided.
+        TelemetryError: when it holds none, or telemetry-parser is not installed.
+        UsageError: when the axes are not given.
     """
     reason = ""
     if any("dji" in name.lower() for name in data_track_names(source.path)):
@@ -79,37 +78,39 @@ def read_other_camera(
     command: Sequence[str] = _COMMAND,
     time_limit_s: float = TIME_LIMIT_S,
 ) -> RawLog:
-    """Return the motion in a video of a camera that the library knows.
+    """Return the motion in a video of a camera that telemetry-parser supports.
 
     Args:
-        video: no GoPro's.
-        choices: `axes` must be decided: the library declares no frame.
+        video: not of a GoPro.
+        choices: `axes` must be given.
         command: of the child.
-        time_limit_s: for it, copying not included.
+        time_limit_s: for the child, without copying.
 
     Raises:
-        TelemetryError: when it holds none, or what the library gives is not sound.
-        UsageError: when the axes are not decided.
+        TelemetryError: when it holds none, or the output is not valid.
+        UsageError: when the axes are not given.
     """
     with tempfile.TemporaryDirectory(prefix="hapticplayer-") as folder:
         name, arrays = _read_copy(video, Path(folder), command, time_limit_s)
-    time_s, force, rate = (arrays[column] for column in COLUMNS)
+    time_s, accel, rate = (arrays[column] for column in COLUMNS)
     if not choices.axes:
         raise LogQuestion(
             Message(
-                "is of a {name}, whose axes its telemetry does not tell", name=name
+                "is of a {name}, whose telemetry does not declare its axes", name=name
             ),
             (Message("axes=RIGHT,FRONT,UP in its axes, such as axes=x,-z,y"),),
             str(video),
         )
     return RawLog(
         name=name,
-        force=Stream(time_s, force),
+        accel=Stream(time_s, accel),
         rate=Stream(time_s, rate),
         rate_unit="deg/s",
         axes_words=Message("as telemetry-parser gives them"),
         notes=(
-            Message("read by telemetry-parser; its times are those of an average rate"),
+            Message(
+                "read by telemetry-parser; its timestamps are those of a mean rate"
+            ),
         ),
     )
 
@@ -183,13 +184,13 @@ def _checked(answer: Path, name: str) -> dict[str, Floats]:
         raise ValueError(Message("it is too large"))
     with np.load(answer, allow_pickle=False) as archive:
         arrays = {name: np.asarray(archive[name], np.float64) for name in COLUMNS}
-    time_s, force, rate = (arrays[name] for name in COLUMNS)
-    if time_s.ndim != 1 or force.shape != (len(time_s), 3) or rate.shape != force.shape:
+    time_s, accel, rate = (arrays[name] for name in COLUMNS)
+    if time_s.ndim != 1 or accel.shape != (len(time_s), 3) or rate.shape != accel.shape:
         raise ValueError(Message("its arrays do not belong together"))
-    if not len(time_s) or not np.isfinite(force).any():
+    if not len(time_s) or not np.isfinite(accel).any():
         raise ValueError(Message("it holds no accelerations"))
-    whole = np.isfinite(force).all(axis=1) & np.isfinite(rate).all(axis=1)
-    if whole.mean() < _LEAST_SHARE:
+    whole = np.isfinite(accel).all(axis=1) & np.isfinite(rate).all(axis=1)
+    if whole.mean() < _MIN_SHARE:
         raise ValueError(
             Message("only {share:.0%} of its samples are whole", share=whole.mean())
         )
@@ -201,7 +202,7 @@ def _refusal(video: Path, what: str) -> TelemetryError:
         what,
         where=str(video),
         remedy=Message(
-            "give the log with --imu LOG --offset S, and {option} where it is asked",
+            "give the log with --imu LOG --offset S, and {option} if asked",
             option=OPTION,
         ),
     )

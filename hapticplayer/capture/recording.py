@@ -1,4 +1,4 @@
-"""Reads a recording's motion, whatever kind of file it is in."""
+"""Reads the motion of a recording in any supported format."""
 
 import os
 import re
@@ -25,16 +25,16 @@ _DATE = re.compile(r'^"?(\d{4}-\d\d-\d\d[T ]\d\d:\d\d[^,;\t"]*)', re.MULTILINE)
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Recording:
-    """The motion of a recording and how its clock lies to the video.
+    """The motion of a recording and its clock map.
 
     Attributes:
         imu: samples on the sensor's own clock.
-        clock_map: that clock to media time; confidence 0 where nobody said.
-        camera: what recorded it.
-        notes: how it was read, and what a person should know about the quality.
+        clock_map: that clock to media time; confidence 0 if unknown.
+        camera: that recorded it.
+        notes: format, units, axes and warnings.
         provenance: the same in figures.
-        is_gravity_free: the recorder had removed gravity: `imu` holds p[k] itself,
-            and no angular rate.
+        is_gravity_free: the recorder removed gravity: `imu` holds p[k] itself, without
+            angular rate.
     """
 
     imu: ImuLog
@@ -52,11 +52,11 @@ def read_recording(
 
     Args:
         path: a file, folder or zip in one of `formats.FORMATS`.
-        choices: what was decided about a log that does not explain itself.
+        choices: answers about a log that does not describe itself.
 
     Raises:
-        InputError: when it cannot be read or holds no motion; says what to do.
-        UsageError: when a decision is needed; says how to give it.
+        InputError: when it cannot be read or holds no motion.
+        UsageError: when a decision is needed.
     """
     choices = choices or LogChoices()
     source = open_source(path)
@@ -72,8 +72,8 @@ def find_format(source: Source, choices: LogChoices) -> RecordingFormat:
     """Return the format of a source.
 
     Raises:
-        InputError: when it is none of these.
-        UsageError: when several fit equally well, or one was chosen that is not known.
+        InputError: when no format fits.
+        UsageError: when several fit equally well, or the chosen one is unknown.
     """
     if choices.format and not source.is_binary:
         return _chosen(choices.format, source)
@@ -85,7 +85,7 @@ def find_format(source: Source, choices: LogChoices) -> RecordingFormat:
         raise _unknown(source)
     fitting = [one for confidence, one in found if confidence is best]
     if len(fitting) > 1 and formats.ANY_TABLE in fitting:
-        # its columns have to be told; the other knows them, and checks them
+        # the other format knows its columns, and checks them
         fitting.remove(formats.ANY_TABLE)
     if len(fitting) > 1:
         raise LogQuestion(
@@ -104,7 +104,7 @@ def _chosen(name: str, source: Source) -> RecordingFormat:
     form = known.get(name) or known.get(name.rpartition("-")[0])
     if form is None:
         raise UsageError(
-            "there is no format {name!r}; choose one of {known}",
+            "format {name!r} not found; choose one of {known}",
             name=name,
             known=", ".join(known),
         )
@@ -116,7 +116,7 @@ def _chosen(name: str, source: Source) -> RecordingFormat:
 
 
 def _refuse_foreign(source: Source) -> None:
-    """Refuse what people export by mistake, and say what to export instead."""
+    """Reject common wrong exports, and say what to export instead."""
     where = str(source.path)
     content = source.beginning(source.names[0]) if source.is_one_file else b""
     if content.startswith(_UTF16):
@@ -128,20 +128,19 @@ def _refuse_foreign(source: Source) -> None:
 
 
 def _unknown(source: Source) -> InputError:
-    """Return why a source that no reader takes cannot be read."""
+    """Return why a source of no known format cannot be read."""
     where = str(source.path)
     if any(name.startswith(_NEW_EXCEL) for name in source.names):
         return _workbook(where)
     if not source.is_one_file:
         return InputError(
-            "holds no log that is known",
+            "holds no log of a known format",
             where=where,
-            remedy="give the folder or the zip that the logger has written, or a "
-            "sequence",
+            remedy="give the folder or zip that the logger has written, or a sequence",
         )
     if dated := _DATE.search(source.head(source.names[0])):
         return InputError(
-            "writes its times as dates ({found})",
+            "has dates as timestamps ({found})",
             where=where,
             remedy="export the times as numbers, in s, ms, us or ns",
             found=dated[1].strip()[:40],
@@ -158,10 +157,10 @@ def _workbook(where: str) -> InputError:
 
 
 def refuse_gravity_free(recording: Recording) -> None:
-    """Refuse motion whose gravity was removed by the recorder.
+    """Reject motion from which the recorder has removed gravity.
 
     Raises:
-        InputError: naming what to record instead.
+        InputError: with what to record instead.
     """
     if recording.is_gravity_free:
         raise InputError(
@@ -181,7 +180,7 @@ def find_gaps(imu: ImuLog) -> NDArray[np.intp]:
 
 
 def gap_notes(imu: ImuLog) -> tuple[str, ...]:
-    """Return how many gaps a log has and how long they are, in words."""
+    """Return the number and the longest of the gaps, in words."""
     steps_s, wide = np.diff(imu.time_s), find_gaps(imu)
     if not wide.size:
         return ()

@@ -5,8 +5,8 @@ rest), angular rate in rad/s, magnetic field in uT, frame A (x right, y front, z
 A force track is `time_s,fx_n,fy_n,fz_n` in frame D (x right, y up, z towards the
 user); each force holds from its time until the next one's.
 
-Loggers leave cells empty, repeat rows and swap them: what can be repaired in a log
-without guessing is, and is said (`motion.repair_samples`).
+Loggers leave cells empty, repeat rows and swap them: this is repaired if possible, with a
+note (`motion.repair_samples`).
 """
 
 import os
@@ -50,7 +50,7 @@ FORCE_COLUMNS = (TIME, "fx_n", "fy_n", "fz_n")
 
 
 def recognises(source: Source) -> Confidence:
-    """The name of the time column at the beginning."""
+    """The name of the time column comes first."""
     if not source.is_one_file:
         return Confidence.NO
     begins = source.head(source.names[0]).lstrip(' \t\r\n"').startswith(TIME)
@@ -58,18 +58,18 @@ def recognises(source: Source) -> Confidence:
 
 
 def read(source: Source, _choices: LogChoices) -> Recording:
-    """Return the log, with what can be repaired without guessing repaired.
+    """Return the log.
 
-    Empty cells, NaN and infinity are filled in and marked; swapped and repeated rows
-    are put in order; gaps stay gaps.
+    Empty cells, NaN and infinity are filled and marked; swapped and repeated rows are
+    put in order; gaps remain.
 
     Raises:
-        InputError: naming file, line, column and what to do; also when the numbers
-            are plainly in g or in degrees, and for what cannot be repaired.
+        InputError: with file, line, column and what to do; also when the numbers are
+            in g or in degrees, and for what cannot be repaired.
     """
     numbers = _read_strict(source, LOG_COLUMNS, FIELD_COLUMNS)
     where, values = str(source.path), numbers.values
-    _check_force(values[:, 1:4], where)
+    _check_accel(values[:, 1:4], where)
     _check_rate(values[:, 4:7], where)
     try:
         imu, repairs = clean(
@@ -102,7 +102,7 @@ def read(source: Source, _choices: LogChoices) -> Recording:
 
 
 def _in_lines(message: Message, numbers: Numbers) -> Message:
-    """Name the line of the file in place of the row of the array."""
+    """Replace rows of the array by lines of the file."""
     if message.template == "row {number}":
         return Message("line {number}", number=numbers.line(message.values["number"]))
     values = {
@@ -116,7 +116,7 @@ READER = Reader(recognises, read)
 
 
 def write_imu_csv(path: str | os.PathLike[str], imu: ImuLog) -> None:
-    """Write a motion log so that `read_recording` gives it back to 9 digits.
+    """Write a motion log that `read_recording` returns to 9 digits.
 
     Raises:
         InputError: when the file cannot be written.
@@ -152,13 +152,13 @@ def write_imu_csv(path: str | os.PathLike[str], imu: ImuLog) -> None:
 
 
 def read_force_csv(path: str | os.PathLike[str]) -> ForceTrack:
-    """Read a force track; each force holds until the next one's time.
+    """Read a force track; each force holds until the time of the next.
 
     Raises:
-        InputError: naming file, line, column and what to do.
+        InputError: with file, line, column and what to do.
     """
     source = open_file(path)
-    numbers = _read_strict(source, FORCE_COLUMNS, least_rows=1)
+    numbers = _read_strict(source, FORCE_COLUMNS, min_rows=1)
     where, values = str(source.path), numbers.values
     _check_finite(numbers, where)
     _check_order(numbers, where)
@@ -183,15 +183,15 @@ def _read_strict(
     required: tuple[str, ...],
     optional: tuple[str, ...] = (),
     *,
-    least_rows: int = 2,
+    min_rows: int = 2,
 ) -> Numbers:
-    """Return a table whose header names these columns, with all or none of the rest."""
+    """Return a table with the required columns, and all or none of the optional ones."""
     name = source.names[0]
     names = column_names(source.first_line(name))
     if names not in {required, required + optional}:
         raise header_fault(source, required, optional)
     columns = tuple(range(len(names)))
-    shape = Shape(len(names), columns, skip_lines=1, names=names, least_rows=least_rows)
+    shape = Shape(len(names), columns, skip_lines=1, names=names, min_rows=min_rows)
     return read_table(source, name, shape)
 
 
@@ -200,7 +200,7 @@ def header_fault(
     required: tuple[str, ...] = LOG_COLUMNS,
     optional: tuple[str, ...] = FIELD_COLUMNS,
 ) -> InputError:
-    """Return what is wrong with the header of a table, and what it has to be."""
+    """Return the error for a wrong header."""
     name = source.names[0]
     if not source.head(name):
         return not_text(source.where(name))
@@ -253,9 +253,7 @@ def _check_order(numbers: Numbers, where: str) -> None:
         return
     row = int(late[0]) + 1
     fault = (
-        Message("repeats")
-        if time_s[row] == time_s[row - 1]
-        else Message("runs backwards")
+        Message("repeats") if time_s[row] == time_s[row - 1] else Message("decreases")
     )
     raise InputError(
         "the time {fault} ({time_s} s after {last_s} s)",
@@ -282,9 +280,9 @@ def _check_rate(rate: Floats, where: str) -> None:
     )
 
 
-def _check_force(force: Floats, where: str) -> None:
-    """Refuse an outlier beyond any sensor, in a log whose other samples are none."""
-    size = np.linalg.norm(force[np.isfinite(force).all(axis=1)], axis=1)
+def _check_accel(accel: Floats, where: str) -> None:
+    """Reject single outliers beyond any sensor."""
+    size = np.linalg.norm(accel[np.isfinite(accel).all(axis=1)], axis=1)
     if not len(size) or size.max() <= MAX_ACCELERATION_MPS2:
         return
     if np.median(size) <= MAX_ACCELERATION_MPS2:

@@ -1,7 +1,7 @@
 """What a recording is made of: one file, a folder of files, or a zip of them.
 
-Nothing is ever unpacked onto the disk. Every limit holds before memory is spent: on
-the number of members, on their size, and on what a zip turns out to hold.
+Nothing is unpacked to disk. The limits on the number of members, their size and the
+content of a zip apply before memory is used.
 """
 
 import contextlib
@@ -70,7 +70,7 @@ class Source:
         names: of its members, relative to a folder or in a zip; of a single file,
             its own name.
         is_one_file: neither a folder nor a zip.
-        is_binary: one file that is no text: a video, or raw telemetry.
+        is_binary: one file that is not text: a video, or raw telemetry.
     """
 
     def __init__(
@@ -82,7 +82,7 @@ class Source:
         self.is_binary = is_one_file and not is_text(self.beginning(path.name))
 
     def where(self, name: str) -> str:
-        """Return how a message calls a member."""
+        """Return the name of a member for messages."""
         return str(self.path) if len(self.names) == 1 else f"{self.path}: {name}"
 
     def base(self, name: str) -> str:
@@ -95,7 +95,7 @@ class Source:
             return stream.read(HEAD_BYTES)
 
     def head(self, name: str) -> str:
-        """Return the beginning as text; "" of what is none."""
+        """Return the beginning as text; "" if it is not text."""
         content = self.beginning(name)
         return content.decode("utf-8-sig", "replace") if is_text(content) else ""
 
@@ -105,7 +105,7 @@ class Source:
 
     @contextlib.contextmanager
     def opened(self, name: str) -> Iterator[BinaryIO]:
-        """Open a member; what it gives ends at the limit with an error.
+        """Open a member; reading beyond the limit raises.
 
         Raises:
             InputError: when it is too large or cannot be read.
@@ -142,7 +142,7 @@ class Source:
 
 
 class _Bounded(io.RawIOBase):
-    """Reads from a stream until a limit, whatever size was claimed."""
+    """Limits what is read from a stream, whatever size was claimed."""
 
     def __init__(self, stream: BinaryIO, where: str) -> None:
         super().__init__()
@@ -158,7 +158,7 @@ class _Bounded(io.RawIOBase):
 
 
 def _folder_members(folder: Path) -> dict[str, _Member]:
-    """Text files below a folder; links and anything special are passed over."""
+    """Return the files below a folder; links and special files are ignored."""
     files = sorted(_walk(folder, MAX_FOLDER_DEPTH))
     return {file.relative_to(folder).as_posix(): _file_member(file) for file in files}
 
@@ -213,10 +213,10 @@ def open_source(path: str | os.PathLike[str]) -> Source:
 
 
 def open_file(path: str | os.PathLike[str]) -> Source:
-    """Return one file as a source, whatever it holds.
+    """Return one file as a source, whatever its content.
 
     Raises:
-        InputError: when it is no file, or cannot be read.
+        InputError: when it is not a file, or cannot be read.
     """
     file = resolve_regular(path, InputError)
     return Source(file, {file.name: _file_member(file)}, is_one_file=True)
@@ -235,7 +235,7 @@ def is_text(content: bytes) -> bool:
 
 
 def is_wanted(name: str) -> bool:
-    """Whether a member may be a log: neither hidden nor a picture or a sound."""
+    """Whether a member may be a log: not hidden, no image, no sound."""
     path = PurePosixPath(name)
     is_hidden = any(part.startswith((".", "__MACOSX")) for part in path.parts)
     return not is_hidden and path.suffix.lower() not in _NO_TEXT
@@ -267,7 +267,7 @@ def _refuse_escape(name: str, path: Path) -> None:
     parts = PurePosixPath(name.replace("\\", "/")).parts
     if ".." in parts or name.startswith(("/", "\\")) or ":" in name[:3]:
         raise InputError(
-            "holds {name!r}, a name that points out of the zip",
+            "holds {name!r}, a name outside the zip",
             where=str(path),
             remedy="export the recording again",
             name=name[:80],

@@ -1,8 +1,8 @@
-"""The streams of a log as they are stored, and the same at common times.
+"""The streams of a log as stored, and resampled to common times.
 
-Samples are never paired by their place in the file: the angular rate becomes its
-mean over each interval of the accelerometer (no rotation is lost), the slow magnetic
-field is interpolated. What was missing in a stream stays marked as missing (NaN).
+Samples are never paired by index: the angular rate becomes its mean over each interval of
+the accelerometer (no rotation is lost), the slow magnetic field is interpolated. Missing
+samples remain missing (NaN).
 """
 
 from collections.abc import Sequence
@@ -27,8 +27,8 @@ class Stream:
     """One sensor on its own times.
 
     Attributes:
-        time_s: (N,) as recorded: it may jump, repeat or hold NaN.
-        values: (N, 3) in the file's unit; may hold NaN.
+        time_s: (N,) as recorded: may jump, repeat or be NaN.
+        values: (N, 3) in the file's unit; may be NaN.
     """
 
     time_s: Floats
@@ -41,26 +41,26 @@ class RawLog:
 
     Attributes:
         name: of the format, for people.
-        force: accelerometer, so that it is +1 g on the axis that points up at rest.
+        accel: accelerometer; +1 g on the axis that points up at rest.
         rate: gyroscope, or None.
         field: magnetometer, or None.
-        force_unit: see `choices.FORCE_UNITS`.
+        accel_unit: see `choices.ACCEL_UNITS`.
         rate_unit: see `choices.RATE_UNITS`.
         field_unit: see `choices.FIELD_UNITS`.
         axes: right, front and up of frame A in the stored axes, such as "x,-z,y".
-        axes_words: what the stored axes are, for people.
-        back_axis: the axis that points away from the camera's view in a phone
-            held upright; "" where there is no camera.
-        frame0_s: when the first picture was taken on the log's clock, or None.
+        axes_words: the stored axes in words.
+        back_axis: of a phone held upright, the axis opposite to the camera's view; ""
+            without a camera.
+        frame0_s: time of the first frame on the log's clock, or None.
         is_gravity_free: gravity was removed by the recorder.
-        notes: what the reader found.
+        notes: of the reader.
     """
 
     name: str
-    force: Stream
+    accel: Stream
     rate: Stream | None
     field: Stream | None = None
-    force_unit: str = "m/s2"
+    accel_unit: str = "m/s2"
     rate_unit: str = "rad/s"
     field_unit: str = "uT"
     axes: str = "x,y,z"
@@ -73,7 +73,7 @@ class RawLog:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Sensor:
-    """A member that holds one sensor.
+    """A member with one sensor.
 
     Attributes:
         stream: with times in seconds since `origin_ns`.
@@ -110,50 +110,50 @@ def split(
         time_s: (rows,), shared by all three.
         starts: the columns of their x; the third may be missing.
     """
-    force, rate, *field = (Stream(time_s, values[:, at : at + 3]) for at in starts)
-    return force, rate, field[0] if field else None
+    accel, rate, *field = (Stream(time_s, values[:, at : at + 3]) for at in starts)
+    return accel, rate, field[0] if field else None
 
 
 class Samples(NamedTuple):
     """Rows of all sensors at common times; NaN where something was missing."""
 
     time_s: Floats
-    force: Floats
+    accel: Floats
     rate: Floats
     field: Floats | None
     notes: tuple[str, ...]
 
 
 def on_common_times(
-    force: Stream, rate: Stream, field: Stream | None, where: str
+    accel: Stream, rate: Stream, field: Stream | None, where: str
 ) -> Samples:
     """Return all sensors at the times of the accelerometer.
 
-    Streams that share their times are left as they are, faults included.
+    Streams that share their times are unchanged, flaws included.
 
     Raises:
-        InputError: when the clock of a stream cannot be relied on, or the streams
-            do not overlap.
+        InputError: when the times of a stream cannot be repaired, or the streams do
+            not overlap.
     """
-    if rate.time_s is force.time_s and (field is None or field.time_s is force.time_s):
+    if rate.time_s is accel.time_s and (field is None or field.time_s is accel.time_s):
         values = None if field is None else field.values
-        return Samples(force.time_s, force.values, rate.values, values, ())
-    force, notes = _ordered(force, "accelerometer", where)
+        return Samples(accel.time_s, accel.values, rate.values, values, ())
+    accel, notes = _ordered(accel, "accelerometer", where)
     rate, rate_notes = _ordered(rate, "gyroscope", where)
-    rows, mean = mean_rate_with_holes(force.time_s, rate.time_s, rate.values)
+    rows, mean = mean_rate_with_holes(accel.time_s, rate.time_s, rate.values)
     if len(rows) < 2:
         raise InputError(
             "its accelerometer and gyroscope do not overlap in time",
             where=where,
             remedy="record both at once",
         )
-    time_s = force.time_s[rows]
+    time_s = accel.time_s[rows]
     at_times = None if field is None else interpolated(time_s, field, where)
-    return Samples(time_s, force.values[rows], mean, at_times, (*notes, *rate_notes))
+    return Samples(time_s, accel.values[rows], mean, at_times, (*notes, *rate_notes))
 
 
 def _ordered(stream: Stream, name: str, where: str) -> tuple[Stream, tuple[str, ...]]:
-    """Return a stream whose times increase strictly, and what it took."""
+    """Return a stream with strictly increasing times, and notes."""
     from hapticplayer.motion.repair.timestamps import repair_times  # brings scipy
 
     line = repair_times(
@@ -172,10 +172,10 @@ def _ordered(stream: Stream, name: str, where: str) -> tuple[Stream, tuple[str, 
 
 
 def interpolated(time_s: Floats, field: Stream, where: str) -> Floats | None:
-    """Return a slow sensor at other times, NaN where none was measured near.
+    """Return a slow sensor at other times, NaN if none is near.
 
     Args:
-        time_s: (M,) may hold NaN.
+        time_s: (M,) may be NaN.
         field: magnetic field, gravity.
         where: the file.
 
@@ -190,7 +190,7 @@ def interpolated(time_s: Floats, field: Stream, where: str) -> Floats | None:
             Stream(field.time_s[finite], field.values[finite]), "slow sensor", where
         )
     except InputError:
-        return None  # a broken compass is no reason to refuse the motion
+        return None  # the motion is usable without a compass
     columns = [np.interp(time_s, kept.time_s, column) for column in kept.values.T]
     after = np.searchsorted(kept.time_s, time_s).clip(1, len(kept.time_s) - 1)
     to_next = np.abs(kept.time_s[after] - time_s)
@@ -205,10 +205,9 @@ def mean_rate(
 ) -> tuple[NDArray[np.intp], Floats]:
     """Return the mean rate over the interval that ends at each query time.
 
-    The rate holds over the interval that ends at its sample (Sampling.INSTANT).
-    Its integral is interpolated at the ends of the query intervals and
-    differenced, so the angle over any span is kept exactly; picking or
-    interpolating samples would lose it.
+    The rate holds over the interval that ends at its sample (Sampling.INSTANT). Its
+    integral is interpolated at the ends of the query intervals and differenced, so
+    that the angle over any span is exact.
 
     Args:
         query_s: (M,) strictly increasing, M >= 2.
@@ -220,8 +219,7 @@ def mean_rate(
         rates (K, axes).
     """
     slack_s = 0.5 * (time_s[-1] - time_s[0]) / (len(time_s) - 1)
-    # the outer rates are held longer, because the clocks of two sensors begin and end
-    # within a fraction of a sample of each other
+    # extended at both ends, because two sensors start and stop up to a sample apart
     begin_s = 2.0 * time_s[0] - time_s[1]
     ends_s = np.concatenate(
         [[begin_s - slack_s, begin_s], time_s, [time_s[-1] + slack_s]]
@@ -229,26 +227,26 @@ def mean_rate(
     edges_s = np.concatenate([[2.0 * query_s[0] - query_s[1]], query_s])
     is_inside = (edges_s >= ends_s[0]) & (edges_s <= ends_s[-1])
     rows = np.flatnonzero(is_inside[:-1] & is_inside[1:])
-    # those inside follow one another
+    # contiguous
     use = slice(rows[0], rows[-1] + 1) if len(rows) else slice(0)
     steps_s, widths_s = np.diff(edges_s)[use], np.diff(ends_s)
     mean = np.empty((len(rows), rate.shape[1]))
-    for axis in range(rate.shape[1]):  # one by one: ten hours are large
+    for axis in range(rate.shape[1]):  # one by one, to save memory
         angle = _integral(widths_s, rate[:, axis])
-        turned = np.diff(np.interp(edges_s, ends_s, angle))[use]
-        np.divide(turned, steps_s, out=mean[:, axis])
+        rotated = np.diff(np.interp(edges_s, ends_s, angle))[use]
+        np.divide(rotated, steps_s, out=mean[:, axis])
     return rows, mean
 
 
 def mean_rate_with_holes(
     query_s: Floats, time_s: Floats, rate: Floats
 ) -> tuple[NDArray[np.intp], Floats]:
-    """Return the mean rate like `mean_rate`, NaN where it was mostly not measured.
+    """Return the mean rate like `mean_rate`, NaN where most of it is missing.
 
     Args:
         query_s: (M,) strictly increasing, M >= 2.
         time_s: (N,) strictly increasing, N >= 2; a long step is a gap.
-        rate: (N, axes); may hold NaN.
+        rate: (N, axes); may be NaN.
     """
     finite = all_of_rows(np.isfinite(rate))
     steps_s = np.diff(time_s, prepend=time_s[0])
@@ -269,7 +267,7 @@ def mean_rate_with_holes(
 def _integral(widths_s: Floats, rate: Floats) -> Floats:
     """Return the integral of one axis at the ends of all intervals."""
     angle = np.zeros(len(widths_s) + 1)
-    held = np.concatenate([rate[:1], rate, rate[-1:]])
-    held *= widths_s
-    np.cumsum(held, out=angle[1:])
+    rate_s = np.concatenate([rate[:1], rate, rate[-1:]])
+    rate_s *= widths_s
+    np.cumsum(rate_s, out=angle[1:])
     return angle

@@ -2,10 +2,10 @@
 
     python -m hapticplayer.capture.telemetry_child VIDEO OUT.npz MEMORY_BYTES CPU_S
 
-The library is native code that has panicked on damaged files, so it gets limits and
-nothing else to break. Writes time_s, specific_force_mps2 and angular_rate_degps, NaN
-where a sample has none, and prints camera and model as JSON. Status 3 and a sentence on
-stderr when it cannot.
+The library is native code that has panicked on damaged files, so it runs isolated, with
+limits. Writes time_s, specific_force_mps2 and angular_rate_degps, NaN where a sample has
+none, and prints camera and model as JSON. Exit status 3 and a sentence on stderr if it
+fails.
 """
 
 import importlib
@@ -23,7 +23,7 @@ _MISSING = (np.nan, np.nan, np.nan)
 
 
 def main(arguments: list[str]) -> int:
-    """Read the video; the status."""
+    """Read the video and return the exit status."""
     video, target, memory_bytes, cpu_s = arguments
     resource.setrlimit(resource.RLIMIT_AS, (int(memory_bytes), int(memory_bytes)))
     resource.setrlimit(resource.RLIMIT_CPU, (int(cpu_s), int(cpu_s)))
@@ -33,7 +33,7 @@ def main(arguments: list[str]) -> int:
         samples = parsed.normalized_imu()
         _write(samples, Path(target))
         about = {"camera": str(parsed.camera), "model": str(parsed.model or "")}
-    except BaseException as error:  # noqa: BLE001 - its panics are no Exceptions
+    except BaseException as error:  # noqa: BLE001 - its panics are not Exceptions
         sys.stderr.write(f"{type(error).__name__}: {error}\n")
         return REFUSED
     sys.stdout.write(json.dumps(about))

@@ -27,7 +27,7 @@ def add_reading(command: argparse.ArgumentParser) -> None:
         action="append",
         default=[],
         metavar="KEY=VALUE",
-        help="decide what a log does not say, such as axes=x,-z,y or force-unit=g or "
+        help="decide what a log does not say, such as axes=x,-z,y or accel-unit=g or "
         "template=FILE; the question names the key. format=NAME is one of "
         + ", ".join(f"{one.name} ({one.text})" for one in formats.FORMATS),
     )

@@ -249,7 +249,7 @@ def test_a_doubtful_log_asks_and_takes_the_answer(wizard, ride, wait_for, tmp_pa
     question.take.click()
     wait_for(lambda: not wizard.jobs.is_busy and question.isVisible())
     question.other.setText(
-        "columns=time,ax,ay,az,gx,gy,gz force-unit=g rate-unit=rad/s"
+        "columns=time,ax,ay,az,gx,gy,gz accel-unit=g rate-unit=rad/s"
     )
     question.take.click()
     wait_for(lambda: "units" in question.text.text())

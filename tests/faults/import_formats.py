@@ -261,7 +261,7 @@ def generic(s: Sampled) -> Files:
     return {"mine.txt": (head + text).encode()}
 
 
-GENERIC = ("columns=-,time,ax,ay,az,gx,gy,gz", "time-unit=us", "force-unit=g",
+GENERIC = ("columns=-,time,ax,ay,az,gx,gy,gz", "time-unit=us", "accel-unit=g",
            "rate-unit=deg/s")  # fmt: skip
 
 

@@ -1,7 +1,7 @@
-"""Any other table of numbers: a person says what its columns are, once.
+"""Any other table of numbers, whose columns a person names.
 
-Separator, decimal sign and header lines are found; columns and units are not guessed.
-The answers can be kept as a template (`choices`) for all logs of the same logger.
+Separator, decimal sign and header lines are detected; columns and units are not guessed.
+The answers can be saved as a template (`choices`) for all logs of the same logger.
 """
 
 from typing import NamedTuple
@@ -10,8 +10,8 @@ import numpy as np
 
 from hapticplayer.capture.assemble import log_reader
 from hapticplayer.capture.choices import (
+    ACCEL_UNITS,
     FIELD_UNITS,
-    FORCE_UNITS,
     RATE_UNITS,
     TIME_UNITS,
     LogChoices,
@@ -25,7 +25,7 @@ from hapticplayer.capture.streams import RawLog, Stream
 from hapticplayer.errors import Message, UsageError, joined
 from hapticplayer.model.arrays import Floats
 
-_LEAST_COLUMNS = 4
+_MIN_COLUMNS = 4
 _SAMPLE_LINES = 60
 _SENSORS = (("ax", "ay", "az"), ("gx", "gy", "gz"), ("mx", "my", "mz"))
 _TIME, _SKIP = "time", "-"
@@ -33,7 +33,7 @@ _UNPAIRED = 0.1
 
 
 class _Layout(NamedTuple):
-    """How a table is written."""
+    """The layout of a table."""
 
     separator: str
     decimal: str
@@ -53,14 +53,14 @@ def read(source: Source, choices: LogChoices) -> RawLog:
     """Return the log.
 
     Raises:
-        UsageError: asking for columns or units that were not given.
+        UsageError: asking for missing columns or units.
     """
     name = source.names[0]
     where = source.where(name)
     layout = _layout(source, name)
     if layout is None:
         raise UsageError(
-            "{file}: is no table of numbers; choose another log", file=where
+            "{file}: is not a table of numbers; choose another log", file=where
         )
     columns = _columns(choices, layout, where)
     _ask_units(choices, columns, where)
@@ -83,13 +83,13 @@ def read(source: Source, choices: LogChoices) -> RawLog:
     place = {column: number for number, column in enumerate(at)}
     values = numbers.values
     time_s = _times(values, place, choices, time_unit)
-    force, rate, field = _streams(values, time_s, place)
+    accel, rate, field = _streams(values, time_s, place)
     return RawLog(
         name=Message("CSV with chosen columns"),
-        force=force,
+        accel=accel,
         rate=rate,
         field=field,
-        force_unit=choices.force_unit,
+        accel_unit=choices.accel_unit,
         rate_unit=choices.rate_unit,
         field_unit=choices.field_unit or "uT",
         notes=numbers.notes,
@@ -100,18 +100,18 @@ def _columns(choices: LogChoices, layout: _Layout, where: str) -> tuple[str, ...
     """Return the name of each column, checked.
 
     Raises:
-        UsageError: when they are not given or do not fit.
+        UsageError: when they are missing or do not fit.
     """
     columns = tuple(c.strip().lower() for c in choices.columns.split(",") if c.strip())
     shown = layout.separator.join(layout.header)[:120] or Message("without names")
     if not columns:
         raise LogQuestion(
             Message(
-                "is a table of {count} columns ({shown}) that says not what they are",
+                "is a table of {count} columns ({shown}) without a description",
                 count=layout.width,
                 shown=shown,
             ),
-            (Message("columns=time,ax,ay,az,gx,gy,gz (- for what is not wanted)"),),
+            (Message("columns=time,ax,ay,az,gx,gy,gz (- to ignore a column)"),),
             where,
         )
     known = {_TIME, _SKIP, *(axis for sensor in _SENSORS for axis in sensor)}
@@ -147,12 +147,12 @@ def _columns(choices: LogChoices, layout: _Layout, where: str) -> tuple[str, ...
 
 
 def _ask_units(choices: LogChoices, columns: tuple[str, ...], where: str) -> None:
-    """Ask for all units that are needed and were not given."""
+    """Ask for all missing units."""
     wanted = []
     if _TIME in columns and not choices.time_unit:
         wanted.append(f"time-unit={'|'.join(TIME_UNITS)}")
-    if not choices.force_unit:
-        wanted.append(f"force-unit={'|'.join(FORCE_UNITS)}")
+    if not choices.accel_unit:
+        wanted.append(f"accel-unit={'|'.join(ACCEL_UNITS)}")
     if not choices.rate_unit:
         wanted.append(f"rate-unit={'|'.join(RATE_UNITS)}")
     if "mx" in columns and not choices.field_unit:
@@ -180,25 +180,25 @@ def _times(
 def _streams(
     values: Floats, time_s: Floats, place: dict[str, int]
 ) -> tuple[Stream, Stream, Stream | None]:
-    """Return the sensors; rows that hold only one of them are streams of their own."""
+    """Return the sensors; rows with only one of them become separate streams."""
     parts = [
         values[:, [place[axis] for axis in sensor]] if sensor[0] in place else None
         for sensor in _SENSORS
     ]
-    force, rate, field = parts
-    assert force is not None and rate is not None  # noqa: PT018 - checked by _columns
-    has_force, has_rate = (np.isfinite(part).all(axis=1) for part in (force, rate))
+    accel, rate, field = parts
+    assert accel is not None and rate is not None  # noqa: PT018 - checked by _columns
+    has_accel, has_rate = (np.isfinite(part).all(axis=1) for part in (accel, rate))
     alone = (
-        np.count_nonzero(has_force & ~has_rate),
-        np.count_nonzero(has_rate & ~has_force),
+        np.count_nonzero(has_accel & ~has_rate),
+        np.count_nonzero(has_rate & ~has_accel),
     )
     if min(alone) <= _UNPAIRED * len(values):
         return (
-            Stream(time_s, force),
+            Stream(time_s, accel),
             Stream(time_s, rate),
             None if field is None else Stream(time_s, field),
         )
-    own = [_own_rows(time_s, part) for part in (force, rate)]
+    own = [_own_rows(time_s, part) for part in (accel, rate)]
     return own[0], own[1], None if field is None else _own_rows(time_s, field)
 
 
@@ -208,7 +208,7 @@ def _own_rows(time_s: Floats, part: Floats) -> Stream:
 
 
 def _layout(source: Source, name: str) -> _Layout | None:
-    """Return how a table is written, or None if it is none."""
+    """Return the layout of a table, or None."""
     lines = source.head(name).replace("\r\n", "\n").replace("\r", "").split("\n")
     lines = lines[: max(1, len(lines) - 1)]
     for separator, decimal in (
@@ -220,7 +220,7 @@ def _layout(source: Source, name: str) -> _Layout | None:
     ):
         for number, line in enumerate(lines[:_SAMPLE_LINES]):
             width = _width(line, separator, decimal)
-            if width < _LEAST_COLUMNS:
+            if width < _MIN_COLUMNS:
                 continue
             rows = [_width(text, separator, decimal) for text in lines[number:] if text]
             if rows.count(width) < max(2, 0.8 * len(rows)):
@@ -232,7 +232,7 @@ def _layout(source: Source, name: str) -> _Layout | None:
 
 
 def _width(line: str, separator: str, decimal: str) -> int:
-    """Return how many numbers a line is, 0 if it holds anything else."""
+    """Return how many numbers a line has, 0 if it has anything else."""
     if not line.strip():
         return 0
     text = line.replace('"', "")
@@ -244,7 +244,7 @@ def _width(line: str, separator: str, decimal: str) -> int:
             held += bool(cell) and "_" not in cell and np.isfinite(float(cell))
         except ValueError:
             return 0
-    return len(cells) if held >= min(_LEAST_COLUMNS, len(cells)) else 0
+    return len(cells) if held >= min(_MIN_COLUMNS, len(cells)) else 0
 
 
 READER = log_reader(recognises, read)

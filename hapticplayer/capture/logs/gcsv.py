@@ -1,9 +1,9 @@
 """Gyroflow's .gcsv: a header of `key,value` lines, then t, gyro, accelerometer, field.
 
 A number times tscale is seconds, times gscale rad/s, times ascale g, times mscale
-gauss. Writers differ in ascale, so the norm at rest is what counts. The orientation
-string refers to Gyroflow's own axes and says nothing about the front, so the stored
-axes are taken and held against gravity.
+gauss. Writers differ in ascale, so the norm at rest is checked. The orientation string
+refers to Gyroflow's own axes and does not define the front, so the stored axes are used
+and checked against gravity.
 
 Source: docs.gyroflow.xyz, GCSV format; telemetry-parser, gcsv.rs (units).
 """
@@ -55,7 +55,7 @@ def read(source: Source, _choices: LogChoices) -> RawLog:
     with np.errstate(all="ignore"):
         time_s = values[:, 0] * _scale(header, "tscale", where, _DEFAULT_TIME_SCALE)
         rate = values[:, 1:4] * _scale(header, "gscale", where)
-        force = values[:, 4:7] * _scale(header, "ascale", where)
+        accel = values[:, 4:7] * _scale(header, "ascale", where)
         field = values[:, 7:10] * _scale(header, "mscale", where)
     orientation = header.get("orientation", "")
     return RawLog(
@@ -63,10 +63,10 @@ def read(source: Source, _choices: LogChoices) -> RawLog:
             "gcsv of {logger}",
             logger=header.get("id", "")[:40] or Message("an unknown logger"),
         ),
-        force=Stream(time_s, force),
+        accel=Stream(time_s, accel),
         rate=Stream(time_s, rate),
         field=Stream(time_s, field) if width >= 10 else None,
-        force_unit="g",
+        accel_unit="g",
         field_unit="gauss",
         axes_words=Message(
             "as stored, orientation {orientation}", orientation=orientation[:20]
@@ -78,7 +78,7 @@ def read(source: Source, _choices: LogChoices) -> RawLog:
 
 
 def _header(source: Source, name: str) -> tuple[dict[str, str], tuple[str, ...], int]:
-    """Return the keys, the columns and how many lines come before the rows."""
+    """Return the keys, the columns and the number of lines before the rows."""
     header: dict[str, str] = {}
     for number, line in enumerate(source.head(name).splitlines(), start=1):
         cells = tuple(cell.strip() for cell in line.split(","))

@@ -1,9 +1,9 @@
 """EuRoC (and VI datasets) and the MARS logger: gyro, then accelerometer, ns, SI.
 
 EuRoC: `#timestamp [ns],w_RS_S_x [rad s^-1],...,a_RS_S_x [m s^-2],...`, mav0/imu0/
-data.csv, pictures in cam0/data.csv. MARS: `Timestamp[nanosec], gx[rad/s], ...`,
-some with a field and further columns; frame_timestamps.txt has a time for each
-picture on the same clock, so that no pats are needed.
+data.csv, frames in cam0/data.csv. MARS: `Timestamp[nanosec], gx[rad/s], ...`,
+some with a field and further columns; frame_timestamps.txt has the time of each frame on
+the same clock, so that no pats are needed.
 
 Source: projects.asl.ethz.ch (EuRoC MAV, ASL format); OSUPCVLab/mobile-ar-sensor-logger.
 """
@@ -42,26 +42,26 @@ def recognises_mars(source: Source) -> Confidence:
 def read_euroc(source: Source, _choices: LogChoices) -> RawLog:
     """Return the log."""
     name = _only(_tables(source, _EUROC), source)
-    pictures = [
+    frame_lists = [
         n
         for n in source.names
         if column_names(source.first_line(n), ",")[-1:] == ("filename",)
     ]
-    return _read(source, name, pictures[:1], "EuRoC", Message("the IMU's axes"))
+    return _read(source, name, frame_lists[:1], "EuRoC", Message("the IMU's axes"))
 
 
 def read_mars(source: Source, _choices: LogChoices) -> RawLog:
     """Return the log."""
     name = _only(_tables(source, _MARS), source)
-    pictures = [n for n in source.names if source.base(n) == "frame_timestamps.txt"]
+    frame_lists = [n for n in source.names if source.base(n) == "frame_timestamps.txt"]
     words = Message("the phone's axes: x right, y top, z out of the screen")
     return _read(
-        source, name, pictures[:1], Message("MARS logger"), words, back_axis="z"
+        source, name, frame_lists[:1], Message("MARS logger"), words, back_axis="z"
     )
 
 
 def _tables(source: Source, mark: re.Pattern[str]) -> list[str]:
-    """Return the members with this mark whose columns are gyro and accelerometer."""
+    """Return the members with this header whose columns are gyro and accelerometer."""
     found = []
     for name in source.names:
         columns = column_names(source.first_line(name), ",")
@@ -79,7 +79,7 @@ def _only(found: list[str], source: Source) -> str:
                 count=len(found),
                 known=", ".join(found)[:120],
             ),
-            (Message("nothing, but give the file or folder of one of them"),),
+            (Message("give the file or folder of one of them instead"),),
             str(source.path),
         )
     return found[0]
@@ -88,7 +88,7 @@ def _only(found: list[str], source: Source) -> str:
 def _read(
     source: Source,
     name: str,
-    pictures: list[str],
+    frame_lists: list[str],
     title: str,
     words: str,
     *,
@@ -100,14 +100,14 @@ def _read(
     shape = Shape(len(columns), wanted, integer=0, skip_lines=1)
     numbers = read_table(source, name, shape)
     time_s = numbers.values[:, 0] * NANO
-    rate, force, field = split(
+    rate, accel, field = split(
         numbers.values, time_s, (1, 4, 7) if has_field else (1, 4)
     )
-    frame0_ns = _first_stamp(source, pictures)
+    frame0_ns = _first_stamp(source, frame_lists)
     frame0_s = None if frame0_ns is None else (frame0_ns - numbers.origin) * NANO
     return RawLog(
         name=title,
-        force=force,
+        accel=accel,
         rate=rate,
         field=field,
         axes_words=words,
@@ -117,8 +117,8 @@ def _read(
     )
 
 
-def _first_stamp(source: Source, pictures: list[str]) -> int | None:
-    for name in pictures:
+def _first_stamp(source: Source, frame_lists: list[str]) -> int | None:
+    for name in frame_lists:
         stamp = first_stamp_ns(source, name)
         if stamp is not None:
             return stamp
@@ -126,7 +126,7 @@ def _first_stamp(source: Source, pictures: list[str]) -> int | None:
 
 
 def first_stamp_ns(source: Source, name: str) -> int | None:
-    """Return the first time in a list of pictures, below a header if it has one."""
+    """Return the first time in a list of frames, below an optional header."""
     for line in source.head(name).splitlines()[:3]:
         if match := _STAMP.match(line):
             return int(match[1])
@@ -134,7 +134,7 @@ def first_stamp_ns(source: Source, name: str) -> int | None:
 
 
 def plausible_frame0_s(frame0_s: float | None, length_s: float) -> float | None:
-    """Return the time of the first picture, or None if it lies outside the log."""
+    """Return the time of the first frame, or None if it is outside the log."""
     if frame0_s is None or not FIRST_FRAME_S <= frame0_s <= length_s:
         return None
     return frame0_s

@@ -1,8 +1,8 @@
 """OpenCamera Sensors: a headerless CSV for each sensor, x, y, z and ns.
 
 `<video>_accel.csv`, `_gyro.csv`, `_magnetic.csv`; `_timestamps.csv` has the time of
-each picture on the same clock. Names differ between versions, so that which sensor
-a file holds is told by its numbers, and the name has to agree.
+each frame on the same clock. Names differ between versions, so the numbers have to confirm
+the sensor that a name suggests.
 
 Source: MobileRoboticsSkoltech/OpenCamera-Sensors, README; telemetry-parser.
 """
@@ -21,7 +21,7 @@ from hapticplayer.errors import InputError, Message, joined
 
 _SHAPE = Shape(4, (3, 0, 1, 2), integer=3)
 _ROLES = ("accel", "gyro", "magnetic")
-_LEAST_NS = 1e8
+_MIN_STAMP_NS = 1e8
 _RATE_NORM = 6.0
 
 
@@ -39,7 +39,7 @@ def read(source: Source, _choices: LogChoices) -> RawLog:
 
     Raises:
         InputError: when sensors are missing.
-        UsageError: when several recordings lie in the folder.
+        UsageError: when the folder holds several recordings.
     """
     where = str(source.path)
     roles: dict[str, str] = {}
@@ -54,7 +54,7 @@ def read(source: Source, _choices: LogChoices) -> RawLog:
                     first=roles[role],
                     second=name,
                 ),
-                (Message("nothing, but give the folder of one of them"),),
+                (Message("give the folder of one of them instead"),),
                 where,
             )
         if role:
@@ -69,17 +69,17 @@ def read(source: Source, _choices: LogChoices) -> RawLog:
         )
     sensors = {role: read_sensor(source, name, _SHAPE) for role, name in roles.items()}
     _check_roles(sensors, where)
-    force, rate = sensors["accel"], sensors["gyro"]
+    accel, rate = sensors["accel"], sensors["gyro"]
     field = sensors.get("magnetic")
-    origin = force.origin_ns
+    origin = accel.origin_ns
     return RawLog(
         name="OpenCamera Sensors",
-        force=force.stream,
+        accel=accel.stream,
         rate=rate.since(origin),
         field=None if field is None else field.since(origin),
         axes_words=Message("the phone's axes: x right, y top, z out of the screen"),
         back_axis="z",
-        frame0_s=_frame0_s(source, force),
+        frame0_s=_frame0_s(source, accel),
         notes=tuple(note for sensor in sensors.values() for note in sensor.notes),
     )
 
@@ -90,7 +90,9 @@ def _is_sensor(source: Source, name: str) -> bool:
         return False
     times = np.array([row[3] for row in rows])
     steps = np.diff(times)
-    return bool(times[0] > _LEAST_NS and (steps >= 0).all() and np.median(steps) > 1e5)
+    return bool(
+        times[0] > _MIN_STAMP_NS and (steps >= 0).all() and np.median(steps) > 1e5
+    )
 
 
 def _named(source: Source, name: str) -> str:
@@ -99,7 +101,7 @@ def _named(source: Source, name: str) -> str:
 
 
 def _check_roles(sensors: dict[str, Sensor], where: str) -> None:
-    """Hold what the names say against gravity."""
+    """Check the names against gravity."""
     norms = {
         role: float(np.nanmedian(np.linalg.norm(sensor.stream.values, axis=1)))
         for role, sensor in sensors.items()
@@ -109,21 +111,21 @@ def _check_roles(sensors: dict[str, Sensor], where: str) -> None:
     if is_swapped:
         raise InputError(
             "its gyro file has the norm {norm:.3g} of gravity, its accel file has "
-            "not, so the names are exchanged",
+            "not: the names are swapped",
             where=where,
-            remedy="give the files the names they were recorded with",
+            remedy="restore the original file names",
             norm=norms["gyro"],
         )
 
 
-def _frame0_s(source: Source, force: Sensor) -> float | None:
+def _frame0_s(source: Source, accel: Sensor) -> float | None:
     for name in source.names:
         base = source.base(name)
         if base.endswith("timestamps.csv") and "imu" not in base:
             stamp = first_stamp_ns(source, name)
             if stamp is not None:
-                frame0_s = (stamp - force.origin_ns) * NANO
-                return plausible_frame0_s(frame0_s, float(force.stream.time_s[-1]))
+                frame0_s = (stamp - accel.origin_ns) * NANO
+                return plausible_frame0_s(frame0_s, float(accel.stream.time_s[-1]))
     return None
 
 

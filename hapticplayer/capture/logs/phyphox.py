@@ -31,8 +31,8 @@ _AXIS = re.compile(
 _KINDS = {
     "Linear Acceleration": "linear",
     "Linear Accelerometer": "linear",
-    "Acceleration": "force",
-    "Accelerometer": "force",
+    "Acceleration": "accel",
+    "Accelerometer": "accel",
     "Gyroscope": "rate",
     "Gyroscope rate": "rate",
     "Magnetic field": "field",
@@ -52,7 +52,7 @@ _UNITS = {
 
 
 class _Found(NamedTuple):
-    """Where a sensor stands."""
+    """Where a sensor is stored."""
 
     name: str
     separator: str
@@ -73,9 +73,9 @@ def read(source: Source, _choices: LogChoices) -> RawLog:
         InputError: when sensors are missing or a unit is unknown.
     """
     found = _sensors(source)
-    is_free = "force" not in found and "linear" in found
-    force = found.get("force") or found.get("linear")
-    if force is None:
+    is_free = "accel" not in found and "linear" in found
+    accel = found.get("accel") or found.get("linear")
+    if accel is None:
         raise InputError(
             "holds no acceleration (only {held})",
             where=str(source.path),
@@ -84,20 +84,18 @@ def read(source: Source, _choices: LogChoices) -> RawLog:
         )
     rate, field = found.get("rate"), found.get("field")
     tables: dict[str, _Member] = {}
-    force_stream = _stream(source, force, tables)
+    accel_stream = _stream(source, accel, tables)
     rate_stream = _stream(source, rate, tables) if rate else None
     field_stream = _stream(source, field, tables) if field else None
     notes = [note for table in tables.values() for note in table.notes]
     if source.text_of("time.csv").count('"START"') > 1:
-        notes.append(
-            Message("the experiment was paused; its clock ran on without the pause")
-        )
+        notes.append(Message("the experiment was paused; its clock skips the pause"))
     return RawLog(
         name="phyphox",
-        force=force_stream,
+        accel=accel_stream,
         rate=rate_stream,
         field=field_stream,
-        force_unit=force.unit,
+        accel_unit=accel.unit,
         rate_unit=rate.unit if rate else "rad/s",
         field_unit=field.unit if field else "uT",
         axes_words=Message("the phone's axes: x right, y top, z out of the screen"),
@@ -108,7 +106,7 @@ def read(source: Source, _choices: LogChoices) -> RawLog:
 
 
 class _Member(NamedTuple):
-    """A member that was read: its streams share their times."""
+    """A member: its streams share their times."""
 
     streams: dict[tuple[int, ...], Stream]
     notes: tuple[str, ...]
@@ -138,7 +136,7 @@ def _read(source: Source, one: _Found) -> _Member:
 
 
 def _sensors(source: Source) -> dict[str, _Found]:
-    """Return the sensors of a source by kind; the first member of each counts."""
+    """Return the sensors of a source by kind, the first member of each."""
     found: dict[str, _Found] = {}
     for name in source.names:
         line = source.first_line(name)

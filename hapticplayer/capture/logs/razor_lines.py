@@ -1,4 +1,4 @@
-"""The older Razor 9DOF: what its firmwares write line by line.
+"""Older Razor 9DOF firmwares, which write a line for each sensor or frame.
 
 Razor-AHRS: a line for each sensor, `#A-C=x,y,z`, `#M-C=`, `#G-C=` (calibrated) or
 `#A-R=` ... (raw); three lines are one frame of 20 ms, without a time. Its axes are x
@@ -61,7 +61,7 @@ def read(source: Source, choices: LogChoices) -> RawLog:
 
     Raises:
         InputError: when it holds angles only.
-        UsageError: when the rate has to be told.
+        UsageError: when the rate is needed.
     """
     name = source.names[0]
     lines = [line.strip() for line in source.head(name).splitlines()]
@@ -71,18 +71,18 @@ def read(source: Source, choices: LogChoices) -> RawLog:
     if any(_DOLLAR.match(line) for line in lines):
         return _dollar(source, name, choices)
     raise InputError(
-        "holds angles without angular rates, from which motion cannot be had",
+        "holds angles without angular rates, so motion cannot be computed",
         where=source.where(name),
         remedy="switch the board to its sensor output (#osct with Razor-AHRS)",
     )
 
 
 def _frames(rows: Floats) -> Floats:
-    """Return rows of acceleration, field and rate; NaN where a line is missing.
+    """Return rows of acceleration, field and rate; NaN for a missing line.
 
     Args:
-        rows: (N, 4) sensor (0, 1, 2) and three values, as they came. A frame begins
-            where the order of the sensors does.
+        rows: (N, 4) sensor (0, 1, 2) and three values. A frame begins where the order
+            of the sensors restarts.
     """
     is_known = np.isin(rows[:, 0], (0.0, 1.0, 2.0))
     if not is_known.all():
@@ -93,7 +93,7 @@ def _frames(rows: Floats) -> Floats:
     order[present] = np.argsort(np.argsort(first_rows))
     frame = np.cumsum(np.diff(order[sensors], prepend=-1) <= 0, dtype=np.int32)
     frames = np.full((int(frame[-1]) + 1 if len(frame) else 0, 9), np.nan)
-    for sensor in range(3):  # one by one: ten hours are large
+    for sensor in range(3):  # one by one, to save memory
         of_sensor = np.flatnonzero(sensors == sensor)
         at = frame[of_sensor]
         for axis in range(3):
@@ -104,13 +104,15 @@ def _frames(rows: Floats) -> Floats:
 def _ahrs(rows: Floats, choices: LogChoices, notes: tuple[str, ...]) -> RawLog:
     rate_hz = choices.sample_rate_hz or 1.0 / FRAME_S
     if choices.sample_rate_hz is None:
-        notes += (Message("the log has no times: 50 frames a second are assumed"),)
+        notes += (
+            Message("the log has no timestamps: 50 frames per second are assumed"),
+        )
     time_s = np.arange(len(rows)) / rate_hz
     return RawLog(
         name="Razor-AHRS",
-        force=Stream(time_s, -rows[:, 0:3]),
+        accel=Stream(time_s, -rows[:, 0:3]),
         rate=Stream(time_s, rows[:, 6:9]),
-        force_unit=f"{STANDARD_GRAVITY_MPS2 / COUNTS_PER_G:.10g}",
+        accel_unit=f"{STANDARD_GRAVITY_MPS2 / COUNTS_PER_G:.10g}",
         rate_unit=f"{np.radians(1.0 / COUNTS_PER_DPS):.10g}",
         axes="y,x,-z",
         axes_words=Message("the firmware's axes: x forward, y right, z down"),
@@ -121,7 +123,7 @@ def _ahrs(rows: Floats, choices: LogChoices, notes: tuple[str, ...]) -> RawLog:
 def _dollar(source: Source, name: str, choices: LogChoices) -> RawLog:
     if choices.sample_rate_hz is None:
         raise LogQuestion(
-            Message("has no times, and its firmware has no fixed rate"),
+            Message("has no timestamps, and its firmware has no fixed rate"),
             ("rate-hz=50",),
             source.where(name),
         )
@@ -131,9 +133,9 @@ def _dollar(source: Source, name: str, choices: LogChoices) -> RawLog:
     time_s = np.arange(len(values)) / choices.sample_rate_hz
     return RawLog(
         name=Message("Razor, raw output"),
-        force=Stream(time_s, values[:, 0:3]),
+        accel=Stream(time_s, values[:, 0:3]),
         rate=Stream(time_s, values[:, 3:6]),
-        force_unit=f"{STANDARD_GRAVITY_MPS2 / COUNTS_PER_G:.10g}",
+        accel_unit=f"{STANDARD_GRAVITY_MPS2 / COUNTS_PER_G:.10g}",
         rate_unit=f"{np.radians(1.0 / COUNTS_PER_DPS):.10g}",
         axes_words=Message("the board's axes"),
         notes=numbers.notes,

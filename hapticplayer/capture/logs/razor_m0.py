@@ -2,8 +2,8 @@
 
 Rows without a header, comma and blank between the cells, CRLF: optional ms, then
 acceleration, gyro, field, each switched on or off, in g, deg/s and uT, or in counts
-when "calculated values" are off. Nothing in the file says which columns there are;
-nine or ten are time and three sensors, or three sensors, in the default order.
+when "calculated values" are off. The file does not declare its columns; nine or ten are
+time and three sensors, or three sensors, in the default order.
 
 Source: sparkfun/9DOF_Razor_IMU, _9DoF_Razor_M0_Firmware.ino, logIMUData.
 """
@@ -48,7 +48,7 @@ def read(source: Source, choices: LogChoices) -> RawLog:
     """Return the log.
 
     Raises:
-        UsageError: when the columns cannot be told from the file.
+        UsageError: when the columns are ambiguous.
     """
     name = source.names[0]
     rows = first_numbers(source, name)
@@ -56,7 +56,7 @@ def read(source: Source, choices: LogChoices) -> RawLog:
     if width not in _WITH_TIME:
         raise LogQuestion(
             Message(
-                "has {count} columns, and a Razor M0 does not say which they are",
+                "has {count} columns, and a Razor M0 does not declare them",
                 count=width,
             ),
             (Message("format=csv and columns=time,ax,ay,az,gx,gy,gz (- for others)"),),
@@ -65,17 +65,17 @@ def read(source: Source, choices: LogChoices) -> RawLog:
     used = 10 if _WITH_TIME[width] else 7
     numbers = read_table(source, name, Shape(width, tuple(range(used))))
     values = numbers.values
-    force, rate, field = split(
+    accel, rate, field = split(
         values, values[:, 0] * 1e-3, (1, 4, 7) if used > 7 else (1, 4)
     )
     norm = float(np.nanmedian(np.linalg.norm(values[:, 1:4], axis=1)))
-    force_unit, rate_unit, field_unit = _units(norm, source.where(name), choices)
+    accel_unit, rate_unit, field_unit = _units(norm, source.where(name), choices)
     return RawLog(
         name="Razor M0",
-        force=force,
+        accel=accel,
         rate=rate,
         field=field if field_unit else None,
-        force_unit=force_unit,
+        accel_unit=accel_unit,
         rate_unit=rate_unit,
         field_unit=field_unit or "uT",
         axes_words=Message("the chip's axes"),
@@ -86,20 +86,20 @@ def read(source: Source, choices: LogChoices) -> RawLog:
 def _units(norm: float, where: str, choices: LogChoices) -> tuple[str, str, str]:
     if _ONE_G[0] < norm < _ONE_G[1]:
         return "g", "deg/s", "uT"
-    if choices.force_unit and choices.rate_unit:
-        return choices.force_unit, choices.rate_unit, ""
+    if choices.accel_unit and choices.rate_unit:
+        return choices.accel_unit, choices.rate_unit, ""
     nearest = min(
         _COUNTS_PER_G, key=lambda counts: abs(np.log(max(norm, 1e-9) / counts))
     )
-    force_unit = f"force-unit={STANDARD_GRAVITY_MPS2 / nearest:.8g}"
+    accel_unit = f"accel-unit={STANDARD_GRAVITY_MPS2 / nearest:.8g}"
     rate_unit = f"rate-unit={np.radians(1.0 / _COUNTS_PER_DPS):.8g}"
     ranges = Message("1 g = {counts:.0f} and 2000 deg/s", counts=nearest)
     raise LogQuestion(
         Message("holds counts of an unknown range (norm {norm:.4g})", norm=norm),
         (
             Message(
-                "{force_unit} and {rate_unit} for {ranges}",
-                force_unit=force_unit,
+                "{accel_unit} and {rate_unit} for {ranges}",
+                accel_unit=accel_unit,
                 rate_unit=rate_unit,
                 ranges=ranges,
             ),

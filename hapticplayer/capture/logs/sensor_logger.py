@@ -2,8 +2,8 @@
 
 Header `time,seconds_elapsed,z,y,x`: ns since 1970, seconds since the start, and the
 axes in that order, so they are read by name. Android's Accelerometer.csv has no
-gravity, TotalAcceleration.csv has; iOS logs acceleration and gravity apart, with all
-signs turned round, unless "Standardise Units & Frames" is on.
+gravity, TotalAcceleration.csv has; iOS logs acceleration and gravity separately, with
+opposite signs, unless "Standardise Units & Frames" is on.
 
 Source: tszheichoi/awesome-sensor-logger (UNITS, COORDINATES, CROSSPLATFORM).
 """
@@ -49,7 +49,7 @@ def read(source: Source, choices: LogChoices) -> RawLog:
 
     Raises:
         InputError: when sensors are missing.
-        UsageError: when the sign of the acceleration cannot be told.
+        UsageError: when the sign of the acceleration is ambiguous.
     """
     found = _sensors(source)
     where = str(source.path)
@@ -65,21 +65,21 @@ def read(source: Source, choices: LogChoices) -> RawLog:
             remedy="give the whole folder or zip, recorded with the gyroscope",
             held=held[:200],
         )
-    force, unit, notes = _force(source, found, system, is_standard=is_standard)
+    accel, unit, notes = _accel(source, found, system, is_standard=is_standard)
     gyro = _read(source, found[gyro_name])
     field_name = next((name for name in _FIELD if name in found), None)
     field = _read(source, found[field_name]) if field_name else None
-    origin_ns = force.origin_ns
+    origin_ns = accel.origin_ns
     if field is not None:
         notes += field.notes
     return RawLog(
         name=Message(
             "Sensor Logger ({system})", system="iOS" if system == _IOS else "Android"
         ),
-        force=force.stream,
+        accel=accel.stream,
         rate=gyro.since(origin_ns),
         field=None if field is None else field.since(origin_ns),
-        force_unit=unit,
+        accel_unit=unit,
         axes_words=Message("the phone's axes: x right, y top, z out of the screen"),
         back_axis="z",
         notes=notes + gyro.notes,
@@ -97,7 +97,7 @@ def _sensors(source: Source) -> dict[str, str]:
 
 
 def _metadata(source: Source, choices: LogChoices) -> tuple[str, bool]:
-    """Return the phone's system ("" where unknown) and whether frames are standard."""
+    """Return the phone's system ("" if unknown) and whether frames are standard."""
     for system in (_IOS, _ANDROID):
         if choices.format.endswith(system):
             return system, False
@@ -116,7 +116,7 @@ def _metadata(source: Source, choices: LogChoices) -> tuple[str, bool]:
     return (system if system in {_IOS, _ANDROID} else ""), is_standard
 
 
-def _force(
+def _accel(
     source: Source, found: dict[str, str], system: str, *, is_standard: bool
 ) -> tuple[Sensor, str, tuple[str, ...]]:
     """Return the specific force with gravity, its unit, and notes."""
@@ -127,7 +127,7 @@ def _force(
     if not system:
         raise LogQuestion(
             Message(
-                "does not say whether it comes from iOS or Android, whose "
+                "does not declare iOS or Android, whose "
                 "accelerations have opposite signs"
             ),
             ("format=sensor-logger-ios", "format=sensor-logger-android"),
@@ -169,7 +169,9 @@ def _with_gravity(
         )
     with np.errstate(all="ignore"):
         stream = Stream(linear.stream.time_s, linear.stream.values + at_times)
-    notes = (Message("specific force is acceleration plus the phone's own gravity"),)
+    notes = (
+        Message("specific force is acceleration plus the phone's gravity estimate"),
+    )
     return (
         Sensor(stream, linear.origin_ns, linear.notes),
         notes + linear.notes + gravity.notes,

@@ -63,21 +63,21 @@ def read(source: Source, _choices: LogChoices) -> RawLog:
     values = numbers.values
     spikes = _unscale_skipped(values)
     time_s = values[:, 0] * 1e-3
-    force, rate, field = split(values, time_s, (4, 1, 7))
+    accel, rate, field = split(values, time_s, (4, 1, 7))
     notes = numbers.notes
     if spikes:
         notes += (
             Message(
-                "{count} gyroscope values were scaled twice and are left out",
+                "{count} gyroscope values were scaled twice and are ignored",
                 count=spikes,
             ),
         )
     return RawLog(
         name=Message("Ultimate IMU, stock firmware"),
-        force=force,
+        accel=accel,
         rate=rate,
         field=field,
-        force_unit="g",
+        accel_unit="g",
         rate_unit="deg/s",
         field_unit="gauss",
         axes_words=Message("the board's axes"),
@@ -88,8 +88,7 @@ def read(source: Source, _choices: LogChoices) -> RawLog:
 def _unscale_skipped(values: np.ndarray) -> int:
     """Mark rates that the firmware divided twice by its scale; return how many.
 
-    A value that is a fourteenth of both neighbours on all axes, while these are
-    fast, is none of the sensor's.
+    Such a value is a fourteenth of both neighbours on all axes, while these are fast.
     """
     rate = values[:, 1:4]
     if len(rate) < 3:

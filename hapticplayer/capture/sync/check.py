@@ -1,4 +1,4 @@
-"""Says of one stream whether three pats stand out of it, right after recording."""
+"""Checks one stream for three usable pats, right after recording."""
 
 from dataclasses import dataclass
 from itertools import combinations
@@ -26,14 +26,14 @@ _RHYTHM = 0.16
 
 @dataclass(frozen=True, slots=True)
 class StreamCheck:
-    """The best three knocks of one stream.
+    """The best three taps of one stream.
 
     Attributes:
-        pats_s: their times on the stream's clock; empty without any.
-        rarity_hz: how often events as strong as the weakest of them come.
-        chance: how many such triples are expected where nobody has patted: events at
-            random times (a Poisson process of that rate), each followed by two others
-            in the intervals of pats. Of a log; a sound has more to tell knocks by.
+        pats_s: their times on the stream's clock, or empty.
+        rarity_hz: rate of events at least as strong as the weakest of them.
+        chance: expected number of such triples without pats: events at random times (a
+            Poisson process of that rate), each followed by two others in the intervals
+            of pats. Of a log only; 0 for a sound, which has further cues.
     """
 
     pats_s: tuple[float, ...] = ()
@@ -42,7 +42,7 @@ class StreamCheck:
 
     @property
     def is_usable(self) -> bool:
-        """Whether they stand out enough to be told from what else is there."""
+        """Whether they stand out from the other events."""
         is_rare = self.rarity_hz <= _RARE_HZ and self.chance <= _MOST_CHANCE
         return bool(self.pats_s) and is_rare
 
@@ -57,12 +57,12 @@ class StreamCheck:
 
 
 def check_sound(sound: Sound) -> StreamCheck:
-    """Look for pats in a sound."""
+    """Find pats in a sound."""
     return _check(sound_events(sound_onsets(sound.samples, sound.rate_hz)))
 
 
 def check_log(imu: ImuLog) -> StreamCheck:
-    """Look for pats in a log."""
+    """Find pats in a log."""
     duration_s = float(imu.time_s[-1] - imu.time_s[0]) if len(imu.time_s) else 0.0
     return _check(shock_events(imu, shocks(imu)), duration_s)
 

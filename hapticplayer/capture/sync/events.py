@@ -1,8 +1,8 @@
-"""Finds what begins suddenly: in sound to the millisecond, in acceleration to a sample.
+"""Detects sudden onsets: in sound to the millisecond, in acceleration to a sample.
 
-Each event has its rarity, the number of events per second of the same recording that
-are at least as strong: sound and acceleration, a quiet car and a gale become comparable
-without any threshold in a unit.
+Each event has a rarity, the number of events per second of the same recording that are
+at least as strong: this makes sound and acceleration, a quiet car and a storm comparable
+without a threshold in any unit.
 """
 
 from dataclasses import dataclass
@@ -19,17 +19,17 @@ from hapticplayer.model.arrays import Floats
 CURVE_HZ = 1000
 """Rate of the onset curve of sound."""
 
-_BAND_HZ = (80.0, 800.0)  # a hand on a housing; wind lies below, most speech above
+_BAND_HZ = (80.0, 800.0)  # a hand on a housing; wind is below, most speech above
 _BAND_RATE_HZ = 4000
-_AFTER = 10  # ms whose power counts as the event's
-_BEFORE = (2, 27)  # ms that it is compared with
+_AFTER = 10  # ms of power of the event
+_BEFORE = (2, 27)  # ms of power before it
 _SEPARATION_S = 0.06
 _MOST_PER_S = 3.0
 _MOST = 6000
 _AR_ORDER = 6
 _BLOCK_S = 0.5
 _AROUND_BLOCKS = 7
-_WEIGHT = 0.5  # half way between strength and contrast: still before, loud after
+_WEIGHT = 0.5  # between strength (0) and contrast (1)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -37,9 +37,9 @@ class Events:
     """Sudden events, in the order of time.
 
     Attributes:
-        time_s: (N,) when each begins, on its stream's own clock.
+        time_s: (N,) onsets, on the stream's own clock.
         strength: (N,) in the stream's own measure.
-        rarity_hz: (N,) how many events per second are at least as strong.
+        rarity_hz: (N,) events per second that are at least as strong.
     """
 
     time_s: Floats
@@ -50,18 +50,18 @@ class Events:
         return len(self.time_s)
 
     def within(self, begin_s: float, end_s: float) -> "Events":
-        """Return the events of a span, with the rarity they have in the whole."""
+        """Return the events of a span, with their rarity in the whole stream."""
         kept = (self.time_s >= begin_s) & (self.time_s <= end_s)
         return Events(self.time_s[kept], self.strength[kept], self.rarity_hz[kept])
 
     def rarest(self, most: int) -> "Events":
-        """Return at most so many events, the strongest."""
+        """Return the strongest events, at most so many."""
         kept = np.sort(np.argsort(self.rarity_hz, kind="stable")[:most])
         return Events(self.time_s[kept], self.strength[kept], self.rarity_hz[kept])
 
 
 def sound_onsets(audio: NDArray[np.floating], rate_hz: float) -> Floats:
-    """Return how suddenly the sound swells at each millisecond (n,), 0 or more.
+    """Return the onset strength of the sound at each millisecond (n,), 0 or more.
 
     Args:
         audio: (n,) mono.
@@ -88,10 +88,10 @@ def loudness(audio: NDArray[np.floating], rate_hz: float) -> Floats:
 
 
 def _against_surroundings(size: Floats, rate_hz: float) -> Floats:
-    """Return sizes (n,) divided by a power of what is usual around them.
+    """Return values (n,) divided by a power of the background around them.
 
-    Usual is the median over 3.5 s of means over 0.5 s, which knocks do not move, and
-    at least a fifth of what is usual in the whole.
+    The background is the median over 3.5 s of means over 0.5 s, which taps do not
+    affect, and at least a fifth of the median background.
     """
     block = max(1, round(_BLOCK_S * rate_hz))
     count = len(size) // block
@@ -128,17 +128,17 @@ def sound_events(curve: Floats, start_s: float = 0.0) -> Events:
 
 
 def shocks(imu: ImuLog) -> Floats:
-    """Return how unexpected each sample is (N,): the size of its innovation.
+    """Return the innovation of each sample (N,), normalised.
 
-    Each axis is predicted from its own past (autoregression of order 6, which takes
-    away the regular motion of a walk), and scaled by the median of its error.
+    Each axis is predicted from its own past (autoregression of order 6, which removes
+    the regular motion of a walk), and scaled by the median of its error.
     """
-    force = imu.specific_force_mps2
-    if len(force) < 4 * _AR_ORDER:
-        return np.zeros(len(force))
-    square = np.zeros(len(force))
+    accel = imu.specific_force_mps2
+    if len(accel) < 4 * _AR_ORDER:
+        return np.zeros(len(accel))
+    square = np.zeros(len(accel))
     for axis in range(3):
-        signal = force[:, axis] - force[:, axis].mean()
+        signal = accel[:, axis] - accel[:, axis].mean()
         error = lfilter(innovation_filter(signal), [1.0], signal)
         square += (error / (1.4826 * np.median(np.abs(error)) + 1e-6)) ** 2
     square[: 2 * _AR_ORDER] = 0.0
@@ -149,9 +149,9 @@ def shocks(imu: ImuLog) -> Floats:
 
 
 def innovation_filter(signal: Floats) -> Floats:
-    """Return the filter (7,) that leaves of a signal what its past does not tell.
+    """Return the prediction-error filter (7,) of a signal.
 
-    Autocorrelation method; a signal without variation is left as it is.
+    Autocorrelation method; the identity for a constant signal.
     """
     lags = [signal[: len(signal) - k] @ signal[k:] for k in range(_AR_ORDER + 1)]
     lags[0] = lags[0] * (1.0 + 1e-4) + 1e-12
@@ -172,7 +172,7 @@ def _peaks(curve: Floats, reach: int) -> NDArray[np.intp]:
 
 
 def _ranked(time_s: Floats, strength: Floats, duration_s: float) -> Events:
-    """Keep the strongest and say how rare each is."""
+    """Return the strongest events with their rarity."""
     order = np.argsort(-strength, kind="stable")
     order = order[: int(min(_MOST, max(12.0, _MOST_PER_S * duration_s)))]
     rarity_hz = np.asarray(np.arange(1.0, len(order) + 1.0) / duration_s)

@@ -1,11 +1,10 @@
-"""Finds a shift below one sample, from the shape that pats leave in a log.
+"""Estimates a shift below one sample, from the waveform of pats in a log.
 
-A pat is a damped sine that begins when it is heard. A logger sees its means over its
-own windows, 33 ms long in the paper's board, so a whole pat may lie in one or two
-values; how it is spread over them still tells when it began, and three pats that fall
-differently on the windows tell it three times. For each shift the windows' means of
-damped sines are compared with the log, both whitened by the log's own prediction filter;
-frequency, decay and the size in each axis are free.
+A pat is a damped sine that begins when it is heard. A logger stores means over its own
+windows (33 ms for the paper's board), so a whole pat may be in one or two values; their
+ratio still depends on the onset, and three pats give three estimates. For each shift the
+window means of damped sines are compared with the log, both whitened by the log's
+prediction filter; frequency, decay and the amplitude per axis are free.
 """
 
 from dataclasses import dataclass
@@ -20,24 +19,24 @@ from hapticplayer.model import ImuLog
 from hapticplayer.model.arrays import Floats
 
 SOUND_LATE_S = 0.001
-"""The onset of a thump is found this much late: its power has to rise first."""
+"""Mean delay of a detected onset in the sound."""
 
 _FREQUENCIES_HZ = np.array([14.0, 20.0, 27.0, 35.0, 45.0, 60.0, 80.0])
 _DECAYS_S = np.array([0.012, 0.025, 0.05])
-_STEPS_PER_WINDOW = 16  # of the shifts tried, but no finer than 1 ms
+_STEPS_PER_WINDOW = 16  # of the shifts, but at least 1 ms
 _BEFORE, _AFTER = 3, 7  # samples around a pat at 30 Hz
 _AFTER_S = 0.1
-_MISFIT = 0.2  # of a pat's size; no knock is a damped sine
+_MISFIT = 0.2  # of a pat's amplitude: deviation from a damped sine
 _SOUND_SIGMA_S = 0.0015
 
 
 @dataclass(frozen=True, slots=True)
 class Fit:
-    """A shift as the pats' shapes give it.
+    """A shift estimated from the waveforms.
 
     Attributes:
         shift_s: media time minus log time.
-        sigma_s: SD of its error as far as the shapes tell.
+        sigma_s: SD of its error according to the fit.
     """
 
     shift_s: float
@@ -46,17 +45,17 @@ class Fit:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Whitener:
-    """Prediction filters of the three axes, and the SD of what they leave."""
+    """Prediction filters of the three axes, and the SD of their residuals."""
 
     filters: Floats
     sigma_mps2: Floats
 
     @classmethod
     def of(cls, imu: ImuLog) -> "Whitener":
-        """Learn them from a whole log."""
-        force = imu.specific_force_mps2 - imu.specific_force_mps2.mean(axis=0)
-        filters = np.stack([innovation_filter(force[:, axis]) for axis in range(3)])
-        left = [lfilter(filters[axis], [1.0], force[:, axis]) for axis in range(3)]
+        """Estimate them from a log."""
+        accel = imu.specific_force_mps2 - imu.specific_force_mps2.mean(axis=0)
+        filters = np.stack([innovation_filter(accel[:, axis]) for axis in range(3)])
+        left = [lfilter(filters[axis], [1.0], accel[:, axis]) for axis in range(3)]
         sigma = [1.4826 * np.median(np.abs(axis)) + 1e-3 for axis in left]
         return cls(filters, np.array(sigma))
 
@@ -68,14 +67,14 @@ def fit_shift(
     shift_s: float,
     reach_s: float,
 ) -> Fit:
-    """Return the shift at which the pats' shapes fit best.
+    """Return the shift at which the waveforms fit best.
 
     Args:
         imu: the log.
         whitener: of the log.
         pats_s: (K,) media times at which the pats are heard.
-        shift_s: where to look.
-        reach_s: how far around it.
+        shift_s: centre of the search.
+        reach_s: half its width.
     """
     step_s = max(0.001, 1.0 / (_STEPS_PER_WINDOW * imu.rate_hz))
     offsets_s = step_s * np.arange(
@@ -85,7 +84,6 @@ def fit_shift(
     for pat_s in pats_s:
         felt_s = pat_s - SOUND_LATE_S - (shift_s + offsets_s)
         total += _fitness(imu, whitener, felt_s)
-    # the means tell less than they seem to: they share one sound and one kind of pat
     posterior = np.exp(total - total.max())
     posterior /= posterior.sum()
     mean_s = float(posterior @ offsets_s)
@@ -107,10 +105,10 @@ def _fitness(imu: ImuLog, whitener: Whitener, felt_s: Floats) -> Floats:
     waves = _waves(imu.time_s[first:last], felt_s, step_s)  # (S, form, n)
     total = np.zeros(waves.shape[:2])
     for axis in range(3):
-        force = imu.specific_force_mps2[first - order : last, axis]
-        mean = float(np.median(force))
+        accel = imu.specific_force_mps2[first - order : last, axis]
+        mean = float(np.median(accel))
         filter_ = whitener.filters[axis]
-        seen = lfilter(filter_, [1.0], force - mean)[order:]
+        seen = lfilter(filter_, [1.0], accel - mean)[order:]
         shape = lfilter(filter_, [1.0], waves, axis=-1)
         power = (shape**2).sum(axis=-1) + 1e-12
         explained = (shape @ seen) ** 2 / power

@@ -1,8 +1,7 @@
-"""The methods of synchronisation, one line for each.
+"""The registry of synchronisation methods, one line for each.
 
-Command line, window, validation and documents read this list; a new method is a line
-here and its function. Needs nothing but the standard library: a method is imported when
-it is used.
+Command line, window, validation and documents use it; a new method is a line here and
+its function, which is imported when it is used.
 """
 
 from collections.abc import Callable
@@ -20,8 +19,8 @@ class SyncMethod(NamedTuple):
     """One way to synchronise a log with a clip.
 
     Attributes:
-        name: how `--method` and `--sync` call it.
-        text: what it goes by, for people.
+        name: for `--method` and `--sync`.
+        text: for people.
         home: of its function, as module:name.
     """
 
@@ -30,7 +29,7 @@ class SyncMethod(NamedTuple):
     home: str
 
     def function(self) -> "Callable[[SyncInput], Synchronisation]":
-        """Import what does it."""
+        """Import its function."""
         return cast("Callable[[SyncInput], Synchronisation]", load(self.home))
 
 
@@ -57,5 +56,5 @@ def sync_method(name: str) -> SyncMethod:
             return method
     known = ", ".join(method.name for method in SYNC_METHODS)
     raise UsageError(
-        "there is no method {method!r}; choose one of {known}", method=name, known=known
+        "method {method!r} not found; choose one of {known}", method=name, known=known
     )

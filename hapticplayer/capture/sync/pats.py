@@ -1,4 +1,4 @@
-"""Synchronises by three pats on the camera: heard in its sound, felt in the log."""
+"""Synchronises by three pats on the camera, in its sound and in the log."""
 
 import dataclasses
 import math
@@ -13,15 +13,15 @@ from hapticplayer.capture.sync.shifts import Candidate, Coincidence, candidates
 from hapticplayer.model import ClockMap, ImuLog
 
 LONG_S = 150.0
-"""From here on the drift is worth its fit: 50 ppm are 8 ms."""
+"""From this length on the clock rate is estimated: 50 ppm are 8 ms."""
 
-DRIFT_PRIOR = 50e-6  # SD; a quartz keeps this
+DRIFT_PRIOR = 50e-6  # SD of a quartz
 _DRIFT_LIMIT = 300e-6
-_END_S = 90.0  # of a long clip, in which pats at an end are sought
-_APART_S = 0.06  # a rival is another shift, not this one's flank
+_END_S = 90.0  # searched at each end of a long clip
+_APART_S = 0.06  # an alternative is at least this far away
 _RIVALS = 5
 _FIT_REACH_S = 0.012
-_LEAST_END = 9.0  # evidence of pats where the other end has told where to look
+_LEAST_END = 9.0  # evidence of pats near the shift of the other end
 _ANY_SHIFT = (-math.inf, math.inf)
 _ENOUGH, _CHANCE = 4.0, 10.0  # fitted on simulated clips, right, wrong and mismatched
 _CHANCE_S2 = 60.0 * 66.0  # of their sound times their log: in less, chance gives less
@@ -29,7 +29,7 @@ _CHANCE_S2 = 60.0 * 66.0  # of their sound times their log: in less, chance give
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Streams:
-    """Both streams, ready to be compared."""
+    """Both streams, prepared."""
 
     imu: ImuLog
     sound: Events
@@ -40,10 +40,10 @@ class _Streams:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Found:
-    """A shift that was found and fitted.
+    """A shift, fitted.
 
-    `chance` is the evidence that mere chance reaches: the logarithm of how many pairs of
-    events there are, which grows with the length of either stream.
+    `chance` is the evidence expected by chance: the logarithm of the number of pairs of
+    events, which grows with the length of either stream.
     """
 
     best: Candidate
@@ -60,20 +60,20 @@ class _Found:
 
     @property
     def score(self) -> float:
-        """What confidence rests on: nobody near, and more than chance gives."""
+        """The basis of confidence: the margin, and the evidence beyond chance."""
         return min(self.margin, 0.6 * (self.best.evidence - self.chance))
 
     @property
     def at_s(self) -> float:
-        """Log time for which the shift holds."""
+        """Log time at which the shift applies."""
         return float(np.mean([pat.felt_s for pat in self.pats]))
 
 
 def synchronize_pats(imu: ImuLog, sound: Events) -> Synchronisation | None:
-    """Return how the log lies to the sound, None when nothing coincides.
+    """Return the clock map of the log to the sound, None if nothing coincides.
 
     Args:
-        imu: the log; 30 Hz averages at the least.
+        imu: the log; at least averages at 30 Hz.
         sound: events of the sound, in media time.
     """
     shock = shock_events(imu, shocks(imu))
@@ -90,7 +90,7 @@ def synchronize_pats(imu: ImuLog, sound: Events) -> Synchronisation | None:
 
 
 def _long(streams: _Streams, begin_s: float, end_s: float) -> Synchronisation | None:
-    """Anchor at the surer end; the other one tells the drift."""
+    """Anchor at the more certain end; the other gives the clock rate."""
     ends = [
         streams.sound.within(begin_s, begin_s + _END_S),
         streams.sound.within(end_s - _END_S, end_s),
@@ -104,8 +104,8 @@ def _long(streams: _Streams, begin_s: float, end_s: float) -> Synchronisation | 
         _found(streams, ends[1], _supported(ranked[1], ranked[0], slack_s)),
     ]
     scores = [-math.inf if one is None else one.score for one in found]
-    surer = int(np.argmax(scores))
-    anchor = found[surer]
+    anchor_end = int(np.argmax(scores))
+    anchor = found[anchor_end]
     if anchor is None or anchor.score < _ENOUGH:
         whole = _find(streams, streams.sound.rarest(600), _ANY_SHIFT)
         if whole is not None and (anchor is None or whole.score > anchor.score):
@@ -113,7 +113,7 @@ def _long(streams: _Streams, begin_s: float, end_s: float) -> Synchronisation | 
     if anchor is None:
         return None
     allowed_s = (anchor.shift_s - slack_s, anchor.shift_s + slack_s)
-    other = _find(streams, ends[1 - surer], allowed_s)
+    other = _find(streams, ends[1 - anchor_end], allowed_s)
     is_felt = other is not None and other.best.evidence >= _LEAST_END
     return _result(anchor, other if is_felt else None)
 
@@ -121,7 +121,7 @@ def _long(streams: _Streams, begin_s: float, end_s: float) -> Synchronisation | 
 def _supported(
     ranked: list[Candidate], others: list[Candidate], slack_s: float
 ) -> list[Candidate]:
-    """Add what the other end has for about the same shift, beyond chance."""
+    """Add the evidence of the other end for about the same shift, beyond chance."""
     triples = [one for one in others if one.triple is not None]
     shifts_s = np.array([one.shift_s for one in triples])
     gains = np.array([one.evidence - _CHANCE for one in triples])
@@ -167,7 +167,7 @@ def _found(streams: _Streams, sound: Events, ranked: list[Candidate]) -> _Found 
 
 
 def _is_rival(one: Candidate, best: Candidate) -> bool:
-    """Whether a shift is another answer: not the flank, nor the pats, of the best."""
+    """Whether a shift is an alternative: neither near the best, nor of the same pats."""
     if abs(one.shift_s - best.shift_s) <= _APART_S:
         return False
     if one.triple is None or best.triple is None:
@@ -177,7 +177,7 @@ def _is_rival(one: Candidate, best: Candidate) -> bool:
 
 
 def _result(found: _Found, other: _Found | None) -> Synchronisation:
-    """Return the line through one end, or through both with the prior on drift."""
+    """Return the line through one end, or through both with the prior on the rate."""
     drift, sigma_s, pats = 0.0, found.sigma_s, found.pats
     shift_s, at_s = found.shift_s, found.at_s
     if other is not None:
@@ -186,7 +186,7 @@ def _result(found: _Found, other: _Found | None) -> Synchronisation:
         trust = DRIFT_PRIOR**2 / (DRIFT_PRIOR**2 + variance)
         measured = (other.shift_s - shift_s) / apart_s
         drift = trust * measured
-        # what the prior keeps back is shared by both ends
+        # the part of the rate that the prior removes is shared by both ends
         weight = found.sigma_s**2 / (found.sigma_s**2 + other.sigma_s**2)
         shift_s += weight * (measured - drift) * apart_s
         pats = tuple(sorted(found.pats + other.pats, key=lambda pat: pat.heard_s))

@@ -1,4 +1,4 @@
-"""What a synchronisation found, and why it may be believed."""
+"""The result of a synchronisation, with its evidence."""
 
 from dataclasses import dataclass
 from typing import Any
@@ -6,18 +6,18 @@ from typing import Any
 from hapticplayer.model import ClockMap
 
 ENOUGH_CONFIDENCE = 0.5
-"""Below it a person has to look."""
+"""Below it a person has to check the result."""
 
 
 @dataclass(frozen=True, slots=True)
 class Pat:
-    """One pat as both streams have it.
+    """One pat in both streams.
 
     Attributes:
         heard_s: media time of its onset in the sound.
         felt_s: log time of its strongest sample.
-        heard_rarity_hz: events per second of the sound that are at least as strong.
-        felt_rarity_hz: the same of the log.
+        heard_rarity_hz: events per second in the sound that are at least as strong.
+        felt_rarity_hz: the same in the log.
     """
 
     heard_s: float
@@ -28,7 +28,7 @@ class Pat:
 
 @dataclass(frozen=True, slots=True)
 class Rival:
-    """Another shift and its evidence, as the logarithm of a likelihood ratio."""
+    """An alternative shift and its evidence (log likelihood ratio)."""
 
     shift_s: float
     evidence: float
@@ -36,19 +36,18 @@ class Rival:
 
 @dataclass(frozen=True, slots=True)
 class Synchronisation:
-    """How the clock of a log lies to a clip.
+    """The clock map of a log to a clip, and its evidence.
 
     Attributes:
         clock_map: log time to media time, with residual and confidence.
-        method: that found it.
-        evidence: logarithm of the likelihood ratio against chance; 0 where the
-            method weighs nothing.
-        margin: evidence over that of the best rival.
-        pats: what it rests on.
-        rivals: the next best shifts, best first.
-        has_drift: whether the rate was fitted, not assumed.
-        sound_late_s: skew of the camera that was taken off: its sound comes this much
-            later than its picture.
+        method: name of the method.
+        evidence: log likelihood ratio against chance; 0 for methods without one.
+        margin: evidence over that of the best alternative.
+        pats: that it is based on.
+        rivals: alternative shifts, best first.
+        has_drift: whether the clock rate was estimated.
+        sound_late_s: skew of the camera, subtracted: how much later than its frames its
+            sound comes.
     """
 
     clock_map: ClockMap
@@ -62,12 +61,12 @@ class Synchronisation:
 
     @property
     def is_confident(self) -> bool:
-        """Whether it may be used without a person's look."""
+        """Whether it can be used without being checked."""
         return self.clock_map.confidence >= ENOUGH_CONFIDENCE
 
     @property
     def drift_ppm(self) -> float:
-        """How much slower than the media's clock the log's runs."""
+        """Clock rate minus 1, in ppm."""
         return 1e6 * (self.clock_map.rate - 1.0)
 
     def described(self) -> dict[str, Any]:

@@ -1,14 +1,14 @@
-"""Weighs every shift between two clocks by what both streams have in common there.
+"""Scores every shift between two clocks by the events that coincide there.
 
-A shift is right as far as events coincide that are rare in both streams. A pair of
-events with rarities r_a, r_i, apart by e from the shift, has the likelihood ratio
+A shift is likely if events coincide that are rare in both streams. A pair of events with
+rarities r_a, r_i and an error e from the shift has the likelihood ratio
 
     n g(r_a) g(r_i) N(e; 0, s)
 
-of one common event against two that meet by chance: chance pairs have density 1 per
-unit of r_a, r_i and e, by the definition of rarity. g is the density of a common
-event's rarity, c / (r + c)^2. For three pats the sum over triples of pairs whose
-intervals are those of a hand is added (`best_triple`).
+of one common event against two that coincide by chance: chance pairs have density 1 per
+unit of r_a, r_i and e, by the definition of rarity. g is the density of a common event's
+rarity, c / (r + c)^2. For three pats the sum over triples of pairs with plausible
+intervals is added (`best_triple`).
 """
 
 from dataclasses import dataclass
@@ -23,24 +23,24 @@ from hapticplayer.model.arrays import Floats
 INTERVAL_S = (0.18, 1.0)
 """Shortest and longest time between two pats."""
 
-_COMMON_PER_S = 0.15  # events that are felt and heard, pats aside
+_COMMON_PER_S = 0.15  # common events other than pats
 _COMMON_RARITY_HZ = 0.25
 _PAT_RARITY_HZ = 0.06  # half of all pats are rarer
 _RHYTHM = 0.16  # SD of the logarithm of the second interval over the first
-_REACH = 3.0  # standard deviations of coincidence that are looked at
+_REACH = 3.0  # standard deviations of coincidence
 _STEPS = 3  # grid points per standard deviation
 _CANDIDATES = 40
-_PATS_AT_MOST = 40  # pairs that a triple is made of
+_PATS_AT_MOST = 40  # pairs considered for triples
 _MISS = 30.0
 _MOST_CELLS = 4_000_000
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Coincidence:
-    """How well times of coincident events agree.
+    """Agreement of the times of coincident events.
 
     Attributes:
-        late_s: how much later than the sound's the log's event comes, on average.
+        late_s: mean delay of the log's event against the sound's.
         sigma_s: SD of the difference.
     """
 
@@ -70,8 +70,8 @@ class Candidate:
     Attributes:
         shift_s: media time minus log time.
         evidence: logarithm of the likelihood ratio against chance.
-        common: the part of it that is not the pats'.
-        triple: the pats, or None where there are none.
+        common: the part of it without the pats.
+        triple: the pats, or None.
     """
 
     shift_s: float
@@ -82,7 +82,7 @@ class Candidate:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Pairs:
-    """All pairs of events whose shift is allowed."""
+    """All pairs of events with an allowed shift."""
 
     sound: NDArray[np.intp]
     shock: NDArray[np.intp]
@@ -97,12 +97,12 @@ def candidates(
     match: Coincidence,
     allowed_s: tuple[float, float],
 ) -> list[Candidate]:
-    """Return the shifts that have anything for them, the best first.
+    """Return shifts with positive evidence, the best first.
 
     Args:
         sound: events of the sound, in media time.
         shock: events of the log, in its own time.
-        match: how well coincident events agree.
+        match: agreement of coincident events.
         allowed_s: smallest and largest shift.
     """
     pairs = _pairs(sound, shock, match, allowed_s)
@@ -133,14 +133,14 @@ def _pairs(
 
 
 def _coarse(pairs: _Pairs, match: Coincidence) -> Floats:
-    """Return the shifts with the most coincidence, of pats or of anything."""
+    """Return the shifts with the most coincident events."""
     step_s = max(match.sigma_s / _STEPS, float(np.ptp(pairs.shift_s)) / _MOST_CELLS)
     begin_s = float(pairs.shift_s.min()) - 2 * _REACH * match.sigma_s
     cell = np.round((pairs.shift_s - begin_s) / step_s).astype(np.intp)
     reach = round(_REACH * _STEPS)
     count = int(cell.max()) + reach + 2
     total = np.zeros(count)
-    # a pat pair weighs as one of three in some seconds, so that triples come first
+    # a pair of pats counts like one of three within seconds, to rank triples first
     odds = np.maximum(pairs.common, 0.05 * np.exp(pairs.pat))
     strong = odds * _normal(0.0, match.sigma_s) > 0.02
     cell, odds = cell[strong], odds[strong]
@@ -169,7 +169,7 @@ def _weigh(
     shift_s: float,
     match: Coincidence,
 ) -> Candidate:
-    """Weigh one shift: one partner for each event, pats and the rest."""
+    """Score one shift: one partner per event, pats and other events."""
     close = _normal(pairs.shift_s[near] - shift_s, match.sigma_s)
     near = near[_one_to_one(pairs, near, pairs.common[near] * close)]
     close = _normal(pairs.shift_s[near] - shift_s, match.sigma_s)
@@ -223,7 +223,7 @@ def _triple_weight(
     shifts_s = pairs.shift_s[rows]
     error_s = shifts_s - shifts_s.mean(axis=1, keepdims=True)
     apart = (error_s**2).sum(axis=1) / match.sigma_s**2
-    # the mean is fitted: it has its own density, that of one pair's shift
+    # the mean is fitted and has the density of one pair's shift
     fit = -0.5 * apart - 2.0 * np.log(np.sqrt(2 * np.pi) * match.sigma_s)
     gaps_s = np.diff(time_s, axis=1)
     rhythm = np.log(gaps_s[:, 1] / gaps_s[:, 0]) / _RHYTHM

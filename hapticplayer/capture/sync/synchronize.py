@@ -17,10 +17,10 @@ from hapticplayer.media.audio import AudioDecoder
 from hapticplayer.model import ClockMap, ImuLog
 
 SOUND_RATE_HZ = 16_000
-LEAST_IMU_RATE_HZ = 20.0
+MIN_IMU_RATE_HZ = 20.0
 MAX_SOUND_S = 4 * 3600.0
 
-_LEAST_SOUND_RATE_HZ = 4000.0
+_MIN_SOUND_RATE_HZ = 4000.0
 _AGREES_S = 0.0167
 
 
@@ -40,13 +40,13 @@ class Sound:
 
 
 class SyncInput(NamedTuple):
-    """What a method may go by.
+    """The inputs of a method.
 
     Attributes:
         imu: the log, on its own clock.
         hear: reads the clip's sound; raises InputError where there is none.
-        given: the log's clock to media time as a person gave it.
-        own: the same as the recording knows it.
+        given: clock map given by a person.
+        own: clock map known to the recording.
     """
 
     imu: ImuLog
@@ -90,7 +90,7 @@ def synchronize(
     known: ClockMap | None = None,
     sound_late_s: float = 0.0,
 ) -> Synchronisation:
-    """Return the clock map of a log, and why that may be believed.
+    """Return the clock map of a log, with its evidence.
 
     Args:
         imu: the log, on its own clock.
@@ -99,11 +99,11 @@ def synchronize(
         method: one of `methods.SYNC_METHODS`.
         known: the clock map that "offset" and "embedded" take.
         sound_late_s: how much later than its frame the camera's sound comes; pats
-            tell the time of the sound, the result is that of the frame.
+            give the time of the sound, the result is that of the frame.
 
     Raises:
         UsageError: for a method that does not exist or lacks its argument.
-        InputError: when there is nothing to compare: no sound, silence, a still log.
+        InputError: without sound, for silence or a log at too low a rate.
     """
 
     def hear() -> Sound:
@@ -116,21 +116,21 @@ def synchronize(
 
 
 def automatic(inputs: SyncInput) -> Synchronisation:
-    """Synchronise by what there is: a given offset, a common clock, else pats."""
+    """Use a given offset, else the recording's own clock, else pats."""
     if inputs.given is not None:
         return by_given_offset(inputs)
     return by_pats(inputs) if inputs.own is None else by_own_clock(inputs)
 
 
 def by_given_offset(inputs: SyncInput) -> Synchronisation:
-    """Take the offset that a person gave."""
+    """Use the offset given by a person."""
     if inputs.given is None:
-        raise UsageError("the method offset needs one; give --offset S")
+        raise UsageError("the method offset needs --offset S")
     return Synchronisation(inputs.given, "offset")
 
 
 def by_own_clock(inputs: SyncInput) -> Synchronisation:
-    """Take the clock of the recording, which is the clip's."""
+    """Use the clock of the recording, which is the clip's."""
     if inputs.own is None:
         raise UsageError(
             "{name} does not know the clip's clock; use --method pats or give "
@@ -155,9 +155,9 @@ def by_pats(inputs: SyncInput) -> Synchronisation:
 
 
 def by_variance(inputs: SyncInput) -> Synchronisation:
-    """Compare when two variances rise: the paper's way, for comparison.
+    """Compare when two variances rise: the paper's method, for comparison.
 
-    A threshold cannot tell how sure it is; agreement with the pats does.
+    It has no confidence of its own; agreement with the pats gives one.
     """
     from hapticplayer.capture.sync.variance import variance_shift
 
@@ -177,21 +177,21 @@ def by_variance(inputs: SyncInput) -> Synchronisation:
 
 
 def _without_skew(found: Synchronisation, sound: Sound) -> Synchronisation:
-    """Return the clock map to the frames, from the one to the sound."""
+    """Return the clock map to the frames, from that to the sound."""
     clock = found.clock_map
     clock = dataclasses.replace(clock, offset_s=clock.offset_s - sound.late_s)
     return dataclasses.replace(found, clock_map=clock, sound_late_s=sound.late_s)
 
 
 def _checked(inputs: SyncInput) -> Sound:
-    """Return the sound, if sound and log can show pats."""
+    """Return the sound, if sound and log are usable."""
     sound = inputs.hear()
     if not len(sound.samples):
         raise InputError(
-            "there is no sound in which pats could be heard",
+            "the clip has no sound, which pats need",
             remedy="record with sound, or give --offset S",
         )
-    if not sound.rate_hz >= _LEAST_SOUND_RATE_HZ:
+    if not sound.rate_hz >= _MIN_SOUND_RATE_HZ:
         raise InputError(
             "a sound of {rate_hz} Hz is too coarse; give 8000 or more",
             rate_hz=sound.rate_hz,
@@ -202,9 +202,9 @@ def _checked(inputs: SyncInput) -> Sound:
         raise InputError(
             "the sound is silent", remedy="record with sound, or give --offset S"
         )
-    if inputs.imu.rate_hz < LEAST_IMU_RATE_HZ:
+    if inputs.imu.rate_hz < MIN_IMU_RATE_HZ:
         raise InputError(
-            "has only {rate_hz:.1f} samples per second, in which pats do not show",
+            "has only {rate_hz:.1f} samples per second, too few for pats",
             where=inputs.imu.source,
             remedy="record at 100 Hz or more, or give --offset S",
             rate_hz=inputs.imu.rate_hz,

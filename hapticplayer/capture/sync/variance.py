@@ -1,10 +1,9 @@
-"""The paper's way: the moment at which the variance of a stream crosses a threshold.
+"""The paper's method: the time at which the variance of a stream crosses a threshold.
 
-The paper gives neither window nor threshold. What is read here, and why: the variance
-of a vector is that of all its axes together (the trace of its covariance), for the norm
-hides a pat across gravity; both streams have the same window, centred, of 50 ms but not
-less than three samples of the log (100 ms at 30 Hz), for windows of unlike length see
-one knock at unlike times.
+The paper gives neither window nor threshold. Here the variance of a vector is the trace
+of its covariance, because the norm hides a tap across gravity; both streams have the same
+centred window of 50 ms, but at least three samples of the log (100 ms at 30 Hz), because
+windows of different length shift the crossing.
 """
 
 import numpy as np
@@ -15,7 +14,7 @@ from hapticplayer.model import ImuLog
 from hapticplayer.model.arrays import Floats
 
 _WINDOW_S = 0.05
-_LEAST_SAMPLES = 3
+_MIN_SAMPLES = 3
 _CURVE_HZ = 1000
 WHOLE = (4.0, None)
 """Standard deviations above the mean, of the whole recording: the literal reading."""
@@ -37,9 +36,9 @@ def variance_shift(
         rate_hz: of the audio.
         threshold: in standard deviations above the mean, and of which first seconds.
     """
-    window = max(_LEAST_SAMPLES, round(_WINDOW_S * imu.rate_hz))
-    force = imu.specific_force_mps2
-    felt = sum(_variance(axis - axis.mean(), window) for axis in force.T)
+    window = max(_MIN_SAMPLES, round(_WINDOW_S * imu.rate_hz))
+    accel = imu.specific_force_mps2
+    felt = sum(_variance(axis - axis.mean(), window) for axis in accel.T)
     felt_s = _crossing(np.asarray(felt), imu.time_s, threshold)
     step = max(1, round(rate_hz / _CURVE_HZ))
     power = audio[: len(audio) // step * step].reshape(-1, step).astype(float) ** 2

@@ -19,7 +19,7 @@ CHOICES = parse_choices(
     [
         "columns=time,ax,ay,az,gx,gy,gz",
         "time-unit=s",
-        "force-unit=m/s2",
+        "accel-unit=m/s2",
         "rate-unit=rad/s",
     ]
 )
@@ -90,7 +90,7 @@ def test_columns_that_a_person_gives_win_over_our_own_header(tmp_path: Path) -> 
     path.write_text("\n".join([lines[0] + ",temp", *(f"{x},25" for x in lines[1:])]))
     with pytest.raises(InputError, match="the header is"):
         read_recording(path)
-    columns = ["columns=time,ax,ay,az,gx,gy,gz,-", "time-unit=s", "force-unit=m/s2"]
+    columns = ["columns=time,ax,ay,az,gx,gy,gz,-", "time-unit=s", "accel-unit=m/s2"]
     check(path, parse_choices([*columns, "rate-unit=rad/s"]))
 
 
@@ -109,7 +109,9 @@ def test_dates_are_named(tmp_path: Path, quote: str, between: str) -> None:
     date = f"{quote}2024-05-01{between}12:00:00.000Z{quote}"
     rows = "".join(f"{date},0,0,9.8,0,0,0\n" for _ in range(50))
     path.write_text("timestamp,ax,ay,az,gx,gy,gz\n" + rows)
-    with pytest.raises(InputError, match=r"dates \(2024-05-01.12:00:00.000Z\)"):
+    with pytest.raises(
+        InputError, match=r"dates as timestamps \(2024-05-01.12:00:00.000Z\)"
+    ):
         read_recording(path)
 
 

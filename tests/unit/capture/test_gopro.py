@@ -8,7 +8,7 @@ from hapticplayer.capture import read_recording
 from hapticplayer.capture.gopro import read_gopro
 from hapticplayer.capture.recording import Recording
 from hapticplayer.errors import TelemetryError
-from hapticplayer.media import TelemetryPacket
+from hapticplayer.media.telemetry import TelemetryPacket
 from hapticplayer.model import Sampling
 from tests.unit.capture.conftest import (
     device,
@@ -116,7 +116,7 @@ def test_time_lapse_is_refused_with_the_reason() -> None:
 
 
 def test_cameras_without_stamps_are_noted() -> None:
-    assert "does not stamp" in read_file("karma.mp4").notes[1]
+    assert "does not timestamp" in read_file("karma.mp4").notes[1]
     assert len(read_file("hero9_rotation.gpmd").notes) == 1  # how it was read
 
 
@@ -232,7 +232,7 @@ def test_senseless_totals_are_not_believed() -> None:
 def test_stamps_that_contradict_the_video_are_not_believed(stamps: list[int]) -> None:
     packets = synthetic([200] * 4, stamps=np.array(stamps))
     telemetry = read_gopro(packets)
-    assert "does not stamp" in telemetry.notes[1]
+    assert "does not timestamp" in telemetry.notes[1]
     assert telemetry.imu.time_s[-1] == pytest.approx(4.0, abs=0.01)
 
 
@@ -282,7 +282,7 @@ def test_scale_per_axis_is_divided() -> None:
         ),
         (
             [sensor("ACCL", np.zeros((200, 3)), orin="XXY"), sensor("GYRO", np.zeros((200, 3)))],
-            "are no axes",
+            "are not axes",
         ),
         (
             [sensor("ACCL", np.zeros((200, 3)), orin="XYz"), sensor("GYRO", np.zeros((200, 3)))],

@@ -149,7 +149,7 @@ def test_picture_moves_as_the_gyro_says() -> None:
     )
     steps_s = np.diff(imu.time_s, prepend=imu.time_s[0] - 1.0 / imu.rate_hz)
     angle = np.cumsum(imu.angular_rate_radps * steps_s[:, None], axis=0)
-    lag_s = 0.02  # this camera does not stamp; 10 to 30 ms are known
+    lag_s = 0.02  # this camera does not timestamp; 10 to 30 ms are known
     at_frames = [
         np.interp(np.array(times_s) - lag_s, imu.time_s, axis) for axis in angle.T
     ]
@@ -211,11 +211,11 @@ def test_matrix_says_the_same_as_the_letters(
 
 
 def test_unknown_camera_without_axes_is_noted() -> None:
-    from hapticplayer.media import TelemetryPacket
+    from hapticplayer.media.telemetry import TelemetryPacket
     from tests.unit.capture.conftest import device
 
     streams = [sensor(key, np.full((200, 3), 5.7), orin="") for key in ("ACCL", "GYRO")]
     packets = [
         TelemetryPacket(float(k), 1.0, device("Mystery", *streams)) for k in range(3)
     ]
-    assert any("axes of a HERO5" in note for note in read_gopro(packets).notes)
+    assert any("those of a HERO5" in note for note in read_gopro(packets).notes)

@@ -8,7 +8,7 @@ import pytest
 from hapticplayer.capture import read_recording
 from hapticplayer.capture.gopro import read_gopro
 from hapticplayer.errors import TelemetryError
-from hapticplayer.media import TelemetryPacket
+from hapticplayer.media.telemetry import TelemetryPacket
 from tests.faults.import_formats import gopro_payloads
 from tests.faults.import_signal import (
     Sampled,
@@ -96,13 +96,13 @@ def test_compass_is_turned_into_frame_a(components: int) -> None:
 def test_compass_without_axes_is_left_out_and_said() -> None:
     telemetry = read_gopro(with_compass(3, ""))
     assert telemetry.imu.magnetic_field_ut is None
-    assert any("compass is left out" in note for note in telemetry.notes)
+    assert any("compass is ignored" in note for note in telemetry.notes)
 
 
 def test_compass_of_the_fusion_is_left_out() -> None:
     recording = read_recording(recorded("gopro/fusion.bin"))
     assert recording.imu.magnetic_field_ut is None
-    assert any("which axes" in note for note in recording.notes)
+    assert any("declare its axes" in note for note in recording.notes)
 
 
 def test_real_recordings_need_no_repair() -> None:

@@ -232,7 +232,7 @@ def test_ios_adds_gravity_and_turns_the_signs(tmp_path: Path) -> None:
     )
     assert recording.camera == "Sensor Logger (iOS)"
     assert recording.imu.specific_force_mps2[0, 2] == pytest.approx(9.8, abs=0.1)
-    assert any("plus the phone's own gravity" in note for note in recording.notes)
+    assert any("plus the phone's gravity estimate" in note for note in recording.notes)
 
 
 def test_ios_with_standard_frames_keeps_the_signs(tmp_path: Path) -> None:
@@ -290,10 +290,10 @@ def test_scale_of_another_writer_of_gcsv_is_asked_about(tmp_path: Path) -> None:
     files = FORMATS["gcsv"].write(sample())
     content = files["clip.gcsv"].replace(b"ascale,0.00012", b"ascale,0.001176798")
     path = put({"clip.gcsv": content}, tmp_path / "in")
-    with pytest.raises(UsageError, match="force-unit=m/s2") as caught:
+    with pytest.raises(UsageError, match="accel-unit=m/s2") as caught:
         read_recording(path)
     assert "would fit another unit" in str(caught.value)
-    imu = read_recording(path, parse_choices(["force-unit=m/s2"])).imu
+    imu = read_recording(path, parse_choices(["accel-unit=m/s2"])).imu
     assert np.abs(imu.specific_force_mps2 - true_force(imu.time_s)).max() < 0.06
 
 
@@ -304,8 +304,8 @@ def test_range_that_is_half_as_wide_is_asked_about(tmp_path: Path) -> None:
     path = put({"clip.gcsv": content}, tmp_path / "in")
     with pytest.raises(UsageError, match=r"4\.9 m/s2 at rest") as caught:
         read_recording(path)
-    assert "force-unit=19.61" in str(caught.value)
-    imu = read_recording(path, parse_choices(["force-unit=19.6133"])).imu
+    assert "accel-unit=19.61" in str(caught.value)
+    imu = read_recording(path, parse_choices(["accel-unit=19.6133"])).imu
     assert np.abs(imu.specific_force_mps2 - true_force(imu.time_s)).max() < 0.06
 
 
@@ -342,7 +342,7 @@ def test_razor_without_times_assumes_its_interval_and_says_so(tmp_path: Path) ->
     path = put(FORMATS["Razor-AHRS"].write(sample(rate_hz=50.0)), tmp_path / "in")
     recording = read_recording(path)
     assert recording.imu.rate_hz == pytest.approx(50.0)
-    assert any("50 frames a second are assumed" in note for note in recording.notes)
+    assert any("50 frames per second are assumed" in note for note in recording.notes)
 
 
 def test_values_that_the_board_scaled_twice_are_left_out(tmp_path: Path) -> None:

@@ -66,7 +66,7 @@ def test_video_becomes_a_log_in_si(camera: Path) -> None:
 
 def test_axes_are_asked_for(camera: Path) -> None:
     camera.write_text("good")
-    with pytest.raises(UsageError, match="axes its telemetry does not tell"):
+    with pytest.raises(UsageError, match="telemetry does not declare its axes"):
         read_other_camera(camera, LogChoices())
 
 
