@@ -3248,7 +3248,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>1 g = {counts:.0f} und 2000 °/s</translation>
     </message>
     <message>
-        <source>1 line is damaged and left out (first: line {line})</source>
+        <source>1 damaged line was skipped (line {line})</source>
         <translation>1 Zeile ist beschädigt und wurde weggelassen (die erste: Zeile {line})</translation>
     </message>
     <message>
@@ -3368,15 +3368,15 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>Sensor Logger ({system})</translation>
     </message>
     <message>
-        <source>The compass is left out: the file does not say which axes it has.</source>
+        <source>The compass is ignored: the file does not declare its axes.</source>
         <translation>Der Kompass wird weggelassen: Die Datei sagt nicht, welche Achsen er hat.</translation>
     </message>
     <message>
-        <source>The compass is left out: {what}.</source>
+        <source>The compass is ignored: {what}.</source>
         <translation>Der Kompass wird weggelassen: {what}.</translation>
     </message>
     <message>
-        <source>The file does not say how the sensor sits in {camera!r}: the axes of a HERO5 are assumed.</source>
+        <source>The file does not declare the sensor axes of {camera!r}: those of a HERO5 are assumed.</source>
         <translation>Die Datei sagt nicht, wie der Sensor in {camera!r} sitzt: Es werden die Achsen einer HERO5 angenommen.</translation>
     </message>
     <message>
@@ -3384,7 +3384,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>Das Protokoll hat {count}, die längste von {length_s:.2f} s bei {at_s:.2f} s.</translation>
     </message>
     <message>
-        <source>This camera does not stamp its samples: they may lie 10 to 30 ms off the picture.</source>
+        <source>This camera does not timestamp its samples: they may be 10 to 30 ms off.</source>
         <translation>Diese Kamera stempelt ihre Werte nicht: Sie können 10 bis 30 ms neben dem Bild liegen.</translation>
     </message>
     <message>
@@ -3504,11 +3504,11 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>ein Text</translation>
     </message>
     <message>
-        <source>a time constant can only be set for the method smoother, not for {method}</source>
+        <source>a time constant is for the method smoother, not for {method}</source>
         <translation>eine Zeitkonstante gibt es nur für das Verfahren smoother, nicht für {method}</translation>
     </message>
     <message>
-        <source>a title has 1 to {most} characters</source>
+        <source>a title must have 1 to {most} characters</source>
         <translation>ein Titel hat 1 bis {most} Zeichen</translation>
     </message>
     <message>
@@ -3608,7 +3608,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>axes={axes} sind keine drei Achsen; geben Sie rechts, vorn und oben in den Achsen des Protokolls an, etwa axes=x,-z,y</translation>
     </message>
     <message>
-        <source>axes={axes} mirror the log; turn one sign round, for right, front and up have to follow the right hand</source>
+        <source>axes={axes} mirror the log; change one sign: right, front and up have to follow the right hand</source>
         <translation>axes={axes} spiegeln das Protokoll; drehen Sie ein Vorzeichen um, denn rechts, vorn und oben müssen der rechten Hand folgen</translation>
     </message>
     <message>
@@ -3768,7 +3768,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>schließen Sie es zuerst dort</translation>
     </message>
     <message>
-        <source>columns=time,ax,ay,az,gx,gy,gz (- for what is not wanted)</source>
+        <source>columns=time,ax,ay,az,gx,gy,gz (- to ignore a column)</source>
         <translation>columns=time,ax,ay,az,gx,gy,gz (- für das, was nicht gebraucht wird)</translation>
     </message>
     <message>
@@ -3848,7 +3848,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>schneiden Sie die Aufnahme dort, und geben Sie die Stücke einzeln an</translation>
     </message>
     <message>
-        <source>describes no sequence</source>
+        <source>is not the description of a sequence</source>
         <translation>beschreibt keine Sequenz</translation>
     </message>
     <message>
@@ -3860,7 +3860,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>Gerät {name!r}: Diese Version hat keinen Treiber dafür; nehmen Sie {known}</translation>
     </message>
     <message>
-        <source>does not say whether it comes from iOS or Android, whose accelerations have opposite signs</source>
+        <source>does not declare iOS or Android, whose accelerations have opposite signs</source>
         <translation>sagt nicht, ob es von iOS oder Android kommt, deren Beschleunigungen entgegengesetzte Vorzeichen haben</translation>
     </message>
     <message>
@@ -3888,7 +3888,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>tragen Sie ihn unter sequences ein, oder mit `study new --sequence KEY=FOLDER`</translation>
     </message>
     <message>
-        <source>every sequence has the track {name!r}; it stays</source>
+        <source>every sequence needs its track {name!r}</source>
         <translation>jede Sequenz hat die Spur {name!r}; sie bleibt</translation>
     </message>
     <message>
@@ -3976,20 +3976,20 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>force-sign is + or -</source>
-        <translation>force-sign ist + oder -</translation>
+        <source>accel-sign must be + or -</source>
+        <translation>accel-sign ist + oder -</translation>
     </message>
     <message>
-        <source>force-sign=- if its accelerometer shows -1 g upwards</source>
-        <translation>force-sign=- wenn der Beschleunigungssensor nach oben -1 g zeigt</translation>
+        <source>accel-sign=- if its accelerometer reads -1 g upwards</source>
+        <translation>accel-sign=- wenn der Beschleunigungssensor nach oben -1 g zeigt</translation>
     </message>
     <message>
-        <source>force-unit={fitting:.6g} to scale it to gravity</source>
-        <translation>force-unit={fitting:.6g} um auf die Schwerkraft zu skalieren</translation>
+        <source>accel-unit={fitting:.6g} to scale it to gravity</source>
+        <translation>accel-unit={fitting:.6g} um auf die Schwerkraft zu skalieren</translation>
     </message>
     <message>
-        <source>force-unit={force_unit} to take it as it is</source>
-        <translation>force-unit={force_unit} um es so zu nehmen, wie es ist</translation>
+        <source>accel-unit={accel_unit} to keep it</source>
+        <translation>accel-unit={accel_unit} um es so zu nehmen, wie es ist</translation>
     </message>
     <message>
         <source>format=csv and columns=time,ax,ay,az,gx,gy,gz (- for others)</source>
@@ -4104,7 +4104,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>geben Sie die Drehrate in rad/s an</translation>
     </message>
     <message>
-        <source>give the files the names they were recorded with</source>
+        <source>restore the original file names</source>
         <translation>geben Sie den Dateien die Namen, mit denen sie aufgenommen wurden</translation>
     </message>
     <message>
@@ -4132,7 +4132,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>geben Sie den Ordner der Sequenz an</translation>
     </message>
     <message>
-        <source>give the folder or the zip that the logger has written, or a sequence</source>
+        <source>give the folder or zip that the logger has written, or a sequence</source>
         <translation>geben Sie den Ordner oder das Zip an, das der Logger geschrieben hat, oder eine Sequenz</translation>
     </message>
     <message>
@@ -4148,7 +4148,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>geben Sie das Protokoll mit --imu LOG --offset S an</translation>
     </message>
     <message>
-        <source>give the log with --imu LOG --offset S, and {option} where it is asked</source>
+        <source>give the log with --imu LOG --offset S, and {option} if asked</source>
         <translation>geben Sie das Protokoll mit --imu LOG --offset S an, und {option}, wo danach gefragt wird</translation>
     </message>
     <message>
@@ -4192,11 +4192,11 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>geben Sie Zeiten in Sekunden des Clips an</translation>
     </message>
     <message>
-        <source>gravity is 9.81 m/s2 and not {norm:.2f}: the accelerometer is doubtful</source>
-        <translation>die Schwerkraft ist 9.81 m/s2 und nicht {norm:.2f}: Der Beschleunigungssensor ist zweifelhaft</translation>
+        <source>the accelerometer reads {norm:.2f} m/s2 at rest instead of 9.81</source>
+        <translation>der Beschleunigungssensor zeigt in Ruhe {norm:.2f} m/s2 statt 9,81</translation>
     </message>
     <message>
-        <source>gravity says that {sign}{axis} of the recorder was up, not its z</source>
+        <source>gravity shows that {sign}{axis} of the recorder was up, not its z</source>
         <translation>nach der Schwerkraft war {sign}{axis} des Recorders oben, nicht sein z</translation>
     </message>
     <message>
@@ -4248,11 +4248,11 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>hat keine Kraft ({reason})</translation>
     </message>
     <message>
-        <source>has no times, and its firmware has no fixed rate</source>
+        <source>has no timestamps, and its firmware has no fixed rate</source>
         <translation>hat keine Zeiten, und die Firmware hat keine feste Rate</translation>
     </message>
     <message>
-        <source>has only {rate_hz:.1f} samples per second, in which pats do not show</source>
+        <source>has only {rate_hz:.1f} samples per second, too few for pats</source>
         <translation>hat nur {rate_hz:.1f} Werte je Sekunde, in denen sich Klopfen nicht zeigt</translation>
     </message>
     <message>
@@ -4280,7 +4280,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>hat {count} Bytes, zu viele</translation>
     </message>
     <message>
-        <source>has {count} columns, and a Razor M0 does not say which they are</source>
+        <source>has {count} columns, and a Razor M0 does not declare them</source>
         <translation>hat {count} Spalten, und ein Razor M0 sagt nicht, welche es sind</translation>
     </message>
     <message>
@@ -4312,7 +4312,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>enthält eine Beschleunigung von {largest:.3g} m/s2, mehr als jeder Sensor misst</translation>
     </message>
     <message>
-        <source>holds angles without angular rates, from which motion cannot be had</source>
+        <source>holds angles without angular rates, so motion cannot be computed</source>
         <translation>enthält Winkel ohne Drehraten, woraus sich keine Bewegung gewinnen lässt</translation>
     </message>
     <message>
@@ -4336,7 +4336,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>enthält keine Werte des Beschleunigungssensors (DJI speichert nur Ausrichtungen)</translation>
     </message>
     <message>
-        <source>holds no angular rate, without which gravity cannot be told from motion</source>
+        <source>holds no angular rate; gravity cannot be removed without it</source>
         <translation>enthält keine Drehrate, ohne die sich Schwerkraft und Bewegung nicht trennen lassen</translation>
     </message>
     <message>
@@ -4348,7 +4348,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>enthält kein Gyroskop (nur {held})</translation>
     </message>
     <message>
-        <source>holds no log that is known</source>
+        <source>holds no log of a known format</source>
         <translation>enthält kein bekanntes Protokoll</translation>
     </message>
     <message>
@@ -4384,7 +4384,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>enthält nur {held}, keine Beschleunigung</translation>
     </message>
     <message>
-        <source>holds {name!r}, a name that points out of the zip</source>
+        <source>holds {name!r}, a name outside the zip</source>
         <translation>enthält {name!r}, einen Namen, der aus dem Zip hinausführt</translation>
     </message>
     <message>
@@ -4420,7 +4420,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>ist ein Socket, keine Datei</translation>
     </message>
     <message>
-        <source>is a table of {count} columns ({shown}) that says not what they are</source>
+        <source>is a table of {count} columns ({shown}) without a description</source>
         <translation>ist eine Tabelle mit {count} Spalten ({shown}), die nicht sagt, was sie sind</translation>
     </message>
     <message>
@@ -4464,7 +4464,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>ist kein JSON</translation>
     </message>
     <message>
-        <source>is no JSON object</source>
+        <source>is not a JSON object</source>
         <translation>ist kein JSON-Objekt</translation>
     </message>
     <message>
@@ -4488,7 +4488,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>ist keine Sitzung</translation>
     </message>
     <message>
-        <source>is no template of a log ({reason})</source>
+        <source>is not a template for logs ({reason})</source>
         <translation>ist keine Vorlage für ein Protokoll ({reason})</translation>
     </message>
     <message>
@@ -4548,7 +4548,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>ist von einer neueren Version dieses Programms</translation>
     </message>
     <message>
-        <source>is of a {name}, whose axes its telemetry does not tell</source>
+        <source>is of a {name}, whose telemetry does not declare its axes</source>
         <translation>ist von einer {name}, deren Achsen ihre Telemetrie nicht nennt</translation>
     </message>
     <message>
@@ -4676,7 +4676,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>es sieht nach Millisekunden aus: Teilen Sie time_s durch 1000</translation>
     </message>
     <message>
-        <source>it may hold texts for {known}</source>
+        <source>it must hold texts for {known}</source>
         <translation>sie darf Texte enthalten für {known}</translation>
     </message>
     <message>
@@ -4712,7 +4712,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>die Felder passen nicht zusammen</translation>
     </message>
     <message>
-        <source>its axes (MTRX) are no matrix, so it is damaged</source>
+        <source>its axes (MTRX) are not a matrix, so it is damaged</source>
         <translation>die Achsen (MTRX) sind keine Matrix, sie ist also beschädigt</translation>
     </message>
     <message>
@@ -4744,7 +4744,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>die Schwerkraft darin ist nicht zu gebrauchen</translation>
     </message>
     <message>
-        <source>its gyro file has the norm {norm:.3g} of gravity, its accel file has not, so the names are exchanged</source>
+        <source>its gyro file has the norm {norm:.3g} of gravity, its accel file has not: the names are swapped</source>
         <translation>die gyro-Datei hat den Betrag {norm:.3g} der Schwerkraft, die accel-Datei nicht, die Namen sind also vertauscht</translation>
     </message>
     <message>
@@ -4840,7 +4840,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>Zeile {number}</translation>
     </message>
     <message>
-        <source>look at `hapticplayer sync` with --plot FILE, then give --offset S</source>
+        <source>compare sound and motion with `hapticplayer sync --plot FILE`, then give --offset S</source>
         <translation>sehen Sie `hapticplayer sync` mit --plot FILE an, und geben Sie dann --offset S an</translation>
     </message>
     <message>
@@ -4908,8 +4908,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>braucht {needed_mb} MB, und nur {free_mb} MB sind frei</translation>
     </message>
     <message>
-        <source>no --offset was given: the log&apos;s clock is taken as media time</source>
-        <translation>kein --offset wurde angegeben: Die Uhr des Protokolls gilt als Medienzeit</translation>
+        <source>the log is not synchronised: its clock is taken as media time; give --offset S</source>
+        <translation>das Protokoll ist nicht synchronisiert: Seine Uhr gilt als Medienzeit; geben Sie --offset S an</translation>
     </message>
     <message>
         <source>no Falcon is plugged in</source>
@@ -4960,11 +4960,11 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>nach {place} wurde {gap_s:.0f} s lang nichts aufgezeichnet</translation>
     </message>
     <message>
-        <source>nothing, but give the file or folder of one of them</source>
+        <source>give the file or folder of one of them instead</source>
         <translation>nichts, aber geben Sie die Datei oder den Ordner von einem an</translation>
     </message>
     <message>
-        <source>nothing, but give the folder of one of them</source>
+        <source>give the folder of one of them instead</source>
         <translation>nichts, aber geben Sie den Ordner von einer an</translation>
     </message>
     <message>
@@ -5032,7 +5032,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>rate-hz={rate_hz} is no rate; give 100, for example</source>
+        <source>rate-hz={rate_hz} is not a rate; give 100, for example</source>
         <translation>rate-hz={rate_hz} ist keine Rate; geben Sie zum Beispiel 100 an</translation>
     </message>
     <message>
@@ -5040,7 +5040,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>rate-unit={rate_unit} um es so zu nehmen, wie es ist</translation>
     </message>
     <message>
-        <source>read as telemetry of the camera: specific force in m/s2, angular rate in rad/s, x to its right, y to where it looks, z to its top{rest}, turning at {largest_radps:.2f} rad/s at most</source>
+        <source>read as telemetry of the camera: specific force in m/s2, angular rate in rad/s, x to its right, y to where it looks, z to its top{rest}, at most {largest_radps:.2f} rad/s</source>
         <translation>gelesen als Telemetrie der Kamera: spezifische Kraft in m/s2, Drehrate in rad/s, x nach rechts, y in Blickrichtung, z nach oben{rest}, höchste Drehrate {largest_radps:.2f} rad/s</translation>
     </message>
     <message>
@@ -5048,7 +5048,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>gelesen als {name}: spezifische Kraft in {unit}</translation>
     </message>
     <message>
-        <source>read by telemetry-parser; its times are those of an average rate</source>
+        <source>read by telemetry-parser; its timestamps are those of a mean rate</source>
         <translation>gelesen mit telemetry-parser; die Zeiten entsprechen einer mittleren Rate</translation>
     </message>
     <message>
@@ -5148,7 +5148,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>sampling is averaged or instant</source>
+        <source>sampling must be averaged or instant</source>
         <translation>sampling ist averaged oder instant</translation>
     </message>
     <message>
@@ -5196,7 +5196,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>Abschnitt von {start_s:g} s bis {end_s:g} s</translation>
     </message>
     <message>
-        <source>specific force is acceleration plus the phone&apos;s own gravity</source>
+        <source>specific force is acceleration plus the phone&apos;s gravity estimate</source>
         <translation>die spezifische Kraft ist die Beschleunigung plus die Schwerkraft, wie das Telefon sie angibt</translation>
     </message>
     <message>
@@ -5228,8 +5228,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>schalten Sie die Platine auf Sensorausgabe (#osct bei Razor-AHRS)</translation>
     </message>
     <message>
-        <source>telemetry is nested deeper than {most} levels, so it is damaged</source>
-        <translation>die Telemetrie ist tiefer als {most} Ebenen geschachtelt, also beschädigt</translation>
+        <source>telemetry is nested deeper than {levels} levels, so it is damaged</source>
+        <translation>die Telemetrie ist tiefer als {levels} Ebenen geschachtelt, also beschädigt</translation>
     </message>
     <message>
         <source>the Falcon answered none of the frames; home it, try again</source>
@@ -5352,7 +5352,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>der Eintrag {twice!r} steht zweimal in einem Objekt</translation>
     </message>
     <message>
-        <source>the experiment was paused; its clock ran on without the pause</source>
+        <source>the experiment was paused; its clock skips the pause</source>
         <translation>das Experiment wurde angehalten; seine Uhr lief ohne die Pause weiter</translation>
     </message>
     <message>
@@ -5452,7 +5452,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>das Protokoll kann nicht geschrieben werden ({reason})</translation>
     </message>
     <message>
-        <source>the log has no times: 50 frames a second are assumed</source>
+        <source>the log has no timestamps: 50 frames per second are assumed</source>
         <translation>das Protokoll hat keine Zeiten: Es werden 50 Werte je Sekunde angenommen</translation>
     </message>
     <message>
@@ -5468,7 +5468,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>das Magnetometer wurde weggelassen: {count} von {total} Werten sind leer</translation>
     </message>
     <message>
-        <source>the method offset needs one; give --offset S</source>
+        <source>the method offset needs --offset S</source>
         <translation>das Verfahren offset braucht einen Versatz; geben Sie --offset S an</translation>
     </message>
     <message>
@@ -5528,7 +5528,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>die zweite Hälfte konnte nicht gezeichnet werden ({reason})</translation>
     </message>
     <message>
-        <source>the sensor turned so much that gravity does not show its axes</source>
+        <source>the sensor rotated so much that gravity does not show its axes</source>
         <translation>der Sensor drehte sich so sehr, dass die Schwerkraft seine Achsen nicht zeigt</translation>
     </message>
     <message>
@@ -5576,8 +5576,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>der Ton ging verloren; Bild und Kraft laufen weiter</translation>
     </message>
     <message>
-        <source>the specific force is {norm:.3g} m/s2 at rest when it is read in {force_unit}, but gravity is 9.81</source>
-        <translation>die spezifische Kraft ist in Ruhe {norm:.3g} m/s2, wenn sie in {force_unit} gelesen wird, aber die Schwerkraft ist 9.81</translation>
+        <source>the specific force is {norm:.3g} m/s2 at rest when read in {accel_unit}, but gravity is 9.81</source>
+        <translation>die spezifische Kraft ist in Ruhe {norm:.3g} m/s2, wenn sie in {accel_unit} gelesen wird, aber die Schwerkraft ist 9.81</translation>
     </message>
     <message>
         <source>the study has no condition {key}</source>
@@ -5604,7 +5604,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>es gibt keine Bilder zu schreiben</translation>
     </message>
     <message>
-        <source>there is a track {name!r} already; choose another name</source>
+        <source>a track {name!r} exists; choose another name</source>
         <translation>eine Spur {name!r} gibt es schon; wählen Sie einen anderen Namen</translation>
     </message>
     <message>
@@ -5616,7 +5616,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>there is no format {name!r}; choose one of {known}</source>
+        <source>format {name!r} not found; choose one of {known}</source>
         <translation>es gibt das Format {name!r} nicht; wählen Sie eines von {known}</translation>
     </message>
     <message>
@@ -5644,7 +5644,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>there is no mounting {text!r}; choose one of {known}, or give right, front and up of the actor in the recorder&apos;s axes, such as --mounting=-x,y,-z</source>
+        <source>mounting {text!r} not found; choose one of {known}, or give right, front and up of the actor in the recorder&apos;s axes, such as --mounting=-x,y,-z</source>
         <translation>es gibt keine Befestigung {text!r}; wählen Sie eine von {known}, oder geben Sie rechts, vorn und oben der Person in den Achsen des Recorders an, etwa --mounting=-x,y,-z</translation>
     </message>
     <message>
@@ -5664,7 +5664,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>es gibt keine Sequenz {key!r}; es gibt {known}</translation>
     </message>
     <message>
-        <source>there is no sound in which pats could be heard</source>
+        <source>the clip has no sound, which pats need</source>
         <translation>es gibt keinen Ton, in dem Klopfen zu hören wäre</translation>
     </message>
     <message>
@@ -5684,7 +5684,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>es gibt keine Vorlage {name!r}; es gibt {known}</translation>
     </message>
     <message>
-        <source>there is no track {name!r}</source>
+        <source>track {name!r} not found</source>
         <translation>es gibt keine Spur {name!r}</translation>
     </message>
     <message>
@@ -5716,15 +5716,15 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>this track heats the motors to {heat:.0f} % of what they bear for ever; they may weaken it</source>
+        <source>this track loads the motors to {heat:.0f} % of their continuous force; it may be reduced</source>
         <translation>diese Spur erwärmt die Motoren auf {heat:.0f} % dessen, was sie auf Dauer vertragen; sie könnten sie abschwächen</translation>
     </message>
     <message>
-        <source>this track would move a {hand} hand so that the force stops ({trip}) at {at_s:.1f} s</source>
+        <source>this track would move a {hand} hand so far that the device trips ({trip}) at {at_s:.1f} s</source>
         <translation>diese Spur würde eine {hand} Hand so bewegen, dass die Kraft abschaltet ({trip}), bei {at_s:.1f} s</translation>
     </message>
     <message>
-        <source>this track would reach {reach:.0f} % of the workspace with a relaxed hand, at {at_s:.1f} s; beyond {far:.0f} % the force outward is weakened</source>
+        <source>this track would reach {reach:.0f} % of the workspace with a relaxed hand, at {at_s:.1f} s; beyond {far:.0f} % outward force is reduced</source>
         <translation>diese Spur würde mit einer lockeren Hand {reach:.0f} % des Arbeitsraums erreichen, bei {at_s:.1f} s; jenseits von {far:.0f} % wird die Kraft nach außen abgeschwächt</translation>
     </message>
     <message>
@@ -5756,7 +5756,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>true oder false</translation>
     </message>
     <message>
-        <source>turning at {largest_radps:.2f} rad/s at most</source>
+        <source>at most {largest_radps:.2f} rad/s</source>
         <translation>höchste Drehrate {largest_radps:.2f} rad/s</translation>
     </message>
     <message>
@@ -5788,7 +5788,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>schreiben Sie eine mit --save-template</translation>
     </message>
     <message>
-        <source>writes its times as dates ({found})</source>
+        <source>has dates as timestamps ({found})</source>
         <translation>schreibt seine Zeiten als Datum ({found})</translation>
     </message>
     <message>
@@ -5808,7 +5808,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>{clip}: Es gibt kein dreimaliges Klopfen, das zu hören und zu spüren ist; {look}</translation>
     </message>
     <message>
-        <source>{clip}: the pats are not certain (confidence {confidence:.2f}): the best offset is {offset_s:.3f} s{next_best}; {look}</source>
+        <source>{clip}: the pats are uncertain (confidence {confidence:.2f}); the best offset is {offset_s:.3f} s{next_best}; {look}</source>
         <translation>{clip}: Das Klopfen ist nicht sicher (Konfidenz {confidence:.2f}): Der beste Versatz ist {offset_s:.3f} s{next_best}; {look}</translation>
     </message>
     <message>
@@ -5828,11 +5828,11 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>{count} Lücken</translation>
     </message>
     <message>
-        <source>{count} gyroscope values were scaled twice and are left out</source>
+        <source>{count} gyroscope values were scaled twice and are ignored</source>
         <translation>{count} Gyroskopwerte waren zweimal skaliert und wurden weggelassen</translation>
     </message>
     <message>
-        <source>{count} lines are damaged and left out (first: line {line})</source>
+        <source>{count} damaged lines were skipped (the first: line {line})</source>
         <translation>{count} Zeilen sind beschädigt und wurden weggelassen (die erste: Zeile {line})</translation>
     </message>
     <message>
@@ -5908,31 +5908,31 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>{file}: ist beschädigt; die Definition der Studie wurde verwendet</translation>
     </message>
     <message>
-        <source>{file}: is no table of numbers; choose another log</source>
+        <source>{file}: is not a table of numbers; choose another log</source>
         <translation>{file}: ist keine Tabelle mit Zahlen; wählen Sie ein anderes Protokoll</translation>
     </message>
     <message>
-        <source>{file}: {what}; give --mounting {name}, or another of {known}, or --mounting forward to take it as it is</source>
+        <source>{file}: {what}; give --mounting {name}, or another of {known}, or --mounting forward to keep its axes</source>
         <translation>{file}: {what}; geben Sie --mounting {name} an, oder etwas anderes von {known}, oder --mounting forward, um es so zu nehmen, wie es ist</translation>
     </message>
     <message>
-        <source>{force_unit} and {rate_unit} for {ranges}</source>
-        <translation>{force_unit} und {rate_unit} für {ranges}</translation>
+        <source>{accel_unit} and {rate_unit} for {ranges}</source>
+        <translation>{accel_unit} und {rate_unit} für {ranges}</translation>
     </message>
     <message>
-        <source>{key} has {count} samples, more than is read</source>
+        <source>{key} has {count} samples, too many</source>
         <translation>{key} hat {count} Werte, mehr als gelesen werden</translation>
     </message>
     <message>
-        <source>{key}={unit} is no unit; choose {known}, or give the factor to SI as a number above zero</source>
+        <source>{key}={unit} is not a unit; choose {known}, or give the factor to SI as a number above zero</source>
         <translation>{key}={unit} ist keine Einheit; wählen Sie {known}, oder geben Sie den Faktor zu SI als Zahl über null an</translation>
     </message>
     <message>
-        <source>{late_s!r} is no skew of sound and picture; give seconds between -{largest_skew_s:g} and {largest_skew_s:g}</source>
+        <source>{late_s!r} is not a skew of sound and frames; it must be between -{largest_skew_s:g} and {largest_skew_s:g}</source>
         <translation>{late_s!r} ist kein Versatz von Ton und Bild; geben Sie Sekunden zwischen -{largest_skew_s:g} und {largest_skew_s:g} an</translation>
     </message>
     <message>
-        <source>{leak_mps2:.2f} m/s2 of gravity are left where the recording stands still</source>
+        <source>{leak_mps2:.2f} m/s2 of gravity remain while the recorder is stationary</source>
         <translation>{leak_mps2:.2f} m/s2 der Schwerkraft bleiben übrig, wo die Aufnahme stillsteht</translation>
     </message>
     <message>
@@ -5940,7 +5940,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>{line}, Spalte {column}</translation>
     </message>
     <message>
-        <source>{name!r} cannot be the name of a track; use up to 40 letters, digits, blanks, dots and hyphens</source>
+        <source>{name!r} is not a valid track name; use up to 40 letters, digits, blanks, dots and hyphens</source>
         <translation>{name!r} kann nicht der Name einer Spur sein; nehmen Sie bis zu 40 Buchstaben, Ziffern, Leerzeichen, Punkte und Bindestriche</translation>
     </message>
     <message>
@@ -5948,7 +5948,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>{name!r} ist kein Falcon; nehmen Sie falcon oder falcon:SERIAL</translation>
     </message>
     <message>
-        <source>{name!r} is no plain file name</source>
+        <source>{name!r} is not a plain file name</source>
         <translation>{name!r} ist kein einfacher Dateiname</translation>
     </message>
     <message>
@@ -6020,7 +6020,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>{option} {word!r} wird nicht verstanden; geben Sie KEY=VALUE mit einem von {known} an</translation>
     </message>
     <message>
-        <source>{order!r} are no axes, so the telemetry is damaged</source>
+        <source>{order!r} are not axes, so the telemetry is damaged</source>
         <translation>{order!r} sind keine Achsen, die Telemetrie ist also beschädigt</translation>
     </message>
     <message>
@@ -6032,7 +6032,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>{path}: kann nicht gelesen werden ({reason}); wählen Sie eine andere Datei</translation>
     </message>
     <message>
-        <source>{path}: is no log of {name}</source>
+        <source>{path}: is not a log of {name}</source>
         <translation>{path}: ist kein Protokoll von {name}</translation>
     </message>
     <message>
@@ -6068,7 +6068,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>{share:.1%} der Kraftwerte erreichen die Grenze der Kraft</translation>
     </message>
     <message>
-        <source>{share} of the motion is not to be trusted (gaps, missing or clipped samples); there is no force there</source>
+        <source>{share} of the motion is not valid (gaps, missing or clipped samples) and has no force</source>
         <translation>{share} der Bewegung ist nicht zu trauen (Lücken, fehlende oder abgeschnittene Werte); dort gibt es keine Kraft</translation>
     </message>
     <message>
@@ -6112,7 +6112,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>{value:g} ist keine ganze Zahl</translation>
     </message>
     <message>
-        <source>{value} is no number</source>
+        <source>{value} is not a number</source>
         <translation>{value} ist keine Zahl</translation>
     </message>
     <message>
@@ -6146,6 +6146,70 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     <message>
         <source>{width} x {height} pixels are too large for a picture</source>
         <translation>{width} x {height} Pixel sind zu groß für ein Bild</translation>
+    </message>
+    <message>
+        <source>CSV in SI units</source>
+        <translation>CSV in SI-Einheiten</translation>
+    </message>
+    <message>
+        <source>another camera</source>
+        <translation>eine andere Kamera</translation>
+    </message>
+    <message>
+        <source>decreases</source>
+        <translation>nimmt ab</translation>
+    </message>
+    <message>
+        <source>method {method!r} not found; choose one of {known}</source>
+        <translation>das Verfahren {method!r} gibt es nicht; wählen Sie eines von {known}</translation>
+    </message>
+    <message>
+        <source>the offset if given, the recording&apos;s own clock if it is the clip&apos;s, else pats</source>
+        <translation>der Versatz, wenn er gegeben ist, sonst die eigene Uhr der Aufnahme, wenn sie die des Clips ist, sonst Klopfen</translation>
+    </message>
+    <message>
+        <source>three pats on the camera, heard and felt</source>
+        <translation>drei Klopfer auf die Kamera, gehört und gespürt</translation>
+    </message>
+    <message>
+        <source>the first sudden rise of sound and motion, as in the paper</source>
+        <translation>der erste plötzliche Anstieg von Ton und Bewegung, wie in der Veröffentlichung</translation>
+    </message>
+    <message>
+        <source>the recording&apos;s own clock</source>
+        <translation>die eigene Uhr der Aufnahme</translation>
+    </message>
+    <message>
+        <source>the offset that is given</source>
+        <translation>der gegebene Versatz</translation>
+    </message>
+    <message>
+        <source>GoPro</source>
+        <translation>GoPro</translation>
+    </message>
+    <message>
+        <source>Sensor Logger</source>
+        <translation>Sensor Logger</translation>
+    </message>
+    <message>
+        <source>phyphox</source>
+        <translation>phyphox</translation>
+    </message>
+    <message>
+        <source>EuRoC</source>
+        <translation>EuRoC</translation>
+    </message>
+    <message>
+        <source>Razor 9DOF</source>
+        <translation>Razor 9DOF</translation>
+    </message>
+    <message>
+        <source>Razor M0</source>
+        <translation>Razor M0</translation>
+    </message>
+    <message>
+        <source>OpenCamera Sensors</source>
+        <translation>OpenCamera Sensors</translation>
     </message>
 </context>
 </TS>

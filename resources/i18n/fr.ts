@@ -3248,7 +3248,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>1 g = {counts:.0f} et 2000 °/s</translation>
     </message>
     <message>
-        <source>1 line is damaged and left out (first: line {line})</source>
+        <source>1 damaged line was skipped (line {line})</source>
         <translation>1 ligne est endommagée et a été omise (la première&#xa0;: ligne {line})</translation>
     </message>
     <message>
@@ -3368,15 +3368,15 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>Sensor Logger ({system})</translation>
     </message>
     <message>
-        <source>The compass is left out: the file does not say which axes it has.</source>
+        <source>The compass is ignored: the file does not declare its axes.</source>
         <translation>La boussole est omise&#xa0;: le fichier ne dit pas quels axes elle a.</translation>
     </message>
     <message>
-        <source>The compass is left out: {what}.</source>
+        <source>The compass is ignored: {what}.</source>
         <translation>La boussole est omise&#xa0;: {what}.</translation>
     </message>
     <message>
-        <source>The file does not say how the sensor sits in {camera!r}: the axes of a HERO5 are assumed.</source>
+        <source>The file does not declare the sensor axes of {camera!r}: those of a HERO5 are assumed.</source>
         <translation>Le fichier ne dit pas comment le capteur est placé dans {camera!r}&#xa0;: les axes d’une HERO5 sont supposés.</translation>
     </message>
     <message>
@@ -3384,7 +3384,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>Le journal a {count}, la plus longue de {length_s:.2f} s à {at_s:.2f} s.</translation>
     </message>
     <message>
-        <source>This camera does not stamp its samples: they may lie 10 to 30 ms off the picture.</source>
+        <source>This camera does not timestamp its samples: they may be 10 to 30 ms off.</source>
         <translation>Cette caméra ne date pas ses mesures&#xa0;: elles peuvent être décalées de 10 à 30 ms par rapport à l’image.</translation>
     </message>
     <message>
@@ -3504,11 +3504,11 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>un texte</translation>
     </message>
     <message>
-        <source>a time constant can only be set for the method smoother, not for {method}</source>
+        <source>a time constant is for the method smoother, not for {method}</source>
         <translation>une constante de temps ne vaut que pour la méthode smoother, pas pour {method}</translation>
     </message>
     <message>
-        <source>a title has 1 to {most} characters</source>
+        <source>a title must have 1 to {most} characters</source>
         <translation>un titre a de 1 à {most} caractères</translation>
     </message>
     <message>
@@ -3608,7 +3608,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>axes={axes} ne sont pas trois axes&#xa0;; donnez la droite, l’avant et le haut dans les axes du journal, par exemple axes=x,-z,y</translation>
     </message>
     <message>
-        <source>axes={axes} mirror the log; turn one sign round, for right, front and up have to follow the right hand</source>
+        <source>axes={axes} mirror the log; change one sign: right, front and up have to follow the right hand</source>
         <translation>axes={axes} inversent le journal en miroir&#xa0;; changez un signe, car droite, avant et haut doivent suivre la main droite</translation>
     </message>
     <message>
@@ -3768,7 +3768,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>fermez-la d’abord là-bas</translation>
     </message>
     <message>
-        <source>columns=time,ax,ay,az,gx,gy,gz (- for what is not wanted)</source>
+        <source>columns=time,ax,ay,az,gx,gy,gz (- to ignore a column)</source>
         <translation>columns=time,ax,ay,az,gx,gy,gz (- pour ce qui ne sert pas)</translation>
     </message>
     <message>
@@ -3848,7 +3848,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>coupez l’enregistrement à cet endroit et donnez les morceaux un par un</translation>
     </message>
     <message>
-        <source>describes no sequence</source>
+        <source>is not the description of a sequence</source>
         <translation>ne décrit pas de séquence</translation>
     </message>
     <message>
@@ -3860,7 +3860,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>appareil {name!r}&#xa0;: cette version n’a pas de pilote pour lui&#xa0;; prenez {known}</translation>
     </message>
     <message>
-        <source>does not say whether it comes from iOS or Android, whose accelerations have opposite signs</source>
+        <source>does not declare iOS or Android, whose accelerations have opposite signs</source>
         <translation>ne dit pas s’il vient d’iOS ou d’Android, dont les accélérations sont de signes contraires</translation>
     </message>
     <message>
@@ -3888,7 +3888,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>inscrivez-le sous sequences, ou avec `study new --sequence KEY=FOLDER`</translation>
     </message>
     <message>
-        <source>every sequence has the track {name!r}; it stays</source>
+        <source>every sequence needs its track {name!r}</source>
         <translation>chaque séquence a la piste {name!r}&#xa0;; elle reste</translation>
     </message>
     <message>
@@ -3976,20 +3976,20 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>force-sign is + or -</source>
-        <translation>force-sign est + ou -</translation>
+        <source>accel-sign must be + or -</source>
+        <translation>accel-sign est + ou -</translation>
     </message>
     <message>
-        <source>force-sign=- if its accelerometer shows -1 g upwards</source>
-        <translation>force-sign=- si son accéléromètre indique -1 g vers le haut</translation>
+        <source>accel-sign=- if its accelerometer reads -1 g upwards</source>
+        <translation>accel-sign=- si son accéléromètre indique -1 g vers le haut</translation>
     </message>
     <message>
-        <source>force-unit={fitting:.6g} to scale it to gravity</source>
-        <translation>force-unit={fitting:.6g} pour l’ajuster à la pesanteur</translation>
+        <source>accel-unit={fitting:.6g} to scale it to gravity</source>
+        <translation>accel-unit={fitting:.6g} pour l’ajuster à la pesanteur</translation>
     </message>
     <message>
-        <source>force-unit={force_unit} to take it as it is</source>
-        <translation>force-unit={force_unit} pour la prendre telle quelle</translation>
+        <source>accel-unit={accel_unit} to keep it</source>
+        <translation>accel-unit={accel_unit} pour la prendre telle quelle</translation>
     </message>
     <message>
         <source>format=csv and columns=time,ax,ay,az,gx,gy,gz (- for others)</source>
@@ -4104,7 +4104,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>donnez la vitesse angulaire en rad/s</translation>
     </message>
     <message>
-        <source>give the files the names they were recorded with</source>
+        <source>restore the original file names</source>
         <translation>donnez aux fichiers les noms de leur enregistrement</translation>
     </message>
     <message>
@@ -4132,7 +4132,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>donnez le dossier de la séquence</translation>
     </message>
     <message>
-        <source>give the folder or the zip that the logger has written, or a sequence</source>
+        <source>give the folder or zip that the logger has written, or a sequence</source>
         <translation>donnez le dossier ou le zip que l’enregistreur a écrit, ou une séquence</translation>
     </message>
     <message>
@@ -4148,7 +4148,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>donnez le journal avec --imu LOG --offset S</translation>
     </message>
     <message>
-        <source>give the log with --imu LOG --offset S, and {option} where it is asked</source>
+        <source>give the log with --imu LOG --offset S, and {option} if asked</source>
         <translation>donnez le journal avec --imu LOG --offset S, et {option} là où c’est demandé</translation>
     </message>
     <message>
@@ -4192,11 +4192,11 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>donnez des temps en secondes de la vidéo</translation>
     </message>
     <message>
-        <source>gravity is 9.81 m/s2 and not {norm:.2f}: the accelerometer is doubtful</source>
-        <translation>la pesanteur est de 9.81 m/s2 et non de {norm:.2f}&#xa0;: l’accéléromètre est douteux</translation>
+        <source>the accelerometer reads {norm:.2f} m/s2 at rest instead of 9.81</source>
+        <translation>l’accéléromètre indique {norm:.2f} m/s2 au repos au lieu de 9,81</translation>
     </message>
     <message>
-        <source>gravity says that {sign}{axis} of the recorder was up, not its z</source>
+        <source>gravity shows that {sign}{axis} of the recorder was up, not its z</source>
         <translation>selon la pesanteur, {sign}{axis} de l’enregistreur était en haut, pas son z</translation>
     </message>
     <message>
@@ -4248,11 +4248,11 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>n’a pas de force ({reason})</translation>
     </message>
     <message>
-        <source>has no times, and its firmware has no fixed rate</source>
+        <source>has no timestamps, and its firmware has no fixed rate</source>
         <translation>n’a pas de temps, et son micrologiciel n’a pas de cadence fixe</translation>
     </message>
     <message>
-        <source>has only {rate_hz:.1f} samples per second, in which pats do not show</source>
+        <source>has only {rate_hz:.1f} samples per second, too few for pats</source>
         <translation>n’a que {rate_hz:.1f} mesures par seconde, où des tapes ne se voient pas</translation>
     </message>
     <message>
@@ -4280,7 +4280,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>a {count} octets, c’est trop</translation>
     </message>
     <message>
-        <source>has {count} columns, and a Razor M0 does not say which they are</source>
+        <source>has {count} columns, and a Razor M0 does not declare them</source>
         <translation>a {count} colonnes, et un Razor M0 ne dit pas lesquelles</translation>
     </message>
     <message>
@@ -4312,7 +4312,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>contient une accélération de {largest:.3g} m/s2, au-delà de tout capteur</translation>
     </message>
     <message>
-        <source>holds angles without angular rates, from which motion cannot be had</source>
+        <source>holds angles without angular rates, so motion cannot be computed</source>
         <translation>contient des angles sans vitesses angulaires, dont on ne peut pas tirer de mouvement</translation>
     </message>
     <message>
@@ -4336,7 +4336,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>ne contient pas de mesures d’accéléromètre (DJI n’enregistre que des orientations)</translation>
     </message>
     <message>
-        <source>holds no angular rate, without which gravity cannot be told from motion</source>
+        <source>holds no angular rate; gravity cannot be removed without it</source>
         <translation>ne contient pas de vitesse angulaire, sans laquelle la pesanteur ne se distingue pas du mouvement</translation>
     </message>
     <message>
@@ -4348,7 +4348,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>ne contient pas de gyroscope (seulement {held})</translation>
     </message>
     <message>
-        <source>holds no log that is known</source>
+        <source>holds no log of a known format</source>
         <translation>ne contient aucun journal connu</translation>
     </message>
     <message>
@@ -4384,7 +4384,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>contient seulement {held}, pas d’accélération</translation>
     </message>
     <message>
-        <source>holds {name!r}, a name that points out of the zip</source>
+        <source>holds {name!r}, a name outside the zip</source>
         <translation>contient {name!r}, un nom qui mène hors du zip</translation>
     </message>
     <message>
@@ -4420,7 +4420,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>est un socket, pas un fichier</translation>
     </message>
     <message>
-        <source>is a table of {count} columns ({shown}) that says not what they are</source>
+        <source>is a table of {count} columns ({shown}) without a description</source>
         <translation>est un tableau de {count} colonnes ({shown}) qui ne dit pas ce qu’elles sont</translation>
     </message>
     <message>
@@ -4464,7 +4464,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>n’est pas du JSON</translation>
     </message>
     <message>
-        <source>is no JSON object</source>
+        <source>is not a JSON object</source>
         <translation>n’est pas un objet JSON</translation>
     </message>
     <message>
@@ -4488,7 +4488,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>n’est pas une séance</translation>
     </message>
     <message>
-        <source>is no template of a log ({reason})</source>
+        <source>is not a template for logs ({reason})</source>
         <translation>n’est pas un modèle de journal ({reason})</translation>
     </message>
     <message>
@@ -4548,7 +4548,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>est d’une version plus récente de ce programme</translation>
     </message>
     <message>
-        <source>is of a {name}, whose axes its telemetry does not tell</source>
+        <source>is of a {name}, whose telemetry does not declare its axes</source>
         <translation>est d’une {name}, dont la télémétrie ne dit pas les axes</translation>
     </message>
     <message>
@@ -4676,7 +4676,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>cela ressemble à des millisecondes&#xa0;: divisez time_s par 1000</translation>
     </message>
     <message>
-        <source>it may hold texts for {known}</source>
+        <source>it must hold texts for {known}</source>
         <translation>il peut contenir des textes pour {known}</translation>
     </message>
     <message>
@@ -4712,7 +4712,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>ses tableaux ne vont pas ensemble</translation>
     </message>
     <message>
-        <source>its axes (MTRX) are no matrix, so it is damaged</source>
+        <source>its axes (MTRX) are not a matrix, so it is damaged</source>
         <translation>ses axes (MTRX) ne sont pas une matrice, elle est donc endommagée</translation>
     </message>
     <message>
@@ -4744,7 +4744,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>sa pesanteur n’est pas utilisable</translation>
     </message>
     <message>
-        <source>its gyro file has the norm {norm:.3g} of gravity, its accel file has not, so the names are exchanged</source>
+        <source>its gyro file has the norm {norm:.3g} of gravity, its accel file has not: the names are swapped</source>
         <translation>son fichier gyro a la norme {norm:.3g} de la pesanteur, son fichier accel ne l’a pas, les noms sont donc échangés</translation>
     </message>
     <message>
@@ -4840,7 +4840,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>ligne {number}</translation>
     </message>
     <message>
-        <source>look at `hapticplayer sync` with --plot FILE, then give --offset S</source>
+        <source>compare sound and motion with `hapticplayer sync --plot FILE`, then give --offset S</source>
         <translation>regardez `hapticplayer sync` avec --plot FILE, puis donnez --offset S</translation>
     </message>
     <message>
@@ -4908,8 +4908,8 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>demande {needed_mb} Mo, et seulement {free_mb} Mo sont libres</translation>
     </message>
     <message>
-        <source>no --offset was given: the log&apos;s clock is taken as media time</source>
-        <translation>aucun --offset n’a été donné&#xa0;: l’horloge du journal vaut comme temps du média</translation>
+        <source>the log is not synchronised: its clock is taken as media time; give --offset S</source>
+        <translation>le journal n’est pas synchronisé : son horloge est prise comme temps du média ; donnez --offset S</translation>
     </message>
     <message>
         <source>no Falcon is plugged in</source>
@@ -4960,11 +4960,11 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>rien n’a été enregistré pendant {gap_s:.0f} s après la {place}</translation>
     </message>
     <message>
-        <source>nothing, but give the file or folder of one of them</source>
+        <source>give the file or folder of one of them instead</source>
         <translation>rien, mais donnez le fichier ou le dossier de l’un d’eux</translation>
     </message>
     <message>
-        <source>nothing, but give the folder of one of them</source>
+        <source>give the folder of one of them instead</source>
         <translation>rien, mais donnez le dossier de l’un d’eux</translation>
     </message>
     <message>
@@ -5032,7 +5032,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>rate-hz={rate_hz} is no rate; give 100, for example</source>
+        <source>rate-hz={rate_hz} is not a rate; give 100, for example</source>
         <translation>rate-hz={rate_hz} n’est pas une cadence&#xa0;; donnez 100, par exemple</translation>
     </message>
     <message>
@@ -5040,7 +5040,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>rate-unit={rate_unit} pour la prendre telle quelle</translation>
     </message>
     <message>
-        <source>read as telemetry of the camera: specific force in m/s2, angular rate in rad/s, x to its right, y to where it looks, z to its top{rest}, turning at {largest_radps:.2f} rad/s at most</source>
+        <source>read as telemetry of the camera: specific force in m/s2, angular rate in rad/s, x to its right, y to where it looks, z to its top{rest}, at most {largest_radps:.2f} rad/s</source>
         <translation>lu comme télémétrie de la caméra&#xa0;: force spécifique en m/s2, vitesse angulaire en rad/s, x vers sa droite, y dans la direction du regard, z vers le haut{rest}, vitesse angulaire d’au plus {largest_radps:.2f} rad/s</translation>
     </message>
     <message>
@@ -5048,7 +5048,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>lu comme {name}&#xa0;: force spécifique en {unit}</translation>
     </message>
     <message>
-        <source>read by telemetry-parser; its times are those of an average rate</source>
+        <source>read by telemetry-parser; its timestamps are those of a mean rate</source>
         <translation>lu par telemetry-parser&#xa0;; ses temps sont ceux d’une cadence moyenne</translation>
     </message>
     <message>
@@ -5148,7 +5148,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>sampling is averaged or instant</source>
+        <source>sampling must be averaged or instant</source>
         <translation>sampling est averaged ou instant</translation>
     </message>
     <message>
@@ -5196,7 +5196,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>plage de {start_s:g} s à {end_s:g} s</translation>
     </message>
     <message>
-        <source>specific force is acceleration plus the phone&apos;s own gravity</source>
+        <source>specific force is acceleration plus the phone&apos;s gravity estimate</source>
         <translation>la force spécifique est l’accélération plus la pesanteur que donne le téléphone</translation>
     </message>
     <message>
@@ -5228,8 +5228,8 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>mettez la carte en sortie de capteurs (#osct avec Razor-AHRS)</translation>
     </message>
     <message>
-        <source>telemetry is nested deeper than {most} levels, so it is damaged</source>
-        <translation>la télémétrie est imbriquée sur plus de {most} niveaux, elle est donc endommagée</translation>
+        <source>telemetry is nested deeper than {levels} levels, so it is damaged</source>
+        <translation>la télémétrie est imbriquée sur plus de {levels} niveaux, elle est donc endommagée</translation>
     </message>
     <message>
         <source>the Falcon answered none of the frames; home it, try again</source>
@@ -5352,7 +5352,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>l’entrée {twice!r} figure deux fois dans un objet</translation>
     </message>
     <message>
-        <source>the experiment was paused; its clock ran on without the pause</source>
+        <source>the experiment was paused; its clock skips the pause</source>
         <translation>l’expérience a été mise en pause&#xa0;; son horloge a continué sans la pause</translation>
     </message>
     <message>
@@ -5452,7 +5452,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>le journal ne peut pas être écrit ({reason})</translation>
     </message>
     <message>
-        <source>the log has no times: 50 frames a second are assumed</source>
+        <source>the log has no timestamps: 50 frames per second are assumed</source>
         <translation>le journal n’a pas de temps&#xa0;: 50 mesures par seconde sont supposées</translation>
     </message>
     <message>
@@ -5468,7 +5468,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>le magnétomètre a été omis&#xa0;: {count} mesures sur {total} sont vides</translation>
     </message>
     <message>
-        <source>the method offset needs one; give --offset S</source>
+        <source>the method offset needs --offset S</source>
         <translation>la méthode offset demande un décalage&#xa0;; donnez --offset S</translation>
     </message>
     <message>
@@ -5528,7 +5528,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>la seconde moitié n’a pas pu être dessinée ({reason})</translation>
     </message>
     <message>
-        <source>the sensor turned so much that gravity does not show its axes</source>
+        <source>the sensor rotated so much that gravity does not show its axes</source>
         <translation>le capteur a tant tourné que la pesanteur ne montre pas ses axes</translation>
     </message>
     <message>
@@ -5576,8 +5576,8 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>le son a été perdu&#xa0;; l’image et la force continuent</translation>
     </message>
     <message>
-        <source>the specific force is {norm:.3g} m/s2 at rest when it is read in {force_unit}, but gravity is 9.81</source>
-        <translation>la force spécifique est de {norm:.3g} m/s2 au repos quand elle est lue en {force_unit}, mais la pesanteur est de 9.81</translation>
+        <source>the specific force is {norm:.3g} m/s2 at rest when read in {accel_unit}, but gravity is 9.81</source>
+        <translation>la force spécifique est de {norm:.3g} m/s2 au repos quand elle est lue en {accel_unit}, mais la pesanteur est de 9.81</translation>
     </message>
     <message>
         <source>the study has no condition {key}</source>
@@ -5604,7 +5604,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>il n’y a pas d’images à écrire</translation>
     </message>
     <message>
-        <source>there is a track {name!r} already; choose another name</source>
+        <source>a track {name!r} exists; choose another name</source>
         <translation>il y a déjà une piste {name!r}&#xa0;; choisissez un autre nom</translation>
     </message>
     <message>
@@ -5616,7 +5616,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>there is no format {name!r}; choose one of {known}</source>
+        <source>format {name!r} not found; choose one of {known}</source>
         <translation>il n’y a pas de format {name!r}&#xa0;; choisissez parmi {known}</translation>
     </message>
     <message>
@@ -5644,7 +5644,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>there is no mounting {text!r}; choose one of {known}, or give right, front and up of the actor in the recorder&apos;s axes, such as --mounting=-x,y,-z</source>
+        <source>mounting {text!r} not found; choose one of {known}, or give right, front and up of the actor in the recorder&apos;s axes, such as --mounting=-x,y,-z</source>
         <translation>il n’y a pas de fixation {text!r}&#xa0;; choisissez parmi {known}, ou donnez la droite, l’avant et le haut de la personne dans les axes de l’enregistreur, par exemple --mounting=-x,y,-z</translation>
     </message>
     <message>
@@ -5664,7 +5664,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>il n’y a pas de séquence {key!r}&#xa0;; il y a {known}</translation>
     </message>
     <message>
-        <source>there is no sound in which pats could be heard</source>
+        <source>the clip has no sound, which pats need</source>
         <translation>il n’y a pas de son où des tapes pourraient s’entendre</translation>
     </message>
     <message>
@@ -5684,7 +5684,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>il n’y a pas de modèle {name!r}&#xa0;; il y a {known}</translation>
     </message>
     <message>
-        <source>there is no track {name!r}</source>
+        <source>track {name!r} not found</source>
         <translation>il n’y a pas de piste {name!r}</translation>
     </message>
     <message>
@@ -5716,15 +5716,15 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>this track heats the motors to {heat:.0f} % of what they bear for ever; they may weaken it</source>
+        <source>this track loads the motors to {heat:.0f} % of their continuous force; it may be reduced</source>
         <translation>cette piste chauffe les moteurs à {heat:.0f}&#xa0;% de ce qu’ils supportent sans fin&#xa0;; ils peuvent l’affaiblir</translation>
     </message>
     <message>
-        <source>this track would move a {hand} hand so that the force stops ({trip}) at {at_s:.1f} s</source>
+        <source>this track would move a {hand} hand so far that the device trips ({trip}) at {at_s:.1f} s</source>
         <translation>cette piste déplacerait une main {hand} au point que la force s’arrête ({trip}) à {at_s:.1f} s</translation>
     </message>
     <message>
-        <source>this track would reach {reach:.0f} % of the workspace with a relaxed hand, at {at_s:.1f} s; beyond {far:.0f} % the force outward is weakened</source>
+        <source>this track would reach {reach:.0f} % of the workspace with a relaxed hand, at {at_s:.1f} s; beyond {far:.0f} % outward force is reduced</source>
         <translation>cette piste atteindrait {reach:.0f}&#xa0;% de l’espace de travail avec une main détendue, à {at_s:.1f} s&#xa0;; au-delà de {far:.0f}&#xa0;%, la force vers l’extérieur est affaiblie</translation>
     </message>
     <message>
@@ -5756,7 +5756,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>true ou false</translation>
     </message>
     <message>
-        <source>turning at {largest_radps:.2f} rad/s at most</source>
+        <source>at most {largest_radps:.2f} rad/s</source>
         <translation>vitesse angulaire d’au plus {largest_radps:.2f} rad/s</translation>
     </message>
     <message>
@@ -5788,7 +5788,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>écrivez-en un avec --save-template</translation>
     </message>
     <message>
-        <source>writes its times as dates ({found})</source>
+        <source>has dates as timestamps ({found})</source>
         <translation>écrit ses temps sous forme de dates ({found})</translation>
     </message>
     <message>
@@ -5808,7 +5808,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>{clip}&#xa0;: aucune série de trois tapes n’est à la fois entendue et sentie&#xa0;; {look}</translation>
     </message>
     <message>
-        <source>{clip}: the pats are not certain (confidence {confidence:.2f}): the best offset is {offset_s:.3f} s{next_best}; {look}</source>
+        <source>{clip}: the pats are uncertain (confidence {confidence:.2f}); the best offset is {offset_s:.3f} s{next_best}; {look}</source>
         <translation>{clip}&#xa0;: les tapes ne sont pas sûres (confiance {confidence:.2f})&#xa0;: le meilleur décalage est de {offset_s:.3f} s{next_best}&#xa0;; {look}</translation>
     </message>
     <message>
@@ -5828,11 +5828,11 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>{count} lacunes</translation>
     </message>
     <message>
-        <source>{count} gyroscope values were scaled twice and are left out</source>
+        <source>{count} gyroscope values were scaled twice and are ignored</source>
         <translation>{count} valeurs du gyroscope étaient mises à l’échelle deux fois et ont été omises</translation>
     </message>
     <message>
-        <source>{count} lines are damaged and left out (first: line {line})</source>
+        <source>{count} damaged lines were skipped (the first: line {line})</source>
         <translation>{count} lignes sont endommagées et ont été omises (la première&#xa0;: ligne {line})</translation>
     </message>
     <message>
@@ -5908,31 +5908,31 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>{file}&#xa0;: est endommagé&#xa0;; la définition de l’étude a été utilisée</translation>
     </message>
     <message>
-        <source>{file}: is no table of numbers; choose another log</source>
+        <source>{file}: is not a table of numbers; choose another log</source>
         <translation>{file}&#xa0;: n’est pas un tableau de nombres&#xa0;; choisissez un autre journal</translation>
     </message>
     <message>
-        <source>{file}: {what}; give --mounting {name}, or another of {known}, or --mounting forward to take it as it is</source>
+        <source>{file}: {what}; give --mounting {name}, or another of {known}, or --mounting forward to keep its axes</source>
         <translation>{file}&#xa0;: {what}&#xa0;; donnez --mounting {name}, ou une autre de {known}, ou --mounting forward pour la prendre telle quelle</translation>
     </message>
     <message>
-        <source>{force_unit} and {rate_unit} for {ranges}</source>
-        <translation>{force_unit} et {rate_unit} pour {ranges}</translation>
+        <source>{accel_unit} and {rate_unit} for {ranges}</source>
+        <translation>{accel_unit} et {rate_unit} pour {ranges}</translation>
     </message>
     <message>
-        <source>{key} has {count} samples, more than is read</source>
+        <source>{key} has {count} samples, too many</source>
         <translation>{key} a {count} mesures, plus qu’on n’en lit</translation>
     </message>
     <message>
-        <source>{key}={unit} is no unit; choose {known}, or give the factor to SI as a number above zero</source>
+        <source>{key}={unit} is not a unit; choose {known}, or give the factor to SI as a number above zero</source>
         <translation>{key}={unit} n’est pas une unité&#xa0;; choisissez {known}, ou donnez le facteur vers le SI, un nombre supérieur à zéro</translation>
     </message>
     <message>
-        <source>{late_s!r} is no skew of sound and picture; give seconds between -{largest_skew_s:g} and {largest_skew_s:g}</source>
+        <source>{late_s!r} is not a skew of sound and frames; it must be between -{largest_skew_s:g} and {largest_skew_s:g}</source>
         <translation>{late_s!r} n’est pas un écart entre le son et l’image&#xa0;; donnez des secondes entre -{largest_skew_s:g} et {largest_skew_s:g}</translation>
     </message>
     <message>
-        <source>{leak_mps2:.2f} m/s2 of gravity are left where the recording stands still</source>
+        <source>{leak_mps2:.2f} m/s2 of gravity remain while the recorder is stationary</source>
         <translation>{leak_mps2:.2f} m/s2 de pesanteur restent là où l’enregistrement est immobile</translation>
     </message>
     <message>
@@ -5940,7 +5940,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>{line}, colonne {column}</translation>
     </message>
     <message>
-        <source>{name!r} cannot be the name of a track; use up to 40 letters, digits, blanks, dots and hyphens</source>
+        <source>{name!r} is not a valid track name; use up to 40 letters, digits, blanks, dots and hyphens</source>
         <translation>{name!r} ne peut pas être le nom d’une piste&#xa0;; prenez jusqu’à 40 lettres, chiffres, espaces, points et traits d’union</translation>
     </message>
     <message>
@@ -5948,7 +5948,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>{name!r} n’est pas un Falcon&#xa0;; prenez falcon, ou falcon:SERIAL</translation>
     </message>
     <message>
-        <source>{name!r} is no plain file name</source>
+        <source>{name!r} is not a plain file name</source>
         <translation>{name!r} n’est pas un simple nom de fichier</translation>
     </message>
     <message>
@@ -6020,7 +6020,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>{option} {word!r} n’est pas compris&#xa0;; donnez KEY=VALUE avec l’un de {known}</translation>
     </message>
     <message>
-        <source>{order!r} are no axes, so the telemetry is damaged</source>
+        <source>{order!r} are not axes, so the telemetry is damaged</source>
         <translation>{order!r} ne sont pas des axes, la télémétrie est donc endommagée</translation>
     </message>
     <message>
@@ -6032,7 +6032,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>{path}&#xa0;: ne peut pas être lu ({reason})&#xa0;; choisissez un autre fichier</translation>
     </message>
     <message>
-        <source>{path}: is no log of {name}</source>
+        <source>{path}: is not a log of {name}</source>
         <translation>{path}&#xa0;: n’est pas un journal de {name}</translation>
     </message>
     <message>
@@ -6068,7 +6068,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>{share:.1%} des mesures de force atteignent la limite de force</translation>
     </message>
     <message>
-        <source>{share} of the motion is not to be trusted (gaps, missing or clipped samples); there is no force there</source>
+        <source>{share} of the motion is not valid (gaps, missing or clipped samples) and has no force</source>
         <translation>{share} du mouvement n’est pas fiable (lacunes, mesures manquantes ou écrêtées)&#xa0;; il n’y a pas de force à cet endroit</translation>
     </message>
     <message>
@@ -6112,7 +6112,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>{value:g} n’est pas un nombre entier</translation>
     </message>
     <message>
-        <source>{value} is no number</source>
+        <source>{value} is not a number</source>
         <translation>{value} n’est pas un nombre</translation>
     </message>
     <message>
@@ -6146,6 +6146,70 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     <message>
         <source>{width} x {height} pixels are too large for a picture</source>
         <translation>{width} x {height} pixels sont trop pour une image</translation>
+    </message>
+    <message>
+        <source>CSV in SI units</source>
+        <translation>CSV en unités SI</translation>
+    </message>
+    <message>
+        <source>another camera</source>
+        <translation>une autre caméra</translation>
+    </message>
+    <message>
+        <source>decreases</source>
+        <translation>diminue</translation>
+    </message>
+    <message>
+        <source>method {method!r} not found; choose one of {known}</source>
+        <translation>la méthode {method!r} est introuvable ; choisissez parmi {known}</translation>
+    </message>
+    <message>
+        <source>the offset if given, the recording&apos;s own clock if it is the clip&apos;s, else pats</source>
+        <translation>le décalage s’il est donné, sinon l’horloge de l’enregistrement si c’est celle du clip, sinon les tapes</translation>
+    </message>
+    <message>
+        <source>three pats on the camera, heard and felt</source>
+        <translation>trois tapes sur la caméra, entendues et ressenties</translation>
+    </message>
+    <message>
+        <source>the first sudden rise of sound and motion, as in the paper</source>
+        <translation>la première hausse soudaine du son et du mouvement, comme dans l’article</translation>
+    </message>
+    <message>
+        <source>the recording&apos;s own clock</source>
+        <translation>l’horloge propre de l’enregistrement</translation>
+    </message>
+    <message>
+        <source>the offset that is given</source>
+        <translation>le décalage donné</translation>
+    </message>
+    <message>
+        <source>GoPro</source>
+        <translation>GoPro</translation>
+    </message>
+    <message>
+        <source>Sensor Logger</source>
+        <translation>Sensor Logger</translation>
+    </message>
+    <message>
+        <source>phyphox</source>
+        <translation>phyphox</translation>
+    </message>
+    <message>
+        <source>EuRoC</source>
+        <translation>EuRoC</translation>
+    </message>
+    <message>
+        <source>Razor 9DOF</source>
+        <translation>Razor 9DOF</translation>
+    </message>
+    <message>
+        <source>Razor M0</source>
+        <translation>Razor M0</translation>
+    </message>
+    <message>
+        <source>OpenCamera Sensors</source>
+        <translation>OpenCamera Sensors</translation>
     </message>
 </context>
 </TS>

@@ -156,16 +156,16 @@ def test_a_question_about_a_log_is_asked_in_german(german, qtbot, tmp_path):
     qtbot.addWidget(wizard)
     question = LogQuestion(
         Message("its units are not known"),
-        (Message("force-unit={force_unit} to take it as it is", force_unit="g"),),
+        (Message("accel-unit={accel_unit} to keep it", accel_unit="g"),),
         "/x/log.csv",
     )
     wizard.files.show_problem(question)
     asked = wizard.files.question
     assert asked.text.text() == "log.csv: die Einheiten sind nicht bekannt"
     (answer,) = asked.answers.buttons()
-    assert answer.text() == "force-unit=g um es so zu nehmen, wie es ist"
+    assert answer.text() == "accel-unit=g um es so zu nehmen, wie es ist"
     answer.click()
-    assert asked.other.text() == "force-unit=g"
+    assert asked.other.text() == "accel-unit=g"
     wizard.close_jobs()
 
 
