@@ -4909,7 +4909,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>the log is not synchronised: its clock is taken as media time; give --offset S</source>
-        <translation>le journal n’est pas synchronisé : son horloge est prise comme temps du média ; donnez --offset S</translation>
+        <translation>le journal n’est pas synchronisé : son horloge est prise comme temps du média ; donnez --offset S</translation>
     </message>
     <message>
         <source>no Falcon is plugged in</source>
@@ -6161,7 +6161,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>method {method!r} not found; choose one of {known}</source>
-        <translation>la méthode {method!r} est introuvable ; choisissez parmi {known}</translation>
+        <translation>la méthode {method!r} est introuvable ; choisissez parmi {known}</translation>
     </message>
     <message>
         <source>the offset if given, the recording&apos;s own clock if it is the clip&apos;s, else pats</source>
