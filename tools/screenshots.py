@@ -78,7 +78,7 @@ def _make(options: argparse.Namespace, folder: Path) -> None:
     from app.bridge.collector import Collector
     from app.bridge.settings import Settings
     from app.player.application import make_application
-    from app.player.look_menus import LANGUAGE, LOOK
+    from app.player.menus import LANGUAGE, LOOK
     from app.player.remake import dress
     from hapticplayer.playback.source import open_source
     from tools.pages import device, library, player, study

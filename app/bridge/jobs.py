@@ -1,11 +1,17 @@
-"""One piece of long work at a time, beside the window."""
+"""Long work beside the window: in a thread, and where it computes in a process of its own."""
 
+import contextlib
+import multiprocessing
+import os
 import threading
 from collections.abc import Callable
 from dataclasses import dataclass
+from multiprocessing.connection import Connection
 from typing import Any, Generic, TypeVar
 
-from hapticplayer.errors import Cancelled
+from PySide6.QtCore import QObject, QTimer, Signal
+
+from hapticplayer.errors import Cancelled, HapticPlayerError
 
 Result = TypeVar("Result")
 Progress = Callable[[float, str], None]
@@ -132,3 +138,154 @@ class Jobs:
 
 def _ignore(_result: Any) -> None:
     """Drop a result."""
+
+
+_LOOK_S = 0.05
+_DONE, _FAILED, _STEP = "done", "failed", "step"
+
+
+def in_child(
+    work: Callable[..., Result],
+    *arguments: Any,
+    progress: Progress,
+    **options: Any,
+) -> Result:
+    """Return what the work returns; called in a thread, it leaves the others alone.
+
+    Args:
+        work: a function of a module, which takes `progress`.
+        *arguments: handed to it; values and paths.
+        **options: the same, by name.
+        progress: called here; when it raises, the work is asked to stop, which it
+            does at its next report, and the exception goes on once it has.
+
+    Raises:
+        HapticPlayerError: what the work raised, or that its process has died.
+    """
+    context = multiprocessing.get_context("spawn")
+    ours, theirs = context.Pipe()
+    process = context.Process(
+        target=_serve, args=(theirs, work, arguments, options), daemon=True
+    )
+    with ours:
+        process.start()
+        theirs.close()
+        if process.pid is not None:
+            _stand_back(process.pid)
+        try:
+            return _follow(ours, progress)  # type: ignore[no-any-return]
+        except EOFError:
+            process.join()
+            raise HapticPlayerError(
+                "the work was ended from outside (exit status {status}), perhaps for "
+                "want of memory; nothing was written",
+                status=process.exitcode,
+            ) from None
+        finally:
+            ours.close()  # which the work takes for the wish to stop
+            process.join()
+
+
+def _stand_back(pid: int) -> None:
+    """Let a process compute only on cores that nobody else wants, from its start on.
+
+    The kernel wakes the window at once on a core that runs such a process; behind one
+    of lower niceness it had to wait up to 80 ms.
+    """
+    with contextlib.suppress(OSError):  # gone already
+        os.sched_setscheduler(pid, os.SCHED_IDLE, os.sched_param(0))
+
+
+def _follow(line: Connection, progress: Progress) -> Any:
+    """Hand on the progress until the work is done."""
+    latest = (0.0, "")
+    while True:
+        if not line.poll(_LOOK_S):
+            progress(*latest)  # it may want to stop while nothing is told
+            continue
+        kind, value = line.recv()
+        if kind == _DONE:
+            return value
+        if kind == _FAILED:
+            raise value
+        latest = value
+        progress(*latest)
+
+
+def _serve(
+    line: Connection,
+    work: Callable[..., Any],
+    arguments: tuple[Any, ...],
+    options: dict[str, Any],
+) -> None:
+    """Do the work in the child."""
+
+    def report(fraction: float, step: str) -> None:
+        try:
+            line.send((_STEP, (fraction, step)))
+            is_unwanted = line.poll()
+        except OSError:
+            is_unwanted = True
+        if is_unwanted:
+            raise Cancelled
+
+    try:
+        answer = (_DONE, work(*arguments, progress=report, **options))
+    except Exception as problem:  # noqa: BLE001 - it is raised again in the window's process
+        answer = (_FAILED, problem)
+    with contextlib.suppress(OSError):  # nobody may wait any more
+        line.send(answer)
+
+
+POLL_MS = 50
+
+
+class Beside(QObject):
+    """Looks when asked to; remembers what it has found.
+
+    Args:
+        work: returns names; called in a thread.
+        parent: Qt's owner.
+
+    Signals:
+        changed: there is something else than before.
+    """
+
+    changed = Signal()
+
+    def __init__(
+        self, work: Callable[[Progress], list[str]], parent: QObject | None = None
+    ) -> None:
+        super().__init__(parent)
+        self.found: list[str] = []
+        self._work = work
+        self._jobs = Jobs(lambda _problem: self._take([]))
+        self._timer = QTimer(self)
+        self._timer.setInterval(POLL_MS)
+        self._timer.timeout.connect(self._poll)
+
+    @property
+    def is_busy(self) -> bool:
+        """Whether it looks now."""
+        return self._jobs.is_busy
+
+    def look(self) -> None:
+        """Begin to look, unless that is being done."""
+        if not self._jobs.is_busy:
+            self._jobs.run("", self._work, self._take)
+            self._timer.start()
+
+    def close(self) -> None:
+        """Wait until nothing is looked for."""
+        self._timer.stop()
+        self._jobs.close()
+
+    def _poll(self) -> None:
+        self._jobs.poll()
+        if not self._jobs.is_busy:
+            self._timer.stop()
+
+    def _take(self, found: list[str]) -> None:
+        if found != self.found:
+            self.found = found
+            self.changed.emit()

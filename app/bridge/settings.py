@@ -11,13 +11,20 @@ from PySide6.QtWidgets import QWidget
 
 from hapticplayer.errors import InputError
 from hapticplayer.playback.kept_latencies import (
+    DEVICE,
+    DISPLAY,
     LATENCIES,
+    MOST_NAMES,
     SETTINGS_NAME,
     SETTINGS_VERSION,
+    SOUND,
     VERSION,
+    latencies_in,
     read_settings,
+    table_s,
     version_of,
 )
+from hapticplayer.playback.latency import Latencies
 
 _GEOMETRY = "geometry"
 _OWN_PLACES = ("folder", "study_folder", "library", "recent", "positions")
@@ -154,3 +161,59 @@ def _write(path: Path, values: dict[str, Any]) -> None:
         aside.replace(path)
     finally:
         aside.unlink(missing_ok=True)
+
+
+LIBRARY = "library"
+"""Name in the settings."""
+
+
+def library_folder(settings: Settings) -> Path:
+    """Return the folder of the sequences; it may not exist yet."""
+    chosen = settings.text(LIBRARY)
+    if chosen:
+        return Path(chosen)
+    documents = QStandardPaths.StandardLocation.DocumentsLocation
+    return Path(QStandardPaths.writableLocation(documents)) / "hapticplayer"
+
+
+def choose_library(settings: Settings, folder: Path) -> None:
+    """Remember another one."""
+    if folder != library_folder(settings):
+        settings.keep(LIBRARY, str(folder))
+        settings.save()
+
+
+__all__ = [
+    "DEVICE",
+    "DISPLAY",
+    "SOUND",
+    "is_known",
+    "keep_latency",
+    "latencies_of",
+    "screen_name",
+]
+
+
+def screen_name(widget: QWidget) -> str:
+    """Return the name of the screen that a widget is on; some have none."""
+    return widget.screen().name() or "screen"
+
+
+def latencies_of(settings: Settings, screen: str) -> Latencies:
+    """Return what is known of a screen, and of all sound outputs and devices."""
+    return latencies_in(settings.table(LATENCIES), screen)
+
+
+def keep_latency(settings: Settings, part: str, name: str, latency_ms: float) -> None:
+    """Remember what was measured of one output; written by `Settings.save`."""
+    kept = settings.table(LATENCIES)
+    known = {key: 1e3 * value for key, value in table_s(kept, part).items()}
+    known.pop(name, None)
+    known[name] = latency_ms
+    newest = list(known.items())[-MOST_NAMES:]
+    settings.keep(LATENCIES, {**kept, part: dict(newest)})
+
+
+def is_known(settings: Settings, part: str, name: str) -> bool:
+    """Whether somebody measured or entered the latency of an output."""
+    return name in table_s(settings.table(LATENCIES), part)

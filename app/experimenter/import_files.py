@@ -18,13 +18,11 @@ from PySide6.QtWidgets import (
 )
 
 from app.bridge.languages import translated
-from app.experimenter.triad import Triad
-from app.player.files import file_dialog, video_filter
-from app.player.times import time_text
+from app.experimenter.import_mounting import Triad
 from app.widgets import theme
 from app.widgets.buttons import text_button
-from app.widgets.numbers import local
-from app.widgets.texts import titled
+from app.widgets.files import file_dialog, video_filter
+from app.widgets.texts import local, time_text, titled
 from hapticplayer.capture import formats
 from hapticplayer.capture.choices import (
     LogChoices,

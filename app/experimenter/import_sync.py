@@ -16,12 +16,11 @@ from PySide6.QtWidgets import (
 
 from app.bridge.jobs import Job
 from app.bridge.languages import translated
-from app.experimenter.clip_frame import ClipFrame
-from app.experimenter.sync_strip import STEP_S, SyncStrip
+from app.experimenter.sync_strip import STEP_S, ClipFrame, SyncStrip
 from app.widgets import theme
 from app.widgets.buttons import text_button
-from app.widgets.numbers import local
-from app.widgets.room import indent
+from app.widgets.layout import indent
+from app.widgets.texts import local
 from hapticplayer.capture.sync import methods
 from hapticplayer.capture.sync.result import Synchronisation
 from hapticplayer.errors import HapticPlayerError, message_of

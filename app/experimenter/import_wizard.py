@@ -14,8 +14,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.bridge.child import in_child
-from app.bridge.jobs import Jobs, Progress
+from app.bridge.jobs import Jobs, Progress, in_child
 from app.bridge.languages import translated
 from app.experimenter.import_files import FilesPage
 from app.experimenter.import_mounting import MountingPage
@@ -23,7 +22,7 @@ from app.experimenter.import_sync import SyncPage
 from app.experimenter.quality_view import QualityView
 from app.widgets import theme
 from app.widgets.buttons import text_button
-from app.widgets.labels import ElidedLabel
+from app.widgets.layout import ElidedLabel
 from app.widgets.texts import PERCENT, job_text
 from hapticplayer.capture.choices import LogQuestion
 from hapticplayer.errors import HapticPlayerError, message_of

@@ -18,17 +18,15 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.bridge.child import in_child
-from app.bridge.jobs import Job, Progress
+from app.bridge.jobs import Job, Progress, in_child
 from app.bridge.languages import translated
 from app.experimenter.quality_view import QualityView
 from app.player.choices import feedbacks
-from app.player.files import file_dialog
 from app.widgets import theme
 from app.widgets.buttons import text_button
-from app.widgets.labels import BESIDE
-from app.widgets.numbers import local
-from app.widgets.room import ask_text, indent
+from app.widgets.files import file_dialog
+from app.widgets.layout import BESIDE, ask_text, indent
+from app.widgets.texts import local
 from hapticplayer.errors import HapticPlayerError, message_of
 from hapticplayer.model import Feedback
 from hapticplayer.sequence.editing import (

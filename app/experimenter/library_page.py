@@ -17,19 +17,15 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.bridge.child import in_child
-from app.bridge.jobs import Job, Jobs, Progress
+from app.bridge.jobs import Job, Jobs, Progress, in_child
 from app.bridge.languages import translated
 from app.experimenter.library_details import LibraryDetails
 from app.experimenter.quality_view import colour_of, mark_name
-from app.player.files import folder_dialog
-from app.player.times import time_text
 from app.widgets import theme
 from app.widgets.buttons import text_button
-from app.widgets.labels import ElidedLabel
-from app.widgets.numbers import date_text
-from app.widgets.room import ask_text
-from app.widgets.texts import quoted, titled
+from app.widgets.files import folder_dialog
+from app.widgets.layout import ElidedLabel, ask_text
+from app.widgets.texts import date_text, quoted, time_text, titled
 from hapticplayer.errors import HapticPlayerError, InputError, Message, message_of
 from hapticplayer.media.thumbnails import Thumbnail, cover_pictures
 from hapticplayer.sequence import verify_sequence

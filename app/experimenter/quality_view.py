@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QTextBrowser
 
 from app.bridge.languages import translated
 from app.widgets import theme
-from app.widgets.numbers import local
+from app.widgets.texts import local
 from hapticplayer.sequence.report import Finding, Mark, worst
 
 translate = QCoreApplication.translate

@@ -1,9 +1,9 @@
-"""The operator's window: where the participant is, and what can be done about it."""
+"""The operator's window of a session, with a mirror of the participant's page."""
 
 from collections.abc import Callable
 
-from PySide6.QtCore import QCoreApplication, QTime, Signal
-from PySide6.QtGui import QCloseEvent
+from PySide6.QtCore import QCoreApplication, QRectF, QSize, Qt, QTime, Signal
+from PySide6.QtGui import QCloseEvent, QColor, QPainter, QPaintEvent
 from PySide6.QtWidgets import (
     QHBoxLayout,
     QLabel,
@@ -11,23 +11,77 @@ from PySide6.QtWidgets import (
     QMainWindow,
     QMessageBox,
     QPlainTextEdit,
+    QSizePolicy,
     QStackedWidget,
     QVBoxLayout,
     QWidget,
 )
 
 from app.bridge.languages import translated
-from app.experimenter.mirror import Mirror
-from app.experimenter.session_words import reason_text
-from app.experimenter.start_panel import StartPanel
+from app.bridge.pump import Cadence
+from app.experimenter.start_panel import StartPanel, reason_text
+from app.player.display import PlotsPlace
 from app.player.health_line import HealthLine
-from app.player.plots_place import PlotsPlace
+from app.player.video_surface import VideoSurface, letterbox
 from app.widgets import theme
 from app.widgets.buttons import Button, text_button
-from app.widgets.message_bar import MessageBar
-from app.widgets.room import ask_text, framed, resize_within_screen
+from app.widgets.layout import ask_text, framed, resize_within_screen
+from app.widgets.messages import MessageBar
 from hapticplayer.study.pages import PageKind
 from hapticplayer.study.runner import SessionRunner
+
+RATE_HZ = 10.0  # enough to see where the clip is
+_WIDTH_PX, _HEIGHT_PX = 320, 180
+
+
+class Mirror(QWidget):
+    """Draws the picture that was decoded for the participant once more, smaller.
+
+    Nothing is decoded, copied or kept: a picture takes 0.3 ms, ten times a second. The
+    pages are not mirrored: their answers are the participant's.
+
+    Args:
+        surface: the participant's.
+    """
+
+    def __init__(self, surface: VideoSurface) -> None:
+        super().__init__()
+        self._surface, self._is_clip = surface, False
+        self._turn = Cadence(RATE_HZ)
+        self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
+        self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Preferred)
+        self.setMinimumSize(_WIDTH_PX // 2, _HEIGHT_PX // 2)
+        self.setAccessibleName(
+            QCoreApplication.translate("Mirror", "The participant's picture")
+        )
+
+    def sizeHint(self) -> QSize:
+        """Ask for a fourth of a usual picture."""
+        return QSize(_WIDTH_PX, _HEIGHT_PX)
+
+    def follow(self, now_s: float, *, is_clip: bool) -> None:
+        """Draw anew if it is time; `is_clip` says whether the clip is on the screen."""
+        is_due = self._turn.is_due(now_s)
+        if is_clip != self._is_clip or (is_clip and is_due):
+            self._is_clip = is_clip
+            self.update()
+
+    def paintEvent(self, _event: QPaintEvent) -> None:
+        """Scale the picture in the cheapest way."""
+        with QPainter(self) as painter:
+            painter.fillRect(self.rect(), QColor("black"))
+            image = self._surface.image if self._is_clip else None
+            if image is not None:
+                size = (image.width(), image.height())
+                box = letterbox(size, (self.width(), self.height()))
+                painter.drawImage(QRectF(*box), image)
+            else:
+                painter.setPen(QColor(theme.LOOKS[theme.DARK]["DIM"]))
+                text = QCoreApplication.translate("Mirror", "A page is shown")
+                painter.drawText(self.rect(), Qt.AlignmentFlag.AlignCenter, text)
+            painter.setPen(QColor(theme.BORDER))  # black has no edge on black
+            painter.drawRect(self.rect().adjusted(0, 0, -1, -1))
+
 
 translate = QCoreApplication.translate
 WIDTH_PX, HEIGHT_PX = 1280, 720  # the health line is whole

@@ -25,7 +25,7 @@ from PySide6.QtWidgets import (
 from app.bridge.languages import translated
 from app.widgets import theme
 from app.widgets.buttons import set_role, text_button
-from app.widgets.room import indent, resize_within_screen
+from app.widgets.layout import indent, resize_within_screen
 from hapticplayer.errors import StudyError, message_of
 from hapticplayer.study.creation import change_definition
 from hapticplayer.study.definition import OrderMethod

@@ -9,22 +9,19 @@ from PySide6.QtCore import QTimer
 from PySide6.QtGui import QGuiApplication, QScreen
 from PySide6.QtWidgets import QApplication
 
-from app.bridge.cadence import Cadence
 from app.bridge.collector import Collector
 from app.bridge.errors import ErrorGateway
 from app.bridge.idle import EVERYTHING, IdleInhibitor
 from app.bridge.interrupts import closing_on_signals
-from app.bridge.latencies import latencies_of, screen_name
-from app.bridge.pump import Pump
-from app.bridge.settings import Settings, default_path
-from app.experimenter.mirror import Mirror
-from app.experimenter.session_control import SessionControl
+from app.bridge.pump import Cadence, Pump
+from app.bridge.settings import Settings, default_path, latencies_of, screen_name
+from app.experimenter.session_control import Mirror, SessionControl
 from app.experimenter.start_panel import StartPanel
 from app.participant.window import ParticipantWindow
 from app.player.application import make_application
 from app.player.controls import OUTPUT
 from app.player.video_surface import SurfaceSink, VideoSurface
-from app.widgets.room import is_seen
+from app.widgets.layout import is_seen
 from hapticplayer.clock import Clock, SystemClock
 from hapticplayer.errors import HapticPlayerError
 from hapticplayer.interchange.lsl import LslStreams

@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QStackedWidget, QVBoxLayout, QWidget
 
 from app.participant.look import style
 from app.participant.pages import QuestionsPage, TextPage
-from app.player.escape import EscapeEverywhere
+from app.player.fullscreen import EscapeEverywhere
 from app.player.video_surface import VideoSurface
 from hapticplayer.errors import StudyError
 from hapticplayer.study.pages import Page, PageKind

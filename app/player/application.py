@@ -14,7 +14,7 @@ from app.player.controls import OUTPUT
 from app.player.remake import OpenWindow, dress
 from app.player.video_surface import SurfaceSink, VideoSurface
 from app.player.window import DEVICE, PlayerWindow
-from app.widgets.icons import icon
+from app.widgets.theme import icon
 from hapticplayer.cli.common import complain, say
 from hapticplayer.cli.play import (
     attach_log,

@@ -1,13 +1,15 @@
-"""What can be chosen: force tracks and devices, by the engine's names."""
+"""The choices of the window: force tracks and devices, by the engine's names."""
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from typing import NamedTuple
 
-from PySide6.QtCore import QCoreApplication
+from PySide6.QtCore import QCoreApplication, QObject
 
+from app.bridge.jobs import Beside
 from app.bridge.languages import translated
 from app.player.health import device_name
 from hapticplayer.devices import NO_DEVICE, device_names, installed_devices
+from hapticplayer.devices.falcon.transport import list_falcons
 from hapticplayer.playback.replay import FROM_LOG
 from hapticplayer.playback.source import FROM_FILE
 from hapticplayer.rendering import FEEDBACKS
@@ -63,3 +65,34 @@ def devices(
 def _is_hidden(name: str) -> bool:
     entry = installed_devices().get(name)
     return entry is not None and entry.is_for_developers
+
+
+class Plugged(Beside):
+    """Finds the serial numbers, "" for those that may not be read.
+
+    Args:
+        look: returns them.
+        parent: Qt's owner.
+    """
+
+    def __init__(
+        self,
+        look: Callable[[], list[str]] | None = None,
+        parent: QObject | None = None,
+    ) -> None:
+        look = look or _serials
+        super().__init__(lambda _progress: look(), parent)
+
+    def falcons(self) -> list[tuple[str, str]]:
+        """Return (the engine's name, the serial number) of each Falcon to choose.
+
+        The only one, or none, is `falcon`; its number may be "".
+        """
+        numbers = sorted(filter(None, self.found))
+        if len(numbers) > 1:
+            return [(f"falcon:{number}", number) for number in numbers]
+        return [("falcon", "".join(numbers))]
+
+
+def _serials() -> list[str]:
+    return [found.serial for found in list_falcons()]

@@ -4,12 +4,9 @@ from functools import partial
 
 from PySide6.QtCore import QObject, Signal
 
-from app.bridge.beside import Beside
-from app.bridge.child import in_child
-from app.bridge.jobs import Progress
+from app.bridge.jobs import Beside, Progress, in_child
 from app.bridge.settings import Settings
-from app.player.times import time_text
-from app.widgets.numbers import local
+from app.widgets.texts import local, time_text
 from hapticplayer.playback.player import FASTEST, SLOWEST, Player
 from hapticplayer.playback.sound_device import sound_outputs
 from hapticplayer.playback.sound_process import SoundProcess

@@ -13,7 +13,7 @@ from PySide6.QtWidgets import (
 from app.bridge.languages import translated
 from app.player.health import device_name, stop_reason
 from app.widgets.buttons import text_button
-from app.widgets.numbers import local
+from app.widgets.texts import local
 from hapticplayer.clock import Clock
 from hapticplayer.devices import find_device
 from hapticplayer.errors import HapticPlayerError, message_of

@@ -1,4 +1,4 @@
-"""The dialogs that the window opens; none of them stops the event loop."""
+"""The dialogs that the window opens; none of them blocks the event loop."""
 
 import importlib
 import threading
@@ -7,21 +7,30 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QObject, Signal
-from PySide6.QtWidgets import QDialog, QFileDialog, QWidget
+from PySide6.QtCore import QCoreApplication, QObject, QSize, Qt, Signal
+from PySide6.QtWidgets import (
+    QDialog,
+    QFileDialog,
+    QHBoxLayout,
+    QLabel,
+    QVBoxLayout,
+    QWidget,
+)
 
-from app.bridge.places import choose_library, library_folder
-from app.bridge.settings import Settings
+from app.bridge.settings import Settings, choose_library, library_folder
+from app.player.choices import Plugged
 from app.player.controls import OUTPUT
-from app.player.files import (
+from app.player.session import Session
+from app.player.video_surface import SurfaceSink
+from app.widgets.buttons import text_button
+from app.widgets.files import (
     file_dialog,
     folder_dialog,
     settings_filter,
     video_filter,
 )
-from app.player.plugged import Plugged
-from app.player.session import Session
-from app.player.video_surface import SurfaceSink
+from app.widgets.theme import icon
+from hapticplayer import __version__
 from hapticplayer.clock import Clock
 from hapticplayer.devices import NO_DEVICE
 from hapticplayer.errors import HapticPlayerError
@@ -32,6 +41,60 @@ if TYPE_CHECKING:
     from app.experimenter.import_wizard import ImportWizard
     from app.experimenter.library_page import LibraryPage
 
+
+translate = QCoreApplication.translate
+
+_TEXT_PX = 320
+
+
+def about_dialog(parent: QWidget) -> QDialog:
+    """Return a dialog that says what this is."""
+    dialog, column = _dialog(parent, translate("Help", "About hapticplayer"))
+    picture = QLabel()
+    picture.setPixmap(icon("hapticplayer").pixmap(QSize(56, 56)))
+    text = QLabel(
+        translate(
+            "Help",
+            "<b>hapticplayer {version}</b><p>Plays a video and lets you feel the "
+            "motion of whoever recorded it.</p><p>After Danieau et al., A "
+            "Framework for Enhancing Video Viewing Experience with Haptic Effects of "
+            "Motion (2012).<br>MIT licence.</p>",
+        ).format(version=__version__)
+    )
+    text.setTextFormat(Qt.TextFormat.RichText)
+    text.setWordWrap(True)
+    text.setMinimumWidth(_TEXT_PX)
+    # a dialog asks for the height of its texts at another width than they get
+    text.setMinimumHeight(text.heightForWidth(_TEXT_PX))
+    row = QHBoxLayout()
+    row.setSpacing(16)
+    row.addWidget(picture, 0, Qt.AlignmentFlag.AlignTop)
+    row.addWidget(text, 1)
+    column.addLayout(row)
+    return _closed_by_button(dialog, column)
+
+
+def _dialog(parent: QWidget, title: str) -> tuple[QDialog, QVBoxLayout]:
+    dialog = QDialog(parent)
+    dialog.setWindowTitle(title)
+    dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+    column = QVBoxLayout(dialog)
+    column.setContentsMargins(18, 16, 18, 14)
+    column.setSpacing(14)
+    return dialog, column
+
+
+def _closed_by_button(dialog: QDialog, column: QVBoxLayout) -> QDialog:
+    close = text_button(translate("Help", "Close"), "")
+    close.setDefault(True)
+    close.clicked.connect(dialog.accept)
+    row = QHBoxLayout()
+    row.addStretch(1)
+    row.addWidget(close)
+    column.addLayout(row)
+    return dialog
+
+
 _FOLDER = "folder"
 _LATER = (
     "app.experimenter.import_wizard",
@@ -39,7 +102,6 @@ _LATER = (
     "app.experimenter.study_editor",
     "app.player.device_page",
     "app.player.fault_panel",
-    "app.player.help",
     "app.player.keys_dialog",
     "app.player.latency_page",
     "app.player.setup_page",
@@ -244,8 +306,6 @@ class Dialogs(QObject):
 
     def about(self) -> None:
         """Say what this program is."""
-        from app.player.help import about_dialog
-
         self.show(about_dialog)
 
     def _open(self, path: str) -> None:

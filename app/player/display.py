@@ -1,14 +1,185 @@
-"""What is shown of a running clip beside the picture, and how often."""
+"""What is shown of a running clip beside the video, and how often."""
 
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QCoreApplication, Signal
+from PySide6.QtWidgets import QFrame, QVBoxLayout
+
+from app.player.health import device_name, mode_text, stop_reason
+from app.plots.grip_scene import (
+    TRAIL_S,
+    Activity,
+    Grip,
+    force_of,
+    position_of,
+    trail_of,
+)
+from app.widgets import theme
+from hapticplayer.devices import NO_DEVICE, find_device
+from hapticplayer.haptics.contract import Cause, Mode
+from hapticplayer.haptics.processes import Health
+from hapticplayer.model import Feedback
+from hapticplayer.playback.snapshot import Snapshot, TicksSince
+from hapticplayer.playback.source import Source
+
+if TYPE_CHECKING:
+    from app.plots.panel import PlotPanel
 from PySide6.QtWidgets import QMainWindow
 
-from app.bridge.cadence import Cadence
+from app.bridge.pump import Cadence
 from app.player.health_line import HealthLine
-from app.player.plots_place import PlotsPlace
 from app.player.session import Session
 from app.player.transport import Transport
-from app.widgets.room import is_seen
+from app.widgets.layout import is_seen
 from hapticplayer.clock import Clock
+
+translate = QCoreApplication.translate
+
+SIMULATED = "simulated"
+_ACTIVITIES = {
+    Mode.IDLE: Activity.OFF,
+    Mode.FOLLOWING: Activity.ACTIVE,
+    Mode.TRIPPED: Activity.STOPPED,
+}
+
+
+def grip_of(now: Snapshot, ticks_since: TicksSince) -> Grip:
+    """Return what there is to see of a device that tells where its grip is.
+
+    Args:
+        now: of the player.
+        ticks_since: `Player.ticks_since`.
+    """
+    title = _title(now.device)
+    if now.device == NO_DEVICE:
+        text = translate(
+            "GripView", "No device: choose {name} to see what would be felt"
+        )
+        return Grip(title, text.format(name=device_name(SIMULATED)))
+    if now.device_health is Health.FAILED:
+        text = translate("GripView", "The device has failed")
+        return Grip(title, text, Activity.STOPPED)
+    if now.device_health is Health.GONE:
+        text = translate("GripView", "The haptics process has ended")
+        return Grip(title, text, Activity.STOPPED)
+    if now.tick is None:
+        return Grip(title, translate("GripView", "Starting"), Activity.CHANGING)
+    return _moving(title, now, ticks_since)
+
+
+def _moving(title: str, now: Snapshot, ticks_since: TicksSince) -> Grip:
+    capabilities = find_device(now.device).capabilities
+    latest, mode, feedback = now.tick, now.mode, now.feedback
+    position_m = position_of(latest)
+    ticks = ticks_since(float(latest["monotonic_s"]) - TRAIL_S)
+    return Grip(
+        title,
+        _state(mode, now.cause, feedback)
+        if position_m
+        else translate("GripView", "The position is not known"),
+        _activity(mode, feedback),
+        position_m,
+        force_of(latest, "force_n"),
+        force_of(latest, "planned_n"),
+        force_of(latest, "centring_n"),
+        trail_of(ticks),
+        capabilities.workspace_radius_m,
+        capabilities.continuous_force_n,
+    )
+
+
+def _title(device: str) -> str:
+    if device in (SIMULATED, NO_DEVICE):
+        return translate("GripView", "Simulated grip")
+    return translate("GripView", "Grip")
+
+
+def _is_off(mode: Mode, feedback: str) -> bool:
+    return mode is Mode.IDLE or (
+        mode is not Mode.TRIPPED and feedback == Feedback.NONE.value
+    )
+
+
+def _activity(mode: Mode, feedback: str) -> Activity:
+    if _is_off(mode, feedback):
+        return Activity.OFF
+    return _ACTIVITIES.get(mode, Activity.CHANGING)
+
+
+def _state(mode: Mode, cause: Cause, feedback: str) -> str:
+    if mode is Mode.TRIPPED:
+        return stop_reason(cause)
+    if _is_off(mode, feedback):
+        return translate("GripView", "Force is off")
+    return translate("GripView", "Force is {what}").format(what=mode_text(mode))
+
+
+LEAST_HEIGHT_PX = 124  # a title of two lines, a plot, and its times
+
+
+class PlotsPlace(QFrame):
+    """Holds the plots; pyqtgraph is imported when they are first wanted.
+
+    Signals:
+        sought: a person wants to be at this time, s.
+    """
+
+    sought = Signal(float)
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setAccessibleName(self.tr("Live plots"))
+        self.setStyleSheet(
+            f"PlotsPlace {{ border: 0; border-top: 1px solid {theme.BORDER}; }}"
+        )
+        self.setMinimumHeight(LEAST_HEIGHT_PX)
+        self._source: Source | None = None
+        self._has_grip = True
+        self._column = QVBoxLayout(self)
+        self._column.setContentsMargins(0, 1, 0, 0)
+        self.panel: PlotPanel | None = None
+
+    def set_source(self, source: Source | None) -> None:
+        """Show another clip."""
+        self._source = source
+        if self.panel:
+            self.panel.set_source(source)
+
+    def prepare(self) -> None:
+        """Make the plots, in 0.2 s."""
+        for _ in self.in_steps():
+            pass
+
+    def in_steps(self) -> Iterator[None]:
+        """Make the plots, a part at each turn."""
+        if self.panel is None:
+            from app.plots.panel import panel_in_steps
+
+            panel = yield from panel_in_steps()
+            yield
+            panel.set_source(self._source)
+            panel.offer_grip(is_wanted=self._has_grip)
+            panel.sought.connect(self.sought)
+            self._column.addWidget(panel)
+            self.panel = panel
+
+    def follow(self, now: Snapshot, ticks_since: TicksSince) -> None:
+        """Draw what lies around a media time."""
+        if self.panel is not None:
+            self.panel.follow(now, ticks_since)
+
+    def follow_grip(self, now: Snapshot, ticks_since: TicksSince) -> None:
+        """Show the grip and what acts on it; nothing is read where it is hidden."""
+        if self.panel is not None and self.panel.grip.isVisible():
+            self.panel.show_grip(grip_of(now, ticks_since))
+
+    def show_grip(self, *, is_wanted: bool) -> None:
+        """Show or hide the grip beside the plots."""
+        self._has_grip = is_wanted
+        if self.panel is not None:
+            self.panel.offer_grip(is_wanted=is_wanted)
+
 
 PLOTS_HZ, STILL_PLOTS_HZ, TRANSPORT_HZ, HEALTH_HZ = 30.0, 4.0, 10.0, 2.0
 GRIP_HZ = 15.0  # a hand is slower than what scrolls

@@ -12,7 +12,7 @@ from PySide6.QtWidgets import (
 
 from app.widgets import theme
 from app.widgets.buttons import text_button
-from app.widgets.icons import icon
+from app.widgets.theme import icon
 
 _PICTURE_PX, _LEAST_PICTURE_PX = 72, 32  # a smaller one is left out
 

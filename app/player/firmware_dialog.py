@@ -8,8 +8,8 @@ from PySide6.QtWidgets import QDialog, QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
 from app.bridge.languages import translated
 from app.player import setup_texts
-from app.player.files import file_dialog
 from app.widgets.buttons import text_button
+from app.widgets.files import file_dialog
 from hapticplayer.devices.falcon import firmware
 from hapticplayer.errors import HapticPlayerError, message_of
 

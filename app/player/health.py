@@ -6,8 +6,7 @@ from typing import NamedTuple
 from PySide6.QtCore import QCoreApplication
 
 from app.bridge.languages import translated
-from app.widgets.numbers import local
-from app.widgets.texts import titled
+from app.widgets.texts import local, titled
 from hapticplayer.devices import NO_DEVICE, installed_devices
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.processes import Health

@@ -7,7 +7,7 @@ from PySide6.QtWidgets import QFrame, QHBoxLayout, QVBoxLayout, QWidget
 
 from app.player.health import Level, Reading, level_word, readings
 from app.widgets import theme
-from app.widgets.labels import ElidedLabel
+from app.widgets.layout import ElidedLabel
 from app.widgets.texts import titled
 from hapticplayer.playback.snapshot import Measurements, Snapshot
 

@@ -17,10 +17,17 @@ from PySide6.QtWidgets import (
 )
 
 from app.bridge.settings import Settings
-from app.player.keymap import BY_NAME, COMMANDS, KEYS, Command, keys_of, owner_of, texts
+from app.player.commands import (
+    BY_NAME,
+    COMMANDS,
+    KEYS,
+    Command,
+    keys_of,
+    owner_of,
+    texts,
+)
 from app.widgets.buttons import text_button
-from app.widgets.labels import BESIDE
-from app.widgets.room import resize_within_screen
+from app.widgets.layout import BESIDE, resize_within_screen
 
 _WIDTH_PX, _HEIGHT_PX = 520, 560
 _FIELD_MARGIN_PX = 36

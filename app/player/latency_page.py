@@ -19,23 +19,22 @@ from PySide6.QtWidgets import (
 
 from app.bridge.jobs import Jobs, Progress
 from app.bridge.languages import translated
-from app.bridge.latencies import (
+from app.bridge.pump import Pump
+from app.bridge.settings import (
     DEVICE,
     DISPLAY,
     SOUND,
+    Settings,
     is_known,
     keep_latency,
     latencies_of,
     screen_name,
 )
-from app.bridge.pump import Pump
-from app.bridge.settings import Settings
 from app.player.health import device_name, stop_reason
 from app.player.video_surface import SurfaceSink, VideoSurface
 from app.widgets import theme
 from app.widgets.buttons import text_button
-from app.widgets.labels import ElidedLabel
-from app.widgets.room import framed, indent
+from app.widgets.layout import ElidedLabel, framed, indent
 from hapticplayer.clock import Clock
 from hapticplayer.devices import NO_DEVICE
 from hapticplayer.errors import HapticPlayerError, message_of

@@ -13,7 +13,7 @@ from PySide6.QtWidgets import QApplication, QWidget
 from app.bridge import languages
 from app.bridge.collector import Collector
 from app.bridge.settings import Settings
-from app.player.look_menus import LANGUAGE, LOOK
+from app.player.menus import LANGUAGE, LOOK
 from app.player.video_surface import SurfaceSink, VideoSurface
 from app.player.window import PlayerWindow
 from app.widgets import theme

@@ -5,9 +5,8 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
 
-from app.bridge.child import in_child
 from app.bridge.errors import ErrorGateway
-from app.bridge.jobs import Jobs, Progress
+from app.bridge.jobs import Jobs, Progress, in_child
 from hapticplayer.devices import NO_DEVICE, find_device
 from hapticplayer.errors import DeviceError, HapticPlayerError, HapticsError
 from hapticplayer.haptics.contract import Mode

@@ -17,10 +17,9 @@ from PySide6.QtWidgets import (
 from app.bridge.jobs import Jobs
 from app.bridge.jobs import Progress as Report
 from app.player import choices, setup_texts
+from app.player.choices import Plugged
 from app.player.firmware_dialog import ask_for_firmware
-from app.player.homing_picture import HomingPicture
-from app.player.homing_view import Ways, view_of
-from app.player.plugged import Plugged
+from app.player.homing_view import HomingPicture, Ways, view_of
 from app.player.setup_texts import Trouble, trouble
 from app.widgets import theme
 from app.widgets.buttons import text_button

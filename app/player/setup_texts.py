@@ -5,7 +5,7 @@ from typing import NamedTuple
 from PySide6.QtCore import QCoreApplication
 
 from app.bridge.languages import translated
-from app.player.homing_picture import leg_names
+from app.player.homing_view import leg_names
 from hapticplayer.devices.falcon.firmware import FirmwareMissingError
 from hapticplayer.devices.falcon.homing import Advice
 from hapticplayer.devices.falcon.setting_up import Progress, Step

@@ -9,9 +9,8 @@ from PySide6.QtWidgets import QWidget
 
 from app.player.choices import feedbacks
 from app.player.health import clock, device, scheduling
-from app.player.times import position_text
-from app.widgets.numbers import local
-from app.widgets.toast import OnPicture
+from app.widgets.messages import OnPicture
+from app.widgets.texts import local, position_text
 from hapticplayer.model import SyncStats
 from hapticplayer.playback.player import Player
 from hapticplayer.playback.snapshot import Snapshot

@@ -9,11 +9,10 @@ from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
-from app.bridge.cadence import Cadence
+from app.bridge.pump import Cadence
 from app.widgets import theme
-from app.widgets.numbers import local
-from app.widgets.room import is_seen
-from app.widgets.texts import titled
+from app.widgets.layout import is_seen
+from app.widgets.texts import local, titled
 from hapticplayer.playback.meters import EARLY_MS, LATE_MS
 from hapticplayer.playback.snapshot import SyncTraces
 

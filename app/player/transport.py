@@ -16,13 +16,12 @@ from PySide6.QtWidgets import (
 )
 
 from app.player.choices import Choice
-from app.player.times import position_text
 from app.widgets import theme
 from app.widgets.buttons import ICON_PX, set_role, text_button, tool_button
-from app.widgets.icons import control_icon
-from app.widgets.labels import ElidedLabel
-from app.widgets.numbers import local
+from app.widgets.layout import ElidedLabel
 from app.widgets.seek_slider import SeekSlider
+from app.widgets.texts import local, position_text
+from app.widgets.theme import control_icon
 
 _COMBO_PX, _LEAST_CHARACTERS = 170, 6
 _VOLUME_PX, _LEAST_VOLUME_PX, _VOLUME_PAGE = 72, 30, 10

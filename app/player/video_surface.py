@@ -1,10 +1,7 @@
-"""The video on a plain widget: frames are converted when they are painted; no GPU needed.
-
-On a machine without a GPU this costs 0.6 to 0.8 of mpv's x11 output and a fourth of every
-OpenGL way (docs/performance.md).
-"""
+"""The video on a plain widget: frames are converted when they are painted; no GPU needed."""
 
 import math
+from typing import NamedTuple
 
 from PySide6.QtCore import QPointF, QRect, QRectF, Qt, Signal
 from PySide6.QtGui import (
@@ -17,8 +14,40 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
-from app.player.letterbox import Box, letterbox
 from hapticplayer.media.frames import BgraImage, DecodedFrame, FrameConverter
+
+
+class Box(NamedTuple):
+    """A rectangle in device pixels, from the surface's top left corner."""
+
+    x: int
+    y: int
+    width: int
+    height: int
+
+
+def letterbox(picture: tuple[int, int], area: tuple[int, int]) -> Box:
+    """Return the largest box of the picture's shape in the middle of the area.
+
+    The width is even, as the converter wants it, and rounding never makes a bar
+    of a single column or row: a box within a pixel of the area fills it.
+
+    Args:
+        picture: width and height of the clip as shown, px.
+        area: width and height of the surface in device pixels.
+    """
+    wide, high = max(1, picture[0]), max(1, picture[1])
+    room_x, room_y = max(2, area[0]), max(2, area[1])
+    if wide * room_y >= high * room_x:
+        width, height = room_x, round(room_x * high / wide)
+    else:
+        width, height = round(room_y * wide / high), room_y
+    if abs(room_x - width) <= 1:
+        width = room_x
+    if abs(room_y - height) <= 1:
+        height = room_y
+    width, height = max(2, width & ~1), max(2, height)
+    return Box((room_x - width) // 2, (room_y - height) // 2, width, height)
 
 
 class VideoSurface(QWidget):

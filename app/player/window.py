@@ -8,30 +8,26 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.bridge.cadence import Cadence
-from app.bridge.pump import Pump
+from app.bridge.desktop import Desktop
+from app.bridge.pump import Cadence, Pump
 from app.bridge.settings import Settings
 from app.experimenter.study_menu import StudyMenu
 from app.player import choices, layout
-from app.player.actions import Actions
-from app.player.desktop import Desktop
+from app.player.commands import Actions
 from app.player.dialogs import Dialogs
-from app.player.display import Display
+from app.player.display import Display, PlotsPlace
 from app.player.empty_page import EmptyPage
-from app.player.escape import EscapeEverywhere
 from app.player.extras import Extras
-from app.player.files import dropped_paths
-from app.player.fullscreen import Fullscreen
+from app.player.fullscreen import EscapeEverywhere, Fullscreen
 from app.player.health_line import HealthLine
-from app.player.look_menus import LookMenus
-from app.player.plots_place import PlotsPlace
+from app.player.menus import LookMenus
 from app.player.session import SKIP_S, Session
 from app.player.sync_plot import SyncPlot
 from app.player.transport import Transport
 from app.player.video_surface import VideoSurface
-from app.widgets.icons import icon
-from app.widgets.job_bar import JobBar
-from app.widgets.message_bar import MessageBar
+from app.widgets.files import dropped_paths
+from app.widgets.messages import JobBar, MessageBar
+from app.widgets.theme import icon
 from hapticplayer.clock import Clock
 from hapticplayer.devices import NO_DEVICE
 from hapticplayer.playback.player import Player

@@ -13,8 +13,7 @@ from PySide6.QtGui import (
 )
 
 from app.plots import grip_scene as scene
-from app.plots.grip_camera import Projection
-from app.plots.grip_scene import Activity, Grip
+from app.plots.grip_scene import Activity, Grip, Projection
 from app.widgets import theme
 from hapticplayer.model.device import Vector
 

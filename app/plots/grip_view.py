@@ -15,10 +15,8 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
-from app.plots.grip_camera import Camera
-from app.plots.grip_painter import GripPainter
-from app.plots.grip_scene import Grip
-from app.plots.grip_words import excursion_text, force_text
+from app.plots.grip_painter import GripPainter, excursion_text, force_text
+from app.plots.grip_scene import Camera, Grip
 from app.widgets import theme
 
 LEAST_PX = QSize(150, 80)

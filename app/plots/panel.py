@@ -12,13 +12,21 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.plots.grip_painter import headline
 from app.plots.grip_scene import Grip
 from app.plots.grip_view import GripView
-from app.plots.grip_words import headline
 from app.plots.playhead_plot import PlayheadPlot
 from app.plots.save_view import SaveButton
-from app.plots.series import EMPTY, Page, Trail, cut, half_range, sampled, thin
-from app.plots.view_span import ViewSpan
+from app.plots.series import (
+    EMPTY,
+    Page,
+    Trail,
+    ViewSpan,
+    cut,
+    half_range,
+    sampled,
+    thin,
+)
 from app.widgets import theme
 from hapticplayer.playback.snapshot import Snapshot, TicksSince
 from hapticplayer.playback.source import Source

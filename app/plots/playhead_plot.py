@@ -17,10 +17,9 @@ from PySide6.QtCore import QEvent, QRectF, Qt, Signal
 from PySide6.QtGui import QColor, QPainter, QResizeEvent
 
 from app.plots.plot_pointer import PlotPointer
-from app.plots.series import EMPTY, PAGE_MARGIN_S, Page, cut
-from app.plots.view_span import ViewSpan
+from app.plots.series import EMPTY, PAGE_MARGIN_S, Page, ViewSpan, cut
 from app.widgets import theme
-from app.widgets.numbers import local
+from app.widgets.texts import local
 
 _TICKS_S = (0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 15.0)
 _TICKS = 5  # about, in a view

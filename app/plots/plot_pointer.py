@@ -6,7 +6,7 @@ from PySide6.QtCore import QCoreApplication, QEvent, QObject, QPointF, QRectF, Q
 from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter, QPen, QWheelEvent
 
 from app.widgets import theme
-from app.widgets.numbers import local
+from app.widgets.texts import local
 
 if TYPE_CHECKING:
     from app.plots.playhead_plot import PlayheadPlot

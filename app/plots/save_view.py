@@ -20,7 +20,7 @@ from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
 from app.widgets import theme
 from app.widgets.buttons import Button, set_role
-from app.widgets.icons import control_icon
+from app.widgets.theme import control_icon
 
 if TYPE_CHECKING:
     from app.plots.playhead_plot import PlayheadPlot

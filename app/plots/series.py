@@ -1,16 +1,50 @@
-"""Cuts and thins what a plot shows: pure functions on arrays, and a trail of ticks.
-
-A plot draws a page around the playhead and only moves its view over it; the page
-is made anew every couple of seconds. So the cost per picture does not depend on
-the length of the clip.
-"""
+"""Samples of the force tracks around the position, reduced to what a plot can show."""
 
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
+from PySide6.QtCore import QObject, Signal
 
 from hapticplayer.model import ForceTrack
+
+
+class ViewSpan(QObject):
+    """Zoom and pan, shared by plots that go together.
+
+    Signals:
+        changed: other seconds are to be drawn.
+    """
+
+    changed = Signal()
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.half_s = HALF_WINDOW_S
+        self.offset_s = 0.0
+
+    def around(self, media_s: float) -> tuple[float, float]:
+        """Return the first and the last second for a playhead."""
+        middle_s = media_s + self.offset_s
+        return middle_s - self.half_s, middle_s + self.half_s
+
+    def zoom(self, factor: float) -> None:
+        """Show more (above 1) or fewer seconds, around the middle of the view."""
+        half_s = min(LONGEST_HALF_S, max(SHORTEST_HALF_S, self.half_s * factor))
+        if half_s != self.half_s:
+            self.half_s = half_s
+            self.changed.emit()
+
+    def pan(self, by_s: float) -> None:
+        """Show later (+) or earlier (-) seconds than those around the playhead."""
+        self.offset_s += by_s
+        self.changed.emit()
+
+    def reset(self) -> None:
+        """Show the seconds around the playhead again."""
+        self.half_s, self.offset_s = HALF_WINDOW_S, 0.0
+        self.changed.emit()
+
 
 Floats = NDArray[np.float64]
 

@@ -5,7 +5,7 @@ from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QPushButton, QWidget
 
 from app.widgets import theme
-from app.widgets.icons import control_icon
+from app.widgets.theme import control_icon
 
 ICON_PX = 20
 _PRESSING = (Qt.Key.Key_Space, Qt.Key.Key_Return, Qt.Key.Key_Enter)

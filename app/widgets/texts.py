@@ -1,9 +1,9 @@
-"""Texts that several pages show: a title with what it says, and the steps of long work.
+"""Texts, numbers, dates and times as the window's language writes them."""
 
-The engine names the steps of its work in English; the window says them in its language.
-"""
+import math
+import re
 
-from PySide6.QtCore import QCoreApplication, QLocale
+from PySide6.QtCore import QCoreApplication, QDateTime, QLocale, Qt
 
 from app.bridge.jobs import JobState
 
@@ -62,3 +62,42 @@ def _steps() -> dict[str, str]:
         "writing the numbers": translate("Texts", "writing the numbers"),
         "done": translate("Texts", "done"),
     }
+
+
+_POINT = re.compile(r"(?<=\d)\.(?=\d)")
+
+
+def local(text: str) -> str:
+    """Return a text with its decimal points as the language has them: 0.5 or 0,5.
+
+    Not for times of a clip, which are written alike everywhere, nor for names.
+    """
+    return _POINT.sub(QLocale().decimalPoint(), text)
+
+
+def date_text(moment_utc: str) -> str:
+    """Return the day of a moment in ISO 8601, here; the text itself if it is none."""
+    moment = QDateTime.fromString(moment_utc, Qt.DateFormat.ISODate)
+    if not moment.isValid():
+        return moment_utc[:10]
+    #: how a date is written in figures, in Qt's letters
+    pattern = QCoreApplication.translate("Numbers", "yyyy-MM-dd")
+    return moment.toLocalTime().toString(pattern)
+
+
+def position_text(media_s: float, duration_s: float) -> str:
+    """Return "mm:ss.s / mm:ss.s", with hours when the clip has them."""
+    with_hours = duration_s >= 3600.0
+    both = (media_s, duration_s)
+    return " / ".join(time_text(value, with_hours=with_hours) for value in both)
+
+
+def time_text(media_s: float, *, with_hours: bool = False, digits: int = 1) -> str:
+    """Return a time, rounded down: the end shows only when it is reached."""
+    parts = 10**digits
+    count = max(0, math.floor(parts * media_s + 1e-6))
+    minutes, count = divmod(count, 60 * parts)
+    seconds = f"{count // parts:02}.{count % parts:0{digits}}"
+    if not with_hours:
+        return f"{minutes:02}:{seconds}"
+    return f"{minutes // 60}:{minutes % 60:02}:{seconds}"

@@ -24,9 +24,8 @@ from PySide6.QtCore import QSizeF
 from PySide6.QtGui import QImage, QPainter
 
 from app.player.window import PlayerWindow
-from app.plots.grip_camera import Camera
 from app.plots.grip_painter import GripPainter
-from app.plots.grip_scene import Activity, Grip
+from app.plots.grip_scene import Activity, Camera, Grip
 from benchmarks.common import Report, interleaved, medians
 from benchmarks.stage import moving_clip
 from benchmarks.window import open_window, run_for

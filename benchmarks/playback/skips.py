@@ -25,7 +25,7 @@ from PySide6.QtWidgets import QApplication
 from app.player.application import make_application
 from app.player.video_surface import VideoSurface
 from app.plots.panel import PlotPanel
-from app.widgets.room import is_seen
+from app.widgets.layout import is_seen
 from benchmarks.common import Report, interleaved, medians, ratio
 from benchmarks.playback.plots import shaken_sequence
 from benchmarks.playback.seeks import PausedPlayer

@@ -21,8 +21,8 @@ from PySide6.QtGui import QDropEvent, QWheelEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDialog, QWidget
 
-from app.bridge.places import choose_library
-from app.experimenter.analysis_window import AnalysisWindow
+from app.bridge.settings import choose_library
+from app.experimenter.analysis import AnalysisWindow
 from app.experimenter.study_editor import StudyEditor
 from app.player.remake import OpenWindow
 from app.player.window import PlayerWindow

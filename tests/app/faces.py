@@ -27,21 +27,20 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.experimenter.analysis_page import AnalysisPage
+from app.experimenter.analysis import AnalysisPage
 from app.experimenter.import_wizard import MOUNTING, REPORT, SYNC, ImportWizard
 from app.experimenter.library_page import LibraryPage
-from app.experimenter.mirror import Mirror
-from app.experimenter.session_control import SessionControl
+from app.experimenter.session_control import Mirror, SessionControl
 from app.experimenter.start_panel import StartPanel
 from app.experimenter.study_editor import StudyEditor
 from app.player import setup_texts
+from app.player.choices import Plugged
 from app.player.device_page import DevicePage
+from app.player.dialogs import about_dialog
 from app.player.fault_panel import FaultPanel
 from app.player.firmware_dialog import Question
-from app.player.help import about_dialog
 from app.player.keys_dialog import KeysDialog
 from app.player.latency_page import LatencyPage
-from app.player.plugged import Plugged
 from app.player.setup_page import SetupPage
 from app.player.window import PlayerWindow
 from app.plots.grip_view import GripView

@@ -2,8 +2,7 @@ import threading
 
 import pytest
 
-from app.experimenter.analysis_page import AnalysisPage
-from app.experimenter.analysis_window import AnalysisWindow
+from app.experimenter.analysis import AnalysisPage, AnalysisWindow
 from hapticplayer import cli
 from hapticplayer.clock import SystemClock
 from hapticplayer.errors import InputError

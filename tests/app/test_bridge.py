@@ -5,10 +5,9 @@ import threading
 import numpy as np
 import pytest
 
-from app.bridge.cadence import Cadence
 from app.bridge.errors import ErrorGateway
 from app.bridge.jobs import Jobs
-from app.bridge.pump import LONGEST_MS, Pump, delay_ms
+from app.bridge.pump import LONGEST_MS, Cadence, Pump, delay_ms
 from app.bridge.settings import Settings, default_path
 from hapticplayer.clock import ManualClock, SystemClock
 from hapticplayer.errors import InputError

@@ -6,7 +6,7 @@ import sys
 
 import pytest
 
-from app.bridge.child import in_child
+from app.bridge.jobs import in_child
 from hapticplayer.errors import Cancelled, HapticPlayerError, InputError
 from hapticplayer.sequence import files
 

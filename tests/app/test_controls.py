@@ -9,10 +9,9 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QFontInfo
 from PySide6.QtTest import QTest
 
-from app.player import history
-from app.player.heat import heat_image, heat_of
-from app.player.history import History
-from app.player.thumbnails import HEIGHT_PX
+from app.player import menus as history
+from app.player.menus import History
+from app.player.seek_preview import HEIGHT_PX, heat_image, heat_of
 from hapticplayer.model import ForceTrack
 from hapticplayer.playback.phases import Phase
 

@@ -8,8 +8,8 @@ from PySide6.QtCore import ClassInfo, QObject, QProcess, Slot
 from PySide6.QtDBus import QDBusConnection
 
 from app.bridge import idle
+from app.bridge.desktop import NAME, PATH, PLAYER, Mpris
 from app.bridge.idle import IdleInhibitor
-from app.bridge.mpris import NAME, PATH, PLAYER, Mpris
 from hapticplayer.playback.phases import Phase
 
 PROPERTIES = "org.freedesktop.DBus.Properties"

@@ -6,13 +6,16 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from app.plots.grip_camera import LEAST_ZOOM, MOST_ZOOM, Camera, Projection
 from app.plots.grip_moving import arrow_tip
 from app.plots.grip_scene import (
     ARROW_RADII,
     GRIP_RADII,
+    LEAST_ZOOM,
+    MOST_ZOOM,
     Activity,
+    Camera,
     Grip,
+    Projection,
     cap,
     hull,
 )

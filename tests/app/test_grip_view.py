@@ -10,18 +10,18 @@ from PySide6.QtCore import QPoint, QPointF, QSizeF, Qt
 from PySide6.QtGui import QColor, QImage, QPainter, QWheelEvent
 from PySide6.QtTest import QTest
 
-from app.player.grip_feed import grip_of
+from app.player.display import grip_of
 from app.plots import grip_painter
-from app.plots.grip_camera import Camera, Projection
 from app.plots.grip_moving import CENTRING, colours
-from app.plots.grip_painter import GripPainter
+from app.plots.grip_painter import GripPainter, excursion_text, force_text, headline
 from app.plots.grip_scene import (
     Activity,
+    Camera,
     Grip,
+    Projection,
     trail_of,
 )
 from app.plots.grip_view import GripView
-from app.plots.grip_words import excursion_text, force_text, headline
 from app.plots.panel import PlotPanel
 from app.widgets import theme
 from hapticplayer.devices import DEVICES

@@ -10,9 +10,9 @@ from PySide6.QtCore import QMimeData, QPointF, Qt, QUrl
 from PySide6.QtGui import QDropEvent
 from scipy.signal import resample_poly
 
+from app.experimenter.import_mounting import Triad
 from app.experimenter.import_wizard import FILES, MOUNTING, REPORT, SYNC, ImportWizard
 from app.experimenter.sync_strip import SyncStrip, columns, tick_step_s
-from app.experimenter.triad import Triad
 from hapticplayer.capture import formats, read_recording
 from hapticplayer.capture.si_csv import write_imu_csv
 from hapticplayer.capture.sync import methods

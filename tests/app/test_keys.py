@@ -6,7 +6,7 @@ from PySide6.QtGui import QKeySequence
 from PySide6.QtTest import QTest
 
 from app.bridge.settings import Settings
-from app.player.keymap import COMMANDS, KEYS, keys_of, texts
+from app.player.commands import COMMANDS, KEYS, keys_of, texts
 from app.player.keys_dialog import KeysDialog
 from hapticplayer.playback.phases import Phase
 

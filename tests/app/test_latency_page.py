@@ -9,18 +9,18 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
-from app.bridge.latencies import (
+from app.bridge.settings import (
     DEVICE,
     DISPLAY,
     SOUND,
+    Settings,
     is_known,
     keep_latency,
     latencies_of,
     screen_name,
 )
-from app.bridge.settings import Settings
+from app.player.extras import warning
 from app.player.latency_page import TOGETHER, LatencyPage
-from app.player.latency_watch import warning
 from hapticplayer.clock import ManualClock, SystemClock
 from hapticplayer.haptics.contract import Mode
 from hapticplayer.playback.beats import (

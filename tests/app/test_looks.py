@@ -74,7 +74,7 @@ def test_a_session_is_watched_by_the_window_that_takes_the_place(
     os.mkfifo(gate)
     program.write_text(f"#!/bin/sh\ncat {gate} >&2\nexit 1\n")
     program.chmod(0o700)
-    monkeypatch.setattr("app.experimenter.study_process.sys.executable", str(program))
+    monkeypatch.setattr("app.experimenter.study_menu.sys.executable", str(program))
     before, told = shown.window, []
     before.study_menu.process.start([])
     shown.window.settings.keep("look", theme.LIGHT)

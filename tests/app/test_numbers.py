@@ -6,8 +6,7 @@ from app.bridge import languages
 from app.experimenter.library_page import LibraryPage
 from app.player.health import sync
 from app.plots.playhead_plot import PlayheadPlot
-from app.widgets.numbers import date_text, local
-from app.widgets.texts import quoted
+from app.widgets.texts import date_text, local, quoted
 from hapticplayer.model import SyncStats
 
 DAYS = {"en": "2026-07-09", "de": "09.07.2026", "fr": "09/07/2026"}

@@ -3,7 +3,7 @@
 import pytest
 
 from app.bridge import languages
-from app.experimenter.session_words import found_text, reason_text
+from app.experimenter.start_panel import found_text, reason_text
 from app.player.remake import dress
 from hapticplayer.haptics.contract import Cause
 from hapticplayer.study.preflight import SessionCheck

@@ -7,11 +7,10 @@ from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QFileDialog
 
 from app.player import choices
+from app.player.choices import Plugged
 from app.player.device_page import DevicePage
 from app.player.firmware_dialog import Question, offer_firmware
-from app.player.homing_picture import HomingPicture
-from app.player.homing_view import HomingView, Ways, view_of
-from app.player.plugged import Plugged
+from app.player.homing_view import HomingPicture, HomingView, Ways, view_of
 from app.player.setup_page import SetupPage
 from app.widgets import theme
 from hapticplayer.clock import SystemClock

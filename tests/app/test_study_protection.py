@@ -11,9 +11,9 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QWidget
 from sitting import KEYS, Person
 
+from app.bridge.desktop import NAME, Mpris
 from app.bridge.idle import EVERYTHING, IdleInhibitor
-from app.bridge.mpris import NAME, Mpris
-from app.experimenter.study_process import StudyProcess
+from app.experimenter.study_menu import StudyProcess
 from hapticplayer.study.creation import change_definition, create_study
 from hapticplayer.study.pages import PageKind
 
@@ -74,7 +74,7 @@ def test_media_keys_find_no_player_while_a_session_runs(
     program = tmp_path / "session"
     program.write_text(f"#!/bin/sh\ncat {gate} >&2\nexit 1\n")
     program.chmod(0o700)
-    monkeypatch.setattr("app.experimenter.study_process.sys.executable", str(program))
+    monkeypatch.setattr("app.experimenter.study_menu.sys.executable", str(program))
     told = []
     monkeypatch.setattr(window.study_menu, "_report", told.append)
     monkeypatch.setattr(window.study_menu, "_ask", lambda: study.folder)
@@ -96,7 +96,7 @@ def test_a_session_takes_the_device_of_the_window(
     program = tmp_path / "session"
     program.write_text(f'#!/bin/sh\necho "$@" > {seen}\n')
     program.chmod(0o700)
-    monkeypatch.setattr("app.experimenter.study_process.sys.executable", str(program))
+    monkeypatch.setattr("app.experimenter.study_menu.sys.executable", str(program))
     monkeypatch.setattr(window.study_menu, "_ask", lambda: study.folder)
     window.study_menu.run()
     assert window.player.snapshot().device == "none"

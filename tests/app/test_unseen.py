@@ -6,7 +6,7 @@ from PySide6.QtWidgets import QWidget
 from app.player.statistics import Statistics
 from app.player.video_surface import VideoSurface
 from app.plots.panel import PlotPanel
-from app.widgets.room import is_seen
+from app.widgets.layout import is_seen
 from hapticplayer.media.frames import FrameConverter
 from hapticplayer.playback.phases import Phase
 

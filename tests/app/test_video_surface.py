@@ -8,8 +8,7 @@ from hypothesis import strategies as st
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QLabel, QWidget
 
-from app.player.letterbox import letterbox
-from app.player.video_surface import VideoSurface
+from app.player.video_surface import VideoSurface, letterbox
 from hapticplayer.media.frames import DecodedFrame, FrameConverter
 
 SIDES = st.integers(2, 8000)

@@ -2,14 +2,13 @@ import pytest
 from PySide6.QtCore import QPoint, Qt
 
 from app.bridge.jobs import JobState
-from app.player.times import position_text, time_text
 from app.widgets import theme
 from app.widgets.buttons import text_button
-from app.widgets.icons import FOLDER, icon
-from app.widgets.job_bar import JobBar
-from app.widgets.labels import ElidedLabel
-from app.widgets.message_bar import MessageBar
+from app.widgets.layout import ElidedLabel
+from app.widgets.messages import JobBar, MessageBar
 from app.widgets.seek_slider import SeekSlider
+from app.widgets.texts import position_text, time_text
+from app.widgets.theme import FOLDER, icon
 
 
 @pytest.fixture

@@ -1,10 +1,10 @@
 """Pictures of the device's pages: setting up, every trouble, forces, latencies."""
 
 from app.player import setup_texts
+from app.player.choices import Plugged
 from app.player.device_page import DevicePage, homing_text
 from app.player.firmware_dialog import Question
 from app.player.latency_page import LatencyPage
-from app.player.plugged import Plugged
 from app.player.setup_page import SetupPage
 from app.player.video_surface import SurfaceSink
 from hapticplayer.clock import Clock, SystemClock

@@ -3,10 +3,10 @@
 from collections.abc import Callable
 from pathlib import Path
 
-from app.experimenter.analysis_page import AnalysisPage
+from app.experimenter.analysis import AnalysisPage
 from app.experimenter.import_wizard import FILES, MOUNTING, SYNC, ImportWizard
 from app.experimenter.library_page import LibraryPage
-from app.widgets.room import resize_within_screen
+from app.widgets.layout import resize_within_screen
 from hapticplayer.clock import SystemClock
 from hapticplayer.errors import InputError
 from hapticplayer.simulation.participants import simulated_answers

@@ -7,13 +7,13 @@ from PySide6.QtGui import QPixmap
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QMenu
 
+from app.player.dialogs import about_dialog
 from app.player.fault_panel import FaultPanel
-from app.player.help import about_dialog
 from app.player.keys_dialog import KeysDialog
 from app.player.video_surface import SurfaceSink, VideoSurface
 from app.player.window import PlayerWindow
 from app.plots.playhead_plot import PlayheadPlot
-from app.widgets.room import resize_within_screen
+from app.widgets.layout import resize_within_screen
 from hapticplayer.clock import SystemClock
 from hapticplayer.haptics.contract import Mode
 from hapticplayer.playback.player import Player

@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QTabWidget
 from app.experimenter.study_editor import StudyEditor
 from app.participant.application import StudySession
 from app.participant.pages import QuestionsPage
-from app.widgets.room import resize_within_screen
+from app.widgets.layout import resize_within_screen
 from hapticplayer.clock import SystemClock
 from hapticplayer.study.creation import change_definition, create_study
 from hapticplayer.study.pages import PageKind, PageMaker

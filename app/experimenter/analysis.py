@@ -1,29 +1,94 @@
-"""The page that shows the report of a study."""
+"""The analysis of a study: report in a window, written to files."""
 
 import re
 from collections.abc import Callable, Iterator
+from dataclasses import dataclass
 from pathlib import Path
 
-from PySide6.QtCore import QTimer, QUrl
+from PySide6.QtCore import Qt, QTimer, QUrl
 from PySide6.QtGui import (
+    QCloseEvent,
     QImage,
     QTextBlockFormat,
     QTextCharFormat,
     QTextCursor,
     QTextDocument,
 )
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QTextBrowser, QVBoxLayout, QWidget
+from PySide6.QtWidgets import (
+    QHBoxLayout,
+    QLabel,
+    QMainWindow,
+    QTextBrowser,
+    QVBoxLayout,
+    QWidget,
+)
 
-from app.bridge.child import in_child
-from app.bridge.jobs import Jobs, Progress
-from app.experimenter.report_work import SCHEME, Report, made_report, written_report
-from app.player.files import folder_dialog
+from app.bridge.jobs import Jobs, Progress, in_child
 from app.widgets import theme
 from app.widgets.buttons import text_button
-from app.widgets.job_bar import JobBar
-from app.widgets.labels import ElidedLabel
+from app.widgets.files import folder_dialog
+from app.widgets.layout import ElidedLabel, resize_within_screen
+from app.widgets.messages import JobBar, MessageBar
 from hapticplayer.clock import Clock
-from hapticplayer.study.answers import Answers
+from hapticplayer.errors import message_of
+from hapticplayer.study.answers import Answers, read_answers
+from hapticplayer.study.study_folder import Study
+
+SCHEME = "figure:"
+"""Of the addresses of the pictures in the text."""
+_ANALYSED = 0.7  # of the work
+
+
+@dataclass(frozen=True, slots=True)
+class Report:
+    """Text and pictures, ready to be shown.
+
+    Attributes:
+        answers: that were analysed.
+        html: refers to the pictures as SCHEME and their names.
+        pictures: PNG, by name.
+        dpi: of the pictures.
+    """
+
+    answers: Answers
+    html: str
+    pictures: dict[str, bytes]
+    dpi: float
+
+
+def made_report(answers: Answers, *, progress: Progress) -> Report:
+    """Return the report of a study's answers."""
+    from hapticplayer.study.analysis.figures import DPI, image
+    from hapticplayer.study.analysis.report import analyse_study, parts_of
+    from hapticplayer.study.analysis.typesetting import body
+
+    found = analyse_study(
+        answers, progress=lambda fraction, step: progress(_ANALYSED * fraction, step)
+    )
+    progress(_ANALYSED, "drawing the figures")
+    parts = parts_of(found)
+    pictures = {name: image(figure) for name, figure in parts.draw().items()}
+    html = body(parts.blocks, lambda name: SCHEME + name)
+    return Report(answers, html, pictures, DPI)
+
+
+def written_report(
+    answers: Answers, target: Path, title: str, *, progress: Progress
+) -> Path:
+    """Write the report of these answers into a new folder, and return it."""
+    from hapticplayer.study.analysis.report import analyse_study, write_report
+
+    found = analyse_study(
+        answers, progress=lambda fraction, step: progress(_ANALYSED * fraction, step)
+    )
+    write_report(
+        found,
+        target,
+        title,
+        lambda fraction, step: progress(_ANALYSED + (1.0 - _ANALYSED) * fraction, step),
+    )
+    return target
+
 
 _POLL_MS = 50
 _SCREEN_DPI = 100.0
@@ -188,3 +253,46 @@ td {{ padding: 1px 9px; text-align: right; }}
 caption {{ font-weight: bold; }}
 img {{ max-width: 100%; }}
 """
+
+
+WIDTH_PX, HEIGHT_PX = 1040, 860
+
+
+class AnalysisWindow(QMainWindow):
+    """Analyses a study at once; closing it stops what runs.
+
+    Args:
+        study: opened; its folder is read anew for each analysis.
+        clock: of the machine.
+        parent: closes it too.
+    """
+
+    def __init__(self, study: Study, clock: Clock, parent: QWidget) -> None:
+        super().__init__(parent)
+        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        title, folder = study.definition.title, Path(study.folder)
+        self.setWindowTitle(self.tr("Analysis \u2013 {0}").format(title))
+        self.messages = MessageBar()
+        self.page = AnalysisPage(
+            title,
+            lambda: read_answers(folder),
+            lambda problem: self.messages.show_text(message_of(problem)),
+            clock,
+        )
+        middle = QWidget()
+        column = QVBoxLayout(middle)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.addWidget(self.messages)
+        column.addWidget(self.page, 1)
+        self.setCentralWidget(middle)
+        resize_within_screen(self, WIDTH_PX, HEIGHT_PX)
+
+    def begin(self) -> None:
+        """Show the window and analyse."""
+        self.show()
+        self.page.analyse()
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        """Stop what runs."""
+        self.page.close_jobs()
+        event.accept()

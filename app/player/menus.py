@@ -1,15 +1,80 @@
-"""The menus whose entries are found when they open: recent, outputs, screens."""
+"""The menus whose entries are found when they open: recent, outputs, screens, theme."""
 
+import math
 from collections.abc import Callable, Iterable
 from pathlib import Path
 
-from PySide6.QtCore import QObject
+from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QAction, QActionGroup, QGuiApplication
 from PySide6.QtWidgets import QMenu
 
-from app.player.actions import Actions
+from app.bridge import languages
+from app.bridge.settings import Settings
+from app.player.commands import Actions
 from app.player.controls import Controls
-from app.player.history import History
+from app.widgets import theme
+from hapticplayer.playback.player import Player
+
+RECENT, POSITIONS = "recent", "positions"
+"""Names in the settings."""
+
+MOST_RECENT, MOST_POSITIONS = 10, 200
+FROM_START_S, FROM_END_S = 5.0, 5.0
+"""Nearer to an end of the clip than this, it begins anew."""
+
+
+class History:
+    """Remembers paths and positions, nothing else, and nothing beside the clips."""
+
+    def __init__(self, settings: Settings) -> None:
+        self._settings = settings
+
+    def recent(self) -> list[Path]:
+        """Return what was opened, the latest first."""
+        return [Path(text) for text in self._settings.texts(RECENT)[:MOST_RECENT]]
+
+    def note_opened(self, path: Path) -> None:
+        """Put a path at the top of the list."""
+        whole = str(path.absolute())
+        others = [text for text in self._settings.texts(RECENT) if text != whole]
+        self._settings.keep(RECENT, [whole, *others][:MOST_RECENT])
+
+    def forget(self) -> None:
+        """Empty the list, and forget the positions."""
+        self._settings.keep(RECENT, [])
+        self._settings.keep(POSITIONS, {})
+
+    def note_position(self, player: Player) -> None:
+        """Remember where the clip is; not at its ends."""
+        now = player.snapshot()
+        if now.source is None:
+            return
+        place, kept = str(now.source.path.absolute()), self._positions()
+        kept.pop(place, None)
+        media_s = now.media_s
+        if is_worth_keeping(media_s, now.duration_s):
+            kept[place] = round(media_s, 3)
+        newest = list(kept.items())[-MOST_POSITIONS:]
+        self._settings.keep(POSITIONS, dict(newest))
+
+    def position_s(self, path: Path, duration_s: float) -> float:
+        """Return where a clip was left, 0 where it is to begin at its beginning."""
+        kept_s = self._positions().get(str(path.absolute()), 0.0)
+        return kept_s if is_worth_keeping(kept_s, duration_s) else 0.0
+
+    def _positions(self) -> dict[str, float]:
+        kept = self._settings.table(POSITIONS)
+        return {
+            path: float(value)
+            for path, value in kept.items()
+            if isinstance(value, int | float) and math.isfinite(value)
+        }
+
+
+def is_worth_keeping(media_s: float, duration_s: float) -> bool:
+    """Whether somebody would want to go on here."""
+    return FROM_START_S <= media_s <= duration_s - FROM_END_S
+
 
 LONGEST_NAME = 60
 
@@ -123,3 +188,49 @@ class ChooseMenus(QObject):
             lambda: [("", self.tr("The window's screen")), *screen_names()],
             *screen,
         )
+
+
+LOOK, LANGUAGE = "look", "language"
+"""Names in the settings."""
+
+
+class LookMenus(QObject):
+    """Asks how the window shall look and speak.
+
+    Signals:
+        changed: the settings say something else; the window has to be made anew.
+    """
+
+    changed = Signal()
+
+    def __init__(self, actions: Actions, settings: Settings) -> None:
+        super().__init__()
+        self._settings = settings
+        look = actions.add_menu("view", self.tr("&Look"), "fullscreen")
+        self.looks = ChoiceMenu(
+            look,
+            lambda: [
+                (theme.SYSTEM, self.tr("As the desktop")),
+                (theme.DARK, self.tr("Dark")),
+                (theme.LIGHT, self.tr("Light")),
+                (theme.CONTRAST, self.tr("High contrast")),
+            ],
+            lambda: settings.text(LOOK, theme.DARK),
+            lambda value: self._choose(LOOK, value),
+        )
+        spoken = actions.add_menu("view", self.tr("Lan&guage"), "fullscreen")
+        self.languages = ChoiceMenu(
+            spoken,
+            lambda: [
+                (languages.SYSTEM, self.tr("As the desktop")),
+                *languages.NAMES.items(),
+            ],
+            lambda: settings.text(LANGUAGE, languages.ENGLISH),
+            lambda value: self._choose(LANGUAGE, value),
+        )
+
+    def _choose(self, name: str, value: str) -> None:
+        if self._settings.text(name) != value:
+            self._settings.keep(name, value)
+            self._settings.save()
+            self.changed.emit()

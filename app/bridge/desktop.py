@@ -1,7 +1,4 @@
-"""Media keys and the desktop's player controls (MPRIS 2.2), through D-Bus.
-
-Off in study mode: nobody but the experimenter may pause a trial.
-"""
+"""Media keys and the desktop's player controls (MPRIS 2.2), through D-Bus; idle inhibition."""
 
 import xml.etree.ElementTree as ET
 from collections.abc import Callable
@@ -19,9 +16,10 @@ from jeepney import (
     new_signal,
 )
 from jeepney.io.blocking import DBusConnection
-from PySide6.QtCore import QSocketNotifier
+from PySide6.QtCore import QObject, QSocketNotifier
+from PySide6.QtWidgets import QMainWindow
 
-from app.bridge.idle import connect
+from app.bridge.idle import IdleInhibitor, connect
 from hapticplayer.playback.player import FASTEST, SLOWEST, Player
 
 NAME = "org.mpris.MediaPlayer2.hapticplayer"
@@ -265,3 +263,37 @@ def _root_properties() -> dict[str, _Property]:
         "SupportedUriSchemes": _Property("as", list),
         "SupportedMimeTypes": _Property("as", list),
     }
+
+
+class Desktop(QObject):
+    """Follows the player; the window calls it when something has changed.
+
+    Args:
+        player: what plays.
+        window: raised and closed by the desktop's controls.
+    """
+
+    def __init__(self, player: Player, window: QMainWindow) -> None:
+        super().__init__(window)
+        self._player = player
+        self.idle = IdleInhibitor()
+        self.mpris = Mpris(player, window.raise_, window.close)
+
+    def follow(self) -> None:
+        """Inhibit idling while it plays, and tell the desktop the state."""
+        is_playing = self._player.snapshot().is_playing
+        self.idle.set_wanted(self.tr("plays a clip") if is_playing else "")
+        self.mpris.tell()
+
+    def begin(self) -> None:
+        """Appear on the session's bus."""
+        self.mpris.switch(is_on=True)
+
+    def set_study_mode(self, *, is_on: bool) -> None:
+        """Leave the media keys without effect while somebody takes part in a study."""
+        self.mpris.switch(is_on=not is_on)
+
+    def close(self) -> None:
+        """Let the screen sleep, and leave the bus."""
+        self.idle.release()
+        self.mpris.switch(is_on=False)

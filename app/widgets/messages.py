@@ -1,0 +1,204 @@
+"""What the window says for a while: errors, progress, what a key has changed."""
+
+from PySide6.QtCore import QSize, Qt, QTimer, Signal
+from PySide6.QtGui import (
+    QAccessible,
+    QAccessibleEvent,
+    QGuiApplication,
+    QResizeEvent,
+)
+from PySide6.QtWidgets import (
+    QFrame,
+    QHBoxLayout,
+    QLabel,
+    QProgressBar,
+    QSizePolicy,
+    QWidget,
+)
+
+from app.bridge.jobs import JobState
+from app.bridge.languages import translated
+from app.widgets import theme
+from app.widgets.buttons import text_button
+from app.widgets.layout import ElidedLabel
+from app.widgets.texts import PERCENT, job_text
+
+_LONGEST = 600
+
+
+class MessageBar(QFrame):
+    """One message, until it is closed or another one comes."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setStyleSheet(
+            f"MessageBar {{ background: {theme.ALARM}; "
+            f"border: 0; border-bottom: 1px solid {theme.BAD}; }}"
+        )
+        self._message = ""
+        self._sign = QLabel("\u25a0")  # the same sign as "bad" in the health line
+        self._sign.setStyleSheet(f"color: {theme.BAD};")
+        self._text = QLabel()
+        self._text.setTextFormat(Qt.TextFormat.PlainText)
+        self._text.setWordWrap(True)
+        # a long path must neither widen the window nor be cut off
+        self._text.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Minimum)
+        self._text.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        self._close = text_button(self.tr("Close"), self.tr("Hide this message"))
+        self._close.clicked.connect(self.hide)
+        self.copy = text_button(
+            self.tr("Copy"), self.tr("Copy it, in English too, to report")
+        )
+        self.copy.clicked.connect(self._copy)
+        row = QHBoxLayout(self)
+        row.setContentsMargins(12, 6, 8, 6)
+        row.addWidget(self._sign, 0)
+        row.addWidget(self._text, 1)
+        row.addWidget(self.copy, 0)
+        row.addWidget(self._close, 0)
+        self.hide()
+
+    def minimumSizeHint(self) -> QSize:
+        """Return the room for all lines at this width; a label guesses too many."""
+        least, row = super().minimumSizeHint(), self.layout()
+        if row is None or not row.hasHeightForWidth():
+            return least
+        return QSize(
+            least.width(), row.totalHeightForWidth(max(least.width(), self.width()))
+        )
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Another width may need another line."""
+        super().resizeEvent(event)
+        self.updateGeometry()
+
+    def text(self) -> str:
+        """Return what it says, "" while hidden."""
+        return "" if self.isHidden() else translated(self._message)
+
+    def show_text(self, message: str) -> None:
+        """Say something in the window's language, also to a screen reader."""
+        self._message, text = message, translated(message)
+        shown = text if len(text) <= _LONGEST else text[: _LONGEST - 1] + "\u2026"
+        self._text.setText(breakable(shown))
+        self.setAccessibleName(text)
+        self.show()
+        QAccessible.updateAccessibility(QAccessibleEvent(self, QAccessible.Event.Alert))
+
+    def _copy(self) -> None:
+        said = dict.fromkeys((self.text(), self._message))  # once where it is English
+        QGuiApplication.clipboard().setText("\n".join(said))
+
+
+def breakable(text: str) -> str:
+    """Return the text with places where a long path may be broken."""
+    return text.replace("/", "/\u200b").replace("_", "_\u200b")
+
+
+_PARTS = 1000
+_AT_ONCE_S = 0.3
+
+
+class JobBar(QFrame):
+    """Title, step, progress and Cancel; hidden while nothing runs."""
+
+    cancelled = Signal()
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setStyleSheet(
+            f"JobBar {{ background: {theme.PANEL}; "
+            f"border: 0; border-bottom: 1px solid {theme.BORDER}; }}"
+        )
+        self._since_s: float | None = None
+        self._label = ElidedLabel()
+        self._bar = QProgressBar()
+        self._bar.setRange(0, _PARTS)
+        self._bar.setFormat(PERCENT)
+        self._bar.setFixedWidth(240)
+        self._cancel = text_button(
+            self.tr("Cancel"), self.tr("Stop this work; nothing is left behind")
+        )
+        self._cancel.clicked.connect(self._on_cancel)
+        row = QHBoxLayout(self)
+        row.setContentsMargins(12, 6, 8, 6)
+        row.setSpacing(12)
+        row.addWidget(self._label, 1)
+        row.addWidget(self._bar)
+        row.addWidget(self._cancel)
+        self.hide()
+
+    def show_state(self, state: JobState | None, now_s: float) -> None:
+        """Show how far the work is; what is done at once is not worth a line.
+
+        Args:
+            state: of the job, None while nothing runs.
+            now_s: monotonic time.
+        """
+        if state is None:
+            self._since_s = None
+            self._cancel.setEnabled(True)
+            self.hide()
+            return
+        if self._since_s is None:
+            self._since_s = now_s
+        text = job_text(state)
+        self._label.set_text(text)
+        self._bar.setValue(round(_PARTS * min(1.0, max(0.0, state.fraction))))
+        self._bar.setAccessibleName(text)
+        if self.isHidden() and now_s - self._since_s >= _AT_ONCE_S:
+            self.show()
+
+    def _on_cancel(self) -> None:
+        self._cancel.setEnabled(False)
+        self.cancelled.emit()
+
+
+STAYS_MS = 1200
+_MARGIN_PX = 14
+_STYLE = """
+QLabel { background: rgba(12, 14, 17, 215); color: #ffffff; border-radius: 6px;
+  padding: 6px 12px; }
+"""
+
+
+class OnPicture(QLabel):
+    """A box with a text in the upper left corner of another widget.
+
+    Args:
+        over: what it lies on; pointers and keys go through to it.
+    """
+
+    def __init__(self, over: QWidget) -> None:
+        super().__init__(over)
+        self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
+        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        self.setTextFormat(Qt.TextFormat.PlainText)
+        self.setStyleSheet(_STYLE)
+        self.move(_MARGIN_PX, _MARGIN_PX)
+        self.hide()
+
+    def show_text(self, text: str) -> None:
+        """Show a text, as large as it is."""
+        if text != self.text():
+            self.setText(text)
+            self.setAccessibleName(text)
+            self.adjustSize()
+        self.show()
+        self.raise_()
+
+
+class Toast(OnPicture):
+    """A text that goes by itself."""
+
+    def __init__(self, over: QWidget) -> None:
+        super().__init__(over)
+        self._timer = QTimer(self)
+        self._timer.setSingleShot(True)
+        self._timer.setInterval(STAYS_MS)
+        self._timer.timeout.connect(self.hide)
+
+    def show_text(self, text: str) -> None:
+        """Show a text for a while."""
+        super().show_text(text)
+        self._timer.start()
