@@ -10,7 +10,7 @@ from PySide6.QtCore import QByteArray, QStandardPaths
 from PySide6.QtWidgets import QWidget
 
 from hapticplayer.errors import InputError
-from hapticplayer.playback.kept_latencies import (
+from hapticplayer.playback.latency import (
     DEVICE,
     DISPLAY,
     LATENCIES,
@@ -19,12 +19,12 @@ from hapticplayer.playback.kept_latencies import (
     SETTINGS_VERSION,
     SOUND,
     VERSION,
+    Latencies,
     latencies_in,
     read_settings,
     table_s,
     version_of,
 )
-from hapticplayer.playback.latency import Latencies
 
 _GEOMETRY = "geometry"
 _OWN_PLACES = ("folder", "study_folder", "library", "recent", "positions")

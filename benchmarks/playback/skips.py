@@ -37,6 +37,7 @@ from benchmarks.stage import (
     scrolling_clip,
     sound_server,
 )
+from hapticplayer.clock import SystemClock
 from hapticplayer.devices.falcon.kinematics import Kinematics, motor_words
 from hapticplayer.devices.falcon.protocol import Reply, encode_command
 from hapticplayer.devices.falcon.tracker import Tracker
@@ -45,12 +46,12 @@ from hapticplayer.haptics.track import map_track, to_shared_memory
 from hapticplayer.media.opening import open_media, read_only
 from hapticplayer.media.video import VideoDecoder
 from hapticplayer.model import ForceTrack
-from hapticplayer.playback.audio import AudioRing
 from hapticplayer.playback.feeders import VideoFeeder
 from hapticplayer.playback.meters import TickHistory
 from hapticplayer.playback.snapshot import Snapshot
-from hapticplayer.playback.sound_process import SilentOut
+from hapticplayer.playback.sound_ring import AudioRing
 from hapticplayer.playback.source import open_source
+from hapticplayer.simulation.sound_output import SilentOutput
 
 CLIP_S, RUN_S, SHAKEN_S = 8.0, 5.0, 4.0
 FRAMES, TICKS, SEEKS = 60, 20_000, 20
@@ -270,14 +271,17 @@ def poses(_folder: Path, _clip: Path, _stack: ExitStack) -> Case:
 
 def small_seeks(_folder: Path, clip: Path, _stack: ExitStack) -> Case:
     """Seek within what is decoded (18 of 20): decoding again."""
-    source = open_source(clip)
+    source, clock = open_source(clip), SystemClock()
+
+    def silent(ring: AudioRing) -> SilentOutput:
+        return SilentOutput(ring, clock)
 
     def work(with_skip: bool) -> int:
         with (
             off(VideoFeeder, "_keep_from", with_skip),
             off(AudioRing, "resume_from", with_skip),
         ):
-            paused, at_s = PausedPlayer(source, SilentOut), 0.5
+            paused, at_s = PausedPlayer(source, silent), 0.5
             for number in range(SEEKS):
                 at_s += 2.9 if number % 10 == 0 else 2.0 / 30.0
                 paused.seek(at_s)

@@ -22,7 +22,7 @@ from hapticplayer.errors import UsageError
 from hapticplayer.haptics.limiter import Limits
 from hapticplayer.haptics.scheduling import Scheduling
 from hapticplayer.playback import headless
-from hapticplayer.playback.kept_latencies import kept_latencies
+from hapticplayer.playback.latency import saved_latencies
 from hapticplayer.playback.log import PlaybackLog
 from hapticplayer.playback.player import FASTEST, SLOWEST, Player
 from hapticplayer.playback.sound_process import SoundProcess
@@ -111,7 +111,7 @@ def play(options: argparse.Namespace) -> int:
     record = record_target(options, options.device)
     audio = None if options.mute else SoundProcess
     player = Player(clock, audio=audio, scheduling=wanted_scheduling(options))
-    player.set_latencies(kept_latencies())
+    player.set_latencies(saved_latencies())
     if source.clip.has_audio:
         player.prepare_sound()  # in parallel with the device
     try:

@@ -255,7 +255,7 @@ class ClipPlayback:
 
     def _watch_sound_output(self, now_s: float) -> None:
         """Notice that the output is lost, and use the next one."""
-        happened = self.sound.look(now_s, is_playing=self.phase is Phase.PLAYING)
+        happened = self.sound.watch(now_s, is_playing=self.phase is Phase.PLAYING)
         if happened == "no_sound_output":
             self._reporter.event(happened, reason=self.sound.problem)
             self._reporter.notify(NO_OUTPUT)

@@ -11,8 +11,8 @@ from hapticplayer.media.audio import AudioBlock, AudioDecoder
 from hapticplayer.media.frames import DecodedFrame
 from hapticplayer.media.tempo import TempoFilter
 from hapticplayer.media.video import VideoDecoder
-from hapticplayer.playback.audio import AudioRing
-from hapticplayer.playback.sound_block import CHANNELS
+from hapticplayer.playback.sound_memory import CHANNELS
+from hapticplayer.playback.sound_ring import AudioRing
 
 QUEUE_FRAMES = 5
 ROOM_S = 0.2  # seconds of sound lie ahead: there is no hurry

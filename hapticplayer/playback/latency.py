@@ -1,20 +1,25 @@
-"""How late picture, sound and force reach a person, beyond what the machine knows of.
+"""How late frames, sound and force reach a person, beyond what the machine knows of.
 
-A television that works on its picture, headphones without a wire and a device on a
-slow link all come late, and no interface tells by how much. A person measures it once
-(`app.player.latency_page`); whatever comes later than the others is begun earlier.
+A television that processes its frames, wireless headphones and a device on a slow link
+all come late, and no interface tells by how much. A person measures it once
+(`app.player.latency_page`), the window keeps it in its settings, and whatever comes later
+than the others is begun earlier.
 """
 
+import json
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
 
 from hapticplayer.errors import UsageError
+from hapticplayer.sequence.files import config_home
 
 MOST_S = 1.0
 LARGE_S = 0.200
-"""A sound output that reports more than this is no cable: 120 ms are our own buffer, and
-a sound server adds 20 ms (141 ms were measured), headphones without a wire 100 to 250."""
+"""A sound output that reports more than this is wireless: 120 ms are our own buffer, and
+a sound server adds 20 ms (141 ms were measured), wireless headphones 100 to 250."""
 
 _WIRELESS = (
     *("bluetooth", "bluez", "a2dp", "airpods", "hands-free", "handsfree"),
@@ -22,12 +27,24 @@ _WIRELESS = (
 )
 
 
+SETTINGS_NAME = "window.json"
+SETTINGS_VERSION = 1
+"""Of the file; files without one are older and read the same."""
+
+VERSION, LATENCIES = "version", "latencies"
+DISPLAY, SOUND, DEVICE = "display", "sound", "device"
+"""Tables within the table of the settings: milliseconds by the name of the output."""
+
+MOST_NAMES = 64
+_MAX_BYTES = 1 << 20
+
+
 @dataclass(frozen=True, slots=True)
 class Latency:
     """From the machine to the person, s; each from 0 to `MOST_S`.
 
     Attributes:
-        display_s: from a painted picture to the light.
+        display_s: from a painted frame to the light.
         sound_s: from the time that the sound output states to the ear.
         device_s: from a command on the wire to the hand.
 
@@ -48,7 +65,7 @@ class Latency:
 
     @property
     def lead_s(self) -> float:
-        """How much earlier than the clip the first of picture and force begins."""
+        """How much earlier than the clip the first of frame and force begins."""
         return max(self.display_s, self.device_s)
 
 
@@ -57,7 +74,7 @@ class Latencies:
     """What was measured on this machine.
 
     Attributes:
-        display_s: of the screen that the pictures are on.
+        display_s: of the screen that frames are shown on.
         sound_s: by the name of the sound output.
         device_s: by the engine's name of the haptic device.
     """
@@ -67,12 +84,65 @@ class Latencies:
     device_s: Mapping[str, float] = field(default_factory=dict)
 
     def of(self, sound: str, device: str) -> Latency:
-        """Return those of the outputs that are in use; 0 for what nobody measured."""
+        """Return those of the outputs in use; 0 for what was not measured."""
         return Latency(
             self.display_s, self.sound_s.get(sound, 0.0), self.device_s.get(device, 0.0)
         )
 
 
 def is_wireless(output: str) -> bool:
-    """Whether the name of a sound output says that it has no wire."""
+    """Whether the name of a sound output says that it is wireless."""
     return any(word in output.lower() for word in _WIRELESS)
+
+
+def saved_latencies() -> Latencies:
+    """Return those of all sound outputs and devices; none without settings."""
+    try:
+        path = config_home() / SETTINGS_NAME
+    except RuntimeError:  # there is no home folder
+        return Latencies()
+    values = read_settings(path)
+    if version_of(values) > SETTINGS_VERSION:
+        return Latencies()
+    table = values.get(LATENCIES)
+    return latencies_in(table if isinstance(table, dict) else {})
+
+
+def latencies_in(table: Mapping[str, Any], screen: str = "") -> Latencies:
+    """Return what a table of the settings says.
+
+    Args:
+        table: by part, then by the name of the output, ms.
+        screen: that frames are shown on; "" for none.
+    """
+    display_s = table_s(table, DISPLAY).get(screen, 0.0)
+    return Latencies(display_s, table_s(table, SOUND), table_s(table, DEVICE))
+
+
+def table_s(table: Mapping[str, Any], part: str) -> dict[str, float]:
+    """Return the valid values of one part, s: people may edit the file."""
+    found = table.get(part)
+    values = list(found.items())[:MOST_NAMES] if isinstance(found, dict) else []
+    return {name: 1e-3 * value for name, value in values if _is_sane(value)}
+
+
+def read_settings(path: Path) -> dict[str, Any]:
+    """Return the window's settings; none of a file that is not valid."""
+    try:
+        if not path.is_file() or path.stat().st_size > _MAX_BYTES:
+            return {}
+        values = json.loads(path.read_text(encoding="utf-8"))
+    except (OSError, ValueError, RecursionError):
+        return {}
+    return values if isinstance(values, dict) else {}
+
+
+def version_of(values: Mapping[str, Any]) -> float:
+    """Return the version of settings that were read."""
+    version = values.get(VERSION, 0)
+    return version if isinstance(version, int) else math.inf
+
+
+def _is_sane(value: Any) -> bool:
+    is_number = isinstance(value, int | float) and not isinstance(value, bool)
+    return is_number and math.isfinite(value) and 0.0 <= value <= 1e3 * MOST_S

@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 
 from hapticplayer.errors import Message
 from hapticplayer.media.audio import AudioDecoder
-from hapticplayer.playback.audio import RATE_HZ
-from hapticplayer.playback.sound_block import CHANNELS
+from hapticplayer.playback.sound_memory import CHANNELS
+from hapticplayer.playback.sound_ring import RATE_HZ
 
 LONGEST_S = 20.0
 _PEAK = 0.8

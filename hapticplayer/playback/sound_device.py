@@ -3,7 +3,7 @@
 Runs in a process of its own, so that neither a window that holds the interpreter nor
 PortAudio, which hangs where its server does, stops anything else. PortAudio's time of
 the DAC was measured to be exact within 0.1 ms, where counting what was handed to the
-server is 16 ms off; only after a standstill of the server is it wrong (see `dac_line`). The stream runs all the time and plays silence while paused:
+server is 16 ms off; only after a standstill of the server is it wrong (see `DacClock`). The stream runs all the time and plays silence while paused:
 starting it again costs up to 260 ms and the first sound.
 """
 
@@ -22,9 +22,16 @@ from hapticplayer.clock import Clock, SystemClock
 from hapticplayer.errors import message_of
 from hapticplayer.haptics.messages import Line, Word
 from hapticplayer.haptics.scheduling import Scheduling, grant, lock_memory
-from hapticplayer.playback.dac_line import DacLine
-from hapticplayer.playback.sound_block import CHANNELS, SoundBlock
-from hapticplayer.playback.sound_reader import SoundReader
+from hapticplayer.playback.sound_memory import CHANNELS, SoundBlock, SoundReader
+
+NEAR_S = 0.002
+"""So near, stated times move the line: clocks differ by up to some 100 ppm."""
+FOLLOWS_WITHIN_S = 1.0
+STEADY_S, STEADY_WITHIN_S = 2.0, 0.0015
+"""Times that leave the line by the same for so long are true: another output."""
+AGREED_S, LONGEST_HELD_S = 0.5, 12.0
+"""Where times have not agreed with the line and each other for so long within so long,
+the output is one whose times just jitter."""
 
 LATENCY_S = 0.120
 BLOCK_S = 0.040
@@ -36,6 +43,92 @@ SERVERS = ("default", "pulse", "pipewire")
 SERVER_ANSWERS_S = 0.5
 LONGEST_NAME = 200
 RETRY_S, SLOWEST_RETRY_S = 0.5, 5.0
+
+
+class DacClock:
+    """Tells when each block sounds: by the count of the samples, checked against the DAC.
+
+    A sound server that stops for 30 to 100 ms states times that are off by 10 to 30 ms for
+    some ten seconds afterwards, while not one sample is late (its client fits a line to
+    few answers). The samples themselves tell the time without a break, except where the
+    output ran dry, which it reports. So a stated time that leaves their line is believed
+    only once it is steady.
+
+    Args:
+        rate_hz: of the samples.
+    """
+
+    def __init__(self, rate_hz: int) -> None:
+        self._rate_hz = rate_hz
+        self._handed = 0  # samples, before this block
+        self._line_s: float | None = None  # when sample 0 sounded
+        self._agreed_s = 0.0  # when stated times were last on it
+        self._since_s = self._least_s = self._most_s = 0.0  # of times that agree
+
+    @property
+    def is_known(self) -> bool:
+        """Whether the samples have a line; else stated times are passed on."""
+        return self._line_s is not None
+
+    def place(
+        self, now_s: float, stated_s: float, count: int, *, ran_dry: bool = False
+    ) -> tuple[float, float]:
+        """Take the next block.
+
+        Args:
+            now_s: monotonic time of being asked for it.
+            stated_s: monotonic time at which it sounds, as the output says.
+            count: its samples.
+            ran_dry: whether the output says that it had nothing left before it.
+
+        Returns:
+            The monotonic time at which it sounds, and how much silence the output has
+            put in before it, as far as that is known, s.
+        """
+        elapsed_s = self._handed / self._rate_hz
+        offset_s = stated_s - elapsed_s
+        if self._handed:
+            self._follow_run(now_s, offset_s)
+        else:
+            self._begin_run(now_s, offset_s)
+        self._handed += count
+        if self._line_s is None:
+            if self._have_agreed(now_s, STEADY_S):
+                self._line_s, self._agreed_s = offset_s, now_s
+            return stated_s, 0.0
+        expected_s = self._line_s + elapsed_s
+        if ran_dry:  # it begins anew, and the first time that it states was right
+            self._line_s, self._agreed_s = offset_s, now_s
+            return stated_s, max(0.0, stated_s - expected_s)
+        if now_s >= expected_s:
+            self._line_s = None
+            return stated_s, 0.0
+        off_s = offset_s - self._line_s
+        if abs(off_s) <= NEAR_S:
+            share = count / self._rate_hz / FOLLOWS_WITHIN_S
+            self._line_s += min(1.0, share) * off_s
+            if self._have_agreed(now_s, AGREED_S):
+                self._agreed_s = now_s
+        elif self._have_agreed(now_s, STEADY_S):
+            self._line_s = 0.5 * (self._least_s + self._most_s)
+        if now_s > self._agreed_s + LONGEST_HELD_S:
+            self._line_s = None
+            return stated_s, 0.0
+        return self._line_s + elapsed_s, 0.0
+
+    def _follow_run(self, now_s: float, offset_s: float) -> None:
+        """Note for how long the stated times have agreed with each other."""
+        least_s, most_s = min(self._least_s, offset_s), max(self._most_s, offset_s)
+        if most_s - least_s > STEADY_WITHIN_S:
+            self._begin_run(now_s, offset_s)
+        else:
+            self._least_s, self._most_s = least_s, most_s
+
+    def _begin_run(self, now_s: float, offset_s: float) -> None:
+        self._since_s, self._least_s, self._most_s = now_s, offset_s, offset_s
+
+    def _have_agreed(self, now_s: float, so_long_s: float) -> bool:
+        return now_s - self._since_s >= so_long_s
 
 
 class SoundStream:
@@ -54,7 +147,7 @@ class SoundStream:
         import sounddevice
 
         self._reader = SoundReader(block)
-        self._line = DacLine(block.rate_hz)
+        self._dac = DacClock(block.rate_hz)
         self._clock = clock
         try:
             self._stream = sounddevice.RawOutputStream(
@@ -81,7 +174,7 @@ class SoundStream:
         # move: only the difference within one callback is used
         ahead_s = time_info.outputBufferDacTime - time_info.currentTime
         ahead_s = min(max(ahead_s, 0.0), MAX_AHEAD_S)  # some drivers say nonsense
-        dac_s, silence_s = self._line.place(
+        dac_s, silence_s = self._dac.place(
             now_s, now_s + ahead_s, frames, ran_dry=status.output_underflow
         )
         self._reader.render(memoryview(out), dac_s, silence_s)

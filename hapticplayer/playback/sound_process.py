@@ -7,12 +7,8 @@ import subprocess
 import sys
 from typing import Protocol
 
-from hapticplayer.clock import Clock
 from hapticplayer.haptics.messages import Line, Word
-from hapticplayer.playback.audio import AudioRing
-from hapticplayer.playback.sound_block import CHANNELS, FRAME_BYTES, SoundBlock
-from hapticplayer.playback.sound_device import LATENCY_S
-from hapticplayer.playback.sound_reader import SoundReader
+from hapticplayer.playback.sound_ring import AudioRing
 
 QUIT_TIMEOUT_S = 0.3
 
@@ -53,15 +49,13 @@ class SoundProcess:
 
     Args:
         ring: emptied by it.
-        clock: of the machine, which both share.
         device: its name; "" for the default one.
 
     Raises:
         OSError: when the process cannot be started.
     """
 
-    def __init__(self, ring: AudioRing, clock: Clock, device: str = "") -> None:
-        del clock
+    def __init__(self, ring: AudioRing, device: str = "") -> None:
         self.name = self.problem = ""
         self._state = OutputState.OPENING
         ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
@@ -104,33 +98,3 @@ class SoundProcess:
         except subprocess.TimeoutExpired:
             self._process.kill()
             self._process.wait()
-
-
-class SilentOut:
-    """Consumes a ring without a device; `advance` is its DAC, for tests."""
-
-    name = "silent"
-    problem = ""
-
-    def __init__(
-        self, ring: AudioRing, clock: Clock, *, latency_s: float = LATENCY_S
-    ) -> None:
-        self._reader = SoundReader(SoundBlock(ring.descriptor))
-        self._clock = clock
-        self._latency_s = latency_s
-        self.is_alive = True
-        self.state = OutputState.OPEN
-
-    def poll(self) -> OutputState:
-        """Return the state that it was given."""
-        return self.state
-
-    def advance(self, frames: int) -> "memoryview[float]":
-        """Take the next `frames` samples as a DAC would; float32, (frames, 2)."""
-        out = memoryview(bytearray(frames * FRAME_BYTES))
-        if self.is_alive:
-            self._reader.render(out, self._clock.now_s() + self._latency_s)
-        return out.cast("f", (frames, CHANNELS))
-
-    def close(self) -> None:
-        """Nothing to let go of."""

@@ -8,10 +8,10 @@ from hapticplayer.haptics.processes import HapticsProcesses
 from hapticplayer.media.clip_info import probe
 from hapticplayer.media.encode import write_clip
 from hapticplayer.model import ForceTrack
-from hapticplayer.playback.audio import AudioRing
 from hapticplayer.playback.player import Player
-from hapticplayer.playback.sound_process import SilentOut
+from hapticplayer.playback.sound_ring import AudioRing
 from hapticplayer.playback.source import Source
+from hapticplayer.simulation.sound_output import SilentOutput
 
 RATE_HZ = 25
 SECONDS = 3.0
@@ -99,8 +99,8 @@ class Theatre:
         self.published = made.published
         return made
 
-    def _make_audio(self, ring: AudioRing, clock):
-        self.out = SilentOut(ring, clock)
+    def _make_audio(self, ring: AudioRing):
+        self.out = SilentOutput(ring, self.clock)
         return self.out
 
     def settle(self):

@@ -8,13 +8,13 @@ import pytest
 from hapticplayer.clock import ManualClock
 from hapticplayer.errors import UsageError
 from hapticplayer.model import PlaybackClock
-from hapticplayer.playback.audio import AudioRing
 from hapticplayer.playback.latency import MOST_S, Latencies, Latency, is_wireless
 from hapticplayer.playback.log import PlaybackLog
-from hapticplayer.playback.sound_process import SilentOut
+from hapticplayer.playback.sound_ring import AudioRing
+from hapticplayer.simulation.sound_output import SilentOutput
 
 STEP_S = 0.004  # of the virtual time
-OUTPUT, DEVICE = SilentOut.name, "none"
+OUTPUT, DEVICE = SilentOutput.name, "none"
 
 
 class Notes:
@@ -36,7 +36,7 @@ class Notes:
         for _ in range(round(seconds / STEP_S)):
             self.theatre.run(STEP_S)
             if self.theatre.out is not None:
-                heard = self.theatre.out._reader._block.last_heard()
+                heard = self.theatre.out.block.last_heard()
                 if heard.monotonic_s:
                     self.sound[heard.monotonic_s] = heard.media_s
 
@@ -145,7 +145,7 @@ def test_sound_that_joins_a_running_clock_is_heard_on_it():
     ring.latency_s = 0.2
     generation = ring.load(1, 5.0)
     ring.write(generation, 5.0, np.zeros((48_000, 2), np.float32))
-    out = SilentOut(ring, ManualClock(100.0), latency_s=0.1)
+    out = SilentOutput(ring, ManualClock(100.0), latency_s=0.1)
     clock = PlaybackClock(1, 99.5, 5.0, 1.0, 101.0)
     ring.join(clock)
     out.advance(480)

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from hapticplayer.clock import SystemClock
-from hapticplayer.playback import sound_keeper
+from hapticplayer.playback import sound
 from hapticplayer.playback.clock import Source
 from hapticplayer.playback.phases import Phase
 
@@ -222,9 +222,9 @@ def test_a_seek_in_a_clip_that_has_broken_does_not_wait_for_ever(theatre, monkey
 
 
 def test_a_sound_output_that_was_lost_comes_back_without_a_jump(theatre, monkeypatch):
-    monkeypatch.setattr(sound_keeper, "RETRY_S", 0.001)
-    monkeypatch.setattr(sound_keeper, "SETTLED_S", 0.3)
-    monkeypatch.setattr(sound_keeper, "OPENING_S", 0.5)
+    monkeypatch.setattr(sound, "RETRY_S", 0.001)
+    monkeypatch.setattr(sound, "SETTLED_S", 0.3)
+    monkeypatch.setattr(sound, "OPENING_S", 0.5)
     player, first = theatre.player, theatre.out
     player.play()
     theatre.run(0.6)

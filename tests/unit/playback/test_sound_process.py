@@ -7,27 +7,27 @@ import numpy as np
 import pytest
 
 from hapticplayer.clock import ManualClock, SystemClock
-from hapticplayer.playback.audio import AudioRing
 from hapticplayer.playback.clock import MediaClock, Source
-from hapticplayer.playback.sound_keeper import (
+from hapticplayer.playback.sound import (
     LOST_AFTER_S,
     OPENING_S,
     RETRY_S,
     SETTLED_S,
-    SoundKeeper,
+    OutputKeeper,
 )
-from hapticplayer.playback.sound_process import OutputState, SilentOut, SoundProcess
+from hapticplayer.playback.sound_process import OutputState, SoundProcess
+from hapticplayer.playback.sound_ring import AudioRing
+from hapticplayer.simulation.sound_output import SilentOutput
 
 PATIENCE_S = 20.0
 BLOCK_S = 0.01
 
 PLAYER = """
 import sys
-from hapticplayer.clock import SystemClock
-from hapticplayer.playback.audio import AudioRing
+from hapticplayer.playback.sound_ring import AudioRing
 from hapticplayer.playback.sound_process import SoundProcess
 ring = AudioRing()
-process = SoundProcess(ring, SystemClock())
+process = SoundProcess(ring)
 print(process.pid, flush=True)
 sys.stdin.read()
 """
@@ -64,7 +64,7 @@ def test_it_loads_neither_numpy_nor_what_the_player_needs():
 
 def test_without_a_device_it_says_so_and_goes_on_looking(nowhere):
     ring = AudioRing()
-    process = SoundProcess(ring, SystemClock(), device="no such device")
+    process = SoundProcess(ring, device="no such device")
     wait_for(lambda: process.poll() is not OutputState.OPENING)
     assert process.poll() is OutputState.FAILED
     assert process.problem
@@ -77,7 +77,7 @@ def test_without_a_device_it_says_so_and_goes_on_looking(nowhere):
 
 def test_one_that_is_killed_is_gone(nowhere):
     ring = AudioRing()
-    process = SoundProcess(ring, SystemClock(), device="no such device")
+    process = SoundProcess(ring, device="no such device")
     process._process.kill()
     wait_for(lambda: process.poll() is OutputState.GONE)
     process.close()
@@ -105,12 +105,12 @@ class Bench:
         self.clock, self.media, self.ring = ManualClock(), MediaClock(), AudioRing()
         self.outputs, self.requests, self.events = [], [], []
         self.is_there = True
-        self.keeper = SoundKeeper(self.ring, self.media, self.make)
+        self.keeper = OutputKeeper(self.ring, self.media, self.make)
 
-    def make(self):
+    def make(self, _ring):
         if not self.is_there:
             raise OSError("no processes left")
-        self.outputs.append(SilentOut(self.ring, self.clock))
+        self.outputs.append(SilentOutput(self.ring, self.clock))
         return self.outputs[-1]
 
     def request(self, generation, media_s):
@@ -138,7 +138,7 @@ class Bench:
             for report in self.ring.reports():
                 assert self.media.report(report, now_s)
             self.media.check(now_s)
-        happened = self.keeper.look(
+        happened = self.keeper.watch(
             now_s, self.request, is_playing=self.media.is_running
         )
         if happened:
@@ -226,17 +226,17 @@ def test_a_process_that_cannot_be_started_is_tried_again(bench):
     assert "processes" in bench.keeper.problem
     bench.is_there = True
     bench.clock.advance(RETRY_S + BLOCK_S)
-    bench.keeper.look(bench.clock.now_s(), bench.request, is_playing=False)
+    bench.keeper.watch(bench.clock.now_s(), bench.request, is_playing=False)
     assert bench.keeper.is_open
 
 
 def test_another_output_is_used_at_once(bench):
     bench.start()
     bench.run(0.2)
-    other = SilentOut(bench.ring, bench.clock)
-    bench.keeper.use(lambda: other, bench.clock.now_s())
+    other = SilentOutput(bench.ring, bench.clock)
+    bench.keeper.use(lambda _ring: other, bench.clock.now_s())
     assert not bench.keeper.is_open
-    bench.keeper.look(bench.clock.now_s(), bench.request, is_playing=False)
+    bench.keeper.watch(bench.clock.now_s(), bench.request, is_playing=False)
     assert bench.keeper.is_open
     assert len(bench.outputs) == 1
 

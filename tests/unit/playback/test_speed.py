@@ -6,9 +6,9 @@ import pytest
 from hapticplayer.clock import ManualClock
 from hapticplayer.media.audio import AudioBlock
 from hapticplayer.media.tempo import TempoFilter
-from hapticplayer.playback.audio import AudioRing
 from hapticplayer.playback.phases import Phase
-from hapticplayer.playback.sound_process import SilentOut
+from hapticplayer.playback.sound_ring import AudioRing
+from hapticplayer.simulation.sound_output import SilentOutput
 
 FRAME_S, RATE_HZ = 1 / 25, 48_000
 
@@ -150,7 +150,7 @@ def test_another_output_takes_over_where_the_sound_is(theatre):
 
 def test_the_volume_goes_with_the_cube_and_without_a_step():
     ring = AudioRing()
-    out = SilentOut(ring, ManualClock())
+    out = SilentOutput(ring, ManualClock())
     ring.load(1, 0.0)
     ring.write(1, 0.0, np.ones((3000, 2), np.float32))
     ring.play()

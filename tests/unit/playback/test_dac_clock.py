@@ -5,11 +5,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from hapticplayer.playback.dac_line import (
+from hapticplayer.playback.sound_device import (
     LONGEST_HELD_S,
     NEAR_S,
     STEADY_S,
-    DacLine,
+    DacClock,
 )
 
 RATE_HZ = 48_000
@@ -23,7 +23,7 @@ class Output:
     """An output that plays without a break; what it states may be wrong."""
 
     def __init__(self, drift=0.0, jitter_s=0.0002):
-        self.line, self.errors_s = DacLine(RATE_HZ), []
+        self.line, self.errors_s = DacClock(RATE_HZ), []
         self.true_s = BEGIN_S + AHEAD_S  # when the next block sounds
         self.drift, self.jitter_s = drift, jitter_s
         self.random = np.random.default_rng(4)

@@ -4,12 +4,12 @@ import json
 
 import pytest
 
-from hapticplayer.playback.kept_latencies import (
+from hapticplayer.playback.latency import (
     MOST_NAMES,
-    kept_latencies,
+    Latencies,
     latencies_in,
+    saved_latencies,
 )
-from hapticplayer.playback.latency import Latencies
 
 
 @pytest.fixture
@@ -29,14 +29,14 @@ def settings(version=1, **parts):
 
 
 def test_without_a_file_nothing_is_compensated(keep):
-    assert kept_latencies() == Latencies()
+    assert saved_latencies() == Latencies()
 
 
 def test_outputs_and_devices_are_known_by_name(keep):
     keep(settings(sound={"a": 70}, device={"falcon": 12.5}, display={"b": 30}))
-    known = kept_latencies().of("a", "falcon")
+    known = saved_latencies().of("a", "falcon")
     assert (known.sound_s, known.device_s) == (0.07, 0.0125)
-    assert kept_latencies().of("other", "none").lead_s == known.display_s == 0.0
+    assert saved_latencies().of("other", "none").lead_s == known.display_s == 0.0
     assert latencies_in({"display": {"b": 30}}, "b").display_s == 0.03
 
 
@@ -61,7 +61,7 @@ def test_outputs_and_devices_are_known_by_name(keep):
 )
 def test_what_makes_no_sense_is_not_believed(keep, content):
     keep(content)
-    assert dict(kept_latencies().sound_s) == {}
+    assert dict(saved_latencies().sound_s) == {}
 
 
 def test_a_list_without_end_is_cut():

@@ -1,19 +1,23 @@
-"""The memory that the player and the process of its sound share.
+"""The memory that the player and the sound process share, and how the latter reads it.
 
 The player writes samples and the `Cue`, the sound process the `Heard` records; none
-ever waits for the other. Standard library only: the sound process loads no numpy.
+ever waits for the other. Standard library only: the sound process loads no numpy, and
+copying bytes needs none.
 """
 
 import mmap
 import os
 import struct
+from array import array
+from itertools import repeat
+from operator import mul
 from typing import NamedTuple
 
 from hapticplayer.haptics.slots import Slots
 
 CHANNELS = 2
 FRAME_BYTES = 4 * CHANNELS  # float32
-HEARD_RECORDS = 4096  # a minute of callbacks that nobody has looked at
+HEARD_RECORDS = 4096  # a minute of callbacks that were not read
 
 _HEADER = struct.Struct("<qq")  # rate, capacity
 _CUE = struct.Struct("<5q2d2?6xq3d")
@@ -25,7 +29,7 @@ _SAMPLES_AT = _HEARD_AT + HEARD_RECORDS * _HEARD.size
 
 
 class Cue(NamedTuple):
-    """What the sound process shall play; indices count samples of (stretched) sound.
+    """What the sound process shall play; indices count samples, at the speed that is set.
 
     Attributes:
         number: another one means: begin at `start`.
@@ -37,11 +41,8 @@ class Cue(NamedTuple):
         gain: of the amplitude.
         is_playing: silence and standstill otherwise.
         is_complete: nothing follows what is written.
-        join: another one than 0 and than before means: leap to where a line through
+        join: another one than 0 and than before means: jump to where a line through
             (`join_monotonic_s`, `join_media_s`) with the slope `join_rate` will be.
-        join_monotonic_s: see `join`.
-        join_media_s: see `join`.
-        join_rate: see `join`.
     """
 
     number: int = 0
@@ -115,7 +116,7 @@ class SoundBlock:
         self._cue.write(*cue)
 
     def read_cue(self) -> Cue | None:
-        """Return the newest cue, None if none could be read."""
+        """Return the newest cue, None when it is being written."""
         fields = self._cue.read()
         return None if fields is None else Cue(*fields)
 
@@ -140,7 +141,7 @@ class SoundBlock:
     def heard_since(self, tail: int) -> tuple[list[Heard], int]:
         """Return the records from number `tail` on, oldest first, and the next tail.
 
-        What nobody has looked at for a minute is gone.
+        Records are kept for a minute.
         """
         head = self._head[0]
         # one slot aside: it may be written while it is read
@@ -154,3 +155,82 @@ class SoundBlock:
     @staticmethod
     def _at(number: int) -> int:
         return _HEARD_AT + number % HEARD_RECORDS * _HEARD.size
+
+
+class SoundReader:
+    """Fills the blocks that a sound output asks for; one thread at a time.
+
+    Its position moves with the DAC in any case: samples that come too late are skipped,
+    missing ones are silence. So the sound never stalls the clock.
+    """
+
+    def __init__(self, block: SoundBlock) -> None:
+        self._block = block
+        self._cue = block.read_cue() or Cue()
+        last = block.last_heard()
+        self._number, self._join = last.cue, self._cue.join
+        self._read, self._missing = last.read, last.missing
+        self._gain = self._cue.gain
+
+    def render(self, out: memoryview, dac_s: float, silence_s: float = 0.0) -> None:
+        """Fill a block.
+
+        Args:
+            out: bytes, writable; float32, interleaved.
+            dac_s: monotonic time at which its first sample sounds.
+            silence_s: that the output has put in before it for want of samples: so
+                much sound is left out, and the rest is as late as it was before.
+        """
+        self._cue = cue = self._block.read_cue() or self._cue
+        left_out = round(silence_s * self._block.rate_hz) if cue.is_playing else 0
+        self._read += left_out
+        self._missing += left_out
+        self._place(cue, dac_s)
+        if not cue.is_playing:
+            out[:] = bytes(len(out))
+            return
+        count = len(out) // FRAME_BYTES
+        ready = max(0, min(count, cue.written - self._read))
+        self._copy(out[: ready * FRAME_BYTES])
+        out[ready * FRAME_BYTES :] = bytes((count - ready) * FRAME_BYTES)
+        if not cue.is_complete:
+            self._missing += count - ready
+        self._amplify(out, cue.gain)
+        media_s = self._read / self._block.rate_hz * cue.speed
+        self._read += count
+        self._block.write_heard(
+            Heard(cue.epoch, dac_s, media_s, cue.number, self._read, self._missing)
+        )
+
+    def _place(self, cue: Cue, dac_s: float) -> None:
+        """Go where a new cue or a running clock asks for."""
+        if cue.number != self._number:
+            self._number, self._read = cue.number, cue.start
+        if cue.join != self._join:
+            self._join = cue.join
+            elapsed_s = max(0.0, dac_s - cue.join_monotonic_s)
+            media_s = cue.join_media_s + cue.join_rate * elapsed_s
+            wanted = round(media_s / cue.speed * self._block.rate_hz)
+            self._read = max(cue.begin, wanted)
+
+    def _copy(self, out: memoryview) -> None:
+        """Copy samples from the present position; the memory is a ring."""
+        at = self._read % self._block.capacity * FRAME_BYTES
+        part = self._block.samples[at : at + len(out)]
+        out[: len(part)] = part
+        out[len(part) :] = self._block.samples[: len(out) - len(part)]
+
+    def _amplify(self, out: memoryview, gain: float) -> None:
+        """Apply the volume; a step would be heard as a click."""
+        before, self._gain = self._gain, gain
+        if before == gain == 1.0:
+            return
+        samples = array("f", bytes(out))
+        count = max(1, len(samples) // CHANNELS - 1)
+        step = (gain - before) / count
+        gains = (
+            (before + step * (k // CHANNELS) for k in range(len(samples)))
+            if step
+            else repeat(gain)
+        )
+        out[:] = memoryview(array("f", map(mul, samples, gains))).cast("B")

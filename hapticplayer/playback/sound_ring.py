@@ -1,6 +1,6 @@
 """The player's side of the sound: samples by media time, in shared memory.
 
-A process of its own plays them (see `sound_reader`): a window that holds the
+A process of its own plays them (see `sound_device`): a window that holds the
 interpreter for a while stops the decoder, but neither the sound nor its clock.
 """
 
@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from hapticplayer.haptics.track import anonymous_memory
 from hapticplayer.model import PlaybackClock
 from hapticplayer.playback.clock import AudioReport
-from hapticplayer.playback.sound_block import CHANNELS, Cue, SoundBlock, block_bytes
+from hapticplayer.playback.sound_memory import CHANNELS, Cue, SoundBlock, block_bytes
 
 RATE_HZ = 48_000
 AHEAD_S = 3.5  # a window that hangs for 2 s and more is not heard

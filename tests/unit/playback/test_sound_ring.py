@@ -4,10 +4,9 @@ import numpy as np
 import pytest
 
 from hapticplayer.clock import ManualClock
-from hapticplayer.playback.audio import AHEAD_S, STANDING_AHEAD_S, AudioRing
-from hapticplayer.playback.sound_block import CHANNELS, SoundBlock
-from hapticplayer.playback.sound_process import SilentOut
-from hapticplayer.playback.sound_reader import SoundReader
+from hapticplayer.playback.sound_memory import CHANNELS, SoundBlock, SoundReader
+from hapticplayer.playback.sound_ring import AHEAD_S, STANDING_AHEAD_S, AudioRing
+from hapticplayer.simulation.sound_output import SilentOutput
 
 RATE = 1000  # one sample is one millisecond: easy to read
 
@@ -152,7 +151,7 @@ def test_long_runs_wrap_around_without_a_seam(ring):
 
 def test_a_silent_output_reports_its_latency(ring):
     clock = ManualClock(10.0)
-    out = SilentOut(ring, clock, latency_s=0.1)
+    out = SilentOutput(ring, clock, latency_s=0.1)
     ring.play()
     out.advance(10)
     assert ring.reports()[0].monotonic_s == pytest.approx(10.1)
