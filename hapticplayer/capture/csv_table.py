@@ -19,6 +19,9 @@ from hapticplayer.capture.source import Source
 from hapticplayer.errors import InputError, Message
 from hapticplayer.model.arrays import Floats
 
+TIME = "time_s"
+LOG_COLUMNS = (TIME, "ax", "ay", "az", "gx", "gy", "gz")
+FIELD_COLUMNS = ("mx", "my", "mz")
 CHUNK_BYTES = 1 << 22
 
 _SAMPLE_LINES = 60
@@ -362,3 +365,40 @@ def _number(cell: str) -> float | None:
         return float(cell) if "_" not in cell else None
     except ValueError:
         return None
+
+
+def header_fault(
+    source: Source,
+    required: tuple[str, ...] = LOG_COLUMNS,
+    optional: tuple[str, ...] = FIELD_COLUMNS,
+) -> InputError:
+    """Return the error for a wrong header."""
+    name = source.names[0]
+    if not source.head(name):
+        return not_text(source.where(name))
+    line = source.first_line(name)
+    names = column_names(line)
+    what = Message("the header is {header!r}", header=line[:80])
+    if line.count(";") >= len(required) - 1:
+        what = Message("the columns are separated by semicolons instead of commas")
+    elif line.count("\t") >= len(required) - 1:
+        what = Message("the columns are separated by tabs instead of commas")
+    elif all(_is_number(cell) for cell in names):
+        what = Message("there is no header, the file begins with numbers")
+    elif sorted(names) in (sorted(required), sorted(required + optional)):
+        what = Message("the columns are in another order")
+    more = "".join(f",{column}" for column in optional)
+    header = ",".join(required) + (f"[{more}]" if more else "")
+    return InputError(
+        what,
+        where=Message("{file}, line 1", file=source.where(name)),
+        remedy=Message("begin the file with {header}", header=header),
+    )
+
+
+def _is_number(cell: str) -> bool:
+    try:
+        float(cell)
+    except ValueError:
+        return False
+    return "_" not in cell

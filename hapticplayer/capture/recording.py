@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from hapticplayer.capture import formats
 from hapticplayer.capture.choices import LogChoices, LogQuestion
+from hapticplayer.capture.csv_table import header_fault
 from hapticplayer.capture.formats import Confidence, RecordingFormat
 from hapticplayer.capture.limits import GAP_STEPS
 from hapticplayer.capture.source import Source, open_source
@@ -145,8 +146,6 @@ def _unknown(source: Source) -> InputError:
             remedy="export the times as numbers, in s, ms, us or ns",
             found=dated[1].strip()[:40],
         )
-    from hapticplayer.capture.si_csv import header_fault
-
     return header_fault(source)
 
 

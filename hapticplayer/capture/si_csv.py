@@ -18,11 +18,14 @@ import numpy as np
 from hapticplayer.capture.assemble import clean
 from hapticplayer.capture.choices import LogChoices
 from hapticplayer.capture.csv_table import (
+    FIELD_COLUMNS,
+    LOG_COLUMNS,
+    TIME,
     Numbers,
     Shape,
     at,
     column_names,
-    not_text,
+    header_fault,
     read_table,
 )
 from hapticplayer.capture.formats import Confidence, Reader
@@ -43,9 +46,6 @@ from hapticplayer.model import (
 )
 from hapticplayer.model.arrays import Floats
 
-TIME = "time_s"
-LOG_COLUMNS = (TIME, "ax", "ay", "az", "gx", "gy", "gz")
-FIELD_COLUMNS = ("mx", "my", "mz")
 FORCE_COLUMNS = (TIME, "fx_n", "fy_n", "fz_n")
 
 
@@ -193,43 +193,6 @@ def _read_strict(
     columns = tuple(range(len(names)))
     shape = Shape(len(names), columns, skip_lines=1, names=names, min_rows=min_rows)
     return read_table(source, name, shape)
-
-
-def header_fault(
-    source: Source,
-    required: tuple[str, ...] = LOG_COLUMNS,
-    optional: tuple[str, ...] = FIELD_COLUMNS,
-) -> InputError:
-    """Return the error for a wrong header."""
-    name = source.names[0]
-    if not source.head(name):
-        return not_text(source.where(name))
-    line = source.first_line(name)
-    names = column_names(line)
-    what = Message("the header is {header!r}", header=line[:80])
-    if line.count(";") >= len(required) - 1:
-        what = Message("the columns are separated by semicolons instead of commas")
-    elif line.count("\t") >= len(required) - 1:
-        what = Message("the columns are separated by tabs instead of commas")
-    elif all(_is_number(cell) for cell in names):
-        what = Message("there is no header, the file begins with numbers")
-    elif sorted(names) in (sorted(required), sorted(required + optional)):
-        what = Message("the columns are in another order")
-    more = "".join(f",{column}" for column in optional)
-    header = ",".join(required) + (f"[{more}]" if more else "")
-    return InputError(
-        what,
-        where=Message("{file}, line 1", file=source.where(name)),
-        remedy=Message("begin the file with {header}", header=header),
-    )
-
-
-def _is_number(cell: str) -> bool:
-    try:
-        float(cell)
-    except ValueError:
-        return False
-    return "_" not in cell
 
 
 def _check_finite(numbers: Numbers, where: str) -> None:
