@@ -260,15 +260,18 @@ class Person(QObject):
 
     def show_keys(self) -> Steps:
         """Read the list of keys."""
-        self.key(KEY.Key_F1)
-        yield self._haste
-        self.close_dialogs()
+        yield from self.dialog(lambda: self.key(KEY.Key_F1), self._haste)
 
     def show_about(self) -> Steps:
         """Read what this program is."""
-        self._window.commands.about.trigger()
-        yield self._haste
+        yield from self.dialog(self._window.commands.about.trigger, self._haste)
+
+    def dialog(self, open_it: Callable[[], object], wait_s: float) -> Steps:
+        """Open a dialog, read it, and close it."""
+        open_it()
+        yield wait_s
         self.close_dialogs()
+        yield 0.3
 
     def resize(self) -> Steps:
         """Drag an edge of the window."""

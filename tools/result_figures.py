@@ -2,8 +2,8 @@
 
 python -m tools.result_figures
 
-`docs/motion-pareto.svg` and `.png` (error against run time, `python -m benchmarks.motion
-pareto`) and `docs/error-budget.png` (`... budget`).
+`docs/motion-pareto.svg` and `.png` (error against run time: `python -m
+benchmarks.motion accuracy` and `run_time`) and `docs/error-budget.png` (`budget`).
 """
 
 import json
@@ -16,7 +16,6 @@ import matplotlib as mpl
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
-from matplotlib.lines import Line2D
 
 ROOT = Path(__file__).resolve().parents[1]
 TITLES = {
@@ -33,29 +32,13 @@ DPI, COLUMNS = 100, 3
 STYLES: dict[str, tuple[str, str]] = {
     "smoother": ("#0072B2", "*"),
     "offlineVQF": ("#D55E00", "s"),
-    "offlineVQF + averaging terms": ("#D55E00", "P"),
-    "VQF": ("#CC79A7", "^"),
+    "offline-vqf": ("#E69F00", "P"),
+    "vqf": ("#CC79A7", "^"),
     "ekf": ("#009E73", "D"),
     "lowpass": ("#555555", "v"),
 }
-# settings of ours: marker, and what it stands for
-KNOBS = {
-    "node_s": ("o", "s between nodes"),
-    "window_hz": ("s", "Hz of windows"),
-    "solutions": ("^", "solutions"),
-    "time_constant_s": ("D", "s time constant, fixed"),
-}
-# the usual setting of each method, which is named
-USUAL = {
-    ("offlineVQF", "3"): "offlineVQF",
-    ("offlineVQF + averaging terms", ""): "+ averaging terms",
-    ("VQF", "3"): "VQF",
-    ("ekf", "2"): "ekf",
-    ("lowpass", ""): "low-pass",
-    ("lowpass", "1"): "low-pass",
-    ("smoother", "default"): "smoother, default",
-}
-Point = dict[str, Any]
+Point = tuple[str, float, float]
+"""Method, run time per sample in us, error in m/s^2."""
 
 
 def result(name: str) -> dict[str, Any]:
@@ -67,12 +50,21 @@ def result(name: str) -> dict[str, Any]:
 # --- error against run time --------------------------------------------------------
 
 
+def points_of(key: str) -> list[Point]:
+    """Return a point of each method; other settings of the reference share its time."""
+    errors = result("accuracy")["error_mps2"][key]
+    times = result("run_time")["us_per_sample"][key]
+    times = {"smoother": times["gravity"], **times}
+    return [
+        (method, times[method.partition(",")[0]], error)
+        for method, error in errors.items()
+    ]
+
+
 def draw_pareto(path: Path, keys: Sequence[str], width_px: int) -> None:
     """Draw one panel to a family."""
-    panels = result("pareto")
-    shown = [key for key in keys if key in panels]
-    columns = min(COLUMNS, len(shown))
-    rows = -(-len(shown) // columns)
+    columns = min(COLUMNS, len(keys))
+    rows = -(-len(keys) // columns)
     settings: dict[str, Any] = {
         "font.size": 9.5,
         "svg.fonttype": "none",  # text stays text: sharp, small, searchable
@@ -81,81 +73,43 @@ def draw_pareto(path: Path, keys: Sequence[str], width_px: int) -> None:
     }
     with mpl.rc_context(settings):
         width = width_px / DPI
-        size = (width, width / columns * rows * 0.92 + 0.35)
+        size = (width, width / columns * rows * 0.92)
         figure = Figure(figsize=size, dpi=DPI, layout="constrained")
         FigureCanvasAgg(figure)
         grid = figure.subplots(rows, columns, squeeze=False, sharex=True, sharey=True)
-        for axes, key in zip(grid.flat, shown, strict=False):
-            _panel(axes, key, panels[key])
-        for axes in grid.flat[len(shown) :]:
+        for axes, key in zip(grid.flat, keys, strict=False):
+            _panel(axes, key)
+        for axes in grid.flat[len(keys) :]:
             axes.set_axis_off()
-        figure.supxlabel("run time of the orientation, µs per sample, one thread")
+        figure.supxlabel("run time of gravity removal, µs per sample, one thread")
         figure.supylabel("mean gravity error, m/s²")
-        colour = STYLES["smoother"][0]
-        handles = [
-            Line2D([], [], color=colour, marker=m, ls="", label=f"smoother: {text}")
-            for m, text in KNOBS.values()
-        ]
-        handles.append(Line2D([], [], color="#bbbbbb", label="front"))
-        place = {"loc": "outside upper center", "frameon": False}
-        figure.legend(handles=handles, ncols=width_px // 220, fontsize="small", **place)
         metadata = {"Date": None} if path.suffix == ".svg" else None
         figure.savefig(path, metadata=metadata)
 
 
-def _panel(axes: Axes, key: str, points: Sequence[Point]) -> None:
+def _panel(axes: Axes, key: str) -> None:
     name, _, rate = key.partition(" ")
     axes.set_title(f"{TITLES[name]}, {rate}", fontsize="medium")
-    axes.set(xscale="log", yscale="log")
+    axes.set(xscale="log", yscale="log", xlim=(0.05, 100.0))
     axes.grid(visible=True, which="major", color="#dddddd", linewidth=0.6)
     axes.set_axisbelow(True)
-    front = _front(points)
-    us, errors = (
-        [*(p["us"] for p in front), 100.0],
-        [*(p["error_mps2"] for p in front)],
-    )
-    axes.step(us, [*errors, errors[-1]], where="post", color="#bbbbbb", lw=1)
-    lines: dict[tuple[str, str], list[Point]] = {}
-    for point in points:
-        lines.setdefault((point["method"], point["knob"]), []).append(point)
-    for (method, knob), held in lines.items():
-        colour, marker = STYLES[method]
-        marker = KNOBS[knob][0] if knob in KNOBS else marker
-        at = [p["us"] for p in held], [p["error_mps2"] for p in held]
-        axes.plot(*at, color=colour, lw=0.7, alpha=0.5, zorder=2)
-        axes.plot(*at, marker, color=colour, ms=5.0, mec="white", mew=0.4)
-    for point in points:
-        text = USUAL.get((point["method"], point["value"]))
-        if text:
-            _name(axes, point, text)
-    axes.set_xlim(0.05, 60.0)
-
-
-def _front(points: Sequence[Point]) -> list[Point]:
-    """Return the points that no other one beats in both, fastest first."""
-    best: list[Point] = []
-    for point in sorted(points, key=lambda p: (p["us"], p["error_mps2"])):
-        if not best or point["error_mps2"] < best[-1]["error_mps2"]:
-            best.append(point)
-    return best
-
-
-def _name(axes: Axes, point: Point, text: str) -> None:
-    colour, marker = STYLES[point["method"]]
-    is_default = point["value"] == "default"
-    at = (point["us"], point["error_mps2"])
-    if is_default:
-        axes.plot(*at, marker, color=colour, ms=15, mec="black", zorder=5)
-    axes.annotate(
-        text,
-        at,
-        (8.0, -9.0 if is_default or text.startswith("+") else 6.0),
-        textcoords="offset pixels",
-        color=colour,
-        fontweight="bold" if is_default else "normal",
-        fontsize="small",
-        zorder=6,
-    )
+    for method, us, error in points_of(key):
+        base, _, setting = method.partition(", ")
+        colour, marker = STYLES[base]
+        is_default = base == "smoother"
+        size = 15.0 if is_default else 3.0 if setting else 6.0
+        edge = "black" if is_default else "white"
+        axes.plot(us, error, marker, color=colour, ms=size, mec=edge, mew=0.6)
+        text = setting.replace("tauAcc", "τ") or base
+        axes.annotate(
+            text,
+            (us, error),
+            (9.0 if is_default else 6.0, -4.0),
+            textcoords="offset pixels",
+            color=colour,
+            fontweight="bold" if is_default else "normal",
+            fontsize="x-small" if setting else "small",
+        )
 
 
 # --- the error of the force, cause by cause ----------------------------------------
@@ -198,9 +152,9 @@ def draw_budget(path: Path) -> None:
 
 def main() -> int:
     """Draw all figures."""
-    small = [f"{name} {rate}" for rate in ("native", "30 Hz") for name in RECORDED]
-    rest = [f"{name} {rate}" for rate in ("native", "30 Hz") for name in TITLES]
-    everything = small + [key for key in rest if key not in small]
+    known = list(result("accuracy")["error_mps2"])
+    everything = [key for key in known if "," not in key]
+    small = [key for key in everything if key.startswith(RECORDED)]
     draw_pareto(ROOT / "docs" / "motion-pareto.svg", everything, 1200)
     draw_pareto(ROOT / "docs" / "motion-pareto.png", small, 900)
     draw_budget(ROOT / "docs" / "error-budget.png")

@@ -4,5 +4,5 @@ import sys
 
 from benchmarks.common import command
 
-NAMES = ("accuracy", "run_time", "pareto", "stress", "numerics", "budget")
+NAMES = ("accuracy", "run_time", "stress", "numerics", "budget")
 sys.exit(command("motion", __doc__, NAMES))

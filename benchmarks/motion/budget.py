@@ -13,14 +13,12 @@ tools.result_figures` draws the saved result.
 """
 
 import argparse
-import time
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.interpolate import CubicSpline, make_interp_spline
 
 from benchmarks.common import Report, on_one_thread
 from hapticplayer.devices.falcon import kinematics
@@ -54,7 +52,6 @@ class Ride:
         p: (N, 3) true gravity-free acceleration.
         force: (N, 3) what it should become.
         seed: of the sensors.
-        seconds: run time of what was timed, by name.
     """
 
     scene: Scene
@@ -62,7 +59,6 @@ class Ride:
     p: Floats
     force: Floats
     seed: int
-    seconds: dict[str, float] = field(default_factory=dict)
 
     def error_mn(self, force: Floats) -> float:
         """Return the mean square of the error vector in mN^2."""
@@ -79,13 +75,6 @@ class Ride:
         log = record(self.scene.trajectory, span_s, board, rng)
         media_s = log.clock_map.rate * log.imu.time_s + log.clock_map.offset_s
         return log.imu, media_s
-
-    def timed(self, name: str, work: Callable[[], Any]) -> Any:
-        """Do it and keep how long it took."""
-        begin = time.perf_counter()
-        result = work()
-        self.seconds[name] = time.perf_counter() - begin
-        return result
 
 
 def force_of(p: Floats) -> Floats:
@@ -119,31 +108,7 @@ def linear(time_s: Floats, values: Floats, at_s: Floats) -> Floats:
     return np.stack([np.interp(at_s, time_s, v) for v in values.T], axis=1)
 
 
-def cubic(time_s: Floats, values: Floats, at_s: Floats) -> Floats:
-    """A cubic spline through the values."""
-    return np.asarray(CubicSpline(time_s, values)(at_s))
-
-
-def mean_keeping(time_s: Floats, values: Floats, at_s: Floats) -> Floats:
-    """A curve whose means over the windows are the values: it undoes the averaging.
-
-    The derivative of a quintic spline through the running integral of the means.
-    """
-    edges = np.concatenate(
-        [[1.5 * time_s[0] - 0.5 * time_s[1]], 0.5 * (time_s[1:] + time_s[:-1]),
-         [1.5 * time_s[-1] - 0.5 * time_s[-2]]]
-    )  # fmt: skip
-    steps = np.diff(edges)[:, None] * values
-    area = np.concatenate([np.zeros((1, values.shape[1])), np.cumsum(steps, axis=0)])
-    return np.asarray(make_interp_spline(edges, area, k=5).derivative()(at_s))
-
-
-RECONSTRUCTIONS = {
-    "hold": held,
-    "linear": linear,
-    "cubic": cubic,
-    "mean-keeping": mean_keeping,
-}
+RECONSTRUCTIONS = {"hold": held, "linear": linear}
 
 
 def quantised(force: Floats) -> Floats:
@@ -205,7 +170,7 @@ def sampling_causes(ride: Ride) -> dict[str, float]:
     media_s, means = averaged_motion(ride, with_errors())
     causes = {"averaging": ride.error_of(smooth)}
     for name, between in RECONSTRUCTIONS.items():
-        p = ride.timed(name, lambda b=between: b(media_s, means, ride.time_s))
+        p = between(media_s, means, ride.time_s)
         causes[f"averaging and {name}"] = ride.error_of(p)
         causes[name] = ride.error_of(ride.p + p - smooth)
     return causes
@@ -249,9 +214,7 @@ def gravity_causes(ride: Ride) -> dict[str, float]:
     for kind, board in (("perfect", with_errors()), ("board's gyro", gyro)):
         imu, _ = ride.log(board)
         for method in METHODS:
-            remove_gravity(imu, method)  # loads and compiles
-            track = ride.timed(method, lambda i=imu, m=method: remove_gravity(i, m))
-            wrong = track.acceleration_mps2 - means
+            wrong = remove_gravity(imu, method).acceleration_mps2 - means
             p = ride.p + linear(media_s, wrong, ride.time_s)
             causes[f"{method}, {kind}"] = ride.error_of(p)
     return causes
@@ -265,7 +228,6 @@ def chains(ride: Ride) -> dict[str, float]:
     for name, late_s, between in (
         ("paper", SYNC_S["half a frame, 30 Hz"], held),
         ("today", SYNC_S["event pattern, 30 Hz"], linear),
-        ("mean-keeping", SYNC_S["event pattern, 30 Hz"], mean_keeping),
     ):
         found[name] = _sent(ride, track, media_s + late_s, between)
     camera = Board(sensor=replace(CAMERA, averaged_to_hz=None))
@@ -285,10 +247,10 @@ def _sent(
     return ride.error_mn(quantised(between(media_s, force, ride.time_s)))
 
 
-def measure(name: str, seed: int) -> tuple[dict[str, dict[str, float]], Ride]:
+def measure(name: str, seed: int) -> dict[str, dict[str, float]]:
     """Return all mean squares of one ride by group and cause."""
     ride = make_ride(name, seed)
-    rounded = ride.timed("quantisation", lambda: quantised(ride.force))
+    rounded = quantised(ride.force)
     return {
         "sensor": sensor_causes(ride),
         "sampling": sampling_causes(ride),
@@ -297,7 +259,7 @@ def measure(name: str, seed: int) -> tuple[dict[str, dict[str, float]], Ride]:
         "device": {"quantisation": ride.error_mn(rounded)},
         "chain": chains(ride),
         "signal": {"force": float(np.mean(np.sum((1e3 * ride.force) ** 2, axis=1)))},
-    }, ride
+    }
 
 
 STACKS: dict[str, tuple[tuple[str, str], ...]] = {
@@ -330,15 +292,8 @@ def run(options: argparse.Namespace, report: Report) -> None:
     rides = options.rides[:1] if options.quick else options.rides
     seeds = SEEDS[:1] if options.quick else SEEDS
     figures: dict[str, dict[str, dict[str, float]]] = {}
-    seconds: dict[str, list[float]] = {}
     for name in rides:
-        runs: list[Any] = []
-        for seed in seeds:
-            squares, ride = measure(name, seed)
-            runs.append(squares)
-            for what, took in ride.seconds.items():
-                each = 60.0 * took / ride.scene.duration_s
-                seconds.setdefault(what, []).append(each)
+        runs = [measure(name, seed) for seed in seeds]
         figures[name] = {
             group: {
                 cause: float(np.sqrt(np.mean([run[group][cause] for run in runs])))
@@ -346,18 +301,16 @@ def run(options: argparse.Namespace, report: Report) -> None:
             }
             for group, causes in runs[0].items()
         }
-    rows: list[list[Any]] = []
-    for group, causes in figures[rides[0]].items():
-        for cause in causes:
-            timed = seconds.get(cause.split(",")[0])
-            took = f"{1e3 * float(np.median(timed)):.1f}" if timed else ""
-            cells = [f"{figures[name][group][cause]:.3g}" for name in rides]
-            rows.append([group, cause, *cells, took])
+    rows: list[list[Any]] = [
+        [group, cause, *(figures[name][group][cause] for name in rides)]
+        for group, causes in figures[rides[0]].items()
+        for cause in causes
+    ]
     for chain, parts in STACKS.items():
-        rest = [f"{_in_common(figures[name], chain, parts):.3g}" for name in rides]
-        rows.append(["chain", f"{chain}: not of one cause", *rest, ""])
+        rest = [_in_common(figures[name], chain, parts) for name in rides]
+        rows.append(["chain", f"{chain}: not of one cause", *rest])
     title = "RMS error of the force by its cause, mN"
-    header = ["group", "cause", *rides, "ms per 60 s"]
+    header = ["group", "cause", *rides]
     report.table(title, header, rows, mark="budget")
     report.figures |= {"rms_mn": figures, "stacks": STACKS}
 

@@ -2,8 +2,8 @@
 
 What must not depend on how a recording is turned, reversed, stamped, stored, divided,
 cut or resampled; how well conditioned the smoother's equations are, and what rounding
-costs them; the update forms of a Kalman filter. `--long` adds 10^7 samples (28 hours at
-100 Hz) through the smoother, VQF and offlineVQF: 5 GB and two minutes.
+costs them; the update forms of a Kalman filter. `--long` adds 10^7 samples (14 hours at
+200 Hz) through the smoother, VQF and offlineVQF: 5 GB and two minutes.
 """
 
 import argparse
@@ -24,7 +24,6 @@ from benchmarks.motion.recordings import Family, add_options, chosen
 from benchmarks.motion.run_time import head
 from hapticplayer.model import STANDARD_GRAVITY_MPS2, ImuLog, Sampling
 from hapticplayer.motion import SmootherParameters, remove_gravity
-from hapticplayer.motion import rotations as rot
 from hapticplayer.motion.smoother import block
 from hapticplayer.motion.smoother.least_squares import (
     Problem,
@@ -35,7 +34,7 @@ from hapticplayer.simulation.rides.motion_scenes import simulate_motion
 
 Floats = NDArray[np.float64]
 LENGTHS_S = (60.0, 600.0, 3600.0, 36000.0)
-LONG, LONG_HZ = 10_000_000, 100.0
+LONG, LONG_HZ = 10_000_000, 200.0
 ROTATIONS, SINCE_1970_S, SHORT_BLOCK_S = 3, 1.7e9, 60.0
 UNDIVIDED = SmootherParameters(block_s=1e9)
 TURNED_LIMIT_MPS2, ROUNDING_LIMIT_MPS2 = 1e-3, 1e-6
@@ -53,10 +52,7 @@ def run(options: argparse.Namespace, report: Report) -> None:
     families = chosen(options)
     lengths_s = LENGTHS_S[:2] if options.quick else LENGTHS_S
     update_forms.compare(report)
-    conditions(families, report)
-    conditions_by_length(lengths_s, report)
-    where_it_breaks(last_problem(families[0].recordings[0].imu), report)
-    products(report)
+    conditions(families, lengths_s, report)
     changes(families, INVARIANCES, "invariance RMS", "processed so", report)
     changes(families, CUTS, "cut moved", "cut or resampled", report)
     for key, found in report.figures["invariance RMS"].items():
@@ -362,109 +358,51 @@ def _conditions(problem: Problem) -> list[Any]:
     return [band.shape[1], *(f"{value:.1e}" for value in numbers), *shown]
 
 
-def conditions(families: Sequence[Family], report: Report) -> None:
-    """Show the worst recording of each family."""
+def conditions(families: Sequence[Family], lengths_s: Any, report: Report) -> None:
+    """Show the worst recording of each family, and one undivided block by its length."""
     rows = []
     for family in families:
         found = [_conditions(last_problem(log)) for log in family.logs]
         rows.append([family.key, *max(found, key=lambda row: float(row[2]))])
-        error = float(rows[-1][5])
+    log = simulate_motion("handheld-brisk", 1, duration_s=lengths_s[-1]).imu
+    for seconds in lengths_s:
+        found = _conditions(last_problem(head(log, round(seconds * log.rate_hz))))
+        rows.append([f"hand-held, {seconds / 60:g} min", *found])
+    for name, *_, error, _rough in rows:
         limit = ("<=", ROUNDING_LIMIT_MPS2)
-        report.target(f"{family.key}: rounding in float64, m/s^2", error, limit)
+        report.target(f"{name}: rounding in float64, m/s^2", float(error), limit)
     title = (
-        "Condition numbers of the smoother's last problem, worst recording, and the "
-        "largest error of gravity by rounding, m/s^2"
+        "Condition numbers of the smoother's last problem in one block, worst recording, "
+        "and the largest error of gravity by rounding, m/s^2"
     )
     report.table(title, ["recordings", *_HEADER], rows, mark="condition")
     report.figures["condition"] = rows
-
-
-def conditions_by_length(lengths_s: Sequence[float], report: Report) -> None:
-    """Show one undivided block over its length."""
-    log = simulate_motion("handheld-brisk", 1, duration_s=lengths_s[-1]).imu
-    rows = [
-        [
-            f"{s / 60:g} min",
-            *_conditions(last_problem(head(log, round(s * log.rate_hz)))),
-        ]
-        for s in lengths_s
-    ]
-    title = "The same for one recording (simulated, hand-held) in one undivided block"
-    report.table(title, ["length", *_HEADER], rows, mark="condition by length")
-    report.figures["condition by length"] = rows
-
-
-def where_it_breaks(problem: Problem, report: Report) -> None:
-    """Loosen the bound on the velocity until rounding tells, or the factor fails."""
-    rows = []
-    for exponent in range(0, 19, 3):
-        loose = replace(problem, bound_weight=problem.bound_weight * 10.0**-exponent)
-        band = horizontal_band(loose)
-        number = condition(band, scaled=True)
-        errors = [rounding_mps2(band, dtype) for dtype in (np.float32, np.float64)]
-        shown = ["factor fails" if np.isinf(e) else f"{e:.0e}" for e in errors]
-        size = "beyond 1e16" if np.isinf(number) else f"{number:.0e}"
-        rows.append([f"1e{exponent}", size, *shown])
-    title = (
-        "Where the banded factor breaks: the weight of the bounded velocity divided by "
-        "so much, largest error of gravity by rounding, m/s^2"
-    )
-    header = ["divided by", "condition, scaled", "float32", "float64"]
-    report.table(title, header, rows, mark="band breaks")
-
-
-def products(report: Report) -> None:
-    """Multiply rotations in both precisions, without ever normalising."""
-    rng = np.random.default_rng(3)
-    rows = []
-    for count in (10**4, 10**5, 10**6, 10**7):
-        steps = rot.exponential(0.02 * rng.standard_normal((3, count)))
-        exact, rough = (
-            rot.cumulative((steps[0].astype(kind), steps[1].astype(kind)))
-            for kind in (np.complex128, np.complex64)
-        )
-        norms = [
-            float(np.abs(np.hypot(np.abs(a), np.abs(b)) - 1.0).max())
-            for a, b in (exact, rough)
-        ]
-        ends = [rot.unit((a[-1:].astype(complex), b[-1:].astype(complex)))
-                for a, b in (exact, rough)]  # fmt: skip
-        first, second = rot.multiply(rot.inverse(ends[0]), ends[1])
-        sine = min(1.0, float(np.hypot(first.imag[0], np.abs(second[0]))))
-        off = STANDARD_GRAVITY_MPS2 * 2.0 * float(np.arcsin(sine))
-        shown = [f"{value:.0e}" for value in (*norms, off)]
-        rows.append([f"1e{round(np.log10(count))}", *shown])
-    title = (
-        "Products of so many rotations, never normalised: largest error of the norm, "
-        "and by how much gravity is off at the end with float32, m/s^2"
-    )
-    header = ["rotations", "norm, float64", "norm, float32", "gravity, float32"]
-    report.table(title, header, rows, mark="products")
 
 
 def long_run(report: Report) -> None:
     """Process 10^7 samples; the error at the start, in the middle and at the end."""
     import vqf
 
-    found = update_forms.motion(LONG, 1)
-    rate, force = found.rate_radps[:, 0], found.force_mps2[:, 0]
-    log = ImuLog(np.arange(LONG) / LONG_HZ, force, rate, source="28 hours")
-    interval_s = 1.0 / LONG_HZ
+    ride = simulate_motion("handheld-brisk", 1, duration_s=LONG / LONG_HZ)
+    log, interval_s = ride.imu, 1.0 / ride.imu.rate_hz
+    rate, force = np.array(log.angular_rate_radps), np.array(log.specific_force_mps2)
     q = {"smoother": remove_gravity(log).quaternion_wxyz}
     q["VQF"] = vqf.VQF(interval_s).updateBatch(rate, force)["quat6D"]
     q["offlineVQF"] = vqf.offlineVQF(rate, force, None, interval_s)["quat6D"]
-    ends = [slice(at, at + LONG // 100) for at in (0, LONG // 2, LONG - LONG // 100)]
+    part = len(log) // 100
+    ends = [slice(at, at + part) for at in (0, len(log) // 2, len(log) - part)]
     rows = []
     for name, quaternion in q.items():
         errors = []
         for end in ends:
             turned = Rotation.from_quat(quaternion[end], scalar_first=True)
             up = turned.inv().apply([0.0, 0.0, 1.0])
-            errors.append(rms(update_forms.inclination_deg(up, found.up[end])))
+            chord = np.linalg.norm(up - ride.vertical[end], axis=1)
+            errors.append(rms(np.degrees(2.0 * np.arcsin(0.5 * chord))))
         norm = float(np.abs(np.linalg.norm(quaternion, axis=1) - 1.0).max())
         rows.append([name, *(f"{error:.3f}" for error in errors), f"{norm:.0e}"])
     title = (
-        f"{LONG:.0e} samples at {LONG_HZ:g} Hz: RMS inclination error of the first, "
+        f"{len(log):.0e} samples: RMS inclination error of the first, "
         "middle and last hundredth, deg, and the largest error of a quaternion's norm"
     )
     header = ["method", "first", "middle", "last", "norm"]

@@ -100,13 +100,6 @@ class Family:
         """Logs of its recordings."""
         return [recording.imu for recording in self.recordings]
 
-    def one_ride_each(self) -> list[TruthRecording]:
-        """Return its recordings, of simulated rides the first of each scene."""
-        if not self.name.startswith("sim-"):
-            return self.recordings
-        first = {one.scene: one for one in reversed(self.recordings)}
-        return list(first.values())[::-1]
-
 
 def add_options(parser: argparse.ArgumentParser, *, seeds: int) -> None:
     """Add the options that choose recordings."""
@@ -248,20 +241,11 @@ def offline_vqf_up(imu: ImuLog, *, tau_s: float = 3.0) -> Floats:
         1.0 / imu.rate_hz,
         {"tauAcc": tau_s},
     )
-    return mid_window_vertical(imu, answer["quat6D"])
-
-
-def mid_window_vertical(imu: ImuLog, quaternion: Floats) -> Floats:
-    """Return the vertical of orientations at the ends of windows, in their middles."""
-    turned = Rotation.from_quat(quaternion, scalar_first=True)
+    turned = Rotation.from_quat(answer["quat6D"], scalar_first=True)
     if imu.sampling is Sampling.AVERAGED:
-        turned = turned * half_window(imu).inv()
+        half = Rotation.from_rotvec(0.5 / imu.rate_hz * imu.angular_rate_radps)
+        turned = turned * half.inv()
     return np.asarray(turned.inv().apply([0.0, 0.0, 1.0]))
-
-
-def half_window(imu: ImuLog) -> Rotation:
-    """Return by how much each window turns in its second half."""
-    return Rotation.from_rotvec(0.5 / imu.rate_hz * imu.angular_rate_radps)
 
 
 # --- the car of comma2k19 ----------------------------------------------------------

@@ -5,24 +5,17 @@ and of a heading that is not wanted save.
 """
 
 import argparse
-import ctypes
 import gc
-import json
-import re
-import resource
 import statistics
-import subprocess
-import sys
 import time
 import tracemalloc
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from benchmarks.common import ROOT, Ratio, Report, interleaved, on_one_thread, ratio
+from benchmarks.common import Ratio, Report, interleaved, on_one_thread, ratio
 from benchmarks.motion.recordings import AVERAGED, NATIVE, Family, add_options, chosen
 from hapticplayer.model import STANDARD_GRAVITY_MPS2, ImuLog
 from hapticplayer.motion import (
@@ -149,7 +142,6 @@ def run(options: argparse.Namespace, report: Report) -> None:
     lengths_s = LENGTHS_S[:2] if options.quick else LENGTHS_S
     by_family(families, rounds, report)
     by_length(lengths_s, rounds, report)
-    resident(lengths_s[-2], report)
     shortcuts(families, rounds, report)
 
 
@@ -196,16 +188,16 @@ def by_length(lengths_s: Sequence[float], rounds: int, report: Report) -> None:
             }
             found = time_rounds(contenders, rounds, REFERENCE)
             bytes_each = _peak_bytes(log) / len(log)
-            user_us, mine = _user_us(log), found[DEFAULT_METHOD]
+            mine = found[DEFAULT_METHOD]
             row = [rate, f"{length_s / 60:g} min", len(log), f"{mine.us:.3f}"]
-            row += [f"{user_us:.3f}", f"{found[REFERENCE].us:.3f}"]
-            rows.append([*row, f"{mine.ratio.median:.2f}", f"{bytes_each:.0f}"])
+            row += [f"{found[REFERENCE].us:.3f}", f"{mine.ratio.median:.2f}"]
+            rows.append([*row, f"{bytes_each:.0f}"])
             if length_s == LENGTHS_S[0]:
                 limit = ("<=", LIMITS_RATIO[rate])
                 what = f"one minute, {rate}: time, of {REFERENCE}"
                 report.target(what, mine.ratio.median, limit)
-    header = ["rate", "length", "samples", DEFAULT_METHOD, "without the kernel"]
-    header += [REFERENCE, "ratio", "peak B/sample"]
+    header = ["rate", "length", "samples", DEFAULT_METHOD, REFERENCE, "ratio"]
+    header.append("peak B/sample")
     title = (
         "Length of a recording (simulated, hand-held): remove_gravity, us per sample"
     )
@@ -213,19 +205,6 @@ def by_length(lengths_s: Sequence[float], rounds: int, report: Report) -> None:
     report.figures["length"] = {"columns": header, "rows": rows}
     peak = max(float(row[-1]) for row in rows)
     report.target("peak, bytes per sample", peak, ("<=", LIMIT_BYTES))
-
-
-def _user_us(log: ImuLog) -> float:
-    """Return the processor's time outside the kernel, the median of three."""
-    times = max(1, round(10 * MIN_SAMPLES / len(log)))  # it counts in milliseconds
-    spent = []
-    for _ in range(3):
-        before_s = resource.getrusage(resource.RUSAGE_SELF).ru_utime
-        for _ in range(times):
-            remove_gravity(log)
-        after_s = resource.getrusage(resource.RUSAGE_SELF).ru_utime
-        spent.append((after_s - before_s) / (times * len(log)))
-    return _US * statistics.median(spent)
 
 
 def _peak_bytes(log: ImuLog) -> int:
@@ -239,38 +218,6 @@ def _peak_bytes(log: ImuLog) -> int:
     finally:
         tracemalloc.stop()
     return peak - before
-
-
-def resident(length_s: float, report: Report) -> None:
-    """Measure the peak of a process, as the system counts it."""
-    command = [sys.executable, "-m", "benchmarks.motion.run_time", str(length_s)]
-    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True)
-    figures = json.loads(done.stdout)
-    report.figures["resident"] = figures
-    what = (
-        f"peak of a process beyond the input, {length_s / 60:g} min, bytes per sample"
-    )
-    report.target(what, figures["bytes_per_sample"], ("<=", LIMIT_BYTES))
-
-
-def _print_resident(length_s: float) -> None:
-    """Print the peak resident size over what the input takes."""
-    log = simulate_motion("handheld-brisk", 1, duration_s=length_s).imu
-    remove_gravity(head(log, 2000))  # imports are no part of it
-    gc.collect()
-    ctypes.CDLL(None).malloc_trim(0)  # what was freed is not in use
-    Path("/proc/self/clear_refs").write_text("5")  # forget the peak so far
-    before = _status_bytes("VmRSS")
-    track = remove_gravity(log)
-    each = (_status_bytes("VmHWM") - before) / len(track)
-    print(json.dumps({"samples": len(track), "bytes_per_sample": each}))
-
-
-def _status_bytes(name: str) -> int:
-    text = Path("/proc/self/status").read_text()
-    found = re.search(rf"{name}:\s+(\d+) kB", text)
-    assert found is not None
-    return 1024 * int(found[1])
 
 
 def shortcuts(families: Sequence[Family], rounds: int, report: Report) -> None:
@@ -322,7 +269,3 @@ def _on_a_tripod(rate_hz: float = 200.0) -> ImuLog:
         np.array([0.004, -0.003, 0.005]) + 0.003 * rng.standard_normal(shape),
         source="on a tripod",
     )
-
-
-if __name__ == "__main__":
-    _print_resident(float(sys.argv[1]))

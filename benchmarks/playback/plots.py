@@ -1,31 +1,23 @@
-"""What the live plots cost, as a share of one core, and painting the grip in space.
+"""What the live plots cost, as a share of one core.
 
 One window plays a clip whose motion and force have 1000 samples a second, with the
 simulated device; its CPU time is taken with the plots, without the grip beside them, and
-with the plots hidden, in turns: the difference is what they cost. The grip is painted at
-320 x 320 with all that can be shown; a step is what each new position costs, a turn what
-a drag costs, which paints the whole scene again.
+with the plots hidden, in turns: the difference is what they cost.
 """
 
 import argparse
 import functools
-import math
 import os
 import tempfile
 import time
-from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 
 import numpy as np
-from PySide6.QtCore import QSizeF
-from PySide6.QtGui import QImage, QPainter
 
 from app.player.window import PlayerWindow
-from app.plots.grip_painter import GripPainter
-from app.plots.grip_scene import Activity, Camera, Grip
 from benchmarks.common import Report, interleaved, medians
 from benchmarks.stage import moving_clip
 from benchmarks.window import open_window, run_for
@@ -39,20 +31,6 @@ RATE_HZ = 1000
 SETTLE_S = 1.0
 WAYS = {"plots and grip": (True, True), "plots": (True, False), "hidden": (False, True)}
 LIMIT_PERCENT = 15.0
-SIDE_PX, PAINTINGS = 320, 500
-GRIP = Grip(
-    "Simulated grip",
-    "Force is active",
-    Activity.ACTIVE,
-    (0.030, 0.015, 0.010),
-    (2.0, 1.0, 1.0),
-    (2.5, 1.0, 1.0),
-    (-0.8, -0.4, -0.2),
-    tuple(
-        (0.03 * math.sin(k / 6), 0.02 * math.cos(k / 5), 0.01 * math.sin(k / 9))
-        for k in range(26)
-    ),
-)
 
 
 def shaken_sequence(folder: Path, seconds: float) -> Path:
@@ -97,13 +75,7 @@ def run(options: argparse.Namespace, report: Report) -> None:
     what = "plots and grip, % of a core"
     report.target(what, cost["plots and grip"], ("<=", LIMIT_PERCENT))
     player.close()
-    rows = [
-        [kind, f"{scale:g}", *np.percentile(_painted(kind, scale), [50, 95]).tolist()]
-        for scale in (1.0, 2.0)
-        for kind in ("step", "turn")
-    ]
-    report.table("Grip in space", ["painting", "scale", "p50 ms", "p95 ms"], rows)
-    report.figures |= {"medians": middle, "cost_percent": cost, "grip": rows}
+    report.figures |= {"medians": middle, "cost_percent": cost}
 
 
 def _measured(window: PlayerWindow, way: str, seconds: float) -> dict[str, float]:
@@ -132,20 +104,3 @@ def _measured(window: PlayerWindow, way: str, seconds: float) -> dict[str, float
     drawn_hz = drawn[0] / wall_s
     percent = 100.0 * cpu_s / wall_s
     return {"percent": percent, "drawn_hz": drawn_hz, "frames_hz": shown / wall_s}
-
-
-def _painted(kind: str, scale: float) -> list[float]:
-    """Return how long each of some paintings took, ms."""
-    side = round(SIDE_PX * scale)
-    image = QImage(side, side, QImage.Format.Format_RGB32)
-    image.setDevicePixelRatio(scale)
-    scene, took_ms = GripPainter(), []
-    for number in range(PAINTINGS):
-        grip = replace(GRIP, position_m=(0.030, 0.015, 0.0001 * (number % 90)))
-        camera = Camera(0.01 * number) if kind == "turn" else Camera()
-        begin_s = time.perf_counter()
-        painter = QPainter(image)
-        scene.paint(painter, QSizeF(SIDE_PX, SIDE_PX), camera, grip)
-        painter.end()
-        took_ms.append(1e3 * (time.perf_counter() - begin_s))
-    return took_ms[20:]

@@ -278,21 +278,15 @@ class Tour(Person):
 
     def open_library(self) -> Steps:
         """Look at the library."""
-        yield from self._triggered(self._window.dialogs.library, 1.5)
+        yield from self.dialog(self._window.dialogs.library, 1.5)
 
     def set_up_device(self) -> Steps:
         """Look at the set-up of the device."""
-        yield from self._triggered(self._window.commands.set_up_device.trigger, 2.0)
+        yield from self.dialog(self._window.commands.set_up_device.trigger, 2.0)
 
     def get_to_know(self) -> Steps:
         """Look at the demonstration of forces."""
-        yield from self._triggered(self._window.commands.get_to_know.trigger, 2.0)
-
-    def _triggered(self, act: Callable[[], object], wait_s: float) -> Steps:
-        act()
-        yield wait_s
-        self.close_dialogs()
-        yield 1.0
+        yield from self.dialog(self._window.commands.get_to_know.trigger, 2.0)
 
     def open_damaged(self) -> Steps:
         """Open half a clip."""

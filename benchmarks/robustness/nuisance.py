@@ -42,10 +42,6 @@ BEFORE = defaultdict(
     {"HEARTBEAT": (0.2, 0.075), "CLOCK": (0.2, 0.075), "REPLY": (0.12, 0.01)},
 )
 STALE_S = 0.02
-# A moment is undisturbed while no core has stood still for so long, in all, within so
-# long before it: twice as long as the slowest rule waits.
-STOOD_STILL_S, BEFORE_S = 0.01, 0.2
-BIN_S = 0.01
 # What a machine that is too busy can cause, however good the program is.
 OF_LOAD = frozenset(
     {
@@ -166,7 +162,7 @@ def judge(
 ) -> dict[str, Any]:
     """Return the figures; what the machine explains is counted apart."""
     gaps_s = np.array(seen.pop("gaps_s"))
-    end_s = seen.pop("end_s")
+    del seen["end_s"]
 
     def lost_s(begin_s: float, end_s: float) -> float:
         """Return what stalls of the machine and other programs took."""
@@ -185,40 +181,17 @@ def judge(
         before_s, least_s = BEFORE[one["cause"].partition("_")[0]]
         one["machine_s"] = lost_s(at_s - before_s, at_s)
         one["is_explained"] = one["machine_s"] > least_s
-        is_calm = witness.stalled_s(at_s - BEFORE_S, at_s) < STOOD_STILL_S
-        one["is_undisturbed"] = is_calm
     quantiles = {"p50": 0.5, "p99": 0.99, "p999": 0.999, "max": 1.0}
-    seconds = 60.0 * seen["minutes"]
     return {
         **seen,
         "nuisances": found,
         "with_force": sum(r["had_force"] or r["is_trip"] for r in found),
         "not_of_the_machine": sum(not r["is_explained"] for r in found),
-        "undisturbed": sum(r["is_undisturbed"] for r in found),
-        "undisturbed_minutes": undisturbed_s(witness, end_s - seconds, end_s) / 60.0,
         "gap_ms": {
             k: 1e3 * float(np.quantile(gaps_s, q)) for k, q in quantiles.items()
         },
         "machine_stalls": witness.summary(),
     }
-
-
-def undisturbed_s(witness: Sentinel, begin_s: float, end_s: float) -> float:
-    """Return for how long no core stood still, in bins of 10 ms; the worst counts."""
-    count = int((end_s - begin_s) / BIN_S)
-    longest = np.zeros(count)
-    for stalls in witness.by_core():
-        still_s = np.zeros(count)
-        for due_s, late_s in stalls:
-            first = int((due_s - begin_s) / BIN_S)
-            last = int((due_s + late_s - begin_s) / BIN_S)
-            for at in range(max(first, 0), min(last + 1, count)):
-                from_s = max(due_s, begin_s + at * BIN_S)
-                until_s = min(due_s + late_s, begin_s + (at + 1) * BIN_S)
-                still_s[at] += max(0.0, until_s - from_s)
-        total = np.concatenate([np.zeros(round(BEFORE_S / BIN_S)), np.cumsum(still_s)])
-        longest = np.maximum(longest, total[-count:] - total[:count])
-    return BIN_S * float(np.count_nonzero(longest < STOOD_STILL_S))
 
 
 @contextlib.contextmanager
@@ -302,9 +275,8 @@ def show(figures: dict[str, Any], report: Report) -> None:
     for one in figures["nuisances"]:
         print(one)
     print(
-        f"nuisances {len(figures['nuisances'])}, with force {figures['with_force']}, in "
-        f"the {figures['undisturbed_minutes']:.1f} undisturbed minutes "
-        f"{figures['undisturbed']}; machine stalls {figures['machine_stalls']}"
+        f"nuisances {len(figures['nuisances'])}, with force {figures['with_force']}; "
+        f"machine stalls {figures['machine_stalls']}"
     )
 
 
