@@ -8,6 +8,7 @@ are installed beside this one add devices through the entry-point group
 import importlib
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from functools import cache
 from typing import Any, Protocol
 
 from hapticplayer.devices.capabilities import FALCON, GAMEPAD
@@ -145,8 +146,12 @@ DEVICES: dict[str, DeviceEntry] = {entry.name: entry for entry in _BUILT_IN}
 """Those of this package; `installed_devices` has also those of others."""
 
 
+@cache
 def installed_devices() -> dict[str, DeviceEntry]:
     """Return all devices by name, ours first; no package replaces one of ours.
+
+    Packages are asked once a process: that takes 6 ms, and the window asks 30 times a
+    second.
 
     Raises:
         DeviceError: when an entry point of the group `hapticplayer.devices` is none.
