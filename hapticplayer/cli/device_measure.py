@@ -18,8 +18,8 @@ from hapticplayer.devices.falcon.homing import home
 from hapticplayer.devices.falcon.link import ThreadedLink
 from hapticplayer.devices.falcon.reach import Reach, reach_of
 from hapticplayer.errors import InputError
+from hapticplayer.haptics.guarded_clock import GuardedClock
 from hapticplayer.haptics.scheduling import acquire
-from hapticplayer.haptics.watched import Watched
 
 STOPS_S = 20.0
 HOMING_S = 120.0
@@ -40,7 +40,7 @@ def measure_falcon(options: argparse.Namespace) -> int:
         "device": options.device,
         "utc": utc_now_iso(),
     }
-    with interruptible(), contextlib.closing(_watched(options.device)) as watch:
+    with interruptible(), contextlib.closing(_guarded_clock(options.device)) as watch:
         reach = reach_of(options.device, watch.handle())
         report["round_trip"] = _round_trips(reach, SystemClock())
         report |= _with_forces(options, reach, watch)
@@ -68,13 +68,13 @@ def _round_trips(reach: Reach, clock: SystemClock) -> dict[str, Any]:
         ftdi.close()
 
 
-def _watched(device: str) -> Watched:
+def _guarded_clock(device: str) -> GuardedClock:
     is_real = find_device(device).server == ""
-    return Watched(SystemClock(), device, [] if is_real else ["--unhomed"])
+    return GuardedClock(SystemClock(), device, [] if is_real else ["--unhomed"])
 
 
 def _with_forces(
-    options: argparse.Namespace, reach: Reach, watch: Watched
+    options: argparse.Namespace, reach: Reach, watch: GuardedClock
 ) -> dict[str, Any]:
     clock = SystemClock()
     driver = reach.driver(clock)

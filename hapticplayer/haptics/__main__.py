@@ -32,8 +32,8 @@ def main(argv: list[str] | None = None) -> int:
     if options.faults and not find_device(options.device).faults:
         parser.error("a real device takes no faults")
 
-    # Ctrl-C and a hang-up reach the whole group: the player decides, its alarm tells
-    # of them at once, and if it dies of them, the closed line does.
+    # Ctrl-C and a hang-up reach the whole group: the player decides, its alarm reports
+    # them at once, and if it dies of them, the closed line does.
     for number in (signal.SIGINT, signal.SIGHUP, signal.SIGTERM):
         signal.signal(number, signal.SIG_IGN)
     block = LoopBlock(options.block)
@@ -48,7 +48,7 @@ def main(argv: list[str] | None = None) -> int:
     try:
         wanted = Scheduling(options.scheduling) if options.scheduling else None
         limits = limits_of(device.capabilities)
-        hold(block.life)  # until the end, which tells the guard
+        hold(block.lifeline)  # until the end, which the guard sees
         loop = _kind(options)(
             SystemClock(),
             block,

@@ -9,7 +9,7 @@ import mmap
 import os
 import struct
 
-from hapticplayer.haptics.lifeline import LIFE_BYTES
+from hapticplayer.haptics.lifeline import LIFELINE_BYTES
 from hapticplayer.haptics.slots import Slots
 from hapticplayer.model.timing import PlaybackClock
 
@@ -19,7 +19,7 @@ _CLOCK = struct.Struct("<qqdddd")  # track id, epoch, the four numbers of the cl
 _SLOTS_AT = (64, 128)
 # a cache line for each writer
 _NEWEST_AT, _HEARTBEAT_AT, _HEAD_AT, _GUARD_AT = 192, 256, 320, 384
-_LIFE_AT = 448
+_LIFELINE_AT = 448
 RING_AT = 4096
 BLOCK_BYTES = RING_AT + RING_TICKS * TICK_FIELDS.size
 
@@ -38,7 +38,9 @@ class LoopBlock:
         self._head = view[_HEAD_AT : _HEAD_AT + 8].cast("Q")
         self._last_tick = view[_HEAD_AT + 8 : _HEAD_AT + 16].cast("d")
         self._guard = view[_GUARD_AT : _GUARD_AT + 8].cast("d")
-        self.life = view[_LIFE_AT : _LIFE_AT + LIFE_BYTES]  # of the loop
+        self.lifeline = view[
+            _LIFELINE_AT : _LIFELINE_AT + LIFELINE_BYTES
+        ]  # of the loop
 
     def write_clock(self, clock: PlaybackClock, track_id: int) -> None:
         """Publish the clock and the track it belongs to (player)."""
@@ -57,7 +59,7 @@ class LoopBlock:
         return None if fields is None else (PlaybackClock(*fields[1:]), fields[0])
 
     def beat(self, now_s: float) -> None:
-        """Say that the player's main thread is alive (player)."""
+        """Report that the player's main thread is alive (player)."""
         self._heartbeat[0] = now_s
 
     def signs(self) -> tuple[int, float, float]:
@@ -68,7 +70,7 @@ class LoopBlock:
         return self._newest[0], self._heartbeat[0], self._guard[0]
 
     def beat_guard(self, now_s: float) -> None:
-        """Say that the guard watches (guard)."""
+        """Report that the guard watches (guard)."""
         self._guard[0] = now_s
 
     def guard_s(self) -> float:
@@ -80,7 +82,7 @@ class LoopBlock:
         return self._last_tick[0]
 
     def beat_loop(self, now_s: float) -> None:
-        """Say that a program without ticks is alive; 0: it holds no force (loop)."""
+        """Report that a program without ticks is alive; 0: it holds no force (loop)."""
         self._last_tick[0] = now_s
 
     def write_tick(self, count: int, now_s: float, *fields: float) -> None:

@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 from hapticplayer.haptics.centring import Centring
 from hapticplayer.haptics.hand import Hand
-from hapticplayer.haptics.limiter import ZERO, Limits, is_finite, pushes_out
+from hapticplayer.haptics.limiter import ZERO, Limits, is_finite, outward_n
 from hapticplayer.haptics.track import LoadedTrack
 from hapticplayer.model import PlaybackClock
 from hapticplayer.model.device import Vector
@@ -197,186 +197,114 @@ class Rule(NamedTuple):
     cause: Cause
     reaction: Reaction
     holds: Callable[[Situation], bool]
-    event: str
 
 
-def _hung_under_force(s: Situation) -> bool:
-    """Whether the player fell silent while it played, and for so long.
+def _was_silent_under_force(s: Situation) -> bool:
+    """Whether the player fell silent for so long while it played.
 
-    A window that takes its time to open while nothing plays is no fault.
+    A window that takes its time to open while nothing plays is not a fault.
     """
     heartbeat_s = s.supervision.heartbeat_s
     return s.now_s - heartbeat_s > HEARTBEAT_TRIP_S and s.state.acted_s > heartbeat_s
 
 
-def _is_outside(s: Situation) -> bool:
-    """Whether the track pushes a grip out that is at its edge.
+def _is_reply_lost(s: Situation) -> bool:
+    """Under force only: a device that is slow to begin with is not a fault."""
+    return s.reply_age_s > REPLY_TRIP_S and s.state.acted_s > s.hand.replied_s
 
-    What is sent has faded to nothing there; a hand that holds the grip, and the spring
-    that leans against it, would not have let it come so far.
+
+def _is_runaway(s: Situation) -> bool:
+    return s.hand.fast_samples >= FAST_SAMPLES_TRIP and s.is_acting
+
+
+def _is_outside(s: Situation) -> bool:
+    """Whether the track pushes outward on a grip at the edge of the workspace.
+
+    What is sent has faded to zero there; a hand that holds the grip, and the spring
+    against it, would not have let it come so far.
     """
     position_m = s.hand.position_m
     if math.hypot(*position_m) <= s.limits.outside * s.limits.workspace_m:
         return False
-    return s.is_acting and pushes_out(s.state.planned_n, position_m) > OUTWARD_N
+    return s.is_acting and outward_n(s.state.planned_n, position_m) > OUTWARD_N
 
 
-def _has_ended(s: Situation) -> bool:
-    assert s.track is not None  # the row NO_TRACK comes before
-    return s.media_s >= s.track.end_s
-
-
-def _stands_still(s: Situation) -> bool:
+def _is_paused(s: Situation) -> bool:
     return s.clock is not None and (
         s.clock.rate == 0.0 or s.now_s < s.clock.monotonic0_s
     )
 
 
-def _has_leapt(s: Situation) -> bool:
+def _is_clock_stale(s: Situation) -> bool:
+    return s.clock is not None and s.now_s > s.clock.valid_until_s
+
+
+def _is_track_ended(s: Situation) -> bool:
+    assert s.track is not None  # the row NO_TRACK comes before
+    return s.media_s >= s.track.end_s
+
+
+def _has_new_epoch(s: Situation) -> bool:
     is_other = s.clock is not None and s.clock.epoch != s.state.epoch
     return is_other and s.state.mode in _MOVING
 
 
+_TRIP, _RAMP = Reaction.TRIP, Reaction.RAMP
 RULES: tuple[Rule, ...] = (
-    Rule(
-        Cause.STOPPED,
-        Reaction.TRIP,
-        lambda s: s.supervision.request is Request.STOP,
-        "a person stops: Esc, the stop button, closing the window",
-    ),
-    Rule(
-        Cause.GRIP_BUTTON,
-        Reaction.TRIP,
-        lambda s: s.hand.pressed != 0,
-        "a person presses a button on the grip",
-    ),
-    Rule(
-        Cause.PLAYER_GONE,
-        Reaction.TRIP,
-        lambda s: not s.supervision.is_player_alive,
-        "the player has died: its main thread has ended, or its line is closed",
-    ),
-    Rule(
-        Cause.HEARTBEAT_LOST,
-        Reaction.TRIP,
-        _hung_under_force,
-        "the player's main thread has been silent for 1 s, and a force was on",
-    ),
-    Rule(
-        Cause.UNPLUGGED,
-        Reaction.TRIP,
-        lambda s: s.supervision.is_device_gone,
-        "the device is gone",
-    ),
-    Rule(
-        Cause.TICK_LOST,
-        Reaction.TRIP,
-        lambda s: s.gap_s > GAP_TRIP_S and s.is_acting,
-        "the loop stood still for more than 50 ms (suspend, debugger, overload)",
-    ),
-    Rule(
-        Cause.REPLY_LOST,
-        Reaction.TRIP,
-        # under force: a device that is slow to begin with is no fault
-        lambda s: s.reply_age_s > REPLY_TRIP_S and s.state.acted_s > s.hand.replied_s,
-        "the device has not answered for 100 ms",
-    ),
+    # a person stops: Esc, the stop button, closing the window
+    Rule(Cause.STOPPED, _TRIP, lambda s: s.supervision.request is Request.STOP),
+    # a person presses a button on the grip
+    Rule(Cause.GRIP_BUTTON, _TRIP, lambda s: s.hand.pressed != 0),
+    # the player has died: its main thread has ended, or its line is closed
+    Rule(Cause.PLAYER_GONE, _TRIP, lambda s: not s.supervision.is_player_alive),
+    # the player's main thread has been silent for 1 s, and a force was on
+    Rule(Cause.HEARTBEAT_LOST, _TRIP, _was_silent_under_force),
+    Rule(Cause.UNPLUGGED, _TRIP, lambda s: s.supervision.is_device_gone),
+    # the loop stalled for more than 50 ms (suspend, debugger, overload)
+    Rule(Cause.TICK_LOST, _TRIP, lambda s: s.gap_s > GAP_TRIP_S and s.is_acting),
+    # the device has not answered for 100 ms
+    Rule(Cause.REPLY_LOST, _TRIP, _is_reply_lost),
+    # 20 invalid answers in a row
     Rule(
         Cause.MALFORMED,
-        Reaction.TRIP,
+        _TRIP,
         lambda s: s.hand.malformed >= MALFORMED_TRIP and s.is_acting,
-        "20 answers in a row made no sense",
     ),
-    Rule(
-        Cause.NOT_FINITE,
-        Reaction.TRIP,
-        lambda s: not is_finite(s.hand.position_m),
-        "a number in position, clock or force is not finite",
-    ),
-    Rule(
-        Cause.RUNAWAY,
-        Reaction.TRIP,
-        lambda s: s.hand.fast_samples >= FAST_SAMPLES_TRIP and s.is_acting,
-        "the grip was faster than 1 m/s twice: the hand has let go",
-    ),
-    Rule(
-        Cause.OUTSIDE,
-        Reaction.TRIP,
-        _is_outside,
-        "the grip is in the outer tenth of the workspace and pushed outward",
-    ),
-    Rule(
-        Cause.CLOSING,
-        Reaction.RAMP,
-        lambda s: s.supervision.request is Request.CLOSE,
-        "the player ends or lets go of the device",
-    ),
+    # a number in the position is not finite; `step` checks clock and force
+    Rule(Cause.NOT_FINITE, _TRIP, lambda s: not is_finite(s.hand.position_m)),
+    # the grip was faster than 1 m/s twice: the hand has let go
+    Rule(Cause.RUNAWAY, _TRIP, _is_runaway),
+    # the grip is in the outer tenth of the workspace and pushed outward
+    Rule(Cause.OUTSIDE, _TRIP, _is_outside),
+    # the player ends or releases the device
+    Rule(Cause.CLOSING, _RAMP, lambda s: s.supervision.request is Request.CLOSE),
+    # the player's main thread has been silent for 150 ms
     Rule(
         Cause.HEARTBEAT_LATE,
-        Reaction.RAMP,
+        _RAMP,
         lambda s: s.now_s - s.supervision.heartbeat_s > HEARTBEAT_RAMP_S,
-        "the player's main thread has been silent for 150 ms",
     ),
+    # the guard has been silent for 250 ms
     Rule(
         Cause.GUARD_LOST,
-        Reaction.RAMP,
+        _RAMP,
         lambda s: s.now_s - s.supervision.guard_s > GUARD_RAMP_S,
-        "the guard has been silent for 250 ms",
     ),
-    Rule(
-        Cause.TICK_LATE,
-        Reaction.RAMP,
-        lambda s: s.gap_s > GAP_RAMP_S and s.is_acting,
-        "the loop stood still for more than 20 ms",
-    ),
-    Rule(
-        Cause.COMMAND_STALE,
-        Reaction.RAMP,
-        lambda s: s.supervision.is_stale,
-        "a command was older than 20 ms before it was sent; zero was sent instead",
-    ),
-    Rule(
-        Cause.REPLY_LATE,
-        Reaction.RAMP,
-        lambda s: s.reply_age_s > REPLY_RAMP_S,
-        "the device has not answered for 20 ms",
-    ),
-    Rule(
-        Cause.NOT_HOMED,
-        Reaction.RAMP,
-        lambda s: not s.hand.is_homed,
-        "the device does not know where its grip is",
-    ),
-    Rule(
-        Cause.NO_TRACK,
-        Reaction.RAMP,
-        lambda s: s.clock is None or s.track is None,
-        "there is no clock or no force track",
-    ),
-    Rule(
-        Cause.PAUSED,
-        Reaction.RAMP,
-        _stands_still,
-        "the clip is paused, or has not begun",
-    ),
-    Rule(
-        Cause.CLOCK_STALE,
-        Reaction.RAMP,
-        lambda s: s.clock is not None and s.now_s > s.clock.valid_until_s,
-        "the player has not said for 150 ms where the clip is",
-    ),
-    Rule(
-        Cause.TRACK_ENDED,
-        Reaction.RAMP,
-        _has_ended,
-        "the force track has ended",
-    ),
-    Rule(
-        Cause.SEEK,
-        Reaction.RAMP,
-        _has_leapt,
-        "the clip was sought, looped, or given another force track",
-    ),
+    # the loop stalled for more than 20 ms
+    Rule(Cause.TICK_LATE, _RAMP, lambda s: s.gap_s > GAP_RAMP_S and s.is_acting),
+    # a command was older than 20 ms before it was sent; zero was sent instead
+    Rule(Cause.COMMAND_STALE, _RAMP, lambda s: s.supervision.is_stale),
+    # the device has not answered for 20 ms
+    Rule(Cause.REPLY_LATE, _RAMP, lambda s: s.reply_age_s > REPLY_RAMP_S),
+    Rule(Cause.NOT_HOMED, _RAMP, lambda s: not s.hand.is_homed),
+    Rule(Cause.NO_TRACK, _RAMP, lambda s: s.clock is None or s.track is None),
+    # the clip is paused, or has not begun
+    Rule(Cause.PAUSED, _RAMP, _is_paused),
+    # the player has not published its clock for 150 ms
+    Rule(Cause.CLOCK_STALE, _RAMP, _is_clock_stale),
+    Rule(Cause.TRACK_ENDED, _RAMP, _is_track_ended),
+    # the clip was sought or looped, or has another force track
+    Rule(Cause.SEEK, _RAMP, _has_new_epoch),
 )
 
 
@@ -394,7 +322,7 @@ TRANSITIONS: dict[Mode, tuple[Mode, Mode, Mode]] = {
 
 def assess(situation: Situation) -> tuple[Reaction, Cause]:
     """Return what the first rule that holds asks for."""
-    for cause, reaction, holds, _ in RULES:
+    for cause, reaction, holds in RULES:
         if holds(situation):
             return reaction, cause
     return Reaction.GO, Cause.NONE

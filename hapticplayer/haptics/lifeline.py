@@ -1,12 +1,12 @@
-"""Tells at once that a process has been killed: the player its loop, the loop its guard.
+"""Reports the death of a process at once: the player's to its loop, the loop's to its guard.
 
-A player's line closes only after the kernel has taken its memory down: 15 ms for a
-window, and 80 ms where other programs compute; a loop, whose memory is locked, takes up
-to 10 ms. A robust mutex is given back before that: the kernel marks the word of memory
-behind it when the thread that holds it begins to end, and wakes who waits for it
-(get_robust_list(2), FUTEX_OWNER_DIED). To look at that word costs the loop no call, and
-the guard need not look. Where there is no such mutex (not glibc), and at a regular end,
-the line and the process's descriptor tell.
+A player's line closes only after the kernel has torn down its memory: 15 ms for a
+window, 80 ms on a busy machine; a loop, whose memory is locked, takes up to 10 ms. A
+robust mutex is released before that: the kernel marks the word of memory behind it when
+the thread that holds it begins to end, and wakes the waiter (get_robust_list(2),
+FUTEX_OWNER_DIED). Reading that word costs the loop no system call, and the guard sleeps
+on it. Without such a mutex (not glibc), and at a regular end, the line and the pidfd
+report the end.
 """
 
 import ctypes
@@ -19,8 +19,10 @@ from functools import cache, partial
 
 from hapticplayer.haptics.track import anonymous_memory
 
-LIFE_BYTES = 64  # more than any platform's pthread_mutex_t has, and the mark behind it
-_MARK_AT = LIFE_BYTES - 4
+LIFELINE_BYTES = (
+    64  # more than any platform's pthread_mutex_t has, and the mark behind it
+)
+_MARK_AT = LIFELINE_BYTES - 4
 _ROBUST, _SHARED = 1, 1  # PTHREAD_MUTEX_ROBUST, PTHREAD_PROCESS_SHARED
 _ATTRIBUTES_BYTES = 64  # more than any platform's pthread_mutexattr_t has
 _WAITED_FOR, _OWNER_DIED = 0x8000_0000, 0x4000_0000  # bits of the word, futex(2)
@@ -35,15 +37,15 @@ class _Timespec(ctypes.Structure):
 
 
 class Lifeline:
-    """What those have of it who want to know.
+    """The side of those who watch.
 
     Args:
-        memory: LIFE_BYTES that they share with who holds it.
+        memory: LIFELINE_BYTES that are shared with the holder.
     """
 
     def __init__(self, memory: memoryview) -> None:
         self._word = memory[:4].cast("I")
-        self._mark = memory[_MARK_AT:LIFE_BYTES].cast("I")
+        self._mark = memory[_MARK_AT:LIFELINE_BYTES].cast("I")
         self._futex = _FUTEX.get(os.uname().machine, 0)
         self._seen, self._timeout = ctypes.c_uint(), _Timespec()
         self._sleep = partial(
@@ -61,13 +63,13 @@ class Lifeline:
         return bool(self._word[0] & _OWNER_DIED)
 
     def wakes(self) -> bool:
-        """Whether somebody holds it whose end will wake who waits for it."""
+        """Whether there is a holder whose end will wake a waiter."""
         return self._futex > 0 and self._mark[0] != 0
 
     def wait(self, timeout_s: float) -> bool:
-        """Wait until it is cut; False when it is not by then.
+        """Wait until it is cut; False after the timeout.
 
-        Only where it `wakes`; a system that refuses the call is not asked again.
+        Only where it `wakes`; a system that refuses the call is not called again.
         """
         self._seen.value = word = self._word[0]
         if word & _OWNER_DIED:
@@ -90,9 +92,9 @@ def map_lifeline(descriptor: int) -> Lifeline:
 def hold_lifeline() -> int:
     """Return the descriptor of the lifeline of this process, for its loops to watch.
 
-    It is one for all of them, held by the main thread until its end, and belongs to this
-    module. Called first by another thread, or without robust mutexes, nobody holds it and
-    it is never cut.
+    There is one for all of them, held by the main thread until its end, owned by this
+    module. Called first by another thread, or without robust mutexes, it is not held and
+    never cut.
     """
     return _hold()
 
@@ -113,7 +115,7 @@ def hold(memory: memoryview) -> Callable[[], None]:
     The memory may not be unmapped before that.
 
     Args:
-        memory: LIFE_BYTES of zeros that are shared with who watches.
+        memory: LIFELINE_BYTES of zeros that are shared with the watchers.
     """
     library = ctypes.CDLL(None)
     if not hasattr(library, "pthread_mutexattr_setrobust"):
@@ -127,9 +129,11 @@ def hold(memory: memoryview) -> Callable[[], None]:
     library.pthread_mutexattr_destroy(attributes)
     library.pthread_mutex_lock(ctypes.byref(mutex))
     word = memory[:4].cast("I")
-    mark = memory[_MARK_AT:LIFE_BYTES].cast("I")
-    if word[0] == threading.get_native_id():  # else it is where we do not look
-        word[0] |= _WAITED_FOR  # by nobody yet; only now, alive, can we say so safely
+    mark = memory[_MARK_AT:LIFELINE_BYTES].cast("I")
+    if word[0] == threading.get_native_id():  # else it is elsewhere in the mutex
+        word[0] |= (
+            _WAITED_FOR  # set while alive, so that the kernel wakes later waiters
+        )
         mark[0] = 1
 
     def release() -> None:

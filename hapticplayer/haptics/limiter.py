@@ -134,7 +134,7 @@ def is_near_middle(position_m: Vector, limits: Limits) -> bool:
     return math.hypot(*position_m) <= limits.middle * limits.workspace_m
 
 
-def pushes_out(force_n: Vector, position_m: Vector) -> float:
+def outward_n(force_n: Vector, position_m: Vector) -> float:
     """Return the part of a force along the way out of the workspace, N."""
     x, y, z = position_m
     radius_m = math.hypot(x, y, z)

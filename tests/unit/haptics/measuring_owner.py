@@ -7,7 +7,7 @@ from hapticplayer.devices.falcon import measuring
 from hapticplayer.devices.falcon.link import ThreadedLink
 from hapticplayer.devices.falcon.reach import reach_of
 from hapticplayer.errors import HapticPlayerError
-from hapticplayer.haptics.watched import Watched
+from hapticplayer.haptics.guarded_clock import GuardedClock
 
 DEVICE = "falcon-simulated"
 
@@ -22,7 +22,7 @@ def main() -> int:
     """Measure until somebody ends it."""
     record = int(sys.argv[1])
     options = ["--running", "--hand", "firm", "--record", str(record)]
-    watch = Watched(SystemClock(), DEVICE, options, [record])
+    watch = GuardedClock(SystemClock(), DEVICE, options, [record])
     say(watch.guard_pid)
     # not with the clock that beats: a thread of the link would beat for a dead loop
     reach = reach_of(DEVICE, watch.handle())

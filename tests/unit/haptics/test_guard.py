@@ -14,13 +14,13 @@ import pytest
 
 from hapticplayer.clock import ManualClock, SystemClock
 from hapticplayer.haptics.guard import (
-    LAST_ZEROS,
-    LOOK_PERIOD_S,
+    CHECK_PERIOD_S,
+    FINAL_ZEROS,
     REPEAT_PERIOD_S,
     Guard,
     LoopProcess,
 )
-from hapticplayer.haptics.lifeline import LIFE_BYTES, Lifeline
+from hapticplayer.haptics.lifeline import LIFELINE_BYTES, Lifeline
 from hapticplayer.haptics.shared import BLOCK_BYTES, TICK, SharedBlock
 from hapticplayer.haptics.track import anonymous_memory
 
@@ -37,10 +37,10 @@ class Bench:
         self.clock = ManualClock()
         self.zeros = []
         self.is_there = True
-        self.guard = Guard(self.clock, self.block, self.silence)
+        self.guard = Guard(self.clock, self.block, self.send_zero)
         self.count = 0
 
-    def silence(self):
+    def send_zero(self):
         self.zeros.append(self.clock.now_s())
         return self.is_there
 
@@ -48,12 +48,12 @@ class Bench:
         self.block.write_tick(self.count, self.clock.now_s(), *[0] * FIELDS)
         self.count += 1
 
-    def look_for(self, duration_s, *, ticking):
+    def check_for(self, duration_s, *, ticking):
         for _ in range(round(duration_s / REPEAT_PERIOD_S)):
             self.clock.advance(REPEAT_PERIOD_S)
             if ticking:
                 self.loop_ticks()
-            self.guard.look()
+            self.guard.check()
 
 
 @pytest.fixture
@@ -62,54 +62,54 @@ def bench():
 
 
 def test_a_loop_that_ticks_is_left_alone_and_the_guard_beats(bench):
-    bench.look_for(1.0, ticking=True)
+    bench.check_for(1.0, ticking=True)
     assert bench.zeros == []
     assert bench.block.guard_s() == bench.clock.now_s()
 
 
-def test_before_the_first_tick_there_is_nothing_to_silence(bench):
-    bench.look_for(1.0, ticking=False)
+def test_before_the_first_tick_nothing_is_sent(bench):
+    bench.check_for(1.0, ticking=False)
     assert bench.zeros == []
 
 
 @pytest.mark.parametrize("phase", range(20))
 def test_a_stalled_loop_is_silenced_within_a_poll_after_20_ms(bench, phase):
-    bench.look_for(0.1, ticking=True)
+    bench.check_for(0.1, ticking=True)
     bench.clock.advance(phase * REPEAT_PERIOD_S / 20)
     bench.loop_ticks()
     stopped_s = bench.clock.now_s()
-    bench.look_for(0.06, ticking=False)
+    bench.check_for(0.06, ticking=False)
     waited_s = bench.zeros[0] - stopped_s
     assert 0.020 < waited_s <= 0.020 + REPEAT_PERIOD_S + 1e-9
-    assert len(bench.zeros) >= 9  # and at each look after that
+    assert len(bench.zeros) >= 9  # and at each check after that
 
 
-def test_a_loop_that_goes_on_is_left_alone_again(bench):
-    bench.look_for(0.1, ticking=True)
-    bench.look_for(0.1, ticking=False)
+def test_a_loop_that_continues_is_left_alone_again(bench):
+    bench.check_for(0.1, ticking=True)
+    bench.check_for(0.1, ticking=False)
     bench.zeros.clear()
-    bench.look_for(0.1, ticking=True)
+    bench.check_for(0.1, ticking=True)
     assert bench.zeros == []
 
 
 def test_a_dead_loop_leaves_zeros_on_the_wire(bench):
-    bench.guard.bury()
-    assert len(bench.zeros) == LAST_ZEROS
+    bench.guard.send_final_zeros()
+    assert len(bench.zeros) == FINAL_ZEROS
 
 
-def test_without_a_device_there_is_nothing_to_bury(bench):
+def test_without_a_device_one_zero_is_tried(bench):
     bench.is_there = False
-    bench.guard.bury()
+    bench.guard.send_final_zeros()
     assert len(bench.zeros) == 1
 
 
 class Ticking:
-    """A loop's process that ticks until it stands still, and that ends at a time."""
+    """A loop's process that ticks until it stalls, and that ends at a time."""
 
-    def __init__(self, bench, stands_s, ends_s):
-        self.bench, self.stands_s, self.ends_s = bench, stands_s, ends_s
+    def __init__(self, bench, stalls_s, ends_s):
+        self.bench, self.stalls_s, self.ends_s = bench, stalls_s, ends_s
         self.next_tick_s = bench.clock.now_s() + 0.0003
-        self.looks = []  # when, and how long after a tick
+        self.checks = []  # when, and how long after a tick
 
     def has_ended(self, timeout_s):
         clock = self.bench.clock
@@ -117,29 +117,29 @@ class Ticking:
         while self.next_tick_s <= until_s:
             clock.sleep_until(self.next_tick_s)
             self.next_tick_s += 0.001
-            if clock.now_s() < self.stands_s:
+            if clock.now_s() < self.stalls_s:
                 self.bench.loop_ticks()
         clock.sleep_until(until_s)
-        self.looks.append((until_s, until_s - self.next_tick_s + 0.001))
+        self.checks.append((until_s, until_s - self.next_tick_s + 0.001))
         return until_s >= self.ends_s
 
 
-def test_the_looks_fall_between_the_ticks_and_are_few(bench):
+def test_the_checks_fall_between_the_ticks_and_are_few(bench):
     end_s = bench.clock.now_s() + 1.0
     loop = Ticking(bench, end_s, end_s)
     bench.guard.run(loop)
-    phases_s = [phase_s for _, phase_s in loop.looks]
+    phases_s = [phase_s for _, phase_s in loop.checks]
     assert 50 <= len(phases_s) <= 60
     assert phases_s[2:-2] == pytest.approx([0.0005] * (len(phases_s) - 4))
-    assert len(bench.zeros) == LAST_ZEROS  # none before its end
+    assert len(bench.zeros) == FINAL_ZEROS  # none before its end
 
 
 @pytest.mark.parametrize("phase", range(20))
-def test_a_loop_that_ends_is_buried_as_soon_as_that_is_told(bench, phase):
-    ends_s = bench.clock.now_s() + 0.1 + phase * LOOK_PERIOD_S / 20
+def test_the_end_of_a_loop_is_followed_by_zeros_at_once(bench, phase):
+    ends_s = bench.clock.now_s() + 0.1 + phase * CHECK_PERIOD_S / 20
     bench.guard.run(Ticking(bench, ends_s, ends_s))
     assert bench.zeros[0] == pytest.approx(ends_s)
-    assert len(bench.zeros) == LAST_ZEROS
+    assert len(bench.zeros) == FINAL_ZEROS
 
 
 HOLDER = """
@@ -161,7 +161,7 @@ class Holder:
     def __init__(self):
         descriptor = anonymous_memory("test", mmap.PAGESIZE)
         self.page = mmap.mmap(descriptor, mmap.PAGESIZE)
-        self.life = Lifeline(memoryview(self.page)[:LIFE_BYTES])
+        self.lifeline = Lifeline(memoryview(self.page)[:LIFELINE_BYTES])
         command = [sys.executable, "-c", HOLDER, str(descriptor)]
         self.child = subprocess.Popen(
             command,
@@ -172,7 +172,7 @@ class Holder:
         )
         os.close(descriptor)
         self.pidfd = os.pidfd_open(self.child.pid)
-        self.process = LoopProcess(self.pidfd, self.life)
+        self.process = LoopProcess(self.pidfd, self.lifeline)
 
     def listen(self):
         return self.child.stdout.readline().strip()
@@ -199,12 +199,12 @@ def holder():
 @pytest.mark.parametrize("number", [signal.SIGKILL, signal.SIGSEGV, signal.SIGTERM])
 def test_the_end_of_a_loop_wakes_the_guard(holder, number):
     assert holder.listen() == "held"
-    assert holder.life.wakes()
+    assert holder.lifeline.wakes()
     assert not holder.process.has_ended(0.001)
     threading.Timer(0.05, holder.child.send_signal, [number]).start()
     clock = SystemClock()
     begin_s = clock.now_s()
-    assert holder.life.wait(60.0)
+    assert holder.lifeline.wait(60.0)
     assert clock.now_s() - begin_s < 60.0  # woken: it did not wait in vain
     assert holder.process.has_ended(60.0)
 
@@ -213,11 +213,11 @@ def test_a_released_lifeline_leaves_it_to_the_descriptor(holder):
     assert holder.listen() == "held"
     holder.say("release")
     assert holder.listen() == "released"
-    assert not holder.life.wakes()
+    assert not holder.lifeline.wakes()
     assert not holder.process.has_ended(0.0)
     holder.child.kill()
     holder.child.wait()
-    assert not holder.life.is_cut()
+    assert not holder.lifeline.is_cut()
     assert holder.process.has_ended(0.0)
 
 
@@ -225,9 +225,9 @@ def test_a_system_that_refuses_to_wait_is_asked_once(holder, monkeypatch):
     assert holder.listen() == "held"
     library = ctypes.CDLL(None, use_errno=True)
     refused = partial(library.syscall, ctypes.c_long(1_000_000))  # no such call
-    monkeypatch.setattr(holder.life, "_sleep", refused)
-    assert not holder.life.wait(60.0)
-    assert not holder.life.wakes()
+    monkeypatch.setattr(holder.lifeline, "_sleep", refused)
+    assert not holder.lifeline.wait(60.0)
+    assert not holder.lifeline.wakes()
     assert not holder.process.has_ended(0.0)
 
 
@@ -235,16 +235,16 @@ def test_an_end_before_the_wait_is_seen(holder):
     assert holder.listen() == "held"
     holder.child.kill()
     holder.child.wait()
-    assert holder.life.wait(60.0)
+    assert holder.lifeline.wait(60.0)
     assert holder.process.has_ended(60.0)
 
 
 @pytest.mark.parametrize("phase", range(20))
 def test_a_loop_that_stalls_for_20_ms_is_silenced(bench, phase):
-    stands_s = bench.clock.now_s() + 0.1 + phase * LOOK_PERIOD_S / 20
-    bench.guard.run(Ticking(bench, stands_s, stands_s + 0.1))
+    stalls_s = bench.clock.now_s() + 0.1 + phase * CHECK_PERIOD_S / 20
+    bench.guard.run(Ticking(bench, stalls_s, stalls_s + 0.1))
     last_s = bench.block.last_tick_s()
     assert 0.020 < bench.zeros[0] - last_s <= 0.0202
-    waits_s = [b - a for a, b in pairwise(bench.zeros[:-LAST_ZEROS])]
+    waits_s = [b - a for a, b in pairwise(bench.zeros[:-FINAL_ZEROS])]
     assert waits_s
     assert max(waits_s) <= REPEAT_PERIOD_S + 1e-9

@@ -1,7 +1,7 @@
-"""A program that drives a device itself, without the loop, under the eyes of the guard.
+"""A guard for programs that command a device without the haptic loop.
 
-For measurements of a device, whose silences no loop would allow. The guard is the one
-of the haptics process: it writes zero when the program dies or stands still.
+Measurements of a device need pauses that no loop would allow. The guard is the one of
+the loop: it writes zero when the program dies or stalls.
 """
 
 import contextlib
@@ -25,15 +25,15 @@ from hapticplayer.haptics.track import anonymous_memory
 
 BEAT_S = 0.002
 _STARTING_S = 10.0
-_LOOK_S = 0.005  # from the guard's look to its word
+_CHECK_S = 0.005  # from the guard's check to its zero
 
 
-class Watched:
-    """Starts a guard for this process; a clock that beats while it waits.
+class GuardedClock:
+    """Starts a guard for this process, and beats whenever the time is read.
 
-    Hand it as the clock to whatever decides about a force, within `force()`: who
-    neither waits nor asks for the time there for 20 ms stands still. Never to a thread
-    beside it, such as a driver's: that would beat for a dead one.
+    It is the clock of whatever decides about a force, within `force()`: code that does
+    not read the time there for 20 ms has stalled. Never give it to another thread, such
+    as a driver's, which would beat for a dead one.
 
     Args:
         clock: of the machine.
@@ -54,7 +54,7 @@ class Watched:
         device_descriptors: Sequence[int] = (),
     ) -> None:
         self._clock = clock
-        self._is_pushing, self._beat_s, self._was_disturbed = False, 0.0, False
+        self._is_acting, self._beat_s, self._was_disturbed = False, 0.0, False
         self._guard: Process | None = None
         self._simulator: Process | None = None
         entry = find_device(device)
@@ -90,32 +90,32 @@ class Watched:
 
     @contextlib.contextmanager
     def force(self) -> Iterator[None]:
-        """Let the guard expect beats for as long as this lasts."""
-        self._is_pushing, self._beat_s = True, self._clock.now_s()
+        """Make the guard expect beats in this block."""
+        self._is_acting, self._beat_s = True, self._clock.now_s()
         try:
             yield
         finally:
-            self._is_pushing = False
+            self._is_acting = False
             self._block.beat_loop(0.0)
 
     def now_s(self) -> float:
         """Return the time, and beat.
 
         Raises:
-            HapticsError: when a force may be on and the guard is silent.
+            HapticsError: when a force may be on and the guard does not beat.
         """
         now_s = self._clock.now_s()
-        if self._is_pushing:
+        if self._is_acting:
             if now_s - self._block.guard_s() > GUARD_RAMP_S:
                 raise HapticsError("the guard has ended; measure again")
-            if now_s - self._beat_s > GAP_RAMP_S - _LOOK_S:
+            if now_s - self._beat_s > GAP_RAMP_S - _CHECK_S:
                 self._was_disturbed = True
             self._beat_s = now_s
             self._block.beat_loop(now_s)
         return now_s
 
     def was_disturbed(self) -> bool:
-        """Whether the guard may have spoken since the last call: we stood still."""
+        """Whether the guard may have sent a zero since the last call: we stalled."""
         was, self._was_disturbed = self._was_disturbed, False
         return was
 
@@ -125,13 +125,13 @@ class Watched:
             self._clock.sleep_until(min(deadline_s, now_s + BEAT_S))
 
     def close(self) -> None:
-        """Let the guard go; the device has been left at zero before."""
+        """End the guard; the device has been left at zero before."""
         os.close(self._handle)
         self._end()
 
     def _end(self) -> None:
         if self._guard is not None:
-            self._guard.kill()  # it waits for our death, and ignores the rest
+            self._guard.kill()  # it ends only with this process, and ignores signals
         wait_for_end((self._guard, self._simulator))
 
     def _wait_for_the_guard(self) -> None:
