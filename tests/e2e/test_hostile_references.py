@@ -12,8 +12,6 @@ from pathlib import Path
 
 import pytest
 
-from hapticplayer.simulation.demo import demo_folder
-
 pytestmark = pytest.mark.skipif(
     shutil.which("strace") is None, reason="the program strace is not installed"
 )
@@ -89,10 +87,9 @@ window.close()
 
 
 @pytest.fixture
-def folder(tmp_path: Path) -> Path:
+def folder(tmp_path: Path, demo: Path) -> Path:
     for name, content in HOSTILE.items():
         (tmp_path / name).write_text(content.replace("{folder}", str(tmp_path)))
-    demo = demo_folder()
     shutil.copy(demo / "clip.mp4", tmp_path / "canary.mp4")
     for name in ("net.mp4", "sibling.mp4"):  # as the clip of a sequence
         sequence = tmp_path / f"sequence-{name}"

@@ -5,7 +5,6 @@ import os
 import pty
 import signal
 import subprocess
-import sys
 from xml.etree import ElementTree as ET
 
 import numpy as np
@@ -14,10 +13,9 @@ import pytest
 from hapticplayer import motion
 from hapticplayer.capture import read_recording
 from hapticplayer.capture.si_csv import write_imu_csv
-from hapticplayer.media.encode import write_clip
 from hapticplayer.sequence.store import read_recorded
 from hapticplayer.simulation.rides.motion_scenes import simulate_motion
-from tests.e2e.test_command_line import ROOT, hapticplayer, refused
+from tests.e2e.command import command_line, hapticplayer, refused, report_of, started
 
 
 @pytest.fixture(scope="module")
@@ -31,19 +29,6 @@ def log(ride, tmp_path_factory):
     path = tmp_path_factory.mktemp("log") / "walk.csv"
     write_imu_csv(path, ride.imu)
     return path
-
-
-@pytest.fixture(scope="module")
-def clip(tmp_path_factory):
-    path = tmp_path_factory.mktemp("clip") / "plain.mp4"
-    grey = (np.full((36, 64, 3), 3 * k, dtype=np.uint8) for k in range(60))
-    write_clip(path, grey, frame_rate_hz=30)
-    return path
-
-
-def report_of(done):
-    assert done.returncode == 0, done.stderr
-    return json.loads(done.stdout)
 
 
 # --- the report -------------------------------------------------------------
@@ -128,11 +113,10 @@ def test_a_terminal_sees_the_progress_and_a_pipe_only_the_report(log):
     leader, follower = pty.openpty()
     try:
         done = subprocess.run(
-            [sys.executable, "-m", "app", "process", log, "--json"],
+            command_line("process", log, "--json"),
             stdout=subprocess.PIPE,
             stderr=follower,
-            cwd=ROOT,
-            timeout=60,
+            timeout=300,
             check=True,
         )
         drawn = os.read(leader, 100_000).decode()
@@ -245,17 +229,11 @@ def test_what_holds_no_motion_is_refused(clip, tmp_path):
 
 
 def test_interrupting_leaves_nothing(log, tmp_path):
-    cache = tmp_path / "cache"
-    process = subprocess.Popen(
-        [
-            *(sys.executable, "-m", "app", "process", log, "--method", "ekf"),
-            *("--compare", "--plot", tmp_path / "walk.png"),
-        ],
+    process = started(
+        *("process", log, "--method", "ekf", "--compare"),
+        *("--plot", tmp_path / "walk.png"),
         stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        text=True,
-        cwd=ROOT,
-        env={**os.environ, "XDG_CACHE_HOME": str(cache)},
+        env={**os.environ, "XDG_CACHE_HOME": str(tmp_path / "cache")},
     )
     steps = [process.stderr.readline() for _ in range(2)]
     process.send_signal(signal.SIGTERM)

@@ -10,7 +10,7 @@ from scipy.signal import resample_poly
 from hapticplayer.capture.si_csv import write_imu_csv
 from hapticplayer.media.encode import write_clip
 from hapticplayer.simulation.rides.sync_clips import simulate_pats
-from tests.e2e.test_command_line import hapticplayer, refused
+from tests.e2e.command import hapticplayer, refused, report_of
 
 SECONDS = 20
 
@@ -108,7 +108,7 @@ def test_check_says_of_one_file_that_its_pats_can_be_used(ride, name):
 def test_check_of_clip_and_log_together_and_of_a_mute_one(ride):
     folder, _ = ride
     arguments = ("sync", "--check", folder / "ride.mp4", "--json", "--imu")
-    report = json.loads(hapticplayer(*arguments, folder / "log.csv").stdout)
+    report = report_of(hapticplayer(*arguments, folder / "log.csv"))
     assert report["is_usable"]
     assert report["together"]["is_confident"]
     mistaken = hapticplayer(*arguments, folder / "other.csv")
@@ -130,12 +130,12 @@ def test_a_stored_skew_is_taken_off_for_its_camera_only(ride, tmp_path):
     folder, _ = ride
     home = {"XDG_CONFIG_HOME": str(tmp_path)}
     clip = ("sync", folder / "ride.mp4", "--imu", folder / "log.csv", "--json")
-    plain = json.loads(hapticplayer(*clip, env=home).stdout)
+    plain = report_of(hapticplayer(*clip, env=home))
     stored = (*clip, "--camera", "Cam 5", "--skew", 0.06, "--store-skew")
     assert hapticplayer(*stored, env=home).returncode == 0
-    late = json.loads(hapticplayer(*clip, "--camera", "Cam 5", env=home).stdout)
+    late = report_of(hapticplayer(*clip, "--camera", "Cam 5", env=home))
     assert plain["offset_s"] - late["offset_s"] == pytest.approx(0.06, abs=2e-6)
-    assert json.loads(hapticplayer(*clip, env=home).stdout) == plain
+    assert report_of(hapticplayer(*clip, env=home)) == plain
     unknown = hapticplayer(*clip, "--camera", "Cam 6", env=home)
     assert "Cam 5" in refused(unknown, status=2)
     refused(hapticplayer(*clip, "--skew", 99, env=home))
@@ -200,10 +200,10 @@ def test_the_skew_of_the_camera_in_the_clip_is_used_everywhere(ride, tmp_path):
                     target.mux(packet)
     home = {"XDG_CONFIG_HOME": str(tmp_path / "home")}
     both = (clip, "--imu", folder / "log.csv", "--json")
-    plain = json.loads(hapticplayer("sync", *both, env=home).stdout)
+    plain = report_of(hapticplayer("sync", *both, env=home))
     kept = ("--camera", "Acme Cam 5", "--skew", 0.06, "--store-skew")
     assert hapticplayer("sync", *both, *kept, env=home).returncode == 0
-    late = json.loads(hapticplayer("sync", *both, env=home).stdout)
+    late = report_of(hapticplayer("sync", *both, env=home))
     assert plain["offset_s"] - late["offset_s"] == pytest.approx(0.06, abs=2e-6)
     done = hapticplayer("import", *both, "-o", tmp_path / "out", env=home)
     made = json.loads(done.stdout)

@@ -1,0 +1,44 @@
+"""A short clip, and the demo."""
+
+import fcntl
+import os
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from hapticplayer.media.encode import write_clip
+from hapticplayer.simulation import demo as demos
+from hapticplayer.simulation.rides.recording import SimulatedRecording, simulate
+from tests.e2e.command import hapticplayer
+
+
+@pytest.fixture(scope="session")
+def clip(tmp_path_factory) -> Path:
+    """Two seconds without sound."""
+    path = tmp_path_factory.mktemp("clip") / "plain.mp4"
+    grey = (np.full((72, 128, 3), 3 * k, dtype=np.uint8) for k in range(60))
+    write_clip(path, grey, frame_rate_hz=30)
+    return path
+
+
+def small_simulate(scene: str, seed: int) -> SimulatedRecording:
+    return replace(simulate(scene, seed), width=160, height=90, frame_rate_hz=10)
+
+
+@pytest.fixture(scope="session")
+def demo(tmp_path_factory) -> Path:
+    """The demo with small frames, drawn once for all processes of a run."""
+    root = tmp_path_factory.getbasetemp()
+    if "PYTEST_XDIST_WORKER" in os.environ:
+        root = root.parent
+    target = root / "demo"
+    with (root / "demo.lock").open("w") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        if not target.exists():
+            with pytest.MonkeyPatch.context() as patch:
+                patch.setattr(demos, "simulate", small_simulate)
+                done = hapticplayer("simulate", "demo", "-o", target)
+            assert done.returncode == 0, done.stderr
+    return target
