@@ -17,7 +17,7 @@ is 4.5 ms; `ahead_s` is 10 ms because the speed is smoothed over 4 ms. For a gri
 moves steadily, seen `delay` late, p(r + v (ahead_s - delay)) resists the way out more
 than p(r) and drives the way in less: no energy is made, for any rising p. The device's
 own friction is not needed, and a free grip of 0.05 to 0.3 kg comes to rest at every
-radius (benchmarks/centring.py: eigenvalues, sweeps and the energy observer).
+radius (`benchmarks.haptics centring`: eigenvalues, sweeps and the energy observer).
 """
 
 import math

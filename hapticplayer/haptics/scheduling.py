@@ -75,7 +75,7 @@ def lock_memory(*, on_fault: bool = True) -> bool:
 
     Under memory pressure the kernel drops pages of mapped files, code among them; a
     thread that needs one waits for the disk, often with the interpreter's lock in its
-    hand: windows froze for 0.1 to 1.1 s (benchmarks/eviction.py).
+    hand: windows froze for 0.1 to 1.1 s (`benchmarks.robustness eviction`).
 
     Args:
         on_fault: lock each page from its first use on; else all pages at once.

@@ -1,6 +1,6 @@
 """Normal use of the window: the loop reacts to nothing but what a person asked for.
 
-`benchmarks/nuisance.py` does so for half an hour. A busy machine is no fault here: what it
+`benchmarks.robustness nuisance` does so for half an hour. A busy machine is no fault here: what it
 can bring about does not count.
 """
 

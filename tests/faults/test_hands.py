@@ -1,6 +1,6 @@
 """A hand under strong, long forces: kept inside, never shaken, never driven.
 
-A short part of benchmarks/centring.py: the real `step` with the physics of device
+A short part of `benchmarks.haptics centring`: the real `step` with the physics of device
 and hand in virtual time.
 """
 

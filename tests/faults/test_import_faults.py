@@ -1,4 +1,4 @@
-"""Every importer through the list of faults; benchmarks/importers.py has all of it.
+"""Every importer through the list of faults; `benchmarks.robustness importers` has all of it.
 
 Here: each format with each fault of its samples, truncations, and 8 of the 200
 mutations; there: all 200, and logs of ten hours with time and memory.

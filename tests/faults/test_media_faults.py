@@ -1,4 +1,4 @@
-"""A named part of what benchmarks/robust.py plays: damaged files of five kinds."""
+"""A named part of what `benchmarks.robustness media` plays: damaged files of five kinds."""
 
 import os
 import re

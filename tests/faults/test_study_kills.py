@@ -1,6 +1,6 @@
 """A session is killed at any moment: no answer that was accepted is lost.
 
-`benchmarks/kill.py` does the same to the window.
+`benchmarks.study kill` does the same to the window.
 """
 
 import json

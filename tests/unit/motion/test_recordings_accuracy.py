@@ -1,6 +1,6 @@
 """What is asked of the default method on recordings whose vertical optics measured.
 
-`benchmarks/motion.py` asks the same of all methods, and of cars.
+`benchmarks.motion accuracy` asks the same of all methods, and of cars.
 """
 
 from dataclasses import dataclass, replace
