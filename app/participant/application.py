@@ -182,7 +182,7 @@ class StudySession:
             self.study, session.code, stage, self._clock, self._observer
         )
         is_good = all(check.is_good for check in checks)
-        self.runner.keep_checks(checks_as_json(checks), overridden=not is_good)
+        self.runner.store_checks(checks_as_json(checks), overridden=not is_good)
         self.participant.follow(self.runner)
         self.participant.activateWindow()
         self.control.follow(self.runner, self.participant.refresh)

@@ -127,10 +127,10 @@ class ParticipantWindow(QWidget):
         actions: dict[str, Callable[[], None]] = {
             "agree": lambda: runner.consent(given=True),
             "decline": lambda: runner.consent(given=False),
-            "feel": runner.feel,
+            "feel": runner.demonstrate,
             "leave": runner.leave,
         }
-        self._do(actions.get(name, runner.go_on))
+        self._do(actions.get(name, runner.proceed))
 
     def _replay(self, token: str) -> None:
         runner = self._runner

@@ -36,13 +36,13 @@ VERSION = "1.10.0"
 TASK, SYSTEM, RATE_HZ = "qoe", "falcon", 1000
 _BEH = (
     DataColumn("trial_index", "place in this participant's order, from 1"),
-    DataColumn("attempt", "1, or more where the trial was repeated"),
-    DataColumn("sequence", "what was played"),
+    DataColumn("attempt", "from 1; more if the trial was repeated"),
+    DataColumn("sequence", "key of the sequence"),
     DataColumn("feedback", "force condition"),
-    DataColumn("delay_s", "by which the force came later than recorded"),
+    DataColumn("delay_s", "delay of the force"),
     DataColumn("gain", "of the force, 1 as recorded"),
-    DataColumn("sound", "whether the playback was without a fault"),
-    DataColumn("response_time", "from the page of questions to its answer"),
+    DataColumn("sound", "whether the playback was valid"),
+    DataColumn("response_time", "from the questions to the answer"),
 )
 _CHANNELS = (
     # name, component, type, unit, decimals
@@ -56,8 +56,8 @@ _KINDS = (
     *("MAGN", "MISC", "ORNT", "POS", "VEL"),
 )
 _MAKERS = {"falcon": ("Novint", "Falcon")}
-# The end of a run is marked a moment after its last tick.
-_TOLD_WITHIN_S = 1.0
+# the end of a run is marked shortly after its last tick
+_MARKED_WITHIN_S = 1.0
 
 
 def write_bids(data: StudyData, folder: Path) -> None:
@@ -69,7 +69,7 @@ def write_bids(data: StudyData, folder: Path) -> None:
     _json(folder / f"task-{TASK}_beh.json", _beh_sidecar(definition))
     for session in data.sessions:
         _subject(session, data, folder / f"sub-{session.code}")
-    if any(folder.rglob("*_events.tsv")):  # a sidecar of nothing is an error
+    if any(folder.rglob("*_events.tsv")):  # a sidecar without data is an error
         _json(folder / f"task-{TASK}_events.json", _events_sidecar())
 
 
@@ -90,7 +90,7 @@ def _readme(definition: Definition) -> bytes:
         "answered questions after each. Codes were made by the program.\n\n"
         "beh: answers of each trial. motion: the device at 1 kHz, in the frame of the "
         "device: x right, y up, z towards the participant; force_x to force_z is the "
-        "force that was sent (type MISC, for BIDS has none for force), media the "
+        "force that was sent (type MISC, BIDS has no type for force), media the "
         "position in the clip.\n\n"
         f"{definition.texts.retention[language]}\n"
     )
@@ -98,7 +98,7 @@ def _readme(definition: Definition) -> bytes:
 
 
 def _participants(answers: Answers, folder: Path) -> None:
-    """Write who took part, as in the table of the CSV export."""
+    """Write the participants, as in the CSV export."""
     name, columns, rows = participants(answers)
     first, *others = columns
     table = DataTable(
@@ -118,7 +118,7 @@ def _participants(answers: Answers, folder: Path) -> None:
 
 
 def _task(definition: Definition) -> dict[str, Any]:
-    """Return what the participants were to do."""
+    """Return the description of the task."""
     language = definition.languages[0]
     return {
         "TaskName": TASK,
@@ -246,7 +246,7 @@ def _describe_channels(base: Path) -> None:
 
 
 def _system(path: Path) -> dict[str, Any]:
-    """Return what recorded; a record that was read before can be opened."""
+    """Return the description of the device."""
     with RecordReader(path) as reader:
         device = str(reader.header.get("device", ""))
     maker, model = _MAKERS.get(device, ("n/a", device or "n/a"))
@@ -268,13 +268,13 @@ def _events(session: StoredSession, span_s: tuple[float, float], path: Path) -> 
     rows = [
         (f"{marker.monotonic_s - begun_s:.6f}", "n/a", marker.text)
         for marker in markers_of(session)
-        if begun_s <= marker.monotonic_s <= ended_s + _TOLD_WITHIN_S
+        if begun_s <= marker.monotonic_s <= ended_s + _MARKED_WITHIN_S
     ]
     _rows(path, ("onset", "duration", "trial_type"), rows)
 
 
 def _utc(session: StoredSession, monotonic_s: float) -> str:
-    """Return the wall-clock time of a monotonic one, by the record nearest to it."""
+    """Return the UTC time of a monotonic time, by the nearest record."""
     near = min(session.records.intact, key=lambda r: abs(r.monotonic_s - monotonic_s))
     at = dt.datetime.fromisoformat(near.utc)
     at += dt.timedelta(seconds=monotonic_s - near.monotonic_s)

@@ -1,9 +1,8 @@
-"""Markers and force as LSL streams, for programs that record on the same machine.
+"""Markers and force as LSL streams, for programs on the same machine.
 
-Nothing leaves the machine: streams are announced on the loopback interface alone, and
-what liblsl opens for any interface is tied to loopback. There is neither an answer nor
-a participant's code in them. Time stamps are those of the session's records: the clock
-of liblsl is CLOCK_MONOTONIC.
+Nothing leaves the machine: streams are announced on the loopback interface only, and all
+sockets of liblsl are bound to it. The streams contain no answers and no codes. Time
+stamps are those of the session's records: the clock of liblsl is CLOCK_MONOTONIC.
 """
 
 import importlib
@@ -22,7 +21,7 @@ from hapticplayer.errors import Message, StudyError
 MARKERS, FORCE = "hapticplayer-markers", "hapticplayer-force"
 FORCE_RATE_HZ = 1000.0
 _LOOPBACK = b"lo"
-_KEPT_S = 30  # for a reader that is slow
+_KEPT_S = 30  # buffer for slow readers
 _CONFIGURATION = """
 [ports]
 IPv6 = disable
@@ -36,7 +35,7 @@ _WITHOUT = Message("leave LSL out")
 
 
 class LslStreams:
-    """Two streams that exist until `close`; an observer of a session.
+    """The two streams of a session, until `close`; an `Observer`.
 
     Raises:
         StudyError: when pylsl is missing, or a stream would be open to the network.
@@ -44,7 +43,7 @@ class LslStreams:
 
     def __init__(self) -> None:
         library = _library()
-        with _opened_for_this_machine():
+        with _bound_to_loopback():
             try:
                 self._markers = library.StreamOutlet(_markers(library), 0, _KEPT_S)
                 self._force = library.StreamOutlet(_force(library), 0, _KEPT_S)
@@ -56,7 +55,7 @@ class LslStreams:
                 ) from problem
 
     def marker(self, text: str, monotonic_s: float) -> None:
-        """Send what has happened."""
+        """Send a marker."""
         self._markers.push_sample([text], monotonic_s)
 
     def force(
@@ -69,7 +68,7 @@ class LslStreams:
             )
 
     def close(self) -> None:
-        """End both streams; they are gone when nothing holds them."""
+        """End both streams."""
         del self._markers, self._force
 
 
@@ -104,10 +103,10 @@ def _force(library: Any) -> Any:
 
 
 @contextmanager
-def _opened_for_this_machine() -> Iterator[None]:
-    """Tie to loopback what was opened for any interface meanwhile.
+def _bound_to_loopback() -> Iterator[None]:
+    """Bind the sockets opened in the block to loopback.
 
-    The library announces on loopback alone, but its ports answer whoever knows them.
+    liblsl announces on loopback only, but its ports are open on all interfaces.
     """
     before = _descriptors()
     yield
@@ -125,7 +124,7 @@ def _keep_local(descriptor: int) -> None:
         if not stat.S_ISSOCK(os.fstat(descriptor).st_mode):
             return
     except OSError:
-        return  # what listed the descriptors
+        return  # the descriptor of the listing itself
     with socket.socket(fileno=os.dup(descriptor)) as held:
         if held.family not in (socket.AF_INET, socket.AF_INET6):
             return

@@ -1,4 +1,4 @@
-"""A study as tidy tables: a row for each observation, each column explained."""
+"""A study as tidy CSV tables, with a data dictionary."""
 
 import csv
 import io
@@ -15,7 +15,7 @@ from hapticplayer.study.steps import answered_trials
 
 
 class DataColumn(NamedTuple):
-    """One column: its name, what it holds, and its unit or levels."""
+    """A column: name, meaning, and unit or levels."""
 
     name: str
     meaning: str
@@ -30,40 +30,40 @@ class DataTable(NamedTuple):
     rows: Sequence[Sequence[Any]]
 
 
-_WHO = DataColumn("participant", "code made by the program")
+_WHO = DataColumn("participant", "code of the participant")
 _WHERE = (
-    DataColumn("sequence", "what was played"),
+    DataColumn("sequence", "key of the sequence"),
     DataColumn("feedback", "force condition"),
 )
-_SOUND = DataColumn("sound", "whether the playback was without a fault", "true|false")
+_SOUND = DataColumn("sound", "whether the playback was valid", "true|false")
 _PLAYED = (
     DataColumn("media_s", "position reached", "s"),
-    DataColumn("pictures_shown", "pictures on the screen"),
-    DataColumn("pictures_dropped", "pictures that came too late"),
-    DataColumn("silence_s", "sound that was missing", "s"),
-    DataColumn("missed", "skipped periods of the 1 kHz force loop"),
+    DataColumn("pictures_shown", "frames shown"),
+    DataColumn("pictures_dropped", "frames dropped"),
+    DataColumn("silence_s", "audio dropouts", "s"),
+    DataColumn("missed", "missed periods of the 1 kHz haptic loop"),
     DataColumn("ticks", "exchanges with the device"),
 )
 _TRIAL_COLUMNS = (
     _WHO,
     DataColumn("position", "place in this participant's order, from 1"),
-    DataColumn("attempt", "1, or more where the trial was repeated"),
+    DataColumn("attempt", "from 1; more if the trial was repeated"),
     *_WHERE,
-    DataColumn("delay_s", "by which the force came later than recorded", "s"),
+    DataColumn("delay_s", "delay of the force", "s"),
     DataColumn("gain", "of the force, 1 as recorded"),
     DataColumn("repeat", "number of the repetition of this condition"),
     _SOUND,
-    DataColumn("reasons", "why it was not, separated by semicolons"),
+    DataColumn("reasons", "why the playback was not valid, separated by semicolons"),
     *_PLAYED,
-    DataColumn("response_s", "from the page of questions to its answer", "s"),
+    DataColumn("response_s", "from the questions to the answer", "s"),
     DataColumn("answers", "all answers as JSON"),
 )
 
 
 def write_csv(data: StudyData, folder: Path) -> None:
-    """Write all tables that hold something, and what each column means.
+    """Write all tables that are not empty, and the data dictionary.
 
-    Texts that nobody reviewed are left out.
+    Texts that have not been reviewed are left out.
     """
     answers = data.answers
     made = [
@@ -79,15 +79,15 @@ def write_csv(data: StudyData, folder: Path) -> None:
 
 
 def participants(answers: Answers) -> DataTable:
-    """Return who took part."""
+    """Return the table of participants."""
     columns = (
         _WHO,
         DataColumn("age", "age of the participant", "years"),
         DataColumn("gender", "as answered"),
         DataColumn("handedness", "hand that writes"),
-        DataColumn("used_device_before", "knew such a device", "true|false"),
-        DataColumn("complete", "the session came to its end", "true|false"),
-        DataColumn("simulated", "made by the program, nobody sat there", "true|false"),
+        DataColumn("used_device_before", "had used such a device before", "true|false"),
+        DataColumn("complete", "the session was completed", "true|false"),
+        DataColumn("simulated", "simulated participant", "true|false"),
     )
     rows = [
         (
@@ -120,9 +120,9 @@ def _judgements(answers: Answers) -> DataTable:
     columns = (
         _WHO,
         _WHERE[0],
-        DataColumn("delay_s", "by which the force came later than recorded", "s"),
+        DataColumn("delay_s", "delay of the force", "s"),
         DataColumn("gain", "of the force, 1 as recorded"),
-        DataColumn("consistent", "felt as consistent with the picture", "true|false"),
+        DataColumn("consistent", "felt as consistent with the video", "true|false"),
         _SOUND,
     )
     rows = [
@@ -136,8 +136,8 @@ def _texts(answers: Answers) -> DataTable:
     columns = (
         _WHO,
         DataColumn("question", "key in the definition"),
-        DataColumn("feedback", "that it is about; empty where it is about all"),
-        DataColumn("text", "as written; a person has read it and let it pass"),
+        DataColumn("feedback", "subject of the question; empty for all"),
+        DataColumn("text", "as written; reviewed by a person"),
     )
     rows = [
         (a.participant, a.question, a.feedback, a.text)
@@ -148,7 +148,7 @@ def _texts(answers: Answers) -> DataTable:
 
 
 def _trial_rows(sessions: Iterable[StoredSession]) -> Iterator[Sequence[Any]]:
-    """Yield a row for each answered attempt, also those that were repeated later."""
+    """Yield a row for each answered attempt, including repeated ones."""
     for session in sessions:
         for trial in answered_trials(session.records):
             condition = trial.condition
@@ -170,12 +170,12 @@ def _trial_rows(sessions: Iterable[StoredSession]) -> Iterator[Sequence[Any]]:
 
 
 def _dictionary(tables: Iterable[DataTable]) -> DataTable:
-    """Return the data dictionary: what each column of each table means."""
+    """Return the data dictionary: the meaning of each column."""
     columns = (
         DataColumn("file", "name of the table"),
         DataColumn("column", "name of the column"),
-        DataColumn("meaning", "what it holds"),
-        DataColumn("unit_or_levels", "SI unit, or what values there are"),
+        DataColumn("meaning", "meaning of the column"),
+        DataColumn("unit_or_levels", "SI unit, or the possible values"),
     )
     rows = [(t.name, c.name, c.meaning, c.levels) for t in tables for c in t.columns]
     return DataTable("data_dictionary.csv", columns, rows)
@@ -186,8 +186,8 @@ def separated(table: DataTable, mark: str = ",", missing: str = "") -> bytes:
 
     Args:
         table: to be written.
-        mark: between columns.
-        missing: stands for what is not there.
+        mark: delimiter.
+        missing: text for missing values.
     """
     out = io.StringIO()
     writer = csv.writer(out, delimiter=mark, lineterminator="\n")

@@ -1,4 +1,4 @@
-"""What every export takes from a study: answers, markers, and the device's ticks."""
+"""The data of a study for exporters: answers, markers, and ticks of the device."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -33,9 +33,9 @@ class StudyData:
 
     Attributes:
         definition: of the study.
-        answers: of all who answered something.
+        answers: of all participants with answers.
         sessions: of the same participants.
-        remarks: what is wrong or left out; exporters add to it.
+        remarks: list to which exporters add what is damaged or left out.
     """
 
     definition: Definition
@@ -46,7 +46,7 @@ class StudyData:
 
 @dataclass(frozen=True, slots=True)
 class Marker:
-    """Something that happened, without answers.
+    """An event of a session, without answers.
 
     Attributes:
         monotonic_s: of the machine's clock.
@@ -58,7 +58,7 @@ class Marker:
 
 
 def markers_of(session: StoredSession) -> list[Marker]:
-    """Return what happened in a session, in order of time within each run."""
+    """Return the events of a session, in order of time within each run."""
     found = []
     for record in session.records.intact:
         if record.kind not in _MARKED:
@@ -78,7 +78,7 @@ def tick_files(session: StoredSession) -> list[Path]:
 
 
 def tick_chunks(path: Path, remarks: list[str]) -> Iterator[NDArray[Any]]:
-    """Yield the intact ticks of a record; what is wrong goes to the remarks."""
+    """Yield the intact ticks of a record; damage is added to the remarks."""
     name = f"{path.parent.name}/{path.name}"
     try:
         with RecordReader(path) as reader:

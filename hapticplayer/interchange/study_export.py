@@ -1,7 +1,7 @@
-"""A study for other programs, in a folder of its own.
+"""Export of a study into a new folder.
 
-Codes are the only thing that tells participants apart; no paths, no host names, no
-text that nobody has reviewed.
+Exports identify participants by their codes only; they contain no paths, no host names
+and no texts that have not been reviewed.
 """
 
 from collections.abc import Callable
@@ -25,7 +25,7 @@ class Exporter:
 
     Attributes:
         name: of `--format`.
-        text: what it is, for people.
+        text: description for people.
         write: fills an empty folder.
     """
 
@@ -45,20 +45,20 @@ EXPORTERS: dict[str, Exporter] = {
 
 
 def export_study(study: Study, target: Path, form: str) -> dict[str, Any]:
-    """Write a study's data into a new folder, and say what is in it.
+    """Export a study into a new folder, and return a report.
 
     Args:
         study: opened.
-        target: folder that does not exist yet.
+        target: folder, must not exist yet.
         form: name of an exporter.
 
     Raises:
-        UsageError: for another format.
-        StudyError: when there are no answers, or it cannot be written; nothing is left then.
+        UsageError: for an unknown format.
+        StudyError: when there are no answers, or it cannot be written.
     """
     if form not in EXPORTERS:
         raise UsageError(
-            "there is no format {name!r}; there is {known}",
+            "unknown format {name!r}; choose one of {known}",
             name=form,
             known=", ".join(EXPORTERS),
         )
@@ -73,7 +73,7 @@ def export_study(study: Study, target: Path, form: str) -> dict[str, Any]:
     left_out = sum(not answer.reviewed for answer in answers.open_answers)
     if left_out:
         remarks.append(
-            f"{left_out} answers in words were left out: nobody reviewed them"
+            f"{left_out} text answers were left out: they have not been reviewed"
         )
     with private.folder_written_aside(target.absolute()) as folder:
         data = StudyData(study.definition, answers, sessions, remarks)

@@ -31,7 +31,7 @@ _DEVICE, _MARKERS = 1, 2  # numbers of the streams
 
 
 class XdfWriter:
-    """Writes one file; a stream's samples in the order of their time.
+    """Writes one file; samples of a stream in order of time.
 
     Args:
         out: opened for writing in binary.
@@ -53,7 +53,7 @@ class XdfWriter:
         *,
         is_text: bool = False,
     ) -> None:
-        """Describe a stream; its clock is the one of the machine.
+        """Write the header of a stream, with the clock of the machine.
 
         Args:
             stream: number of the stream, 1 and up.
@@ -105,7 +105,7 @@ class XdfWriter:
     def end_stream(
         self, stream: int, first_s: float, last_s: float, count: int
     ) -> None:
-        """Say what the stream held; both clocks are one, so their offset is zero."""
+        """Write the footer of a stream; its clock offset is zero."""
         offset = struct.pack("<Idd", stream, last_s, 0.0)
         self._chunk(_OFFSET, offset)
         xml = (
@@ -127,16 +127,16 @@ class XdfWriter:
 
 
 def write_xdf(data: StudyData, folder: Path) -> None:
-    """Write one file for each run of a session, markers alone where no device was."""
+    """Write a file for each run of a session, or markers only without a device."""
     for session in data.sessions:
         _write_session(session, folder, data.remarks)
 
 
 def _write_session(session: StoredSession, folder: Path, remarks: list[str]) -> None:
-    """Write one file for each run: the device, and markers on the same clock."""
+    """Write the files of a session, device and markers on the same clock."""
     markers = markers_of(session)
     if not tick_files(session):
-        remarks.append(f"{session.code}: there is no record of a device, markers only")
+        remarks.append(f"{session.code}: no record of a device, markers only")
         _write_markers_alone(folder / f"{session.code}_markers.xdf", markers)
     for number, path in enumerate(tick_files(session), 1):
         target = folder / f"{session.code}_run-{number}.xdf"
@@ -159,8 +159,8 @@ def _write_session(session: StoredSession, folder: Path, remarks: list[str]) -> 
 def _write_markers_alone(target: Path, markers: list[Marker]) -> None:
     private.write_new(target, b"")
     with target.open("wb") as out:
-        told = [(marker.monotonic_s, marker.text) for marker in markers]
-        _write_markers(XdfWriter(out), told)
+        samples = [(marker.monotonic_s, marker.text) for marker in markers]
+        _write_markers(XdfWriter(out), samples)
         private.sync_file(out)
 
 
@@ -171,7 +171,11 @@ def _write_device(
         *_channels(["PositionX", "PositionY", "PositionZ"], "Position", "meters"),
         *_channels(["ForceX", "ForceY", "ForceZ"], "Force", "newton"),
         ("MediaTime", "Time", "seconds"),
-        ("Time", "Time", "seconds"),  # readers that smooth the stamps keep this one
+        (
+            "Time",
+            "Time",
+            "seconds",
+        ),  # some readers smooth the time stamps of the stream
     ]
     writer.begin_stream(_DEVICE, "device", "MoCap", channels, 1000.0)
     first_s, last_s, count = None, 0.0, 0

@@ -1,4 +1,4 @@
-"""What participants answered, as values: all that an analysis needs to know."""
+"""The answers of a study as values, for analysis and export."""
 
 import hashlib
 import json
@@ -52,7 +52,7 @@ class Judgement:
     Attributes:
         participant: code.
         sequence: key of the sequence.
-        delay_s: by which the force came later than the picture, s.
+        delay_s: delay of the force against the video, s.
         gain: of the force, 1 as recorded.
         consistent: the answer; None where it is missing.
         sound: whether the playback that was judged was without a fault.
@@ -68,14 +68,14 @@ class Judgement:
 
 @dataclass(frozen=True, slots=True)
 class TextAnswer:
-    """An answer in words; nobody has seen it yet who could tell if it names someone.
+    """A text answer; it may name a person until someone has reviewed it.
 
     Attributes:
         participant: code.
         question: key of the question in the definition.
         feedback: that the answer is about; empty where it is about all.
         text: as written.
-        reviewed: whether a person has read it and let it pass for export.
+        reviewed: whether a person has approved it for export.
     """
 
     participant: str
@@ -87,16 +87,16 @@ class TextAnswer:
 
 @dataclass(frozen=True, slots=True)
 class Participant:
-    """Who answered; None where it was not told.
+    """A participant; None for questions without an answer.
 
     Attributes:
         code: made by the program.
         age: years.
         gender: the definition's word for it.
         handedness: the definition's word for it.
-        used_device_before: whether the device was known.
-        complete: whether the session came to its end.
-        simulated: whether nobody sat there.
+        used_device_before: whether the participant had used such a device.
+        complete: whether the session was completed.
+        simulated: whether the session was simulated.
     """
 
     code: str
@@ -112,8 +112,8 @@ class Participant:
 class Answers:
     """All answers of a study; names are keys in the order of the definition.
 
-    Every participant who began a trial is in `participants`, and every planned
-    condition of theirs in `ratings`: what is missing has the value None.
+    `participants` are those with at least one answered trial; `ratings` has an entry for
+    each of their planned conditions, with the value None where the answer is missing.
 
     Attributes:
         participants: in order of their sessions.
@@ -121,10 +121,10 @@ class Answers:
         sequences: keys.
         feedbacks: keys.
         factors: keys.
-        open_answers: in words.
-        judgements: of the second type of trial.
+        open_answers: text answers.
+        judgements: answers of consistency trials.
         repeated: ratings that were replaced by those of a repeated trial.
-        remarks: what could not be read, or was left out, one sentence each.
+        remarks: one sentence for each thing that could not be read or was left out.
     """
 
     participants: tuple[Participant, ...]
@@ -141,22 +141,22 @@ class Answers:
 def read_answers(study_folder: str | Path) -> Answers:
     """Return all answers of the study in a folder.
 
-    Of a trial that was repeated the last answers count. What is damaged or belongs to
-    another definition is left out, and `remarks` says so.
+    The last answers to a repeated trial count. Trials that are damaged or not part of
+    the definition are left out and listed in `remarks`.
 
     Raises:
-        StudyError: when it is no study.
+        StudyError: when the folder is not a study.
     """
     return collect_answers(open_study(study_folder))
 
 
 def collect_answers(study: Study) -> Answers:
-    """Return all answers of an opened study, as `read_answers`."""
+    """Return all answers of an opened study, see `read_answers`."""
     sessions, remarks = study.sessions()
-    remarks += _about(sessions)
+    remarks += _session_remarks(sessions)
     sessions = [s for s in sessions if any(answered_trials(s.records))]
     definition = study.definition
-    collected = [_Collector(session, definition, remarks) for session in sessions]
+    collected = [_SessionAnswers(session, definition, remarks) for session in sessions]
     is_rating = definition.trial is TrialKind.RATING
     return Answers(
         participants=tuple(one.participant() for one in collected),
@@ -171,24 +171,24 @@ def collect_answers(study: Study) -> Answers:
     )
 
 
-def _about(sessions: list[StoredSession]) -> Iterator[str]:
-    """Yield what a reader has to know of sessions as a whole."""
+def _session_remarks(sessions: list[StoredSession]) -> Iterator[str]:
+    """Yield how many sessions are empty, unfinished or simulated."""
     answered = [s for s in sessions if any(answered_trials(s.records))]
     if empty := len(sessions) - len(answered):
         yield Message(
-            "{empty} of {count} sessions hold no answer to a trial",
+            "{empty} of {count} sessions have no answers",
             empty=empty,
             count=len(sessions),
         )
     if early := sum(s.state is not SessionState.COMPLETE for s in answered):
         yield Message(
-            "{early} of {count} sessions have answers and no end",
+            "{early} of {count} sessions have answers but were not completed",
             early=early,
             count=len(sessions),
         )
     if scripted := sum(map(_is_simulated, sessions)):
         yield Message(
-            "{scripted} of {count} sessions are simulated: nobody sat there",
+            "{scripted} of {count} sessions are simulated",
             scripted=scripted,
             count=len(sessions),
         )
@@ -199,16 +199,16 @@ def _is_simulated(session: StoredSession) -> bool:
     return any("scripted" in record.content for record in begun)
 
 
-class _Collector:
-    """Takes one session apart.
+class _SessionAnswers:
+    """Collects the answers of one session.
 
     Args:
         session: as stored.
-        definition: of the study as it is now, which gives names and order.
-        remarks: gets a sentence for each trial that is left out.
+        definition: the current one of the study, which gives names and order.
+        remarks: list to which a sentence is added for each trial that is left out.
 
     Attributes:
-        repeated: trials that were answered once more.
+        repeated: number of trials that were answered again.
     """
 
     def __init__(
@@ -226,14 +226,14 @@ class _Collector:
             else:
                 remarks.append(
                     Message(
-                        "session {code}: {key} was left out, the definition no longer has it",
+                        "session {code}: {key} was left out; it is not in the definition",
                         code=session.code,
                         key=trial.condition.key,
                     )
                 )
 
     def participant(self) -> Participant:
-        """Return who answered."""
+        """Return the participant."""
         sheet = self._sheet
         return Participant(
             code=self._session.code,
@@ -246,7 +246,7 @@ class _Collector:
         )
 
     def ratings(self) -> Iterator[Rating]:
-        """Return a rating for each condition and factor, missing or not."""
+        """Yield a rating for each condition and factor."""
         if self._definition.trial is not TrialKind.RATING:
             return
         for condition in self._definition.conditions:
@@ -263,7 +263,7 @@ class _Collector:
                 )
 
     def judgements(self) -> Iterator[Judgement]:
-        """Return whether each shifted or scaled force was felt as consistent."""
+        """Yield a judgement for each condition."""
         question = self._definition.consistency
         if self._definition.trial is not TrialKind.CONSISTENCY or question is None:
             return
@@ -279,7 +279,7 @@ class _Collector:
             )
 
     def open_answers(self) -> Iterator[TextAnswer]:
-        """Return what was answered in words, on all pages."""
+        """Yield the text answers of all pages."""
         reviewed = read_reviewed(self._session.folder)
         session = self._session
         for page, questions in (
@@ -290,23 +290,25 @@ class _Collector:
             for name, value in page_values(session.records, page).items():
                 question, _, feedback = name.partition("@")
                 if question in words and isinstance(value, str) and value.strip():
-                    is_passed = text_digest(session.code, name, value) in reviewed
-                    yield TextAnswer(session.code, question, feedback, value, is_passed)
+                    is_approved = text_digest(session.code, name, value) in reviewed
+                    yield TextAnswer(
+                        session.code, question, feedback, value, is_approved
+                    )
 
 
 def _of_type(value: Any, kind: Any) -> Any:
-    """Return a value if it is what it should be, for files can be edited."""
+    """Return a value if it has the expected type (files can be edited), else None."""
     is_right = isinstance(value, kind) and isinstance(value, bool) == (kind is bool)
     return value if is_right else None
 
 
 def text_digest(code: str, name: str, text: str) -> str:
-    """Return what stands for one text: another text has to be read anew."""
+    """Return the digest of a text answer; a changed text has to be reviewed again."""
     return hashlib.sha256(f"{code}\n{name}\n{text}".encode()).hexdigest()
 
 
 def read_reviewed(session_folder: Path) -> set[str]:
-    """Return the digests of the texts that were let pass; none where it is damaged."""
+    """Return the digests of the approved texts; none if the file is damaged."""
     path = session_folder / REVIEWED
     if not path.exists():
         return set()
@@ -314,11 +316,11 @@ def read_reviewed(session_folder: Path) -> set[str]:
         content = json_files.parse(json_files.read_file(path), str(path))
         return json_files.convert(content, dict[str, set[str]], str(path))["passed"]
     except (StudyError, KeyError):
-        return set()  # the safe side: they are read once more
+        return set()  # the safe side: they have to be reviewed again
 
 
 def save_reviewed(session_folder: Path, digests: Iterable[str]) -> None:
-    """Remember that a person let these texts pass.
+    """Store that a person has approved these texts.
 
     Raises:
         StudyError: when it cannot be written.

@@ -1,4 +1,4 @@
-"""New studies: from a template to a folder that can be edited."""
+"""New studies from templates, and changes of their definition."""
 
 import json
 import secrets
@@ -18,7 +18,7 @@ _ID_LETTERS = 10
 
 
 def template_names() -> list[str]:
-    """Return the templates there are."""
+    """Return the names of the templates."""
     return sorted(path.stem for path in TEMPLATES.glob("*.json"))
 
 
@@ -28,12 +28,12 @@ def create_study(
     """Make a study's folder from a template.
 
     Args:
-        folder: that does not exist yet.
+        folder: must not exist yet.
         template: one of `template_names()`.
-        folders: of the sequences, by key; others stay empty until someone says.
+        folders: of the sequences, by key; others stay empty.
 
     Raises:
-        UsageError: for a template or a sequence that there is not.
+        UsageError: for an unknown template or sequence.
         StudyError: when the folder exists or cannot be written.
     """
     content = _template(template)
@@ -43,7 +43,7 @@ def create_study(
     for key, path in (folders or {}).items():
         if key not in known:
             raise UsageError(
-                "there is no sequence {key!r}; {known} are",
+                "unknown sequence {key!r}; choose one of {known}",
                 key=key,
                 known=", ".join(known),
             )
@@ -56,12 +56,12 @@ def create_study(
 
 
 def change_definition(study: Study, content: Mapping[str, Any]) -> Study:
-    """Keep another definition of a study, once it has been checked.
+    """Replace the definition of a study after checking it.
 
     Sessions keep the definition that they began with.
 
     Raises:
-        StudyError: which entry is wrong; nothing is changed then.
+        StudyError: for a wrong entry; nothing is changed then.
     """
     path = study.folder / DEFINITION
     text = definition_text(content)
@@ -71,15 +71,15 @@ def change_definition(study: Study, content: Mapping[str, Any]) -> Study:
 
 
 def definition_text(content: Mapping[str, Any]) -> bytes:
-    """Return a definition as people read and edit it."""
+    """Return a definition as readable JSON."""
     return (json.dumps(content, indent=2, ensure_ascii=False) + "\n").encode()
 
 
 def sequence_folder(study: Study, key: str) -> Path:
-    """Return where a sequence lies.
+    """Return the folder of a sequence.
 
     Raises:
-        StudyError: when the definition does not say, or it is not there.
+        StudyError: when the definition has none or it does not exist.
     """
     entry = next(s for s in study.definition.sequences if s.key == key)
     folder = study.folder / entry.folder
@@ -97,7 +97,7 @@ def clip_checksums(study: Study) -> dict[str, str]:
     """Return the SHA-256 of each sequence's description.
 
     Raises:
-        StudyError: which sequence is missing.
+        StudyError: when a sequence is missing.
     """
     return {
         s.key: sha256((sequence_folder(study, s.key) / "sequence.json").read_bytes())
@@ -108,7 +108,7 @@ def clip_checksums(study: Study) -> dict[str, str]:
 def _template(name: str) -> dict[str, Any]:
     if name not in template_names():
         raise UsageError(
-            "there is no template {name!r}; there is {known}",
+            "unknown template {name!r}; choose one of {known}",
             name=name,
             known=", ".join(template_names()),
         )

@@ -1,4 +1,4 @@
-"""What a study is, as values: all that `study.json` says, and what is allowed there."""
+"""The definition of a study: the structure of `study.json` and its allowed values."""
 
 import enum
 from itertools import product
@@ -30,16 +30,16 @@ Seed = Annotated[int, Meta(ge=0, le=2**53)]
 
 
 class TrialKind(enum.StrEnum):
-    """What is asked after a clip."""
+    """The kind of question after a clip."""
 
     RATING = "rating"
     """One question for each factor, on a five-point scale."""
     CONSISTENCY = "consistency"
-    """Whether a force that was shifted or scaled went with the picture."""
+    """Whether a force that was shifted or scaled matched the video."""
 
 
 class QuestionKind(enum.StrEnum):
-    """How a question is answered."""
+    """The type of answer."""
 
     LIKERT = "likert"
     NUMBER = "number"
@@ -49,7 +49,7 @@ class QuestionKind(enum.StrEnum):
 
 
 class OrderMethod(enum.StrEnum):
-    """How a participant's order of conditions is found."""
+    """How the order of conditions is made for a participant."""
 
     RANDOM = "random"
     LATIN_SQUARE = "latin-square"
@@ -59,16 +59,16 @@ class OrderMethod(enum.StrEnum):
 
 
 class JsonObject(Struct, frozen=True, forbid_unknown_fields=True):
-    """An object in the file; a misspelt entry is refused."""
+    """An object in the file; unknown entries are refused."""
 
 
 class StudySequence(JsonObject, frozen=True):
-    """A sequence that is played.
+    """A sequence of the study.
 
     Attributes:
         key: in data and figures.
-        title: for the operator and figures; participants never see it.
-        folder: relative to the study's folder, or absolute; empty while unknown.
+        title: for the operator and figures; never shown to participants.
+        folder: relative to the study's folder, or absolute; empty if not set yet.
     """
 
     key: Key
@@ -89,13 +89,13 @@ class Question(JsonObject, frozen=True):
     Attributes:
         key: of its answer.
         kind: how it is answered.
-        text: in the study's own words.
-        published: the wording that a publication used, where somebody entered it.
-        least: smallest number that is accepted.
-        most: largest number, or longest text in characters.
+        text: the study's own wording.
+        published: the wording of a publication, if entered.
+        least: smallest accepted number.
+        most: largest accepted number, or length of a text in characters.
         choices: of a CHOICE.
         for_each_feedback: asked once for "Feedback 1", "Feedback 2", ...
-        required: whether it has to be answered.
+        required: whether an answer is required.
     """
 
     key: Key
@@ -109,39 +109,41 @@ class Question(JsonObject, frozen=True):
     required: bool = True
 
     def __post_init__(self) -> None:
-        """Refuse what does not fit its kind."""
+        """Refuse limits and choices that do not fit the kind."""
         if self.kind is QuestionKind.CHOICE:
             keys = {choice.key for choice in self.choices}
             if not 2 <= len(keys) == len(self.choices):
-                raise ValueError("'choices' needs two or more, each with its own 'key'")
+                raise ValueError(
+                    "'choices' must have two or more entries with different keys"
+                )
         is_bounded = self.least is not None and self.most is not None
         if self.kind is QuestionKind.NUMBER and not (
             is_bounded and self.lowest <= self.highest
         ):
-            raise ValueError("needs 'least' and 'most', the smaller one first")
+            raise ValueError("must have 'least' and 'most', the smaller one first")
         if self.kind is QuestionKind.TEXT and not 1 <= self.highest <= MAX_ANSWER:
             raise ValueError(f"'most' must be from 1 to {MAX_ANSWER}")
 
     @property
     def lowest(self) -> int:
-        """The smallest number that is accepted."""
+        """Smallest accepted number."""
         return self.least or 0
 
     @property
     def highest(self) -> int:
-        """The largest number, or most characters, that are accepted."""
+        """Largest accepted number, or length of a text in characters."""
         return MAX_ANSWER if self.most is None else self.most
 
 
 class ForceLevel(JsonObject, frozen=True):
-    """By how much the force of a consistency trial is changed."""
+    """Delay and gain of the force in a consistency trial."""
 
     delay_s: Annotated[float, Meta(ge=-5.0, le=5.0)] = 0.0
     gain: Annotated[float, Meta(ge=0.0, le=10.0)] = 1.0
 
 
 class Condition(JsonObject, frozen=True):
-    """What is played in one trial."""
+    """What is played in a trial."""
 
     sequence: Key
     feedback: Key
@@ -163,8 +165,8 @@ class Order(JsonObject, frozen=True):
 
     Attributes:
         method: see OrderMethod.
-        seed: of all that is random.
-        no_sequence_twice_in_a_row: a constraint.
+        seed: of all random orders.
+        no_sequence_twice_in_a_row: whether no sequence may follow itself.
     """
 
     method: OrderMethod
@@ -173,13 +175,13 @@ class Order(JsonObject, frozen=True):
 
 
 class PlaybackLimits(JsonObject, frozen=True):
-    """Beyond which a trial's playback is not sound.
+    """Limits of a valid playback; beyond them a trial is marked as not sound.
 
     Attributes:
-        dropped_share: of pictures.
-        sync_ms: median of force against picture or sound.
-        missed_share: of the periods of the force loop.
-        silence_s: of sound that was missing.
+        dropped_share: share of frames.
+        sync_ms: median offset between force and video or sound.
+        missed_share: share of the periods of the haptic loop.
+        silence_s: duration of audio dropouts.
     """
 
     dropped_share: Share = 0.02
@@ -189,13 +191,13 @@ class PlaybackLimits(JsonObject, frozen=True):
 
 
 class Checks(JsonObject, frozen=True):
-    """What has to be in order before the first trial.
+    """Requirements that are checked before the first trial.
 
     Attributes:
-        device: whether one is required.
-        sound: whether the operator has to confirm that sound is heard.
-        disk_free_mb: least room.
-        scheduling: classes of the force loop that are good enough.
+        device: whether a device is required.
+        sound: whether the operator has to confirm audible sound.
+        disk_free_mb: minimum free space.
+        scheduling: accepted scheduling classes of the haptic loop.
     """
 
     device: bool = True
@@ -205,14 +207,14 @@ class Checks(JsonObject, frozen=True):
 
 
 class Scale(JsonObject, frozen=True):
-    """What the ends of the five-point scale say."""
+    """Labels of the ends of the five-point scale."""
 
     lowest: Text
     highest: Text
 
 
 class PageTexts(JsonObject, frozen=True):
-    """What the pages say; how long data are kept."""
+    """Texts of the pages, and how long data are kept."""
 
     consent: Text
     demonstration: Text
@@ -224,7 +226,7 @@ class PageTexts(JsonObject, frozen=True):
 
 
 class ButtonWords(JsonObject, frozen=True):
-    """What the participant's buttons and short messages say."""
+    """Labels of the participant's buttons, and short messages."""
 
     agree: Text
     decline: Text
@@ -247,24 +249,24 @@ class Definition(JsonObject, frozen=True):
     """A study.
 
     Attributes:
-        id: made by the program; sessions of another study are not merged.
+        id: made by the program; only sessions of the same id are merged.
         title: for people.
-        template: what it was made of.
-        languages: keys of all texts; the first one is the default.
-        trial: what is asked after a clip.
-        sequences, feedbacks: make the conditions, together with `levels`.
+        template: name of the template.
+        languages: of all texts; the first one is the default.
+        trial: kind of the trials.
+        sequences, feedbacks: their combinations are the conditions, with `levels`.
         levels: of consistency trials.
         repeats: how often each consistency trial is played.
-        factors: questions after a rating trial, a LIKERT each.
-        consistency: the question after a consistency trial, YES_NO.
-        scale: its ends.
+        factors: LIKERT questions after a rating trial.
+        consistency: YES_NO question after a consistency trial.
+        scale: labels of the five-point scale.
         sheet: questions before the first trial.
         post_test: questions after the last.
         texts: of the pages.
-        words: on the participant's buttons.
+        words: labels of buttons.
         use_published: show the published wording where there is one.
-        operator_is_blind: the operator's screen does not tell the condition.
-        lsl: offer markers and force to other programs on the machine.
+        operator_is_blind: hide the condition from the operator.
+        lsl: offer markers and force as LSL streams.
         order, limits, checks: see there.
     """
 
@@ -295,7 +297,7 @@ class Definition(JsonObject, frozen=True):
 
     @property
     def conditions(self) -> tuple[Condition, ...]:
-        """All that each participant is to feel, in the definition's order."""
+        """All conditions, in the order of the definition."""
         if self.trial is TrialKind.RATING:
             pairs = product(self.sequences, self.feedbacks)
             return tuple(Condition(s.key, feedback) for s, feedback in pairs)
@@ -308,13 +310,13 @@ class Definition(JsonObject, frozen=True):
 
     @property
     def trial_questions(self) -> tuple[Question, ...]:
-        """What is asked after each clip."""
+        """Questions after each clip."""
         if self.trial is TrialKind.RATING:
             return self.factors
         return (self.consistency,) if self.consistency else ()
 
     def wording(self, question: Question, language: str) -> str:
-        """Return a question's words as a participant reads them."""
+        """Return the wording of a question for participants."""
         if self.use_published and question.published:
             return question.published.get(language) or question.text[language]
         return question.text[language]

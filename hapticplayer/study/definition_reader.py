@@ -27,21 +27,21 @@ def read_definition(folder: Path) -> Definition:
     """Return the definition of the study in a folder.
 
     Raises:
-        StudyError: what is wrong, in which entry, and what to do.
+        StudyError: names the wrong entry and what is allowed there.
     """
     path = folder / DEFINITION
     return parse_definition(json_files.read_file(path), str(path))
 
 
 def parse_definition(content: bytes, path: str) -> Definition:
-    """Return the definition that a JSON text holds; `path` is for messages.
+    """Return the definition in a JSON text; `path` is for messages.
 
     Raises:
-        StudyError: as `read_definition`.
+        StudyError: see `read_definition`.
     """
     value = json_files.parse(content, path)
     if not isinstance(value, dict) or value.get("schema") != SCHEMA:
-        what = Message("describes no study")
+        what = Message("is not the definition of a study")
         refuse(path, "", what, Message("give the folder of a study"))
     if (version := value.get("version")) != VERSION:
         what = Message(
@@ -60,7 +60,7 @@ def parse_definition(content: bytes, path: str) -> Definition:
 
 
 def _check_texts(made: Definition, path: str) -> None:
-    """Refuse texts that are not in each language of the study."""
+    """Refuse texts that lack a language of the study."""
     known = set(made.languages)
     for field, text in _texts(made):
         if not field.endswith("published") and (missing := known - text.keys()):
@@ -70,7 +70,7 @@ def _check_texts(made: Definition, path: str) -> None:
 
 
 def _texts(part: Any, field: str = "") -> Iterator[tuple[str, Text]]:
-    """Yield every text of a definition, and where it stands."""
+    """Yield the field and value of every text."""
     if isinstance(part, dict):
         yield field, part
     elif isinstance(part, tuple):
@@ -93,33 +93,35 @@ def _differ(path: str, field: str, keys: Iterable[str]) -> None:
     seen: set[str] = set()
     for key in keys:
         if key in seen:
-            what = Message("the key {key!r} stands twice", key=key)
-            refuse(path, field, what, Message("rename one"))
+            what = Message("duplicate key {key!r}", key=key)
+            refuse(path, field, what, Message("rename one of them"))
         seen.add(key)
 
 
 def _check_questions(made: Definition, path: str) -> None:
-    """Refuse what is right in each entry and wrong together."""
+    """Refuse combinations of entries that do not make a study."""
     count = len(made.conditions)
     if not 2 <= count <= MAX_CONDITIONS:
         what = Message(
-            "makes {count} conditions; 2 to {most} go", count=count, most=MAX_CONDITIONS
+            "must have 2 to {most} conditions, has {count}",
+            count=count,
+            most=MAX_CONDITIONS,
         )
         refuse(path, "", what)
     if not made.trial_questions:
         missing = "factors" if made.trial is TrialKind.RATING else "consistency"
-        what = Message("asks nothing after a clip")
+        what = Message("has no question after a clip")
         refuse(path, "", what, Message("add a question to {page!r}", page=missing))
     for number, question in enumerate(made.factors):
         if question.kind is not QuestionKind.LIKERT:
-            what = Message("is {value!r}", value=question.kind.value)
+            what = Message("{value!r} is not allowed", value=question.kind.value)
             known = Message("choose one of {known}", known=QuestionKind.LIKERT.value)
             refuse(path, f"factors[{number}].kind", what, known)
     asked = made.consistency
     if asked is not None and asked.kind is not QuestionKind.YES_NO:
-        refuse(path, "consistency", Message("is no yes-no question"))
+        refuse(path, "consistency", Message("must be a yes-no question"))
     if any(question.for_each_feedback for question in made.sheet):
-        refuse(path, "sheet", Message("asks about feedbacks before any was felt"))
+        refuse(path, "sheet", Message("asks about feedbacks before the first trial"))
 
 
 def _check_constraint(made: Definition, path: str) -> None:
@@ -128,11 +130,10 @@ def _check_constraint(made: Definition, path: str) -> None:
             path,
             "order",
             Message(
-                "a Williams design has every pair of neighbours, also those of one "
-                "sequence"
+                "a Williams design contains every pair of neighbours, also of one sequence"
             ),
-            Message("drop the constraint or choose random or latin-square"),
+            Message("remove the constraint or choose random or latin-square"),
         )
     if len(made.sequences) < 2:
-        what = Message("one sequence cannot but follow itself")
-        refuse(path, "order", what, Message("drop the constraint"))
+        what = Message("a single sequence always follows itself")
+        refuse(path, "order", what, Message("remove the constraint"))

@@ -1,9 +1,8 @@
-r"""The file of answers: lines of JSON, appended and synced before anything goes on.
+r"""The journal of a session: lines of JSON, synced before the session continues.
 
 A line is `{"record":7,"v":1,"utc":...,"mono_s":...,"kind":...,...,"crc":"89abcdef"}`:
-the CRC-32 is that of the bytes before `,"crc"`, and no damage gets past it. A quotation
-mark inside a text is escaped, so `{"record":` and `,"crc":"` stand nowhere else but in an
-answer's own name.
+the CRC-32 covers the bytes before `,"crc"`. Quotation marks inside texts are escaped, so
+`{"record":` and `,"crc":"` occur elsewhere only as the name of an answer.
 """
 
 import errno
@@ -33,11 +32,11 @@ class JournalRecord:
     """One intact record.
 
     Attributes:
-        number: 1 and up in the order of writing.
+        number: counted from 1.
         utc: ISO 8601.
         monotonic_s: of the machine's clock.
-        kind: what it tells.
-        content: its other members.
+        kind: of the event.
+        content: other members.
     """
 
     number: int
@@ -49,14 +48,14 @@ class JournalRecord:
 
 @dataclass(frozen=True, slots=True)
 class Records:
-    """What a file holds.
+    """The records of a journal.
 
     Attributes:
         intact: in the order of the file.
-        damaged: one sentence for each damaged place.
+        damaged: one sentence for each damaged range of bytes.
         size_bytes: of what was read.
-        is_torn: whether the last line has no end.
-        newest_version: of the records, 0 where there are none.
+        is_torn: whether the last line is incomplete.
+        newest_version: of the records; 0 without records.
     """
 
     intact: tuple[JournalRecord, ...]
@@ -67,7 +66,7 @@ class Records:
 
     @property
     def next_number(self) -> int:
-        """What the next record is called."""
+        """Number of the next record."""
         last = max((record.number for record in self.intact), default=0)
         return last + len(self.damaged) + 1
 
@@ -78,7 +77,7 @@ def encode(
     """Return one record as a line.
 
     Raises:
-        ValueError: for what JSON cannot hold (NaN), or a name that is taken.
+        ValueError: for NaN, or a reserved name.
     """
     head = {
         "record": number,
@@ -88,7 +87,7 @@ def encode(
         "kind": kind,
     }
     if taken := (head.keys() | {"crc"}) & content.keys():
-        raise ValueError(f"{sorted(taken)} are the record's own names")
+        raise ValueError(f"{sorted(taken)} are reserved names")
     text = json.dumps(
         {**head, **content},
         ensure_ascii=False,
@@ -103,10 +102,9 @@ def encode(
 
 
 def decode(data: bytes) -> Records:
-    """Find every intact record, wherever damage lies, and name the damage.
+    """Find all intact records and describe what is damaged.
 
-    A record is taken only where its checksum holds, so nothing that was changed is
-    ever read as if it were right.
+    A record is accepted only if its checksum is right.
     """
     intact: list[JournalRecord] = []
     damaged: list[str] = []
@@ -117,18 +115,18 @@ def decode(data: bytes) -> Records:
             at += 1
             continue
         record, version, end = found
-        _name_gap(data, covered, at, intact, damaged)
+        _describe_gap(data, covered, at, intact, damaged)
         intact.append(record)
         newest = max(newest, version)
         at = covered = end
-    _name_gap(data, covered, len(data), intact, damaged)
+    _describe_gap(data, covered, len(data), intact, damaged)
     is_torn = bool(data) and not data.endswith(b"\n")
     return Records(tuple(intact), tuple(damaged), len(data), is_torn, newest)
 
 
 def _record_at(data: bytes, at: int) -> tuple[JournalRecord, int, int] | None:
-    """Return the intact record that begins at a place, its version and its end."""
-    # an answer may be called "crc", too: the first tail is not always the record's
+    """Return the intact record that begins here, its version and its end."""
+    # an answer may be named "crc": the first match is not always the end
     for tail in _TAIL.finditer(data, at, at + MAX_RECORD_BYTES):
         body = data[at : tail.start()]
         if zlib.crc32(body) == int(tail[1], 16):
@@ -141,17 +139,17 @@ def _record_at(data: bytes, at: int) -> tuple[JournalRecord, int, int] | None:
         utc, monotonic_s = content.pop("utc"), content.pop("mono_s")
         kind = content.pop("kind")
     except (ValueError, KeyError, RecursionError):
-        return None  # written by nobody: a checksum can be forged
+        return None  # not written by this program
     record = JournalRecord(
         int(number), str(utc), float(monotonic_s), str(kind), content
     )
     return record, int(version), tail.end()
 
 
-def _name_gap(
+def _describe_gap(
     data: bytes, begin: int, end: int, intact: list[JournalRecord], damaged: list[str]
 ) -> None:
-    """Name what lies between two intact records, unless it is one line break."""
+    """Describe the bytes between two intact records, unless it is a line break."""
     gap = data[begin:end]
     if gap.strip(b"\n") == b"" and len(gap) <= 2:
         return
@@ -173,15 +171,14 @@ def _name_gap(
 
 
 class Journal:
-    """Appends records to a file that exists; one program at a time.
+    """Appends records to an existing file; locked for one program at a time.
 
     Args:
         path: made by `session_folder.create_session`.
         clock: of the machine.
 
     Raises:
-        StudyError: when it cannot be written, another program has it, or a newer
-            version of the program wrote it.
+        StudyError: when it cannot be written, is locked, or has a newer version.
     """
 
     def __init__(self, path: Path, clock: Clock) -> None:
@@ -191,7 +188,7 @@ class Journal:
         except OSError as problem:
             raise_write_error(problem, path)
         try:
-            _take(self._file, path)
+            _lock(self._file, path)
             found = read_journal(path)
         except BaseException:
             os.close(self._file)
@@ -201,14 +198,14 @@ class Journal:
         self._is_torn = found.is_torn
 
     def append(self, kind: str, **content: Any) -> JournalRecord:
-        """Keep one record; when this returns, it is on the disk.
+        """Append a record and sync it to the disk.
 
         Raises:
-            StudyError: when it is not; it can be tried again.
+            StudyError: when that failed; it can be retried.
         """
         monotonic_s, utc = self._clock.now_s(), utc_now_iso("milliseconds")
         line = encode(self._next, utc, monotonic_s, kind, content)
-        # what an interrupted write left stays a line of its own
+        # an incomplete line of an interrupted write stays separate
         line = b"\n" + line if self._is_torn else line
         try:
             self._is_torn = True
@@ -228,31 +225,31 @@ class Journal:
         return made
 
     def _check_place(self) -> None:
-        """Raise FileNotFoundError when the file is no longer where it was."""
+        """Raise FileNotFoundError when the file was moved or removed."""
         held, named = os.fstat(self._file), self._path.stat()
         if (held.st_dev, held.st_ino) != (named.st_dev, named.st_ino):
             raise FileNotFoundError(errno.ENOENT, Message("the folder was replaced"))
 
     def close(self) -> None:
-        """Let go; everything has been saved before."""
+        """Close the file and release the lock."""
         if self._file >= 0:
             os.close(self._file)
             self._file = -1
 
 
 def refuse_if_open(path: Path) -> None:
-    """Raise StudyError when another program has the file; it may be damaged or gone."""
+    """Raise StudyError when another program has locked the file."""
     try:
         descriptor = os.open(path, os.O_RDONLY | os.O_NOFOLLOW)
     except OSError:
-        return  # nor could a `Journal` open it
+        return  # a `Journal` could not open it either
     try:
-        _take(descriptor, path)
+        _lock(descriptor, path)
     finally:
         os.close(descriptor)
 
 
-def _take(descriptor: int, path: Path) -> None:
+def _lock(descriptor: int, path: Path) -> None:
     try:
         fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
     except OSError as problem:
@@ -269,15 +266,15 @@ def _write_whole(descriptor: int, line: bytes) -> None:
 
 
 def read_journal(path: Path) -> Records:
-    """Return what a file of answers holds.
+    """Return the records of a journal.
 
     Raises:
-        StudyError: when it cannot be read, or is of a newer program.
+        StudyError: when it cannot be read or has a newer version.
     """
     found = decode(read_file(path, MAX_BYTES))
     if found.newest_version > VERSION:
         raise StudyError(
-            "holds records of version {found}, this program reads {version}",
+            "has records of version {found}, this program reads {version}",
             where=str(path),
             remedy="update hapticplayer",
             found=found.newest_version,

@@ -1,4 +1,4 @@
-"""Reads JSON that people edit: whatever is wrong is named by its place in the file."""
+"""Reads JSON files that people edit; errors name the field."""
 
 import json
 import re
@@ -35,7 +35,7 @@ def read_file(path: Path, max_bytes: int = MAX_BYTES) -> bytes:
     """Return the content of a small file.
 
     Raises:
-        StudyError: where it cannot be read.
+        StudyError: when it cannot be read.
     """
     try:
         if path.stat().st_size > max_bytes:
@@ -51,10 +51,10 @@ def read_file(path: Path, max_bytes: int = MAX_BYTES) -> bytes:
 
 
 def parse(content: bytes, path: str) -> Any:
-    """Return what a JSON text holds; `path` is for messages.
+    """Parse a JSON text; `path` is for messages.
 
     Raises:
-        StudyError: where it is no JSON, or an entry stands twice.
+        StudyError: when it is not valid JSON or an object has a duplicate entry.
     """
     if len(content) > MAX_BYTES:
         raise StudyError("is too large", where=path)
@@ -66,7 +66,7 @@ def parse(content: bytes, path: str) -> Any:
         )
     except (ValueError, RecursionError) as problem:
         raise StudyError(
-            "is no valid JSON ({reason})",
+            "is not valid JSON ({reason})",
             where=path,
             remedy="correct that line",
             reason=problem,
@@ -80,21 +80,21 @@ def convert(value: Any, kind: type[Kind], path: str, *, strict: bool = True) -> 
         value: to be checked.
         kind: of the structure.
         path: of the file, for messages.
-        strict: texts do not stand for numbers.
+        strict: do not convert texts to numbers.
 
     Raises:
-        StudyError: which entry is wrong, and what is allowed there.
+        StudyError: names the wrong entry and what is allowed there.
     """
     try:
         return msgspec.convert(value, kind, strict=strict)
     except (msgspec.ValidationError, OverflowError) as problem:
         said, _, place = str(problem).partition(" - at `$")
         field, found = _entry(value, inspect.type_info(kind), place.rstrip("`"))
-        _refuse_as_said(path, field, said, found)
+        _refuse_reworded(path, field, said, found)
 
 
-def _refuse_as_said(path: str, field: str, said: str, found: Any) -> NoReturn:
-    """Say for people what msgspec says, and what is allowed, which it does not list."""
+def _refuse_reworded(path: str, field: str, said: str, found: Any) -> NoReturn:
+    """Reword an error of msgspec, and add the allowed values."""
     what, *named = re.split("[`'](.*?)[`']", said)
     if what == "Object missing required field ":
         refuse_missing(path, field, named[0])
@@ -103,19 +103,19 @@ def _refuse_as_said(path: str, field: str, said: str, found: Any) -> NoReturn:
     if what == "Invalid enum value ":
         known = getattr(found, "values", ()) or [word.value for word in found.cls]
         remedy = Message("choose one of {known}", known=", ".join(known))
-        refuse(path, field, Message("is {value!r}", value=named[0]), remedy)
+        refuse(path, field, Message("{value!r} is not allowed", value=named[0]), remedy)
     if what == "Expected " and ", got" in said:
         is_, wanted = (_KINDS.get(name, name) for name in (named[2], named[0]))
-        what = Message("is {kind} instead of {wanted}", kind=is_, wanted=wanted)
+        what = Message("must be {wanted}, not {kind}", kind=is_, wanted=wanted)
         refuse(path, field, what)
     if KEY in said:
         remedy = Message("use at most {most} of a-z, 0-9, _ and -", most=40)
-        refuse(path, field, Message("is no key"), remedy)
+        refuse(path, field, Message("is not a valid key"), remedy)
     if FILLED in said:
-        refuse(path, field, Message("needs 1 to {most} characters", most=MAX_TEXT))
+        refuse(path, field, Message("must have 1 to {most} characters", most=MAX_TEXT))
     if what == "Expected ":  # `int` >= 0, `array` of length >= 1
         kind, limit = _KINDS.get(named[0], named[0]), named[1]
-        what = Message("is not {kind} {limit}", kind=kind, limit=limit.strip())
+        what = Message("must be {kind} {limit}", kind=kind, limit=limit.strip())
         refuse(path, field, what)
     refuse(path, field, Message(said))
 
@@ -128,22 +128,22 @@ def refuse(
 
 
 def refuse_missing(path: str, field: str, name: str) -> NoReturn:
-    """Refuse an object without an entry that it needs."""
-    what = Message("lacks the entry {name!r}", name=name)
+    """Refuse an object that lacks an entry."""
+    what = Message("missing entry {name!r}", name=name)
     refuse(path, field, what, Message("add it"))
 
 
 def refuse_unknown(path: str, field: str, name: str, known: Iterable[str]) -> NoReturn:
-    """Refuse an entry that nobody will read: it is mostly misspelt."""
-    what = Message("has the unknown entry {name!r}", name=name)
-    refuse(path, field, what, Message("known are {known}", known=", ".join(known)))
+    """Refuse an unknown entry, which is mostly a typing error."""
+    what = Message("unknown entry {name!r}", name=name)
+    refuse(path, field, what, Message("allowed: {known}", known=", ".join(known)))
 
 
 def _entry(value: Any, found: Any, place: str) -> tuple[str, Any]:
-    """Return the name and the type of an entry; msgspec does not tell keys of texts."""
+    """Return field and type of an entry; msgspec does not name keys of dicts."""
     field = ""
     for name, number in re.findall(r"\.(\w+)|\[([\d.]+)\]", place):
-        if isinstance(found, inspect.UnionType):  # this, or nothing
+        if isinstance(found, inspect.UnionType):  # optional
             found = found.types[0]
         if isinstance(found, inspect.DictType):
             key = next((k for k, v in value.items() if not _is_line(v)), "")
@@ -166,11 +166,9 @@ def _object(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
     if len(made) < len(pairs):
         names = [name for name, _ in pairs]
         twice = next(name for name in names if names.count(name) > 1)
-        raise ValueError(
-            Message("the entry {twice!r} stands twice in one object", twice=twice)
-        )
+        raise ValueError(Message("duplicate entry {twice!r}", twice=twice))
     return made
 
 
 def _constant(name: str) -> NoReturn:
-    raise ValueError(Message("{name} is no number", name=name))
+    raise ValueError(Message("{name} is not a number", name=name))

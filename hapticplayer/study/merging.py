@@ -1,4 +1,4 @@
-"""Sessions from another machine: those of the same study, never two of one code."""
+"""Merging the sessions of a copy of the study on another machine."""
 
 import shutil
 from dataclasses import dataclass
@@ -13,13 +13,13 @@ from hapticplayer.study.study_folder import CONSENTS, SESSIONS, Study
 
 @dataclass(frozen=True, slots=True)
 class Merged:
-    """What a merge did.
+    """The result of a merge.
 
     Attributes:
-        added: codes that are new here.
-        same: codes whose session is the same on both sides.
-        conflicts: one sentence for each that was left alone, and why.
-        remarks: one sentence for each that was added and played other clips.
+        added: codes of new sessions.
+        same: codes of sessions that were already here.
+        conflicts: one sentence for each session that was not merged.
+        remarks: one sentence for each added session with other clips.
     """
 
     added: tuple[str, ...]
@@ -31,8 +31,7 @@ class Merged:
 def merge_sessions(study: Study, other: Study) -> Merged:
     """Copy the sessions of another copy of a study into this one.
 
-    Nothing that is here is changed: where both sides hold different sessions of one
-    code, the conflict is named.
+    Existing sessions are not changed; different sessions of one code are a conflict.
 
     Raises:
         StudyError: when it is another study, or it cannot be written.
@@ -54,7 +53,7 @@ def merge_sessions(study: Study, other: Study) -> Merged:
     for code in other.codes():
         theirs = other.session_folder(code)
         if code not in here:
-            problem = _take(study, other, code)
+            problem = _copy_session(study, other, code)
         else:
             problem = _difference(study.session_folder(code), theirs)
         if problem:
@@ -66,7 +65,7 @@ def merge_sessions(study: Study, other: Study) -> Merged:
 
 
 def _other_clips(study: Study, here: set[str], added: list[str]) -> tuple[str, ...]:
-    """Name the sequences that are not those of the sessions that were here before."""
+    """Return which added sessions played other clips than the existing ones."""
     sessions, _ = study.sessions()
     known: dict[str, set[str]] = {}
     for session in sessions:
@@ -81,8 +80,8 @@ def _other_clips(study: Study, here: set[str], added: list[str]) -> tuple[str, .
     )
 
 
-def _take(study: Study, other: Study, code: str) -> str:
-    """Copy a session whole or not at all; return why it was not."""
+def _copy_session(study: Study, other: Study, code: str) -> str:
+    """Copy a session; return why that failed, or ""."""
     try:
         other.session(code)
     except StudyError as problem:
@@ -106,16 +105,16 @@ def _copy(source: Path, target: Path) -> None:
 
 
 def _difference(ours: Path, theirs: Path) -> str:
-    """Return in what two sessions of one code differ, "" where they do not."""
+    """Return how two sessions of one code differ, or ""."""
     left, right = (decode((f / ANSWERS).read_bytes()).intact for f in (ours, theirs))
     if left == right:
         return ""
     shared = min(len(left), len(right))
     if left[:shared] == right[:shared]:
         if len(left) > len(right):
-            return ""  # theirs is an earlier copy of ours
+            return ""  # an earlier copy of ours
         return (
-            f"goes on there ({len(right) - shared} more records); "
+            f"is longer there ({len(right) - shared} more records); "
             "move the shorter one here out of the study and merge again"
         )
     return (

@@ -1,4 +1,4 @@
-"""Orders that were made elsewhere: a CSV with a row for each trial.
+"""Orders from a CSV file, with a row for each trial.
 
 order,position,sequence,feedback[,delay_s,gain,repeat]
 """
@@ -32,7 +32,7 @@ def read_orders(path: Path, definition: Definition) -> list[tuple[Condition, ...
     """Return the orders in a file, each with every condition exactly once.
 
     Raises:
-        StudyError: what is wrong, in which line.
+        StudyError: names the line and what is wrong there.
     """
     places: dict[str, dict[int, Condition]] = defaultdict(dict)
     lines: dict[str, str] = {}
@@ -41,7 +41,7 @@ def read_orders(path: Path, definition: Definition) -> list[tuple[Condition, ...
         filled = {name: text for name, text in cells.items() if text}
         row = convert(filled, OrderRow, where, strict=False)
         if row.key not in known:
-            what = Message("the study has no condition {key}", key=row.key)
+            what = Message("condition {key} is not in the study", key=row.key)
             refuse(where, "", what)
         if row.position in places[row.order]:
             what = Message(
@@ -62,7 +62,7 @@ def _rows(path: Path) -> Iterator[tuple[str, Mapping[str, str]]]:
     try:
         text = read_file(path).decode("utf-8-sig")
     except UnicodeDecodeError as problem:
-        raise StudyError("is no UTF-8 text", where=str(path)) from problem
+        raise StudyError("is not UTF-8 text", where=str(path)) from problem
     reader = csv.DictReader(text.splitlines(), strict=True)
 
     def where() -> Message:
@@ -73,11 +73,11 @@ def _rows(path: Path) -> Iterator[tuple[str, Mapping[str, str]]]:
         names = set(reader.fieldnames or ())
         if not set(COLUMNS) <= names <= {*COLUMNS, *OPTIONAL}:
             columns = ",".join(COLUMNS)
-            what = Message("the columns have to be {columns}", columns=columns)
+            what = Message("the columns must be {columns}", columns=columns)
             refuse(where(), "", what)
         for row in reader:
             if None in row or None in row.values():
-                refuse(where(), "", Message("has another number of columns"))
+                refuse(where(), "", Message("has a different number of columns"))
             yield where(), row
     except csv.Error as problem:
         refuse(where(), "", Message(str(problem)))

@@ -1,8 +1,8 @@
-"""Orders of conditions: random, Latin squares, Williams designs, lists. Pure.
+"""Orders of conditions: random, Latin squares, Williams designs, lists (no I/O).
 
 Sources: Williams, E. J. (1949), Experimental designs balanced for the estimation of
 residual effects of treatments, Aust. J. Sci. Res. A 2, 149-168; Danieau et al. 2012
-for the order random per participant.
+for a random order per participant.
 """
 
 from collections.abc import Sequence
@@ -17,7 +17,7 @@ from hapticplayer.study.plan import number_of
 
 Row = tuple[int, ...]
 MAX_TRIES = 20_000
-_SQUARE, _PARTICIPANT, _LABELS = 1, 2, 3  # streams of one seed that never meet
+_SQUARE, _PARTICIPANT, _LABELS = 1, 2, 3  # independent streams of one seed
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,11 +25,11 @@ class Assignment:
     """One participant's order.
 
     Attributes:
-        conditions: in the order in which they are played.
-        labels: feedbacks in the order in which they are called "Feedback 1", 2, ...
-        method: how it was made.
+        conditions: in order of playback.
+        labels: feedbacks in the order of their names "Feedback 1", "Feedback 2", ...
+        method: of the order.
         row: of the square or the list; None for random orders.
-        seed: of the study; with the code it gives the same order again.
+        seed: of the study; seed and code reproduce the order.
     """
 
     conditions: tuple[Condition, ...]
@@ -41,23 +41,22 @@ class Assignment:
 
 @dataclass(frozen=True, slots=True)
 class Balance:
-    """How evenly conditions have been met so far.
+    """Balance of the orders so far.
 
     Attributes:
-        at_position: (conditions, positions) how often each stood where.
-        followed: (conditions, conditions) how often the second came just after
-            the first.
+        at_position: (conditions, positions), count at each position.
+        followed: (conditions, conditions), how often the second followed the first.
     """
 
     at_position: NDArray[np.int64]
     followed: NDArray[np.int64]
 
     def times_at_each_position(self) -> tuple[int, int]:
-        """Return the least and most often any condition stood anywhere."""
+        """Return the smallest and largest count of a condition at a position."""
         return int(self.at_position.min()), int(self.at_position.max())
 
     def times_after_each_other(self) -> tuple[int, int]:
-        """Return the least and most often any condition came after another one."""
+        """Return the smallest and largest count of a condition after another one."""
         pairs = self.followed[~np.eye(len(self.followed), dtype=bool)]
         if not len(pairs):
             return 0, 0
@@ -72,7 +71,7 @@ def cyclic_square(count: int) -> tuple[Row, ...]:
 def williams_design(count: int) -> tuple[Row, ...]:
     """Return orders in which each condition follows each other equally often.
 
-    An even number of conditions takes as many orders (each pair once), an odd one
+    An even number of conditions needs as many orders (each pair once), an odd number
     twice as many (each pair twice).
     """
     first = [
@@ -84,21 +83,21 @@ def williams_design(count: int) -> tuple[Row, ...]:
 
 
 def rows_of(definition: Definition) -> tuple[tuple[Condition, ...], ...]:
-    """Return all orders of a square, its symbols dealt out at random by the seed."""
+    """Return the orders of a square whose symbols are assigned at random."""
     conditions, order = definition.conditions, definition.order
     rng = np.random.default_rng([order.seed, _SQUARE])
     if order.method is OrderMethod.WILLIAMS:
         design = williams_design(len(conditions))
-        dealt = _shuffled(conditions, rng)
+        shuffled = _shuffled(conditions, rng)
     else:
         design = cyclic_square(len(conditions))
         is_apart = order.no_sequence_twice_in_a_row
-        dealt = _deal(conditions, rng, apart=is_apart, in_circle=True)
-    return tuple(tuple(dealt[symbol] for symbol in row) for row in design)
+        shuffled = _shuffled_apart(conditions, rng, apart=is_apart, in_circle=True)
+    return tuple(tuple(shuffled[symbol] for symbol in row) for row in design)
 
 
 def random_order(definition: Definition, code: str) -> tuple[Condition, ...]:
-    """Return the order that seed and code give, all allowed orders alike likely.
+    """Return a random order from seed and code; all allowed orders are equally likely.
 
     Raises:
         StudyError: when the constraint cannot be met.
@@ -106,11 +105,11 @@ def random_order(definition: Definition, code: str) -> tuple[Condition, ...]:
     order = definition.order
     rng = np.random.default_rng([order.seed, _PARTICIPANT, number_of(code)])
     is_apart = order.no_sequence_twice_in_a_row
-    return _deal(definition.conditions, rng, apart=is_apart, in_circle=False)
+    return _shuffled_apart(definition.conditions, rng, apart=is_apart, in_circle=False)
 
 
 def labels_of(definition: Definition, code: str) -> tuple[str, ...]:
-    """Return which feedback this participant knows as 1, 2, ..."""
+    """Return the feedbacks in the order of their numbers for this participant."""
     rng = np.random.default_rng([definition.order.seed, _LABELS, number_of(code)])
     return tuple(
         definition.feedbacks[i] for i in rng.permutation(len(definition.feedbacks))
@@ -128,8 +127,8 @@ def assign(
     Args:
         definition: of the study.
         code: of the participant.
-        used_rows: of all sessions that count; those who dropped out do not, so
-            their row is given again.
+        used_rows: of all sessions except those that were dropped, whose rows are
+            assigned again.
         listed: the orders of `orders.csv`, for OrderMethod.LIST.
     """
     order = definition.order
@@ -148,7 +147,7 @@ def assign(
 def balance_of(
     definition: Definition, orders: Sequence[Sequence[Condition]]
 ) -> Balance:
-    """Count positions and neighbours over some participants' orders."""
+    """Return the balance of several orders."""
     index = {condition: i for i, condition in enumerate(definition.conditions)}
     count = len(index)
     at_position = np.zeros((count, count), dtype=np.int64)
@@ -166,26 +165,26 @@ def _shuffled(
     return tuple(conditions[i] for i in rng.permutation(len(conditions)))
 
 
-def _deal(
+def _shuffled_apart(
     conditions: Sequence[Condition],
     rng: np.random.Generator,
     *,
     apart: bool,
     in_circle: bool,
 ) -> tuple[Condition, ...]:
-    """Shuffle until no sequence follows itself: every allowed order is as likely."""
+    """Shuffle until no sequence follows itself; allowed orders are equally likely."""
     for _ in range(MAX_TRIES):
-        dealt = _shuffled(conditions, rng)
-        if not apart or first_repeat(dealt, in_circle=in_circle) is None:
-            return dealt
+        shuffled = _shuffled(conditions, rng)
+        if not apart or first_repeat(shuffled, in_circle=in_circle) is None:
+            return shuffled
     raise StudyError(
-        "no order was found in which no sequence is played twice in a row",
-        remedy="drop the constraint or add sequences",
+        "found no order in which no sequence is played twice in a row",
+        remedy="remove the constraint or add sequences",
     )
 
 
 def first_repeat(order: Sequence[Condition], *, in_circle: bool = False) -> int | None:
-    """Return the first position whose sequence is that of the one before, or None.
+    """Return the first position with the same sequence as the one before, or None.
 
     Args:
         order: of conditions.

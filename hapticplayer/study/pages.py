@@ -1,4 +1,4 @@
-"""What a participant sees and is asked, as values: no file names, no conditions."""
+"""The participant's pages as values, without file names and conditions."""
 
 import enum
 from collections.abc import Iterable, Iterator, Mapping
@@ -18,7 +18,7 @@ from hapticplayer.study.steps import POST_TEST, SHEET, position_of
 
 
 class PageKind(enum.StrEnum):
-    """What kind of page is shown."""
+    """Kinds of pages."""
 
     CONSENT = "consent"
     QUESTIONS = "questions"
@@ -40,14 +40,14 @@ class AskedQuestion:
     """A question in the participant's language.
 
     Attributes:
-        name: of the answer: the question's key, with "@feedback" where it is asked
-            for each feedback.
+        name: of the answer: key of the question, with "@feedback" if it is asked for
+            each feedback.
         kind: how it is answered.
         text: the question.
-        heading: which feedback it is about, empty where it is about all.
-        least, most: of a number; most characters of a text.
+        heading: name of the feedback, empty for other questions.
+        least, most: limits of a number; most also of the length of a text.
         choices: (key, text) of a CHOICE.
-        required: whether it has to be answered.
+        required: whether an answer is required.
     """
 
     name: str
@@ -66,12 +66,12 @@ class Page:
 
     Attributes:
         kind: see PageKind.
-        step: name of the step it belongs to.
-        text: what it says.
+        step: name of the step.
+        text: in the participant's language.
         questions: to be answered.
-        replays: what may be played again.
-        position, count: of the trial, 0 where it is none.
-        number: of the page since the session was opened; another one is another page.
+        replays: clips that can be played again.
+        position, count: of the trial; 0 for other pages.
+        number: increases with each page.
     """
 
     kind: PageKind
@@ -88,7 +88,7 @@ class PageMaker:
     """Makes the pages of one session, in the participant's language.
 
     Args:
-        definition: of the study as it was when the session began.
+        definition: of the session.
         plan: of the session.
     """
 
@@ -96,7 +96,7 @@ class PageMaker:
         self._definition, self._plan = definition, plan
 
     def page(self, kind: PageKind, step: str, number: int) -> Page:
-        """Return the page of a kind at a step."""
+        """Return a page."""
         is_asking = kind is PageKind.QUESTIONS
         return Page(
             kind=kind,
@@ -115,12 +115,12 @@ class PageMaker:
         return text[self._plan.language]
 
     def word(self, name: str) -> str:
-        """Return a word of a button in the participant's language."""
+        """Return the label of a button in the participant's language."""
         word: Text = getattr(self._definition.words, name)
         return word[self._plan.language]
 
     def scale(self) -> tuple[str, str]:
-        """Return what the ends of the five-point scale say."""
+        """Return the labels of the ends of the five-point scale."""
         scale, language = self._definition.scale, self._plan.language
         return scale.lowest[language], scale.highest[language]
 
@@ -134,7 +134,7 @@ class PageMaker:
         return "" if kind is PageKind.PLAYING else self.text(kind.value)
 
     def _asked(self, step: str) -> Iterator[AskedQuestion]:
-        """Yield the questions of a step, those about each feedback several times."""
+        """Yield the questions of a step, some of them once for each feedback."""
         definition = self._definition
         pages = {SHEET: definition.sheet, POST_TEST: definition.post_test}
         for question in pages.get(step, definition.trial_questions):
@@ -159,7 +159,7 @@ class PageMaker:
         )
 
     def _feedback_name(self, number: int) -> str:
-        """Return what a participant knows of a feedback: a number."""
+        """Return the numbered name of a feedback, which hides the condition."""
         return f"{self.word('feedback')} {number}"
 
     def _replays(self) -> Replays:
@@ -179,8 +179,8 @@ def check_answers(
     """Return the answers of a page; unanswered ones are None.
 
     Raises:
-        StudyError: for the first answer that is missing or impossible; its `where`
-            is the name of the question.
+        StudyError: for the first answer that is missing or not allowed; `where` is the
+            name of the question.
     """
     checked: dict[str, Any] = {}
     for question in questions:
@@ -190,15 +190,15 @@ def check_answers(
         if value is None:
             if question.required:
                 raise StudyError("is not answered yet", where=question.name)
-        elif not _fits(question, value):
+        elif not _is_allowed(question, value):
             raise StudyError(_limits(question), where=question.name)
         checked[question.name] = value
     if unknown := set(values) - set(checked):
-        raise StudyError("is no question of this page", where=min(unknown))
+        raise StudyError("is not a question of this page", where=min(unknown))
     return checked
 
 
-def _fits(question: AskedQuestion, value: Any) -> bool:
+def _is_allowed(question: AskedQuestion, value: Any) -> bool:
     is_whole = isinstance(value, int) and not isinstance(value, bool)
     match question.kind:
         case QuestionKind.LIKERT:
@@ -216,10 +216,10 @@ def _fits(question: AskedQuestion, value: Any) -> bool:
 def _limits(question: AskedQuestion) -> str:
     if question.kind is QuestionKind.NUMBER:
         return Message(
-            "needs a number from {least} to {most}",
+            "must be a number from {least} to {most}",
             least=question.least,
             most=question.most,
         )
     if question.kind is QuestionKind.TEXT:
         return Message("has more than {most} characters", most=question.most)
-    return Message("has an answer that was not offered")
+    return Message("must be one of the choices")

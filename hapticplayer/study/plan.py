@@ -1,7 +1,7 @@
-"""What is fixed before a participant sits down, written first and twice.
+"""The plan of a session, which is fixed before it begins, and participants' codes.
 
-`session.json` holds it for people, the first record of the answers once more: either
-of them may be damaged without harm.
+The plan is stored twice, in `session.json` and in the first record of the journal, so
+that one damaged copy does no harm.
 """
 
 import hashlib
@@ -19,25 +19,25 @@ from hapticplayer.study.definition import Condition, JsonObject, Key, OrderMetho
 
 SCHEMA = "hapticplayer.session"
 VERSION = 1
-# without vowels (no words) and without what looks alike
+# without vowels (no words) and without letters that look alike
 LETTERS = "CDFGHJKMNPQRTVWXY34679"
 LENGTH = 6
 
 
 class Plan(JsonObject, frozen=True, kw_only=True):
-    """One participant's session as planned, as `session.json` holds it.
+    """The plan of a session, with the entries of `session.json`.
 
     Attributes:
         code: of the participant.
         study: id of the study.
-        definition_sha256: of the definition, which lies beside the plan.
+        definition_sha256: of the copy of the definition.
         program: name and version.
         created_utc: ISO 8601.
         language: of the pages.
-        method, seed, row: how the order was made, see `orders.Assignment`.
-        order: conditions as they are played.
-        labels: feedbacks in the order in which they are called 1, 2, ...
-        clips: SHA-256 of each sequence's description, which holds those of its files.
+        method, seed, row: of the order, see `orders.Assignment`.
+        order: conditions in order of playback.
+        labels: feedbacks in the order of their numbers.
+        clips: SHA-256 of the description of each sequence, which holds those of files.
     """
 
     schema: str = SCHEMA
@@ -56,13 +56,13 @@ class Plan(JsonObject, frozen=True, kw_only=True):
     clips: dict[str, str]
 
     def __post_init__(self) -> None:
-        """Refuse another code than the program makes."""
+        """Refuse an invalid code."""
         if not is_code(self.code):
-            raise ValueError("'code' is no participant's code")
+            raise ValueError("'code' is not a participant's code")
 
 
 def describe(value: Plan | Condition) -> dict[str, Any]:
-    """Return a plan or a condition as it is stored."""
+    """Return a plan or a condition as JSON."""
     described: dict[str, Any] = msgspec.to_builtins(value)
     return described
 
@@ -82,7 +82,7 @@ def parse_plan_file(content: bytes, path: str) -> Plan:
     """
     described = json_files.parse(content, path)
     if not isinstance(described, dict) or described.get("schema") != SCHEMA:
-        json_files.refuse(path, "", Message("is no session"))
+        json_files.refuse(path, "", Message("is not a session"))
     if described.pop("sha256", None) != _digest(described):
         what = Message("is damaged (its checksum differs)")
         json_files.refuse(path, "", what, Message("copy the session again"))
@@ -93,10 +93,10 @@ def plan_of_record(content: Any, path: str) -> Plan:
     """Return the plan in a record.
 
     Raises:
-        StudyError: when it is none.
+        StudyError: when it is not a plan.
     """
     if isinstance(content, dict) and content.get("version") != VERSION:
-        what = Message("is of another version of the program")
+        what = Message("was written by another version of the program")
         json_files.refuse(path, "", what, Message("update hapticplayer"))
     return json_files.convert(content, Plan, path)
 
@@ -107,7 +107,7 @@ def _digest(described: dict[str, Any]) -> str:
 
 
 def new_code(taken: Collection[str]) -> str:
-    """Return a code that nobody has."""
+    """Return an unused code."""
     while True:
         code = "".join(secrets.choice(LETTERS) for _ in range(LENGTH))
         if code not in taken:
@@ -115,20 +115,20 @@ def new_code(taken: Collection[str]) -> str:
 
 
 def is_code(text: str) -> bool:
-    """Whether a text could be a code."""
+    """Whether a text is a valid code."""
     return len(text) == LENGTH and all(letter in LETTERS for letter in text)
 
 
 def checked_code(text: str) -> str:
-    """Return a code as it is stored, however it was typed.
+    """Return a typed code in its stored form.
 
     Raises:
-        StudyError: where it is none.
+        StudyError: when it is not a valid code.
     """
     code = text.strip().upper()
     if not is_code(code):
         raise StudyError(
-            "{text!r} is no participant's code",
+            "{text!r} is not a participant's code",
             remedy="a code has {length} letters, as `study status` lists them",
             text=text,
             length=LENGTH,
@@ -137,7 +137,7 @@ def checked_code(text: str) -> str:
 
 
 def number_of(code: str) -> int:
-    """Return the code as a number, to seed what is random for this participant."""
+    """Return a code as a number, as a seed for this participant."""
     number = 0
     for letter in code:
         number = number * len(LETTERS) + LETTERS.index(letter)

@@ -1,4 +1,4 @@
-"""What is looked at before the first trial, and kept with the session."""
+"""The checks before the first trial, which are stored with the session."""
 
 import shutil
 from collections.abc import Mapping
@@ -23,17 +23,17 @@ DEVICE, HOMED, SCHEDULING, SOUND, VOLUME, SCREEN, DISK = (
     "disk",
 )
 
-SIMULATED = "simulated"  # nobody feels anything: good for trying a study out
+SIMULATED = "simulated"  # without force feedback, for trying a study out
 
 
 @dataclass(frozen=True, slots=True)
 class SessionCheck:
-    """One thing that was looked at.
+    """The result of one check.
 
     Attributes:
-        name: what.
-        is_good: whether it is as the definition wants it.
-        found: what was found, in a few words.
+        name: of the check.
+        is_good: whether it meets the definition.
+        found: the state in a few words.
     """
 
     name: str
@@ -50,15 +50,15 @@ def run_checks(
     is_sound_heard: bool,
     volume_percent: int,
 ) -> tuple[SessionCheck, ...]:
-    """Return the state of everything that a session needs.
+    """Check everything that a session needs.
 
     Args:
         player: with its device.
-        checks: what the definition wants.
+        checks: required by the definition.
         folder: of the study.
         screen: of the participant: width_px, height_px, refresh_hz, screens.
-        is_sound_heard: as a person has confirmed.
-        volume_percent: of the player, the same for the whole session.
+        is_sound_heard: whether a person has confirmed audible sound.
+        volume_percent: of the player.
     """
     now = player.snapshot()
     return (
@@ -85,12 +85,12 @@ def run_checks(
 
 
 def checks_as_json(checks: tuple[SessionCheck, ...]) -> list[dict[str, Any]]:
-    """Return the checks as they are kept."""
+    """Return the checks as they are stored."""
     return [{"check": c.name, "ok": c.is_good, "found": c.found} for c in checks]
 
 
 def volume_in_checks(checks: object) -> int | None:
-    """Return the volume that kept checks tell, per cent; None where they tell none."""
+    """Return the volume (per cent) in stored checks, or None."""
     rows = checks if isinstance(checks, list) else []
     texts = [
         str(row.get("found", ""))
@@ -113,7 +113,7 @@ def _homed(now: Snapshot, checks: Checks) -> SessionCheck:
     if now.device == NO_DEVICE:
         return SessionCheck(HOMED, not checks.device, "no device")
     if now.tick is None:
-        return SessionCheck(HOMED, False, "the device has said nothing yet")
+        return SessionCheck(HOMED, False, "no data from the device yet")
     is_homed = now.cause is not Cause.NOT_HOMED
     return SessionCheck(HOMED, is_homed, "yes" if is_homed else "not yet")
 

@@ -1,4 +1,4 @@
-"""Files of participants: 0600 in folders 0700, whole or not at all, durable."""
+"""Writing participants' files: private (0600, folders 0700), atomic and synced."""
 
 import os
 import shutil
@@ -15,7 +15,7 @@ SCRATCH = ".part"
 
 
 def make_folder(folder: Path) -> None:
-    """Make a folder that only its owner can look into; one that exists stays."""
+    """Make a folder that only its owner can read, unless it exists."""
     try:
         folder.mkdir(mode=FOLDER_MODE, parents=True, exist_ok=True)
     except OSError as problem:
@@ -23,20 +23,20 @@ def make_folder(folder: Path) -> None:
 
 
 def write_new(path: Path, content: bytes) -> None:
-    """Write a file that does not exist yet, durable; its folder is not synced."""
+    """Write and sync a new file; its folder is not synced."""
     flags = os.O_WRONLY | os.O_CREAT | os.O_EXCL | os.O_NOFOLLOW
     descriptor = os.open(path, flags, FILE_MODE)
     with os.fdopen(descriptor, "wb") as writer:
-        os.fchmod(descriptor, FILE_MODE)  # whatever the umask
+        os.fchmod(descriptor, FILE_MODE)  # independent of the umask
         writer.write(content)
         sync_file(writer)
 
 
 def replace(path: Path, content: bytes) -> None:
-    """Write a file in place of an older one: a reader sees the one or the other.
+    """Replace a file atomically.
 
     Raises:
-        StudyError: when it cannot be written; the older one is still there.
+        StudyError: when it cannot be written; the old file is kept.
     """
     aside = path.with_name(f".{path.name}.{os.getpid()}{SCRATCH}")
     try:
@@ -53,10 +53,10 @@ def replace(path: Path, content: bytes) -> None:
 
 @contextmanager
 def folder_written_aside(target: Path) -> Iterator[Path]:
-    """Yield a new folder, 0700, that becomes `target` when the block ends well.
+    """Yield a new folder (0700) that becomes `target` if the block succeeds.
 
     Raises:
-        StudyError: when the target exists or cannot be written; nothing is left.
+        StudyError: when the target exists or cannot be written.
     """
     try:
         with files.written_aside(target, FOLDER_MODE) as aside:
@@ -68,7 +68,7 @@ def folder_written_aside(target: Path) -> Iterator[Path]:
 
 
 def remove_scratch(folder: Path) -> None:
-    """Remove what a program that was killed left half-written in a folder."""
+    """Remove incomplete files of a program that was killed."""
     for left in folder.glob(f".*{SCRATCH}"):
         if left.is_dir() and not left.is_symlink():
             shutil.rmtree(left, ignore_errors=True)
@@ -78,13 +78,13 @@ def remove_scratch(folder: Path) -> None:
 
 
 def sync_file(writer: BinaryIO) -> None:
-    """Make what was written durable."""
+    """Flush and sync a file."""
     writer.flush()
     os.fsync(writer.fileno())
 
 
 def raise_write_error(problem: OSError, path: Path) -> NoReturn:
-    """Raise StudyError for what the system refused."""
+    """Raise StudyError for an OSError."""
     raise StudyError(
         "cannot be written ({reason})",
         where=str(path),

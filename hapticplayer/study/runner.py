@@ -1,7 +1,7 @@
-"""One participant's session as a state machine, without a window.
+"""The state machine of a participant's session, without a window.
 
-Whatever was answered or happened is on the disk before the next page is there. The
-front end shows `page` and polls; nobody else decides what comes next.
+Every answer and event is on the disk before the next page is shown. The front end shows
+`page` and polls.
 """
 
 import enum
@@ -36,11 +36,11 @@ END = "end"
 
 
 class StepMode(enum.Enum):
-    """What is going on at a step."""
+    """Activity within a step."""
 
     AT_PAGE = enum.auto()
     PLAYING = enum.auto()
-    SHOWING = enum.auto()  # the demonstration, or a clip once more
+    SHOWING = enum.auto()  # the demonstration or a replay
     ASKING = enum.auto()
     PAUSED = enum.auto()
     PROBLEM = enum.auto()
@@ -62,31 +62,31 @@ _IN_MODE = {
 
 
 class Observer(Protocol):
-    """Told of what happens, for other programs: no answers, no codes."""
+    """Receives events for other programs, without answers and codes."""
 
     def marker(self, text: str, monotonic_s: float) -> None:
-        """Note that something happened."""
+        """Receive an event."""
         ...
 
     def force(
         self, monotonic_s: NDArray[np.float64], force_n: NDArray[np.float32]
     ) -> None:
-        """Note forces (N, 3) that were sent to the device, with their times (N,), s."""
+        """Receive forces (N, 3) sent to the device, with their times (N,), s."""
         ...
 
 
 class SessionRunner:
-    """Runs one session, from where it stands.
+    """Runs a session, from its first unanswered step.
 
     Args:
         study: of the session.
         code: of the participant.
         stage: where clips are played.
         clock: of the machine.
-        observer: told of beginnings and ends.
+        observer: receives events.
 
     Raises:
-        StudyError: when the session is over, open elsewhere or cannot be written.
+        StudyError: when the session has ended, is locked or cannot be written.
     """
 
     def __init__(
@@ -101,7 +101,7 @@ class SessionRunner:
         if session.state is not SessionState.UNFINISHED:
             raise StudyError(
                 "session {code} is {state}",
-                remedy="begin a new one",
+                remedy="start a new session",
                 code=session.code,
                 state=Message(session.state.value),
             )
@@ -138,11 +138,11 @@ class SessionRunner:
             raise
         self._enter()
 
-    # --- where we are ----------------------------------------------------------
+    # --- state ----------------------------------------------------------------
 
     @property
     def step(self) -> str:
-        """Name of the present step; "end" after the last."""
+        """Name of the current step; "end" after the last."""
         if self._is_complete is not None:
             return END
         left = (step for step in self._steps if step not in self._done)
@@ -150,28 +150,28 @@ class SessionRunner:
 
     @property
     def is_over(self) -> bool:
-        """Whether there is nothing more to do."""
+        """Whether the session has ended."""
         return self._is_complete is not None
 
     @property
     def condition(self) -> Condition | None:
-        """What the present trial plays; None on other pages."""
+        """Condition of the current trial; None on other pages."""
         position = position_of(self.step)
         return self._conditions[position - 1] if position else None
 
     @property
     def trials(self) -> int:
-        """How many trials there are."""
+        """Number of trials."""
         return len(self._conditions)
 
     @property
     def attempt(self) -> int:
-        """Which attempt at the present trial is running or was the last."""
+        """Number of the current or last attempt at the current trial."""
         return self._attempts.get(self.step, 0)
 
     @property
     def page(self) -> Page:
-        """What the participant is to see now."""
+        """The current page."""
         return self.maker.page(self._kind(), self.step, self._number)
 
     def _kind(self) -> PageKind:
@@ -181,10 +181,10 @@ class SessionRunner:
             return _AT_STEP.get(self.step, PageKind.READY)
         return _IN_MODE[self._mode]
 
-    # --- what the participant does -----------------------------------------------
+    # --- actions of the participant ----------------------------------------------
 
     def consent(self, *, given: bool) -> None:
-        """Keep the decision; a refusal ends the session."""
+        """Store the decision; a refusal ends the session."""
         self._expect(PageKind.CONSENT)
         try:
             save_consent(
@@ -203,11 +203,11 @@ class SessionRunner:
             self._end(is_complete=False, reason="consent refused", by="participant")
 
     def answer(self, values: Mapping[str, Any]) -> None:
-        """Keep the answers of a page and go on.
+        """Store the answers of a page and continue.
 
         Raises:
-            StudyError: for an answer that is missing or impossible; nothing is kept
-                then, and the page stays.
+            StudyError: for an answer that is missing or not allowed; nothing is stored and
+                the page stays.
         """
         page = self._expect(PageKind.QUESTIONS)
         checked = check_answers(page.questions, values)
@@ -219,10 +219,10 @@ class SessionRunner:
         if self.condition is not None:
             content["attempt"] = self.attempt
             content["condition"] = describe(self.condition)
-        self._keep("answers", self._complete_step, **content)
+        self._store("answers", self._complete_step, **content)
 
-    def go_on(self) -> None:
-        """Press the one button of a page: start a trial, pass a page, end a pause."""
+    def proceed(self) -> None:
+        """Start the trial, leave the page or end the pause."""
         if self._mode is StepMode.PAUSED:
             self.resume("participant")
         elif self.step == DEMONSTRATION:
@@ -231,25 +231,25 @@ class SessionRunner:
         else:
             self._expect(PageKind.READY)
             self._attempts[self.step] += 1
-            self._keep("trial-begin", self._play, **self._trial_name())
+            self._store("trial-begin", self._play, **self._trial_name())
 
-    def feel(self) -> None:
+    def demonstrate(self) -> None:
         """Play the demonstration of the device."""
         self._expect(PageKind.DEMONSTRATION)
         self.stage.prepare_demonstration()
-        self._keep("demonstration", self._show)
+        self._store("demonstration", self._show)
 
     def replay(self, token: str) -> None:
-        """Play a clip with one of the feedbacks once more; see `Page.replays`."""
+        """Play a clip with one of the feedbacks again; see `Page.replays`."""
         self._expect(PageKind.QUESTIONS)
         number, _, place = token.partition(".")
         feedback = self.plan.labels[int(number) - 1]
         sequence = self.definition.sequences[int(place) - 1].key
         self.stage.prepare(Condition(sequence, feedback))
-        self._keep("replay", self._show, sequence=sequence, feedback=feedback)
+        self._store("replay", self._show, sequence=sequence, feedback=feedback)
 
     def halt(self, reason: str) -> None:
-        """Take the force away at once; an interrupted trial has to be begun again."""
+        """Stop the force at once; an interrupted trial has to be started again."""
         self.stage.halt()
         if self.is_over or self._mode in (StepMode.PAUSED, StepMode.PROBLEM):
             return
@@ -259,23 +259,23 @@ class SessionRunner:
             self._pause(reason)
 
     def leave(self) -> None:
-        """Stop taking part; the answers given so far are kept."""
+        """End the session early; the answers so far are kept."""
         self.stop("left", by="participant")
 
-    # --- what the operator does --------------------------------------------------
+    # --- actions of the operator -------------------------------------------------
 
     def pause(self) -> None:
-        """Let the participant rest."""
+        """Pause the session."""
         self.halt("paused")
 
     def resume(self, by: str = "operator") -> None:
-        """Go on after a pause."""
+        """Continue after a pause."""
         if self._mode is StepMode.PAUSED:
             self.stage.rearm()
-            self._keep("go-on", self._after_pause, by=by)
+            self._store("go-on", self._after_pause, by=by)
 
     def repeat(self) -> None:
-        """Play the present trial again, or the last one where none has begun yet."""
+        """Repeat the current trial, or the last one if it has not started yet."""
         if self.is_over or self._mode is StepMode.PROBLEM:
             return
         step = self._trial_to_repeat()
@@ -289,7 +289,7 @@ class SessionRunner:
             self._again = step
             self._enter()
 
-        self._keep("repeat", again, step=step)
+        self._store("repeat", again, step=step)
 
     def _trial_to_repeat(self) -> str:
         if self._mode in (StepMode.PLAYING, StepMode.ASKING):
@@ -298,20 +298,20 @@ class SessionRunner:
         return self.step if self.step in played else (played[-1] if played else "")
 
     def skip(self, reason: str) -> None:
-        """Leave the present step out; consent cannot be."""
+        """Skip the current step, except consent."""
         if self.is_over or self.step == CONSENT or self._mode is StepMode.PROBLEM:
             return
         if not reason.strip():
-            raise StudyError("a step is skipped only with a reason")
+            raise StudyError("skipping a step needs a reason")
         if self._mode in (StepMode.PLAYING, StepMode.SHOWING):
             self.halt("skipped")
         self.stage.rearm()
-        self._keep("skip", self._complete_step, step=self.step, reason=reason.strip())
+        self._store("skip", self._complete_step, step=self.step, reason=reason.strip())
 
     def stop(self, reason: str, by: str = "operator") -> None:
-        """End the session for good; the answers given so far are kept.
+        """End the session; the answers so far are kept.
 
-        Where nothing can be written it stays without an end, and can be resumed.
+        If that cannot be written, the session can be resumed.
         """
         self.retry()
         self.halt("stopped")
@@ -319,16 +319,16 @@ class SessionRunner:
             self._end(is_complete=False, reason=reason, by=by)
 
     def note(self, text: str) -> None:
-        """Keep a remark of the operator."""
+        """Store a note of the operator."""
         if text.strip() and not self.is_over:
-            self._keep("note", lambda: None, text=text.strip())
+            self._store("note", lambda: None, text=text.strip())
 
-    def keep_checks(self, checks: list[dict[str, Any]], *, overridden: bool) -> None:
-        """Keep what was looked at before the first trial."""
-        self._keep("checks", lambda: None, checks=checks, overridden=overridden)
+    def store_checks(self, checks: list[dict[str, Any]], *, overridden: bool) -> None:
+        """Store the checks before the first trial."""
+        self._store("checks", lambda: None, checks=checks, overridden=overridden)
 
     def retry(self) -> None:
-        """Try to keep what could not be kept, once the reason is gone."""
+        """Retry what could not be stored."""
         if self._pending is not None:
             pending, self._pending = self._pending, None
             self.problem, self._mode = "", self._before_problem
@@ -336,13 +336,13 @@ class SessionRunner:
             pending()
 
     def close(self) -> None:
-        """Let go of the session; one that has no end can be resumed."""
+        """Close the journal; a session without an end can be resumed."""
         self._journal.close()
 
-    # --- what happens by itself ----------------------------------------------------
+    # --- polling and storing -------------------------------------------------------
 
     def poll(self) -> None:
-        """Look whether a clip has ended."""
+        """Check whether a clip has ended."""
         if self._mode is StepMode.PLAYING and self.stage.is_over():
             self._finish_trial(self._ask)
         elif self._mode is StepMode.SHOWING and self.stage.is_over():
@@ -352,23 +352,23 @@ class SessionRunner:
         page = self.page
         if page.kind is not kind:
             raise StudyError(
-                "this is the page {page}, not {expected}",
+                "the current page is {page}, not {expected}",
                 page=page.kind.value,
                 expected=kind.value,
             )
         return page
 
-    def _keep(self, kind: str, then: Callable[[], None], **content: Any) -> None:
-        """Keep a record, and only then do what follows."""
+    def _store(self, kind: str, then: Callable[[], None], **content: Any) -> None:
+        """Store a record, then continue."""
         try:
             self._journal.append(kind, **content)
         except StudyError as problem:
-            self._fail(problem, lambda: self._keep(kind, then, **content))
+            self._fail(problem, lambda: self._store(kind, then, **content))
         else:
             then()
 
     def _fail(self, problem: StudyError, again: Callable[[], None]) -> None:
-        """Stop the participant with a message until an operator has helped."""
+        """Show the problem until the operator has retried."""
         self.stage.halt()
         self.problem = message_of(problem)
         if self._mode is StepMode.PROBLEM and self._pending is not None:
@@ -376,10 +376,10 @@ class SessionRunner:
             return
         self._pending = again
         self._before_problem, self._mode = self._mode, StepMode.PROBLEM
-        self._turn_page()
+        self._next_page()
 
     def _enter(self) -> None:
-        """Come to the first page of the present step."""
+        """Show the first page of the current step."""
         self._mode = StepMode.AT_PAGE
         if self.step == END and self._is_complete is None:
             self._end(is_complete=True, reason="", by="")
@@ -387,9 +387,9 @@ class SessionRunner:
         if self.condition is not None:
             self.stage.prepare(self.condition)
         self._mark(f"{self.step} page")
-        self._turn_page()
+        self._next_page()
 
-    def _turn_page(self) -> None:
+    def _next_page(self) -> None:
         self._number += 1
         self._shown_s = self._clock.now_s()
 
@@ -406,17 +406,17 @@ class SessionRunner:
         self.stage.begin()
         assert self.condition is not None
         self._mark(f"{self.step} begin {self.condition.key}")
-        self._turn_page()
+        self._next_page()
 
     def _show(self) -> None:
         self._mode = StepMode.SHOWING
         self.stage.begin()
-        self._turn_page()
+        self._next_page()
 
     def _finish_trial(self, then: Callable[[], None], *reasons: str) -> None:
         played = self.last_trial = self.stage.played(*reasons)
         self._mark(f"{self.step} end")
-        self._keep(
+        self._store(
             "trial",
             then,
             **self._trial_name(),
@@ -428,23 +428,23 @@ class SessionRunner:
     def _ask(self) -> None:
         self._mode = StepMode.ASKING
         self._mark(f"{self.step} questions")
-        self._turn_page()
+        self._next_page()
 
     def _pause(self, reason: str) -> None:
         self._before_pause = self._mode
         self._mode = StepMode.PAUSED
-        self._turn_page()
-        self._keep("pause", lambda: None, step=self.step, reason=reason)
+        self._next_page()
+        self._store("pause", lambda: None, step=self.step, reason=reason)
 
     def _after_pause(self) -> None:
-        """Come back to the questions, or to where a clip can be begun again."""
+        """Return to the questions, or to the start of the trial."""
         if self._before_pause is StepMode.ASKING:
             self._ask()
         else:
             self._enter()
 
     def _pass_step(self) -> None:
-        self._keep("passed", self._complete_step, step=self.step)
+        self._store("passed", self._complete_step, step=self.step)
 
     def _complete_step(self) -> None:
         self._done.add(self.step)
@@ -456,9 +456,9 @@ class SessionRunner:
             self._is_complete = is_complete
             self._mode = StepMode.AT_PAGE
             self._mark("session end")
-            self._turn_page()
+            self._next_page()
 
-        self._keep("end", ended, complete=is_complete, reason=reason, by=by)
+        self._store("end", ended, complete=is_complete, reason=reason, by=by)
 
     def _mark(self, text: str) -> None:
         if self._observer is not None:

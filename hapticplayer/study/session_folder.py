@@ -1,4 +1,4 @@
-"""One participant's folder: the plan first, then answers, nothing ever rewritten."""
+"""The folder of a session: plan and definition, then the journal; append-only."""
 
 import enum
 import hashlib
@@ -24,25 +24,25 @@ PLAN, DEFINITION_COPY, ANSWERS = "session.json", "study.json", "answers.jsonl"
 
 
 class SessionState(enum.StrEnum):
-    """How far a session is."""
+    """State of a session."""
 
     UNFINISHED = "unfinished"
-    """It has no end: it runs, or was interrupted and can be resumed."""
+    """Running, or interrupted and can be resumed."""
     COMPLETE = "complete"
     STOPPED = "stopped"
-    """It ended early: its place in the balance is given to another."""
+    """Ended early; its order is assigned again."""
 
 
 @dataclass(frozen=True, slots=True)
 class StoredSession:
-    """A session as it lies on the disk.
+    """A stored session.
 
     Attributes:
         folder: of the session.
-        plan: what was fixed first.
-        definition: of the study as it was then.
-        records: what happened.
-        remarks: what is damaged, one sentence each.
+        plan: of the session.
+        definition: of the study when the session began.
+        records: of the journal.
+        remarks: one sentence for each damage.
     """
 
     folder: Path
@@ -53,12 +53,12 @@ class StoredSession:
 
     @property
     def code(self) -> str:
-        """Of the participant."""
+        """Code of the participant."""
         return self.plan.code
 
     @property
     def state(self) -> SessionState:
-        """How far it is; the last end counts."""
+        """State of the session, by its last end."""
         ends = [r for r in self.records.intact if r.kind == "end"]
         if not ends:
             return SessionState.UNFINISHED
@@ -70,10 +70,10 @@ class StoredSession:
 
 
 def create_session(folder: Path, plan: Plan, definition: bytes, clock: Clock) -> None:
-    """Make a session's folder with everything that is known before it begins.
+    """Make the folder of a session with definition, plan and journal.
 
     Raises:
-        StudyError: when it cannot be written; nothing is left then.
+        StudyError: when it cannot be written.
     """
     utc = utc_now_iso("milliseconds")
     first = encode(1, utc, clock.now_s(), "plan", {"plan": describe(plan)})
@@ -84,16 +84,15 @@ def create_session(folder: Path, plan: Plan, definition: bytes, clock: Clock) ->
 
 
 def read_session(folder: Path, study_definition: bytes = b"") -> StoredSession:
-    """Return a session, recovering what is intact.
+    """Return a session, recovered as far as it is intact.
 
     Args:
         folder: of the session.
-        study_definition: content of the study's own definition, which stands in for
-            a damaged copy where it is still the same.
+        study_definition: content of the definition of the study, which replaces a
+            damaged copy if it is unchanged.
 
     Raises:
-        StudyError: when neither copy of the plan, or no copy of the definition, is
-            intact.
+        StudyError: when no copy of the plan or of the definition is intact.
     """
     records = read_journal(folder / ANSWERS)
     name = f"{folder.name}/{ANSWERS}"
@@ -113,7 +112,7 @@ def _plan(folder: Path, records: Records, remarks: list[str]) -> Plan:
         if first is None:
             raise
         remarks.append(
-            Message("{reason}; the copy among the answers was used", reason=problem)
+            Message("{reason}; the copy in the journal was used", reason=problem)
         )
         return plan_of_record(first.content["plan"], f"{folder.name}/{ANSWERS}")
 
@@ -130,16 +129,16 @@ def _definition(
     where = f"{folder.name}/{DEFINITION_COPY}"
     if sha256(study_definition) != plan.definition_sha256:
         raise StudyError(
-            "is damaged or missing, and the study's own definition is another one now",
+            "is damaged or missing, and the definition of the study has changed",
             where=where,
             remedy="copy the session again",
         )
     remarks.append(
-        Message("{file}: is damaged; the study's own definition was used", file=where)
+        Message("{file}: is damaged; the definition of the study was used", file=where)
     )
     return study_definition
 
 
 def sha256(content: bytes) -> str:
-    """Return the checksum of some bytes."""
+    """Return the SHA-256 of some bytes in hexadecimal."""
     return hashlib.sha256(content).hexdigest()

@@ -1,4 +1,4 @@
-"""What has to be loaded before a participant comes in."""
+"""Loading the sequences of a study for a session."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -19,7 +19,7 @@ RECORD = "ticks-{:02d}.hprec"
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Material:
-    """Everything that is played in a study.
+    """The sources of a study.
 
     Attributes:
         sources: of its sequences, by key.
@@ -33,10 +33,10 @@ class Material:
 
 
 def load_material(study: Study) -> Material:
-    """Open all sequences of a study, with the tracks that it needs.
+    """Open the sequences of a study and check their feedbacks.
 
     Raises:
-        StudyError: which sequence or feedback is missing.
+        StudyError: when a sequence or feedback is missing.
         InputError: when a sequence is damaged.
     """
     clips = clip_checksums(study)
@@ -58,23 +58,23 @@ def load_material(study: Study) -> Material:
 
 
 def check_unchanged(session: StoredSession, material: Material) -> None:
-    """Refuse to go on with other clips than the session began with.
+    """Refuse to resume a session with changed sequences.
 
     Raises:
-        StudyError: which sequence is another one now.
+        StudyError: names the changed sequence.
     """
     for key, checksum in session.plan.clips.items():
         if material.clips.get(key) != checksum:
             raise StudyError(
                 "the sequence {key!r} has changed since this session began",
                 where=session.code,
-                remedy="bring the old one back, or stop this session",
+                remedy="restore the old sequence, or stop this session",
                 key=key,
             )
 
 
 def next_record(session_folder: Path) -> Path:
-    """Return the file for the ticks of the next run of a session."""
+    """Return the path for the ticks of the next run of a session."""
     number = 1
     while (path := session_folder / RECORD.format(number)).exists():
         number += 1
@@ -84,7 +84,7 @@ def next_record(session_folder: Path) -> Path:
 def make_stage(
     study: Study, material: Material, player: Player, clock: Clock, record: str
 ) -> PlayerStage:
-    """Return the stage on which a session's clips are played."""
+    """Return the stage of a session."""
     rules = (study.definition.limits, study.definition.checks)
     sources, demonstration = material.sources, material.demonstration
     return PlayerStage(player, sources, demonstration, rules, clock, record)

@@ -1,4 +1,4 @@
-"""Plays what a trial asks for, and says what was really played."""
+"""Plays the trials of a session and measures their playback."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
@@ -19,18 +19,18 @@ from hapticplayer.playback.snapshot import Measurements, Snapshot
 from hapticplayer.playback.source import Source
 from hapticplayer.study.definition import Checks, Condition, PlaybackLimits
 
-# reasons that belong to playing a clip from its beginning to its end
+# reasons of a normal playback from start to end
 _HARMLESS = (Cause.NONE, Cause.PAUSED, Cause.SEEK, Cause.TRACK_ENDED, Cause.CLOSING)
 _ACTING = (Mode.ENTERING, Mode.FOLLOWING)
 
 
 @dataclass(frozen=True, slots=True)
 class PlaybackResult:
-    """What a trial's playback was like.
+    """The playback of a trial.
 
     Attributes:
-        sound: whether nothing was wrong with it.
-        reasons: what was, a word each.
+        sound: whether it was valid.
+        reasons: why it was not, a keyword each.
         playback: figures for the record.
     """
 
@@ -40,10 +40,10 @@ class PlaybackResult:
 
 
 class TrialStage(Protocol):
-    """Where clips are played; everything on the thread that polls the player."""
+    """Plays clips; all calls on the thread that polls the player."""
 
     def prepare(self, condition: Condition) -> None:
-        """Load what is played next; its first picture may be shown."""
+        """Load the next clip; its first frame may be shown."""
         ...
 
     def prepare_demonstration(self) -> None:
@@ -55,33 +55,32 @@ class TrialStage(Protocol):
         ...
 
     def is_over(self) -> bool:
-        """Whether the clip has ended; looks for faults meanwhile."""
+        """Whether the clip has ended; also checks for faults."""
         ...
 
     def played(self, *reasons: str) -> PlaybackResult:
-        """Return what was played since `begin`; `reasons` are added."""
+        """Return the result since `begin`; `reasons` are added."""
         ...
 
     def halt(self) -> None:
-        """Take the force away at once and stand still."""
+        """Stop force and playback at once."""
         ...
 
     def rearm(self) -> None:
-        """Let the force come back after `halt`."""
+        """Re-arm the force after `halt`."""
         ...
 
 
 class PlayerStage:
-    """Plays with the player of the program.
+    """Plays trials with a `Player`.
 
     Args:
-        player: that somebody polls.
+        player: polled by the front end.
         sources: of the study's sequences, by key.
         demonstration: of the device.
-        limits: of a sound playback.
-        checks: what is required at all.
+        rules: limits of a valid playback, and required checks.
         clock: of the machine.
-        record: name of the file that holds all ticks, for the trial's record.
+        record: name of the file with all ticks, stored with the trial.
 
     Attributes:
         opening: called with each source before it is loaded.
@@ -101,10 +100,10 @@ class PlayerStage:
         self._limits, self._checks = rules
         self._clock, self._record = clock, record
         self.opening: Callable[[Source], None] = lambda _source: None
-        self._watch = _Watch(player, clock.now_s())
+        self._monitor = _PlaybackMonitor(player, clock.now_s())
 
     def prepare(self, condition: Condition) -> None:
-        """Load a condition's clip with its force alone."""
+        """Load the clip and the force of a condition."""
         source = self._sources[condition.sequence]
         track = source.tracks[condition.feedback]
         shifted = shifted_and_scaled(track, condition.delay_s, condition.gain)
@@ -123,28 +122,28 @@ class PlayerStage:
         if self.player.snapshot().media_s > 0.0:
             self.player.seek(0.0)
         self.player.restart_meters()
-        self._watch = _Watch(self.player, self._clock.now_s())
+        self._monitor = _PlaybackMonitor(self.player, self._clock.now_s())
         self.player.play()
 
     def is_over(self) -> bool:
-        """Whether the clip has ended; looks for faults meanwhile."""
-        self._watch.look()
+        """Whether the clip has ended; also checks for faults."""
+        self._monitor.update()
         return self.player.snapshot().phase in (Phase.ENDED, Phase.EMPTY)
 
     def halt(self) -> None:
-        """Take the force away at once and stand still."""
-        self._watch.look()
+        """Stop force and playback at once."""
+        self._monitor.update()
         self.player.stop_force()
 
     def rearm(self) -> None:
-        """Let the force come back after `halt`."""
+        """Re-arm the force after `halt`."""
         self.player.rearm()
 
     def played(self, *reasons: str) -> PlaybackResult:
-        """Return what was played since `begin`."""
-        self._watch.look()
-        found = [*reasons, *self._watch.reasons(self._limits, self._checks)]
-        figures = self._watch.figures(self._clock.now_s())
+        """Return the result since `begin`."""
+        self._monitor.update()
+        found = [*reasons, *self._monitor.reasons(self._limits, self._checks)]
+        figures = self._monitor.figures(self._clock.now_s())
         if self._record:
             figures["record"] = self._record
         distinct = tuple(dict.fromkeys(found))
@@ -152,7 +151,7 @@ class PlayerStage:
 
 
 def shifted_and_scaled(track: ForceTrack, delay_s: float, gain: float) -> ForceTrack:
-    """Return a force that comes later by `delay_s` and is `gain` times as large."""
+    """Return a force track delayed by `delay_s` and scaled by `gain`."""
     if delay_s == 0.0 and gain == 1.0:
         return track
     return ForceTrack(
@@ -163,12 +162,12 @@ def shifted_and_scaled(track: ForceTrack, delay_s: float, gain: float) -> ForceT
     )
 
 
-class _Watch:
-    """Follows one playback from its beginning.
+class _PlaybackMonitor:
+    """Measures one playback.
 
     Args:
         player: that plays.
-        now_s: monotonic time of the beginning.
+        now_s: monotonic time of its start.
     """
 
     def __init__(self, player: Player, now_s: float) -> None:
@@ -182,8 +181,8 @@ class _Watch:
         self._squares_n2 = np.zeros(3)
         self._led_by_sound = False
 
-    def look(self) -> None:
-        """Take in what the loop did since the last look."""
+    def update(self) -> None:
+        """Read the ticks since the last update."""
         self._led_by_sound |= self._player.snapshot().clock == "audio"
         ticks = self._player.ticks_since(self._seen_s)
         if not len(ticks):
@@ -195,7 +194,7 @@ class _Watch:
         self._note_faults(ticks)
 
     def _note_faults(self, ticks: NDArray[Any]) -> None:
-        """Note each time that the force was taken away for a reason of its own."""
+        """Note each stop of the force other than by the player."""
         is_acting = np.isin(ticks["mode"], _ACTING)
         before = np.concatenate([[self._was_acting], is_acting[:-1]])
         for row in np.flatnonzero(before & ~is_acting):
@@ -206,7 +205,7 @@ class _Watch:
         self._was_acting = bool(is_acting[-1])
 
     def figures(self, now_s: float) -> dict[str, Any]:
-        """Return what the record keeps of the playback."""
+        """Return the figures of the playback."""
         after, measured = self._player.snapshot(), self._player.measurements()
         before = self._measured_before
         silence_s = measured.audio_underrun_s - before.audio_underrun_s
@@ -232,7 +231,7 @@ class _Watch:
         }
 
     def reasons(self, limits: PlaybackLimits, checks: Checks) -> list[str]:
-        """Return why this playback was not sound."""
+        """Return why this playback was not valid."""
         found = [f"fault:{fault['cause']}" for fault in self._faults]
         after, measured = self._player.snapshot(), self._player.measurements()
         shown = after.frames_shown - self._before.frames_shown

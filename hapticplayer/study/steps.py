@@ -1,4 +1,4 @@
-"""What a session consists of, and what its records say has been done."""
+"""The steps of a session, and which of them its records contain."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
@@ -20,17 +20,17 @@ _TRIAL = "trial-"
 
 @dataclass(frozen=True, slots=True)
 class AnsweredTrial:
-    """One trial with its answers.
+    """A trial with its answers.
 
     Attributes:
-        position: 1 and up in the participant's order.
-        attempt: 1 and up, more where it was repeated.
-        condition: what was to be played.
+        position: in the participant's order, from 1.
+        attempt: from 1; more if the trial was repeated.
+        condition: of the trial.
         values: answers by key of the question.
-        sound: whether the playback was without a fault.
+        sound: whether the playback was valid.
         reasons: why it was not.
-        playback: what was really played.
-        response_s: from the page to its answer, s; None where it was not measured.
+        playback: its figures.
+        response_s: time from page to answer, s; None if not measured.
     """
 
     position: int
@@ -49,7 +49,7 @@ def trial_step(position: int) -> str:
 
 
 def position_of(step: str) -> int | None:
-    """Return which trial a step is; None for another page."""
+    """Return the position of a trial step; None for other steps."""
     return int(step.removeprefix(_TRIAL)) if step.startswith(_TRIAL) else None
 
 
@@ -76,7 +76,7 @@ def steps_done(records: Records) -> set[str]:
 
 
 def attempts_of(records: Records, step: str) -> int:
-    """Return how often a trial has been begun."""
+    """Return how often a trial was started."""
     return sum(
         record.kind == "trial-begin" and record.content.get("step") == step
         for record in records.intact
@@ -84,7 +84,7 @@ def attempts_of(records: Records, step: str) -> int:
 
 
 def page_values(records: Records, page: str) -> Mapping[str, Any]:
-    """Return the answers of a page that is no trial; the last ones count."""
+    """Return the last answers to a page other than a trial."""
     found: Mapping[str, Any] = {}
     for record in records.intact:
         if record.kind == "answers" and record.content.get("step") == page:
@@ -94,7 +94,7 @@ def page_values(records: Records, page: str) -> Mapping[str, Any]:
 
 
 def answered_trials(records: Records) -> Iterator[AnsweredTrial]:
-    """Yield each trial whose answers are there, in the order of answering."""
+    """Yield the answered trials, in the order of their answers."""
     played: dict[tuple[str, int], Mapping[str, Any]] = {}
     for record in records.intact:
         content = record.content
@@ -115,7 +115,7 @@ def _trial(
     answers: Mapping[str, Any],
     played: Mapping[tuple[str, int], Mapping[str, Any]],
 ) -> AnsweredTrial | None:
-    """Return a trial; without its record of playing nobody knows if it was sound."""
+    """Return a trial; without a playback record it is not marked as sound."""
     trial = played.get((step, attempt), {})
     position, values = position_of(step), answers.get("values")
     try:

@@ -1,4 +1,4 @@
-"""A study is a folder: its definition, its sessions, its consents, and a count.
+"""The folder of a study: definition, sessions, consents, and deleted participants.
 
 study.json   orders.csv   sessions/CODE/   consents/CODE.json   deleted/ID.json
 """
@@ -43,8 +43,8 @@ class Study:
     """An opened study.
 
     Attributes:
-        folder: where it lies.
-        definition: what it is.
+        folder: of the study.
+        definition: of the study.
         content: of the definition's file.
     """
 
@@ -53,7 +53,7 @@ class Study:
     content: bytes
 
     def session_folder(self, code: str) -> Path:
-        """Return where a participant's session lies."""
+        """Return the folder of a participant's session."""
         return self.folder / SESSIONS / checked_code(code)
 
     def codes(self) -> list[str]:
@@ -72,12 +72,12 @@ class Study:
         """Return one session.
 
         Raises:
-            StudyError: when there is none, or it is damaged beyond use.
+            StudyError: when it does not exist or is too damaged.
         """
         folder = self.session_folder(code)
         if not folder.is_dir():
             raise StudyError(
-                "there is no participant {code}",
+                "no participant {code}",
                 where=str(self.folder),
                 remedy="`study status` lists them",
                 code=checked_code(code),
@@ -85,9 +85,9 @@ class Study:
         return read_session(folder, self.content)
 
     def sessions(self) -> tuple[list[StoredSession], list[str]]:
-        """Return all sessions in order of their beginning, and what is wrong.
+        """Return all sessions by time, and remarks.
 
-        The remarks go into reports: they name files by their place in the study.
+        The remarks name files by their path in the study, for reports.
         """
         found: list[StoredSession] = []
         remarks: list[str] = []
@@ -108,28 +108,28 @@ class Study:
         return found, remarks
 
     def listed_orders(self) -> list[tuple[Condition, ...]]:
-        """Return the orders of `orders.csv`; empty unless the method needs them."""
+        """Return the orders of `orders.csv`; empty for other methods."""
         if self.definition.order.method is not OrderMethod.LIST:
             return []
         return read_orders(self.folder / ORDERS, self.definition)
 
     def deleted_count(self) -> int:
-        """Return how many participants were deleted."""
+        """Return the number of deleted participants."""
         folder = self.folder / DELETED
         return sum(1 for _ in folder.glob("*.json")) if folder.is_dir() else 0
 
     def balance(self) -> Balance:
-        """Count the orders of all who did not drop out."""
+        """Return the balance of all sessions that were not dropped."""
         sessions, _ = self.sessions()
         orders = [s.plan.order for s in sessions if s.state != SessionState.STOPPED]
         return balance_of(self.definition, orders)
 
 
 def open_study(folder: str | Path) -> Study:
-    """Return the study in a folder, and tidy up behind a program that was killed.
+    """Return the study in a folder; finishes interrupted deletions.
 
     Raises:
-        StudyError: what is wrong with its definition.
+        StudyError: when its definition cannot be used.
     """
     folder = Path(folder)
     content = read_file(folder / DEFINITION)
@@ -142,7 +142,7 @@ def open_study(folder: str | Path) -> Study:
 def begin_session(
     study: Study, language: str, clips: Mapping[str, str], clock: Clock
 ) -> StoredSession:
-    """Give a new participant a code and an order, and keep both.
+    """Create the session of a new participant, with a code and an order.
 
     Args:
         study: opened.
@@ -151,7 +151,7 @@ def begin_session(
         clock: of the machine.
 
     Raises:
-        StudyError: when there is no order, or nothing can be written.
+        StudyError: when there is no order or it cannot be written.
     """
     if language not in study.definition.languages:
         raise StudyError(
@@ -163,7 +163,7 @@ def begin_session(
         )
     private.make_folder(study.folder / SESSIONS)
     private.make_folder(study.folder / CONSENTS)
-    with _alone(study.folder / SESSIONS):
+    with _locked(study.folder / SESSIONS):
         private.remove_scratch(study.folder / SESSIONS)
         code = new_code(study.codes())
         made = _assignment(study, code)
@@ -197,10 +197,10 @@ def _assignment(study: Study, code: str) -> Assignment:
 
 
 def drop_session(study: Study, code: str, reason: str, clock: Clock) -> None:
-    """End a session that will not be resumed; its row is free again.
+    """End an unfinished session; its order is assigned again.
 
     Raises:
-        StudyError: when it is open elsewhere or cannot be written.
+        StudyError: when it is locked or cannot be written.
     """
     session = study.session(code)
     if session.state is SessionState.UNFINISHED:
@@ -212,14 +212,14 @@ def drop_session(study: Study, code: str, reason: str, clock: Clock) -> None:
 
 
 def delete_participant(study: Study, code: str) -> list[str]:
-    """Remove every trace of a participant; a count is all that stays.
+    """Delete a participant; only the number of deleted participants is kept.
 
     Returns:
-        Files in the study's folder that still hold the code, such as reports that
-        were made before: they have to be made anew.
+        Files in the study's folder that still contain the code, such as earlier
+        reports, which have to be made again.
 
     Raises:
-        StudyError: when there is nobody of that code, or it cannot be removed.
+        StudyError: when there is no such participant or it cannot be removed.
     """
     folder = study.session_folder(code)
     code = folder.name
@@ -243,7 +243,7 @@ def delete_participant(study: Study, code: str) -> list[str]:
 
 
 def _finish_deletions(study: Study) -> None:
-    """Count and remove what is on its way out; again after an interruption."""
+    """Count and remove sessions that are marked for deletion."""
     for leaving in (study.folder / SESSIONS).glob(f"{_LEAVING}*"):
         name = leaving.name.removeprefix(_LEAVING)
         stone = {"deleted_utc": utc_now_iso()}
@@ -281,7 +281,7 @@ def _contains(path: Path, code: bytes) -> bool:
 def save_consent(
     study: Study, code: str, *, given: bool, text: str, language: str
 ) -> None:
-    """Keep what a participant decided, apart from the answers.
+    """Store the decision of a participant, apart from the answers.
 
     Raises:
         StudyError: when it cannot be written.
@@ -301,8 +301,8 @@ def save_consent(
 
 
 @contextmanager
-def _alone(folder: Path) -> Iterator[None]:
-    """Hold a folder while nobody else may change it."""
+def _locked(folder: Path) -> Iterator[None]:
+    """Lock a folder."""
     descriptor = os.open(folder, os.O_RDONLY | os.O_DIRECTORY)
     try:
         fcntl.flock(descriptor, fcntl.LOCK_EX)

@@ -44,7 +44,7 @@ def fill(disk: Path) -> Path:
 def sit_until_stopped(sitting: Sitting) -> int:
     """Answer trial after trial; return how many answers were accepted."""
     for accepted in range(MOST_TRIALS):
-        sitting.runner.go_on()
+        sitting.runner.proceed()
         if sitting.kind is PageKind.PLAYING:
             sitting.stage.ended = True
             sitting.runner.poll()
@@ -83,7 +83,7 @@ def full(disk: Path) -> dict:
 def finish(sitting: Sitting) -> None:
     """Do what the page asks for."""
     if sitting.kind is PageKind.READY:
-        sitting.runner.go_on()
+        sitting.runner.proceed()
     elif sitting.kind is PageKind.PLAYING:
         sitting.stage.ended = True
         sitting.runner.poll()

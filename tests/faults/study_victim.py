@@ -53,7 +53,7 @@ def run(folder: Path, code: str, answers: int, delay_s: float) -> None:
             sitting.runner.poll()
         else:
             sitting.runner.stage.rearm()
-            sitting.runner.go_on()
+            sitting.runner.proceed()
     say("end")
 
 

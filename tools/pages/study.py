@@ -118,7 +118,7 @@ def _while_it_runs(stage: Stage, session: StudySession) -> Pictures:
     yield "operator-page", stage.picture(control, 200)
     runner.skip("a picture of the window")
     runner.skip("a picture of the window")
-    runner.go_on()
+    runner.proceed()
     session.participant.refresh()
     stage.wait_until(lambda: runner.page.kind is PageKind.PLAYING)
     yield "operator-playing", stage.picture(control, PLAYED_MS)

@@ -1,4 +1,4 @@
-"""Statistics, figures and the report of a study; simulated answers and power."""
+"""Statistics, figures and reports of studies; power analysis."""
 
 from hapticplayer.study.analysis.analysis import Analysis, AnalysisOptions, analyse
 from hapticplayer.study.analysis.describing import Resampling

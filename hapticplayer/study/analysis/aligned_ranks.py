@@ -1,10 +1,10 @@
-"""Sequence x feedback as such: analysis of variance of aligned ranks.
+"""Sequence x feedback: analysis of variance of aligned ranks.
 
 Averaging over the sequences hides whether a feedback works for some of them only. For
-each effect the responses are stripped of all other effects (aligned), ranked, and put
-into an analysis of variance with both factors within participants, of which this one
-effect is read (Wobbrock et al. 2011); p is also corrected for unequal variances of the
-differences (Greenhouse and Geisser 1959).
+each effect the responses are aligned (all other effects subtracted), ranked, and put
+into an analysis of variance with both factors within participants, of which only this
+effect is used (Wobbrock et al. 2011); p is also corrected for non-sphericity (Greenhouse
+and Geisser 1959).
 """
 
 from collections.abc import Iterator
@@ -25,15 +25,15 @@ from hapticplayer.study.analysis.statistic import (
 )
 
 EFFECTS = ("sequence", "feedback", "interaction")
-_DECIMALS = 9  # aligned responses that are equal but for their rounding are ties
+_DECIMALS = 9  # so that aligned responses that differ by rounding are ties
 _LEAST = 2
 
 
 def structure(values: Floats, participants: tuple[str, ...]) -> Found | None:
-    """Analyse (P, S, F); None where there are too few of something, or all are alike.
+    """Analyse (P, S, F); None with fewer than two of something, or constant values.
 
-    Of each effect `p_corrected` has the degrees of freedom times `epsilon` of Greenhouse
-    and Geisser, 1/df to 1; only participants without holes are in it.
+    `p_corrected` uses the degrees of freedom times `epsilon` of Greenhouse and Geisser
+    (1/df to 1). Participants with missing answers are dropped.
     """
     whole = ~np.isnan(values).any(axis=(1, 2))
     kept = values[whole]
@@ -57,7 +57,7 @@ def aligned_ranks(values: Floats, effect: str) -> Floats:
 
 
 def align(values: Floats, effect: str) -> Floats:
-    """Return what is left of `values` (P, S, F) but for one effect."""
+    """Return `values` (P, S, F) without all effects but one."""
     cells = values.mean(axis=0)
     grand = cells.mean()
     sequence = cells.mean(axis=1, keepdims=True) - grand
@@ -127,13 +127,13 @@ def _warnings(found: dict[str, Any]) -> Iterator[str]:
         if one is None:
             yield (
                 f"{measure}: sequence and feedback cannot be analysed together (fewer "
-                "than two of something, or no spread to compare with)."
+                "than two of something, or constant ratings)."
             )
             continue
         if one["dropped"]:
             yield (
-                f"{measure}: the analysis of aligned ranks is without "
-                f"{listed(one['dropped'])} (answers are missing)."
+                f"{measure}: the analysis of aligned ranks excludes "
+                f"{listed(one['dropped'])} (missing answers)."
             )
         uneven = [
             name
@@ -142,16 +142,15 @@ def _warnings(found: dict[str, Any]) -> Iterator[str]:
         ]
         if uneven:
             yield (
-                f"{measure}: the differences are unequally spread (no sphericity), and "
-                f"this decides about {listed(uneven)}: read the corrected p of the "
-                "aligned ranks."
+                f"{measure}: sphericity does not hold, which changes the result for "
+                f"{listed(uneven)}: use the corrected p of the aligned ranks."
             )
 
 
 ALIGNED_RANKS = Statistic(
     "aligned_ranks",
     "Sequence x feedback: analysis of variance of aligned ranks",
-    lambda sample, _: structure(sample.by_condition, sample.everybody),
+    lambda sample, _: structure(sample.by_condition, sample.all_participants),
     of="effect",
     columns=(
         ReportColumn("n", "n", str),
@@ -163,8 +162,8 @@ ALIGNED_RANKS = Statistic(
         ReportColumn("partial eta²", "partial_eta_squared", number),
     ),
     assumes="The analysis of variance of aligned ranks looks at sequences and feedbacks together, for participants who answered "
-    "everything. It assumes equally unequal differences (sphericity), for which the "
-    "corrected p makes up. An interaction means that the feedbacks differ more for some "
+    "every trial. It assumes sphericity (equal variances of all differences); the "
+    "corrected p does not. An interaction means that the feedbacks differ more for some "
     "sequences than for others.",
     warn=_warnings,
     rows=lambda found: found["effects"] if found else {},

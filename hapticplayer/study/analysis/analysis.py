@@ -1,4 +1,4 @@
-"""The whole analysis of a study, from answers to numbers, and where care is needed."""
+"""The analysis of ratings: statistics, warnings, and the numbers as JSON."""
 
 import dataclasses
 import importlib.metadata
@@ -35,10 +35,10 @@ STATISTICS: dict[str, Statistic] = {
         ALIGNED_RANKS,
     )
 }
-"""A new statistic is a `Statistic` beside its function, and a line here."""
+"""To add a statistic, define a `Statistic` beside its function and list it here."""
 
 FEW = 6
-"""Below so many participants no pair can reach 0.05 in the signed-rank test."""
+"""Fewest participants with which a pair can reach 0.05 in the signed-rank test."""
 _LIBRARIES = ("numpy", "scipy", "statsmodels", "matplotlib")
 
 Progress = Callable[[float, str], None]
@@ -46,11 +46,11 @@ Progress = Callable[[float, str], None]
 
 @dataclass(frozen=True, slots=True)
 class AnalysisOptions:
-    """What a person decides before the numbers are seen.
+    """Options of an analysis.
 
     Attributes:
-        missing: what becomes of holes.
-        with_unsound: whether trials count whose playback was not sound.
+        missing: treatment of missing answers.
+        with_unsound: include trials whose playback was not sound.
         resampling: of intervals and drawn p values.
     """
 
@@ -59,7 +59,7 @@ class AnalysisOptions:
     resampling: Resampling = field(default_factory=Resampling)
 
     def provenance(self) -> dict[str, Any]:
-        """Return what the numbers are made with; the same again gives the same."""
+        """Return versions and options, which reproduce the numbers."""
         versions = {name: importlib.metadata.version(name) for name in _LIBRARIES}
         return {
             "program": f"hapticplayer {__version__}",
@@ -76,9 +76,9 @@ class MeasureAnalysis:
     """One measure, "qoe" or a factor.
 
     Attributes:
-        sample: means over the sequences, on which the tests are done.
-        feedbacks: by feedback, of `sample`.
-        conditions: by sequence and feedback, of all answers there are.
+        sample: means over the sequences, used by the tests.
+        feedbacks: summary of `sample` by feedback.
+        conditions: summary of all answers by sequence and feedback.
     """
 
     sample: Sample
@@ -88,18 +88,18 @@ class MeasureAnalysis:
 
 @dataclass(frozen=True, slots=True)
 class Analysis:
-    """A study in numbers.
+    """The analysis of ratings.
 
     Attributes:
         scores: of all participants.
-        choices: that were made.
+        options: of the analysis.
         measures: "qoe" first, then the factors.
-        found: by name of the statistic and measure.
-        remarks: of the store, about what could not be read.
+        found: results by name of the statistic and measure.
+        remarks: about answers that could not be read.
     """
 
     scores: Scores
-    choices: AnalysisOptions
+    options: AnalysisOptions
     measures: dict[str, MeasureAnalysis]
     found: dict[str, dict[str, Any]]
     remarks: tuple[str, ...]
@@ -107,41 +107,41 @@ class Analysis:
 
 def analyse(
     answers: Answers,
-    choices: AnalysisOptions | None = None,
+    options: AnalysisOptions | None = None,
     progress: Progress = lambda _fraction, _step: None,
 ) -> Analysis:
-    """Return everything that is reported of a study.
+    """Analyse the ratings of a study.
 
     Args:
         answers: of its participants.
-        choices: the usual ones if None.
-        progress: told the done fraction and the step; raises to stop.
+        options: default ones if None.
+        progress: called with the fraction done and the step; raises to cancel.
 
     Raises:
-        InputError: when the answers do not fit their own design.
+        InputError: when there is nothing to compare.
     """
-    choices = choices or AnalysisOptions()
-    scores = scores_of(answers, with_unsound=choices.with_unsound)
+    options = options or AnalysisOptions()
+    scores = scores_of(answers, with_unsound=options.with_unsound)
     measures: dict[str, MeasureAnalysis] = {}
     found: dict[str, dict[str, Any]] = {name: {} for name in STATISTICS}
     for number, measure in enumerate(scores.measures):
         progress(number / len(scores.measures), f"analysing {measure}")
-        measures[measure] = described = _described(scores, measure, choices)
+        measures[measure] = described = _described(scores, measure, options)
         for name, statistic in STATISTICS.items():
-            one = statistic.compute(described.sample, choices.resampling)
+            one = statistic.compute(described.sample, options.resampling)
             found[name][measure] = plain(one)
     for name, statistic in STATISTICS.items():
         statistic.correct(found[name])
-    return Analysis(scores, choices, measures, found, answers.remarks)
+    return Analysis(scores, options, measures, found, answers.remarks)
 
 
 def _described(
-    scores: Scores, measure: str, choices: AnalysisOptions
+    scores: Scores, measure: str, options: AnalysisOptions
 ) -> MeasureAnalysis:
-    sample = sample_of(scores, measure, choices.missing)
+    sample = sample_of(scores, measure, options.missing)
 
     def summary(values: Any, label: str) -> Summary:
-        return summarize(values, choices.resampling, f"{measure}/{label}")
+        return summarize(values, options.resampling, f"{measure}/{label}")
 
     feedbacks = {
         name: summary(column, name)
@@ -158,7 +158,7 @@ def _described(
 
 
 def summary(analysis: Analysis) -> dict[str, Any]:
-    """Return everything as one JSON object, in the shape that other programs rely on.
+    """Return the analysis as JSON, in the stable layout for other programs.
 
     `qoe` has the feedbacks, `factors` the same for each factor; each statistic and
     `conditions` have the measures ("qoe" and the factors) first. A pair is called
@@ -186,12 +186,12 @@ def summary(analysis: Analysis) -> dict[str, Any]:
         "conditions": conditions,
         "missing": missing(analysis),
         "warnings": warnings_of(analysis),
-        "provenance": analysis.choices.provenance(),
+        "provenance": analysis.options.provenance(),
     }
 
 
 def missing(analysis: Analysis) -> dict[str, Any]:
-    """Return how many answers there are not, and who is left out of what."""
+    """Return the number of missing answers, and who is excluded from which tests."""
     scores = analysis.scores
     return {
         "participants": len(scores.participants),
@@ -214,7 +214,7 @@ def missing(analysis: Analysis) -> dict[str, Any]:
 
 
 def warnings_of(analysis: Analysis) -> list[str]:
-    """Return where something does not hold, is missing or cannot be told."""
+    """Return warnings about missing data and violated assumptions."""
     return [
         *analysis.remarks,
         *_missing_warnings(analysis),
@@ -228,7 +228,7 @@ def warnings_of(analysis: Analysis) -> list[str]:
 
 
 def _missing_warnings(analysis: Analysis) -> Iterator[str]:
-    scores, policy = analysis.scores, analysis.choices.missing
+    scores, policy = analysis.scores, analysis.options.missing
     if not scores.missing:
         return
     yield (
@@ -238,19 +238,19 @@ def _missing_warnings(analysis: Analysis) -> Iterator[str]:
     why = (
         "some answers are missing"
         if policy is MissingPolicy.COMPLETE
-        else "no sequence was answered with every feedback"
+        else "no sequence was answered for all feedbacks"
     )
     for name, one in analysis.measures.items():
         if dropped := one.sample.dropped:
             yield (
-                f"{name}: {listed(dropped)} {'is' if len(dropped) == 1 else 'are'} left "
-                f"out of the tests ({why})."
+                f"{name}: {listed(dropped)} {'is' if len(dropped) == 1 else 'are'} "
+                f"excluded from the tests ({why})."
             )
         if one.sample.reduced:
             yield (
-                f"{name}: of {listed(one.sample.reduced)} only the sequences count that "
-                "were answered with every feedback. If answers are missing because of "
-                "how something felt, this does not make up for it."
+                f"{name}: for {listed(one.sample.reduced)} only sequences that were answered "
+                "for all feedbacks are used. This does not help if answers are missing "
+                "because of the feedback."
             )
 
 
@@ -259,11 +259,11 @@ def _participant_warnings(analysis: Analysis) -> Iterator[str]:
     if n < FEW:
         yield (
             f"With {n} participants no pair of feedbacks can differ significantly in "
-            f"the signed-rank test; {FEW} are the least."
+            f"the signed-rank test; at least {FEW} are needed."
         )
     unknown = len(analysis.scores.participants) - len(analysis.scores.used_before)
     if unknown:
         yield (
             f"{unknown} participants did not say whether they had used the device "
-            "before; the Mann-Whitney tests are without them."
+            "before; they are excluded from the Mann-Whitney tests."
         )

@@ -1,9 +1,9 @@
-"""When a changed force is felt as consistent: shares by level, and curves.
+"""Analysis of consistency trials: shares by level, and psychometric curves.
 
-A curve is of the group: answers of all participants are counted together, and its
-spread holds both the noise of one person and the differences between persons. Intervals
-are percentile bootstrap intervals over participants, each with all answers. Levels of
-gain are taken as ratios (natural logarithm), as loudness and force are judged.
+A curve describes the group: the answers of all participants are pooled, so its spread
+includes the noise of each person and the differences between persons. Intervals are
+percentile bootstrap intervals over participants. Gains are analysed as ratios (natural
+logarithm).
 """
 
 from collections.abc import Callable, Iterable
@@ -33,12 +33,12 @@ class Share:
     """Answers at one level.
 
     Attributes:
-        delay_s: by which the force came later, s.
+        delay_s: delay of the force, s.
         gain: of the force.
-        yes: answers "consistent".
-        asked: all answers.
-        share: yes of asked; None without answers.
-        interval: of Wilson, 95 %, as if answers were independent.
+        yes: number of answers "consistent".
+        asked: number of answers.
+        share: yes / asked; None without answers.
+        interval: Wilson interval, 95 %, for independent answers.
     """
 
     delay_s: float
@@ -51,17 +51,17 @@ class Share:
 
 @dataclass(frozen=True, slots=True)
 class Curve:
-    """A fitted curve; criteria in s or as a gain, intervals of 95 %.
+    """A fitted curve; criteria in s or as a gain, 95 % intervals.
 
     Attributes:
         fits: one curve, in s or the logarithm of the gain.
-        values: "lower", "upper", "centre", "window", "spread", "lapse", "peak"; what the
-            shape does not have is left out. Of gains the window is upper / lower and
-            the spread a factor.
-        intervals: of the same, by bootstrap.
-        deviance: from the levels' own shares.
-        p_fit: share of curves drawn from the fitted one that deviate as much.
-        is_flat: the shares of the levels do not differ (G test, 5 %).
+        values: "lower", "upper", "centre", "window", "spread", "lapse", "peak", as far
+            as the shape has them. For gains the window is upper / lower and the spread
+            a factor.
+        intervals: of `values`, by bootstrap.
+        deviance: of the fit from the shares of the levels.
+        p_fit: share of simulated fits with at least this deviance.
+        is_flat: whether the shares do not differ (G test, 5 %).
     """
 
     fits: Fits
@@ -74,14 +74,14 @@ class Curve:
 
 @dataclass(frozen=True, slots=True)
 class AxisAnalysis:
-    """Levels of one kind of change.
+    """The analysis of one kind of change.
 
     Attributes:
-        axis: what was changed.
+        axis: the changed quantity.
         levels: in ascending order.
         by_person: shares (P, L) of each participant, NaN without answers.
         shares: by sequence, "all" first.
-        curves: by sequence, "all" first; None where there are too few levels.
+        curves: by sequence, "all" first; None with too few levels.
     """
 
     axis: Axis
@@ -93,20 +93,20 @@ class AxisAnalysis:
 
 @dataclass(frozen=True, slots=True)
 class ConsistencyAnalysis:
-    """A study of consistency in numbers.
+    """The analysis of consistency trials.
 
     Attributes:
         participants: codes.
-        choices: that were made.
-        axes: "delay_s", "gain", as far as they were changed.
-        mixed: levels where both were changed; they are on no curve.
-        planned, missing, unsound: answers; the unsound ones are missing too.
-        feedbacks: whose answers are counted together.
-        remarks: of the store.
+        options: of the analysis.
+        axes: by changed quantity, "delay_s" or "gain".
+        mixed: levels that change both, which are not on a curve.
+        planned, missing, unsound: numbers of answers; missing includes unsound.
+        feedbacks: whose answers are pooled.
+        remarks: about answers that could not be read.
     """
 
     participants: tuple[str, ...]
-    choices: AnalysisOptions
+    options: AnalysisOptions
     axes: dict[Axis, AxisAnalysis]
     mixed: tuple[Share, ...]
     planned: int
@@ -118,44 +118,44 @@ class ConsistencyAnalysis:
 
 def analyse_consistency(
     answers: Answers,
-    choices: AnalysisOptions | None = None,
+    options: AnalysisOptions | None = None,
     progress: Progress = lambda _fraction, _step: None,
 ) -> ConsistencyAnalysis:
-    """Return everything that is reported of a study of consistency.
+    """Analyse the judgements of a study.
 
     Raises:
-        InputError: when there is no judgement that counts.
+        InputError: when there is no usable judgement.
     """
-    choices = choices or AnalysisOptions()
+    options = options or AnalysisOptions()
     counted = [
         one
         for one in answers.judgements
-        if one.consistent is not None and (one.sound or choices.with_unsound)
+        if one.consistent is not None and (one.sound or options.with_unsound)
     ]
     if not counted:
-        raise InputError("there is no judgement that could be analysed")
+        raise InputError("there is no judgement to analyse")
     axes: dict[Axis, AxisAnalysis] = {}
     for place, axis in enumerate(_AXES):
         progress(place / 2.0, f"fitting {axis}")
         on_axis = [one for one in counted if _is_on(one, axis)]
         if len({getattr(one, axis) for one in on_axis}) > 1:
-            axes[axis] = _axis(axis, on_axis, answers, choices)
+            axes[axis] = _axis(axis, on_axis, answers, options)
     mixed = [one for one in counted if one.delay_s != 0.0 and one.gain != 1.0]
     return ConsistencyAnalysis(
         tuple(person.code for person in answers.participants),
-        choices,
+        options,
         axes,
         _shares(mixed),
         len(answers.judgements),
         len(answers.judgements) - len(counted),
-        0 if choices.with_unsound else sum(not j.sound for j in answers.judgements),
+        0 if options.with_unsound else sum(not j.sound for j in answers.judgements),
         answers.feedbacks,
         answers.remarks,
     )
 
 
 def position(axis: Axis, level: Floats) -> Floats:
-    """Return where levels are on a curve: no change is 0."""
+    """Return the positions of levels on a curve; 0 is no change."""
     with np.errstate(divide="ignore"):
         return np.asarray(level if axis == "delay_s" else np.log(level))
 
@@ -180,7 +180,7 @@ def _share(delay_s: float, gain: float, yes: int, asked: int) -> Share:
 
 
 def _axis(
-    axis: Axis, judged: list[Judgement], answers: Answers, choices: AnalysisOptions
+    axis: Axis, judged: list[Judgement], answers: Answers, options: AnalysisOptions
 ) -> AxisAnalysis:
     levels = np.unique([getattr(one, axis) for one in judged])
     parts = {ALL: judged}
@@ -196,7 +196,7 @@ def _axis(
         np.where(asked > 0, yes / np.maximum(asked, 1), np.nan),
         {name: _shares(part) for name, part in parts.items()},
         {
-            name: _curve(axis, levels, *counted, choices, f"{axis}/{name}")
+            name: _curve(axis, levels, *counted, options, f"{axis}/{name}")
             for name, counted in counts.items()
         },
     )
@@ -205,7 +205,7 @@ def _axis(
 def _counts(
     axis: Axis, judged: list[Judgement], codes: list[str], levels: Floats
 ) -> tuple[Floats, Floats]:
-    """Return answers (P, L) that were yes, and all."""
+    """Return the numbers (P, L) of answers "yes" and of all answers."""
     rows = {code: row for row, code in enumerate(codes)}
     yes, asked = np.zeros((2, len(codes), len(levels)))
     for one in judged:
@@ -220,17 +220,17 @@ def _curve(
     levels: Floats,
     yes: Floats,
     asked: Floats,
-    choices: AnalysisOptions,
+    options: AnalysisOptions,
     label: str,
 ) -> Curve | None:
     used = asked.sum(axis=0) > 0
     x, yes, asked = position(axis, levels[used]), yes[:, used], asked[:, used]
     if np.isfinite(x).sum() < 2 or len(x) < shape_of(x).least_levels:
         return None
-    shape, rng = shape_of(x), choices.resampling.generator(f"curve/{label}")
+    shape, rng = shape_of(x), options.resampling.generator(f"curve/{label}")
     total_yes, total = yes.sum(axis=0)[None], asked.sum(axis=0)[None]
     found = fit(x, total_yes, total, shape)
-    count = min(choices.resampling.count, _MOST_FITS)
+    count = min(options.resampling.count, _MOST_FITS)
     p = found.shares(x).clip(0.0, 1.0)
     size = (count, len(x))
     drawn_yes = rng.binomial(total.astype(int), p, size).astype(float)
@@ -256,16 +256,16 @@ def _curve(
 def _values(axis: Axis, fits: Fits) -> dict[str, Floats]:
     back: Callable[[Floats], Floats] = np.exp if axis == "gain" else np.asarray
     lower, upper = fits.lower, fits.upper
-    told = {"lower": back(lower), "upper": back(upper)}
+    found = {"lower": back(lower), "upper": back(upper)}
     if np.isfinite(lower).all() and np.isfinite(upper).all():
-        told |= {"centre": back((lower + upper) / 2.0), "window": back(upper - lower)}
+        found |= {"centre": back((lower + upper) / 2.0), "window": back(upper - lower)}
         half = (upper - lower) / (2.0 * fits.spread)
         inside = 2.0 * stats.norm.cdf(half) - 1.0
-        told["peak"] = fits.lapse / 2.0 + (1.0 - fits.lapse) * inside
+        found["peak"] = fits.lapse / 2.0 + (1.0 - fits.lapse) * inside
     else:
         known = "lower" if np.isfinite(lower).all() else "upper"
-        told = {known: told[known]}
-    return {**told, "spread": back(fits.spread), "lapse": fits.lapse}
+        found = {known: found[known]}
+    return {**found, "spread": back(fits.spread), "lapse": fits.lapse}
 
 
 def _intervals(values: dict[str, Floats]) -> dict[str, Interval]:

@@ -1,4 +1,4 @@
-"""The analysis of consistency as JSON, as a report, as tables and figures."""
+"""The analysis of consistency trials as JSON, report, tables and figures."""
 
 from collections.abc import Iterator
 from dataclasses import asdict
@@ -31,7 +31,10 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 _FIGURES = {"delay_s": "consistency-by-time-shift", "gain": "consistency-by-gain"}
-_LABELS = {"delay_s": "force later than picture (s)", "gain": "gain of the force"}
+_LABELS = {
+    "delay_s": "delay of the force against the video (s)",
+    "gain": "gain of the force",
+}
 _VALUES = ("lower", "upper", "centre", "window", "spread", "lapse", "peak")
 AXIS_NAMES = {"delay_s": "time shift", "gain": "gain"}
 _ALPHA, _LOW_PEAK, _FEW = 0.05, 0.75, 6
@@ -39,31 +42,32 @@ _INK, _CURVE, _PERSON = "#222222", "#0072b2", "#999999"
 
 ASSUMPTIONS = (
     (
-        "Shares count all answers of a level; their Wilson intervals take answers as "
-        "independent, and are too narrow where one participant answered several times."
+        "Shares pool all answers to a level; their Wilson intervals assume independent "
+        "answers and are too narrow if a participant answered several times."
     ),
     (
         "Curves assume that what is perceived of a change has normal noise and is felt as "
         "consistent between two criteria: a force may come too early or too late, be too weak "
-        "or too strong, and the two criteria need not be alike. A bell with one centre and "
-        "width would force them to be. Where only one side was tried there is one criterion. "
+        "or too strong, and the two criteria need not be alike. A bell curve with one "
+        "centre and width could not show this. If only one side was tested there is one "
+        "criterion. "
         "At a criterion half of the answers are yes, if the window is wide against the "
         "spread. Up to 10 % of the answers may be at random (lapse). Gains count as ratios."
     ),
     (
-        "Participants are counted together: the spread holds their differences as well as "
-        "the noise of each. Intervals are bootstrap intervals over participants, each with "
-        "all answers; they are too narrow for few of them."
+        "Participants are pooled: the spread includes their differences and the noise of "
+        "each. Intervals are bootstrap intervals over participants; they are too narrow for "
+        "few participants."
     ),
     (
-        "The fit is judged by the deviance, compared with that of answers drawn from the "
-        "fitted curve. A large p is no proof that the curve is right."
+        "The fit is tested by its deviance, compared with that of answers simulated from the "
+        "fitted curve. A large p does not prove the curve."
     ),
 )
 
 
 def summary(analysis: ConsistencyAnalysis) -> dict[str, Any]:
-    """Return everything that was found; what is not defined is None."""
+    """Return the analysis as JSON; undefined values are None."""
     return {
         "consistency": {axis: _axis(one) for axis, one in analysis.axes.items()},
         "mixed_levels": [plain(asdict(one)) for one in analysis.mixed],
@@ -74,7 +78,7 @@ def summary(analysis: ConsistencyAnalysis) -> dict[str, Any]:
             "of_these_not_sound": analysis.unsound,
         },
         "warnings": warnings_of(analysis),
-        "provenance": analysis.choices.provenance(),
+        "provenance": analysis.options.provenance(),
     }
 
 
@@ -86,8 +90,8 @@ def contents(analysis: ConsistencyAnalysis) -> Iterator[ReportBlock]:
         f"{analysis.planned} answers are missing ({analysis.unsound} because the "
         "playback was not sound)."
     )
-    yield Heading("Where care is needed")
-    for text in warnings_of(analysis) or ["Nothing speaks against the curves below."]:
+    yield Heading("Warnings")
+    for text in warnings_of(analysis) or ["No warnings."]:
         yield Paragraph(text)
     for axis, one in analysis.axes.items():
         name = AXIS_NAMES[axis]
@@ -102,11 +106,11 @@ def contents(analysis: ConsistencyAnalysis) -> Iterator[ReportBlock]:
         for sequence, shares in one.shares.items():
             yield _share_table(f"Felt as consistent, {sequence}", shares)
     if analysis.mixed:
-        yield _share_table("Time and gain changed at once", analysis.mixed)
-    yield Heading("What this assumes")
+        yield _share_table("Delay and gain changed together", analysis.mixed)
+    yield Heading("Assumptions")
     for text in ASSUMPTIONS:
         yield Paragraph(text)
-    yield from made_with(analysis.choices)
+    yield from made_with(analysis.options)
 
 
 def tables(analysis: ConsistencyAnalysis) -> dict[str, list[list[Any]]]:
@@ -127,52 +131,52 @@ def tables(analysis: ConsistencyAnalysis) -> dict[str, list[list[Any]]]:
 
 
 def figures(analysis: ConsistencyAnalysis) -> dict[str, "Figure"]:
-    """Return a figure for each kind of change by name."""
+    """Return the figures by name."""
     return {_FIGURES[axis]: _figure(one) for axis, one in analysis.axes.items()}
 
 
 def warnings_of(analysis: ConsistencyAnalysis) -> list[str]:
-    """Return where something does not hold, is missing or cannot be told."""
-    told = list(analysis.remarks)
+    """Return warnings about missing data and unreliable curves."""
+    warned = list(analysis.remarks)
     if analysis.missing:
-        told.append(
+        warned.append(
             f"{analysis.missing} of {analysis.planned} answers are missing, "
             f"{analysis.unsound} of them because the playback was not sound."
         )
     if len(analysis.participants) < _FEW:
-        told.append(
+        warned.append(
             f"There are {len(analysis.participants)} participants: intervals are too "
-            "narrow, and say little about other people."
+            "narrow and do not generalise."
         )
     if len(analysis.feedbacks) > 1:
-        told.append("Answers to all feedbacks are counted together.")
+        warned.append("Answers to all feedbacks are pooled.")
     if analysis.mixed:
-        told.append(
-            f"{len(analysis.mixed)} levels change time and gain at once; they are on no "
+        warned.append(
+            f"{len(analysis.mixed)} levels change delay and gain together; they are not on a "
             "curve."
         )
     if not analysis.axes:
-        told.append("Nothing was changed by more than one amount: there is no curve.")
+        warned.append("There is only one level of each change, hence no curve.")
     for axis in analysis.axes.values():
         for name, curve in axis.curves.items():
             lead = f"{AXIS_NAMES[axis.axis]}, {name}: "
-            told += [lead + text for text in _curve_warnings(axis, curve)]
-    return told
+            warned += [lead + text for text in _curve_warnings(axis, curve)]
+    return warned
 
 
 def _curve_warnings(axis: AxisAnalysis, curve: Curve | None) -> Iterator[str]:
     if curve is None:
-        yield "there are too few levels for a curve."
+        yield "too few levels for a curve."
         return
     if curve.is_flat:
         yield (
             "the shares of the levels do not differ significantly; the curve and its "
-            "criteria mean nothing."
+            "criteria are meaningless."
         )
     if curve.p_fit < _ALPHA:
         yield (
             f"the curve does not fit (deviance {curve.deviance:.1f}, p = "
-            f"{curve.p_fit:.3f}): read the shares, not the criteria."
+            f"{curve.p_fit:.3f}): use the shares, not the criteria."
         )
     values = curve.values
     outside = [
@@ -181,11 +185,11 @@ def _curve_warnings(axis: AxisAnalysis, curve: Curve | None) -> Iterator[str]:
         if name in values and not axis.levels[0] <= values[name] <= axis.levels[-1]
     ]
     if outside:
-        yield f"{' and '.join(outside)}: beyond the levels that were tried."
+        yield f"{' and '.join(outside)}: beyond the tested levels."
     if bool(np.any(curve.fits.is_steep)):
         yield (
-            "the flanks lie between two levels; where exactly, and how steep they are, "
-            "only levels in between could tell."
+            "a flank lies between two levels; its position and slope "
+            "need levels in between."
         )
     if values.get("peak", 1.0) < _LOW_PEAK:
         yield (
@@ -193,7 +197,7 @@ def _curve_warnings(axis: AxisAnalysis, curve: Curve | None) -> Iterator[str]:
             "the criteria it is less than half."
         )
     if values["lapse"] > 0.99 * MOST_LAPSES:
-        yield "as many answers as allowed are at random; the spread is hard to tell."
+        yield "the share of random answers is at its limit; the spread is unreliable."
 
 
 def _axis(one: AxisAnalysis) -> dict[str, Any]:
@@ -240,7 +244,7 @@ def _share_table(title: str, shares: tuple[Share, ...]) -> ReportTable:
         )
         for one in shares
     )
-    return ReportTable(title, ("later by, s", "gain", "yes", "share", "95 %"), rows)
+    return ReportTable(title, ("delay, s", "gain", "yes", "share", "95 %"), rows)
 
 
 def _share_row(sequence: str, one: Share) -> list[Any]:

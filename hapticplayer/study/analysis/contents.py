@@ -1,4 +1,4 @@
-"""What the report says, in order, apart from how it is shown."""
+"""The contents of the report, independent of its format."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -21,7 +21,7 @@ from hapticplayer.study.analysis.statistic import (
 
 _MEANS = (
     "Means and standard deviations describe ratings as if the steps of the scale were equally wide. Medians and "
-    "quartiles do without this. Intervals of means are percentile bootstrap intervals, "
+    "quartiles do not assume this. Intervals of means are percentile bootstrap intervals, "
     "which are somewhat too narrow for fewer than about 20 participants."
 )
 
@@ -42,7 +42,7 @@ class Paragraph:
 
 @dataclass(frozen=True, slots=True)
 class ReportTable:
-    """Rows of texts under a head; the first column names them."""
+    """A table of texts; the first column names the rows."""
 
     title: str
     head: tuple[str, ...]
@@ -63,32 +63,32 @@ ReportBlock = Heading | Paragraph | ReportTable | ReportFigure
 def contents(analysis: Analysis) -> Iterator[ReportBlock]:
     """Yield the parts of the report."""
     yield from _people(analysis)
-    yield Heading("Where care is needed")
+    yield Heading("Warnings")
     warned = warnings_of(analysis)
-    for text in warned or ["Nothing was found that speaks against the tests below."]:
+    for text in warned or ["No warnings."]:
         yield Paragraph(text)
     yield Heading("Figures")
     yield ReportFigure("qoe-by-sequence", "QoE by sequence and feedback")
     yield ReportFigure(
         "factors-by-feedback", "Factors by feedback, mean over the sequences"
     )
-    yield Heading("Means and spreads")
+    yield Heading("Means and standard deviations")
     yield from _means(analysis)
     yield Heading("Tests")
     for name, statistic in STATISTICS.items():
         yield _table(statistic, analysis.found[name])
-    yield Heading("What the tests assume")
+    yield Heading("Assumptions of the tests")
     yield Paragraph(_MEANS)
     for statistic in STATISTICS.values():
         if statistic.assumes:
             yield Paragraph(statistic.assumes)
-    yield from made_with(analysis.choices)
+    yield from made_with(analysis.options)
 
 
-def made_with(choices: AnalysisOptions) -> Iterator[ReportBlock]:
-    """Yield what is needed to make the report again."""
-    yield Heading("How this was made")
-    made = choices.provenance()
+def made_with(options: AnalysisOptions) -> Iterator[ReportBlock]:
+    """Yield versions and options, which reproduce the report."""
+    yield Heading("Reproducibility")
+    made = options.provenance()
     versions = ", ".join(f"{k} {v}" for k, v in made["versions"].items())
     yield Paragraph(
         f"{made['program']}; {versions}. Seed {made['seed']}, {made['resamples']} "
@@ -149,7 +149,7 @@ def _summary_row(name: str, one: Summary) -> tuple[str, ...]:
 
 
 def _table(statistic: Statistic, found: dict[str, object]) -> ReportTable:
-    """Return the table of a statistic, from what was found by measure."""
+    """Return the table of a statistic from its results by measure."""
     parts = {
         f"{_label(measure)}: {name}" if name else _label(measure): part
         for measure, one in found.items()

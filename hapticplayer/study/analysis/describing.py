@@ -1,4 +1,4 @@
-"""Means, spreads, and seeded resampling for intervals and drawn p values."""
+"""Means, standard deviations, and seeded resampling for intervals and p values."""
 
 import zlib
 from collections.abc import Callable
@@ -11,22 +11,22 @@ from hapticplayer.model.arrays import Floats
 CONFIDENCE = 0.95
 TAILS = ((1.0 - CONFIDENCE) / 2.0, (1.0 + CONFIDENCE) / 2.0)
 _MOST_VALUES = 1 << 22
-"""Of one block of resamples, so that large studies do not need much memory."""
+"""Largest block of resamples, to limit memory."""
 
 
 @dataclass(frozen=True, slots=True)
 class Resampling:
-    """How often and from which seed is resampled.
+    """Number and seed of resamples.
 
-    The same seed gives the same numbers, whatever else is computed; this is why
-    intervals are not those of `scipy.stats.bootstrap`.
+    Each use has a generator of its own, so that a seed gives the same numbers whatever
+    else is computed; `scipy.stats.bootstrap` would give other ones.
     """
 
     seed: int = 2012
     count: int = 9999
 
     def generator(self, label: str) -> np.random.Generator:
-        """Return the generator of one use; others do not disturb it."""
+        """Return the generator of one use."""
         return np.random.default_rng([self.seed, zlib.crc32(label.encode())])
 
     def interval(
@@ -50,19 +50,19 @@ class Resampling:
 
 @dataclass(frozen=True, slots=True)
 class Summary:
-    """A sample in numbers; None where it is too small for one.
+    """Summary of a sample; None where it is too small.
 
     Attributes:
-        n: values.
-        mean: arithmetic.
-        sd: with n - 1.
-        median: the middle.
+        n: number of values.
+        mean: arithmetic mean.
+        sd: standard deviation, with n - 1.
+        median: of the values.
         q1: first quartile, by linear interpolation (type 7).
         q3: third quartile.
         low: smallest value.
         high: largest value.
-        mean_low: begin of the bootstrap interval of the mean, 95 %.
-        mean_high: its end.
+        mean_low: lower end of the bootstrap interval of the mean, 95 %.
+        mean_high: its upper end.
     """
 
     n: int
@@ -78,7 +78,7 @@ class Summary:
 
 
 def summarize(values: Floats, resampling: Resampling, label: str) -> Summary:
-    """Return a sample (n,) in numbers; NaN do not count."""
+    """Return the summary of a sample (n,) without NaN."""
     values = values[~np.isnan(values)]
     if not len(values):
         return Summary(0)

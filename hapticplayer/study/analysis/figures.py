@@ -1,6 +1,6 @@
-"""The figures of a study: bars, spreads, and every participant's line.
+"""The figures of a study: means, standard deviations, and lines of participants.
 
-The same analysis gives the same bytes: ids in an SVG are salted, no file has a date.
+The same analysis gives the same bytes: fixed ids in SVG, no dates.
 """
 
 import io
@@ -23,18 +23,18 @@ FORMATS = (".svg", ".pdf", ".png")
 SIZE_IN = (9.0, 4.6)
 DPI = 150
 
-# Okabe and Ito, told apart with every kind of colour vision; the hatches also in print
+# Okabe and Ito: safe for colour blindness; hatches for print
 _COLOURS = ("#bbbbbb", "#56b4e9", "#e69f00", "#009e73", "#cc79a7", "#f0e442")
 _HATCHES = ("", "//", "..", "xx", "\\\\", "++")
 _INK, _LINE = "#222222", "#444444"
-_GROUP = 0.84  # of the room between two groups
-_ASIDE = 0.18  # of a bar: the spread stands beside the participants
+_GROUP = 0.84  # share of the space between two groups
+_ASIDE = 0.18  # share of a bar by which error bars and lines are moved apart
 _SETTINGS: dict[Any, Any] = {
     "svg.hashsalt": "hapticplayer",
     "svg.fonttype": "none",
     "pdf.fonttype": 42,
     "hatch.linewidth": 0.5,
-    "text.parse_math": False,  # a name may hold a dollar
+    "text.parse_math": False,  # names may contain a dollar
     "font.size": 10.0,
     "axes.spines.top": False,
     "axes.spines.right": False,
@@ -89,7 +89,7 @@ def image(figure: "Figure", suffix: str = ".png") -> bytes:
 
 @contextmanager
 def settings() -> Iterator[None]:
-    """Draw and write in one look, whatever the user's own settings are."""
+    """Use the style of all figures, independent of the user's settings."""
     import matplotlib as mpl
 
     with mpl.rc_context(_SETTINGS), warnings.catch_warnings():
@@ -99,7 +99,7 @@ def settings() -> Iterator[None]:
 
 @contextmanager
 def new_panel(label: str) -> Iterator[tuple["Figure", "Axes"]]:
-    """Yield a figure with one panel, to be drawn in the look of all figures.
+    """Yield a figure with one panel, in the style of all figures.
 
     Args:
         label: of the values.
@@ -129,7 +129,7 @@ def _figure(
             _draw_group(panel, place, values, limits[0])
         panel.set_xticks(range(len(groups)), list(groups))
         panel.tick_params(axis="x", length=0)
-        drawn = panel.dataLim  # a mean and its SD may leave the scale
+        drawn = panel.dataLim  # error bars may exceed the scale
         low, high = min(limits[0], drawn.y0), max(limits[1], drawn.y1)
         panel.set_ylim(low - 0.02 * (limits[1] - limits[0]), high * 1.04)
         _draw_legend(figure, feedbacks)

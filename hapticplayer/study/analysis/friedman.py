@@ -1,4 +1,4 @@
-"""Friedman's test of k related samples, its exact p, and the pairs after it.
+"""Friedman's test of k related samples with exact p, and its post-hoc tests.
 
 chi2 is corrected for ties (Conover 1999, 5.8); Kendall's W = chi2 / (n(k-1));
 F = W(n-1)/(1-W) with k-1-2/n and (n-1)(k-1-2/n) degrees of freedom (Kendall and
@@ -26,15 +26,14 @@ from hapticplayer.study.analysis.statistic import (
 )
 
 _MOST_STEPS = 100_000_000
-"""Additions that an exact p may cost (about 0.2 s); beyond, it is drawn."""
+"""Most additions for an exact p (about 0.2 s)."""
 
 
 def friedman(values: Floats, resampling: Resampling, label: str) -> Found:
     """Compare the columns of `values` (n, k) within its rows.
 
-    None where a value is not defined (fewer than two participants, all tied). `f_df`
-    are the degrees of freedom of `f`; `p_exact_method` is "exact", or "permutation" with
-    how many were drawn.
+    Undefined values are None (fewer than two participants, all tied). `f_df` are the
+    degrees of freedom of `f`; `p_exact_method` is "exact" or "permutation, N".
     """
     n, k = values.shape
     found: Found = {"n": n, "k": k, "df": k - 1, "mean_ranks": []}
@@ -78,13 +77,13 @@ def chi_squares(values: Floats) -> Floats:
 
 
 def exact_p(ranks: Floats, resampling: Resampling, label: str) -> tuple[float, str]:
-    """Return how probable so unequal rank sums are when all orders are, and how found.
+    """Return the exact or permutation p of the rank sums, and the method.
 
-    No library counts the orders of tied ranks, which five-step ratings always have.
+    No library has an exact p for tied ranks, which ratings of five steps always have.
 
     Args:
         ranks: (n, k), mid-ranks within each row.
-        resampling: used where counting all would take too long.
+        resampling: used if an exact p would take too long.
         label: of this use.
     """
     n, k = ranks.shape
@@ -96,7 +95,7 @@ def exact_p(ranks: Floats, resampling: Resampling, label: str) -> tuple[float, s
 
 
 def _counted_p(doubled: NDArray[np.int64]) -> float:
-    """Add the rows one by one to the distribution of the first k-1 rank sums."""
+    """Convolve the rows to the distribution of the first k-1 rank sums."""
     n, k = doubled.shape
     size = 2 * n * (k - 1) + 1
     share = np.zeros((size,) * (k - 1))
@@ -132,8 +131,8 @@ def nemenyi(values: Floats, pairs: list[tuple[int, int]]) -> list[Found]:
     """Compare pairs of columns of `values` (n, k); p is corrected for all pairs.
 
     q = |mean rank difference| / sqrt(k(k+1)/(6n)), referred to the studentised range
-    with infinite degrees of freedom (q sqrt 2). scikit-posthocs has the same, and would
-    bring seaborn.
+    with infinite degrees of freedom (q sqrt 2). scikit-posthocs gives the same, but
+    needs seaborn.
     """
     n, k = values.shape
     means = scipy.stats.rankdata(values, axis=1).mean(axis=0)
@@ -150,15 +149,15 @@ def conover(values: Floats, pairs: list[tuple[int, int]]) -> list[Found]:
     """Compare pairs of columns of `values` (n, k), n > 1; p is not corrected.
 
     t = |R_i - R_j| / sqrt(2 (n A - sum R^2) / ((n-1)(k-1))) with the rank sums R, the sum
-    of squared ranks A and (n-1)(k-1) degrees of freedom (Conover 1999, 5.8). Where all
-    participants rank alike t has no bound (None); scikit-posthocs divides by zero.
+    of squared ranks A and (n-1)(k-1) degrees of freedom (Conover 1999, 5.8). If all
+    participants agree, t is infinite (None); scikit-posthocs divides by zero.
     """
     n, k = values.shape
     ranks = scipy.stats.rankdata(values, axis=1)
     sums = ranks.sum(axis=0)
     left = n * float((ranks**2).sum()) - float((sums**2).sum())
     df = (n - 1) * (k - 1)
-    if left <= 0.0:  # exact in halves
+    if left <= 0.0:  # exact: multiples of one half
         return [{"t": None, "p": float(sums[i] == sums[j])} for i, j in pairs]
     error = math.sqrt(2.0 * left / df)
     t = [float(abs(sums[i] - sums[j]) / error) for i, j in pairs]
@@ -172,19 +171,18 @@ def _of_sample(sample: Sample, resampling: Resampling) -> Found:
 
 
 def _warnings(found: dict[str, Found]) -> list[str]:
-    told = []
+    warned = []
     for measure, one in found.items():
         if one["chi2"] is None:
-            told.append(
-                f"{measure}: the feedbacks cannot be compared; everybody's ratings are "
-                "tied."
+            warned.append(
+                f"{measure}: the feedbacks cannot be compared (all ratings are tied)."
             )
         elif (one["p"] < ALPHA) != (one["p_exact"] < ALPHA):
-            told.append(
-                f"{measure}: Friedman's chi-square says p = {one['p']:.3f}, the exact "
-                f"distribution p = {one['p_exact']:.3f}; the exact one is right."
+            warned.append(
+                f"{measure}: p of Friedman's chi-square is {one['p']:.3f}, the exact p "
+                f"{one['p_exact']:.3f}; use the exact one."
             )
-    return told
+    return warned
 
 
 FRIEDMAN = Statistic(
@@ -235,7 +233,7 @@ CONOVER = Statistic(
         ReportColumn("Holm", "p_holm", p_value),
     ),
     assumes="Conover's test compares pairs by the ranks among all feedbacks, and is meant "
-    "to follow a significant Friedman test. It is more sensitive than Nemenyi's, and trusts that the "
-    "omnibus test was significant.",
+    "to follow a significant Friedman test. It is more sensitive than Nemenyi's, and relies on a "
+    "significant omnibus test.",
     holm=Holm("p", "each measure"),
 )

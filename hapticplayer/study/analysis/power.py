@@ -1,9 +1,9 @@
-"""How many participants a design needs, by simulated studies.
+"""Power analysis by simulated studies.
 
-Each simulated study is tested as the analysis would: Friedman's chi-square over the
-feedbacks, and the signed-rank test of each pair (normal distribution corrected for ties)
-with Holm's correction. Both approximations are careful for few participants. Power is the
-share of the studies in which a test is significant.
+Each simulated study is tested like a real one: Friedman's chi-square over the feedbacks,
+and the signed-rank test of each pair (normal approximation corrected for ties) with
+Holm's correction. Both approximations are conservative for few participants. Power is the
+share of studies in which a test is significant.
 """
 
 from collections.abc import Callable
@@ -25,19 +25,19 @@ _BLOCK = 100
 _EACH_UP_TO, _STEP = 30, 5
 
 Draw = Callable[[int, int, np.random.Generator], Floats]
-"""Gives scores (studies, participants, F) of studies and participants asked for."""
+"""Returns simulated scores (studies, participants, F)."""
 
 
 @dataclass(frozen=True, slots=True)
 class PowerGoal:
-    """What is asked for.
+    """The question to the power analysis.
 
     Attributes:
-        alpha: level of significance.
-        power: share of studies that shall be significant.
-        largest: number of participants up to which is looked.
-        studies: simulated for each number.
-        seed: the same seed gives the same numbers.
+        alpha: significance level.
+        power: wanted share of significant studies.
+        largest: highest number of participants to try.
+        studies: simulated studies for each number.
+        seed: of the simulation.
     """
 
     alpha: float = 0.05
@@ -47,16 +47,16 @@ class PowerGoal:
     seed: int = 2012
 
     def __post_init__(self) -> None:
-        """Refuse what cannot be computed."""
+        """Refuse values out of range."""
         if not 0.0 < self.alpha < 1.0 or not 0.0 < self.power < 1.0:
-            raise UsageError("alpha and power are shares between 0 and 1")
+            raise UsageError("alpha and power must be between 0 and 1")
         if not 3 <= self.largest <= MOST_PARTICIPANTS:
             raise UsageError(
-                "from 3 to {most} participants can be tried", most=MOST_PARTICIPANTS
+                "--largest must be between 3 and {most}", most=MOST_PARTICIPANTS
             )
         if not _BLOCK <= self.studies <= MOST_STUDIES:
             raise UsageError(
-                "from {least} to {most} studies can be simulated",
+                "--studies must be between {least} and {most}",
                 least=_BLOCK,
                 most=MOST_STUDIES,
             )
@@ -64,14 +64,14 @@ class PowerGoal:
 
 @dataclass(frozen=True, slots=True)
 class Power:
-    """What was found.
+    """The result of a power analysis.
 
     Attributes:
-        goal: what was asked for.
-        participants: numbers that were tried, N.
-        curves: test to the power (N,) at them; "friedman", the pairs, "all pairs".
-        needed: test to the least number from which on the power suffices; None where
-            even the largest number does not.
+        goal: the question.
+        participants: numbers (N,) that were tried.
+        curves: power (N,) by test: "friedman", the pairs, "all pairs".
+        needed: smallest sufficient number by test; None if even the largest is too
+            small.
     """
 
     goal: PowerGoal
@@ -81,19 +81,19 @@ class Power:
 
     @property
     def standard_error(self) -> float:
-        """Of a power near the wanted one, from the number of simulated studies."""
+        """Standard error of the power from the number of simulated studies."""
         wanted = self.goal.power
         return float(np.sqrt(wanted * (1.0 - wanted) / self.goal.studies))
 
 
 def draw_pilot(pilot: Sample) -> Draw:
-    """Return draws, with replacement, of those who took part in a pilot study.
+    """Return draws with replacement from the participants of a pilot study.
 
     Raises:
-        UsageError: when there are too few to draw from.
+        UsageError: for fewer than five participants.
     """
     if len(pilot.values) < 5:
-        raise UsageError("a pilot needs at least five participants without holes")
+        raise UsageError("a pilot study must have at least five complete participants")
 
     def draw(studies: int, people: int, rng: np.random.Generator) -> Floats:
         return pilot.values[rng.integers(len(pilot.values), size=(studies, people))]
@@ -110,10 +110,10 @@ def find_power(
     """Return the power for each number of participants.
 
     Args:
-        draw: gives simulated scores.
-        feedbacks: their names.
-        goal: what is asked for.
-        progress: told the done fraction and the step; raises to stop.
+        draw: returns simulated scores.
+        feedbacks: names.
+        goal: the question.
+        progress: called with the fraction done and the step; raises to cancel.
     """
     sizes = _sizes(goal.largest)
     pairs = list(combinations(range(len(feedbacks)), 2))
@@ -135,7 +135,7 @@ def find_power(
 
 
 def power_summary(found: Power) -> dict[str, Any]:
-    """Return what was found as plain JSON."""
+    """Return the result as JSON."""
     goal = found.goal
     return {
         "needed": found.needed,
@@ -155,16 +155,16 @@ def _sizes(largest: int) -> tuple[int, ...]:
 
 
 def _significant(values: Floats, pairs: list[tuple[int, int]], alpha: float) -> Floats:
-    """Return in how many studies (D, n, F) each test is significant.
+    """Return the number of studies (D, n, F) in which each test is significant.
 
-    Holm is worked out for all studies at once, where statsmodels takes one.
+    Holm's correction is vectorised over studies, which statsmodels is not.
     """
     values = np.round(values, 9)
     feedbacks = values.shape[2]
     chi2 = np.nan_to_num(chi_squares(values))
     omnibus = chi2 > stats.chi2.isf(alpha, feedbacks - 1)
     p = np.stack([_pair_p(values[:, :, j] - values[:, :, i]) for i, j in pairs])
-    # Holm: the sorted p as long as each is below alpha over what is left
+    # Holm: significant while each sorted p is below alpha / remaining tests
     order = np.argsort(p, axis=0)
     limits = alpha / np.arange(len(pairs), 0, -1)[:, None]
     passed = np.logical_and.accumulate(
@@ -177,7 +177,7 @@ def _significant(values: Floats, pairs: list[tuple[int, int]], alpha: float) -> 
 
 
 def _pair_p(differences: Floats) -> Floats:
-    """Return p of the signed-rank test of each row (D, n); 1 where nothing differs."""
+    """Return p of the signed-rank test of each row (D, n); 1 without differences."""
     with np.errstate(invalid="ignore"):
         found = stats.wilcoxon(np.round(differences, 9), axis=1, method="asymptotic")
     return np.asarray(np.nan_to_num(found.pvalue, nan=1.0), np.float64)

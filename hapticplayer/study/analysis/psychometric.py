@@ -1,14 +1,14 @@
 """Psychometric curves of yes-no judgements, fitted by maximum likelihood.
 
-What is perceived of a change x has normal noise, and goes with the picture while it lies
-between a lower and an upper criterion: F(x) = Phi((x - lower) / spread) - Phi((x - upper)
-/ spread) (Schneider and Bavelier 2003; Yarrow et al. 2011). Where changes of only one
-sign were tried one criterion is left, which is the cumulative normal. A share `lapse` of
-the answers is given at random: p = lapse / 2 + (1 - lapse) F, since a few such answers
-would otherwise flatten the flanks (Wichmann and Hill 2001, I).
+The perceived change x has normal noise and matches the video while it lies between a
+lower and an upper criterion: F(x) = Phi((x - lower) / spread) - Phi((x - upper)
+/ spread) (Schneider and Bavelier 2003; Yarrow et al. 2011). If changes of only one
+sign were tested, one criterion remains (cumulative normal). A share `lapse` of the
+answers is random: p = lapse / 2 + (1 - lapse) F; otherwise a few such answers would
+flatten the flanks (Wichmann and Hill 2001, I).
 
-All fits of a bootstrap are done at once: the best point of a grid, then Fisher scoring
-damped as by Levenberg and Marquardt.
+All fits of a bootstrap are vectorised: the best point of a grid, then Fisher scoring with
+Levenberg-Marquardt damping.
 """
 
 from dataclasses import dataclass
@@ -22,14 +22,14 @@ from hapticplayer.model.arrays import Floats
 
 MOST_LAPSES = 0.1
 _STEPS, _CLOSE = 60, 1e-9
-_NARROWEST = 0.1  # spread, of the smallest step between two levels
+_NARROWEST = 0.1  # smallest spread, as a share of the smallest step between levels
 _Z_LIMIT = 38.0  # beyond, the normal density is zero in doubles
 _LEAST_P = 1e-12
 _LAPSE_START = -2.0  # logit of the share of MOST_LAPSES
 
 
 class CurveShape(StrEnum):
-    """Which criteria the levels can show."""
+    """Shape of a curve: which criteria the levels can show."""
 
     WINDOW = "window"
     """Both: levels on either side of no change."""
@@ -40,7 +40,7 @@ class CurveShape(StrEnum):
 
     @property
     def least_levels(self) -> int:
-        """With fewer the curve is not determined."""
+        """Smallest number of levels that determines the curve."""
         return 4 if self is CurveShape.WINDOW else 3
 
 
@@ -55,7 +55,7 @@ class Fits:
         spread: standard deviation of the noise (N,), in units of the levels.
         lapse: share of answers at random (N,).
         likelihood: natural logarithm (N,), without the binomial coefficients.
-        is_steep: where the spread is at its bound: too steep for these levels (N,).
+        is_steep: whether the spread is at its lower bound (N,).
     """
 
     shape: CurveShape
@@ -76,7 +76,7 @@ class Fits:
 
 
 def shape_of(levels: Floats) -> CurveShape:
-    """Return which curve levels (L,) can show; 0 is no change."""
+    """Return the shape that levels (L,) can show; 0 is no change."""
     if levels.min() < 0.0 < levels.max():
         return CurveShape.WINDOW
     return CurveShape.RISING if levels.min() < 0.0 else CurveShape.FALLING
@@ -112,7 +112,7 @@ def fit(levels: Floats, yes: Floats, asked: Floats, shape: CurveShape) -> Fits:
 
 
 def deviance(yes: Floats, asked: Floats, fits: Fits) -> Floats:
-    """Return twice the likelihood (N,) that each level's own share has more."""
+    """Return the deviance (N,): twice the log likelihood ratio to the shares."""
     own = yes / np.maximum(asked, 1.0)
     left = 2.0 * (_likelihood(own, yes, asked) - fits.likelihood)
     return np.maximum(left, 0.0)
@@ -160,7 +160,7 @@ class _Space:
         return lapse[:, None] / 2.0 + keep * inside, np.stack(parts, axis=2)
 
     def inside(self, theta: Floats) -> Floats:
-        """Return parameters (N, K) moved into their bounds."""
+        """Return parameters (N, K) clipped to their bounds."""
         narrowest = np.log(self._narrowest)
         bounds = [(self._low, self._high)]
         if self._has_window:
@@ -170,7 +170,7 @@ class _Space:
         return np.clip(theta, low, high)
 
     def fits(self, theta: Floats, likelihood: Floats) -> Fits:
-        """Return parameters (N, K) as what they mean."""
+        """Return the curves with parameters (N, K)."""
         lower, upper, spread, lapse = self._unpacked(theta)
         is_steep = spread <= self._narrowest * (1.0 + 1e-6)
         return Fits(self.shape, lower, upper, spread, lapse, likelihood, is_steep)
@@ -221,9 +221,9 @@ def _density(z: Floats) -> Floats:
 
 
 def _likelihood(p: Floats, yes: Floats, asked: Floats) -> Floats:
-    told = special.xlogy(yes, np.maximum(p, _LEAST_P))
-    told += special.xlog1py(asked - yes, -np.minimum(p, 1.0 - _LEAST_P))
-    return np.asarray(told.sum(axis=1))
+    total = special.xlogy(yes, np.maximum(p, _LEAST_P))
+    total += special.xlog1py(asked - yes, -np.minimum(p, 1.0 - _LEAST_P))
+    return np.asarray(total.sum(axis=1))
 
 
 def _step(

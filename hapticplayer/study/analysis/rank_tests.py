@@ -1,9 +1,9 @@
-"""Tests of two samples by ranks, exact also where ranks are tied; and of normality.
+"""Rank tests of two samples with exact p for tied ranks, and a test of normality.
 
-Wilcoxon's signed-rank test: differences of zero are left out (his own rule). Mann and
-Whitney's rank-sum test. scipy counts the exact p of ranks without ties alone, or by a
-permutation of every case, which takes too long beyond a dozen; here the distribution of
-the sum of tied mid-ranks is added up rank by rank. Two-sided p: twice the smaller tail.
+Wilcoxon's signed-rank test (zero differences are dropped) and the rank-sum test of Mann
+and Whitney. The exact p of scipy is for ranks without ties, or takes too long beyond a
+dozen values (all permutations); here the distribution of sums of tied mid-ranks is
+convolved rank by rank. Two-sided p: twice the smaller tail.
 """
 
 import math
@@ -29,8 +29,8 @@ from hapticplayer.study.analysis.statistic import (
 )
 
 MOST_PAIRS, MOST_PEOPLE = 200, 100
-"""Beyond so many the normal distribution is as good (p within 1e-4)."""
-_DECIMALS = 9  # means of integers that are equal but for their rounding are ties
+"""Above these numbers the normal approximation is used (p within 1e-4)."""
+_DECIMALS = 9  # so that means of integers that differ by rounding are ties
 _LEAST_FOR_SHAPIRO = 3
 _SMALL_GROUP = 5
 
@@ -41,8 +41,8 @@ def signed_rank(
     """Compare paired samples (n,), n > 0; positive means that the second is larger.
 
     `p_normal` is corrected for ties, not for continuity. `shift` is the Hodges-Lehmann
-    estimate; its interval holds at least 95 %, by the exact distribution without ties,
-    and is None for fewer than six pairs, for which there is none.
+    estimate; its interval covers at least 95 %, by the exact distribution without ties,
+    and is None for fewer than six pairs.
     """
     differences = np.round(second - first, _DECIMALS)
     apart = differences[differences != 0.0]
@@ -96,7 +96,7 @@ def hodges_lehmann(differences: Floats) -> tuple[float, tuple[float, float] | No
 
 
 def _interval_place(n: int) -> int:
-    """Return the largest c with P(W+ < c) within the tail; 0 where there is none."""
+    """Return the largest c with P(W+ < c) within the tail, or 0."""
     if n > MOST_PAIRS:
         mean, variance = n * (n + 1) / 4.0, n * (n + 1) * (2 * n + 1) / 24.0
         z = float(scipy.stats.norm.ppf(TAILS[0]))
@@ -106,7 +106,7 @@ def _interval_place(n: int) -> int:
 
 
 def _sums(doubled: NDArray[np.float64]) -> Floats:
-    """Return the probability of each sum, with every (doubled) rank in it or not."""
+    """Return the distribution of sums of random subsets of the (doubled) ranks."""
     share = np.zeros(int(np.sum(doubled)) + 1)
     share[0] = 1.0
     for step in np.rint(doubled).astype(int):
@@ -117,7 +117,7 @@ def _sums(doubled: NDArray[np.float64]) -> Floats:
 
 
 def _smaller_tail(share: Floats, at: float) -> float:
-    """Return the two-sided p of a value, given the probability of each."""
+    """Return the two-sided p of a value from the distribution of all."""
     place = round(at)
     return min(1.0, 2.0 * float(min(share[: place + 1].sum(), share[place:].sum())))
 
@@ -127,7 +127,7 @@ def rank_sum(before: Floats, new: Floats, resampling: Resampling, label: str) ->
 
     `u` counts the pairs in which `before` is higher, ties half; `p_normal` is corrected
     for ties and continuity; `rank_biserial` is positive where `before` is higher. None
-    where a group is empty or nothing differs.
+    if a group is empty or all values are equal.
     """
     found: Found = {"n_before": len(before), "n_new": len(new)}
     found |= dict.fromkeys(["u", "p", "p_method", "p_normal"])
@@ -153,7 +153,7 @@ def rank_sum(before: Floats, new: Floats, resampling: Resampling, label: str) ->
 
 
 def _sums_of_choices(doubled: NDArray[np.int64], chosen: int) -> Floats:
-    """Return the probability of each sum of so many (doubled) ranks out of all."""
+    """Return the distribution of sums of `chosen` of the (doubled) ranks."""
     ways = np.zeros((chosen + 1, int(np.sort(doubled)[-chosen:].sum()) + 1))
     ways[0, 0] = 1.0
     for step in doubled:
@@ -166,7 +166,7 @@ def _effect_interval(
 ) -> tuple[float, float]:
     rng = resampling.generator(f"rank-sum/{label}")
     wins = np.sign(before[:, None] - new[None, :])
-    # how often each is drawn with replacement, as shares (count, n)
+    # weights (count, n) of a bootstrap
     first, second = (
         rng.multinomial(n, np.full(n, 1.0 / n), size=resampling.count) / n
         for n in wins.shape
@@ -176,7 +176,7 @@ def _effect_interval(
 
 
 def shapiro(values: Floats) -> Found:
-    """Test whether a sample (n,) may be normal; None where it is small or constant."""
+    """Test a sample (n,) for normality; None if it is too small or constant."""
     if len(values) < _LEAST_FOR_SHAPIRO or np.ptp(values) == 0.0:
         return {"w": None, "p": None}
     found = scipy.stats.shapiro(values)
@@ -217,7 +217,7 @@ def _group_warnings(found: dict[str, Found]) -> Iterator[str]:
     if smaller < _SMALL_GROUP:
         yield (
             f"One of the groups of the Mann-Whitney tests has {smaller} participants: "
-            "only very large effects of experience could be seen."
+            "only very large effects of experience can be detected."
         )
 
 
@@ -227,13 +227,12 @@ def _normality_warnings(found: dict[str, Found]) -> Iterator[str]:
         if skewed:
             yield (
                 f"{measure}: {listed(skewed)} {'is' if len(skewed) == 1 else 'are'} not "
-                "normally distributed (Shapiro-Wilk): rather read medians and ranks than "
-                "means."
+                "normally distributed (Shapiro-Wilk): prefer medians and ranks to means."
             )
         if constant := [k for k, s in one.items() if s["w"] is None]:
             yield (
                 f"{measure}: {listed(constant)} cannot be tested for normality (fewer "
-                "than three values, or all alike)."
+                "than three values, or constant)."
             )
 
 
@@ -247,8 +246,8 @@ SHAPIRO = Statistic(
         ReportColumn("p", "p", p_value),
     ),
     assumes="The test of Shapiro and Wilk asks whether values may come from a normal distribution. With few "
-    "participants it seldom sees a deviation: a large p is no proof. The other tests "
-    "here do not need normal values.",
+    "participants it rarely detects a deviation: a large p proves nothing. The other "
+    "tests here do not assume normal values.",
     warn=_normality_warnings,
 )
 
@@ -270,10 +269,10 @@ WILCOXON = Statistic(
         ReportColumn("95 %", "shift_interval", interval),
     ),
     assumes="Wilcoxon's signed-rank test assumes paired values whose differences are symmetric about their median "
-    "and can be ranked by size. Pairs without a difference are left out; p counts all "
-    "signs of the tied ranks. The matched rank-biserial correlation goes from -1 to 1; "
+    "and can be ranked by size. Pairs without a difference are dropped; p is exact "
+    "for tied ranks. The matched rank-biserial correlation goes from -1 to 1; "
     "the shift is the Hodges-Lehmann estimate, whose interval is exact without ties and "
-    "careful with them.",
+    "conservative with ties.",
     holm=Holm("p", "each measure"),
 )
 
@@ -291,9 +290,9 @@ MANN_WHITNEY = Statistic(
         ReportColumn("r", "rank_biserial"),
         ReportColumn("95 %", "rank_biserial_interval", interval),
     ),
-    assumes="The test of Mann and Whitney assumes two independent groups and values that can be ranked. It speaks of "
-    "medians only if both distributions have one shape. Few participants see only large "
-    "effects: no significance is not the same as no effect.",
+    assumes="The test of Mann and Whitney assumes two independent groups and values that can be ranked. It compares "
+    "medians only if both distributions have the same shape. Few participants detect only "
+    "large effects: no significance does not mean no effect.",
     warn=_group_warnings,
     holm=Holm("p", "all measures"),
 )

@@ -1,4 +1,4 @@
-"""The report of a study of either type of trial: its parts, and its files."""
+"""The report of a study with either kind of trials, and its files."""
 
 import csv
 import io
@@ -34,12 +34,12 @@ StudyAnalysis = Analysis | ConsistencyAnalysis
 
 @dataclass(frozen=True, slots=True)
 class Parts:
-    """What a report is made of.
+    """The parts of a report.
 
     Attributes:
         numbers: as JSON.
         blocks: of the text.
-        draw: gives the figures by name.
+        draw: returns the figures by name.
         tables: rows by name of the CSV file.
     """
 
@@ -51,16 +51,16 @@ class Parts:
 
 def analyse_study(
     answers: Answers,
-    choices: AnalysisOptions | None = None,
+    options: AnalysisOptions | None = None,
     progress: Progress = lambda _fraction, _step: None,
 ) -> StudyAnalysis:
-    """Analyse ratings, or judgements where these are what was asked for.
+    """Analyse the ratings or judgements of a study.
 
     Raises:
-        InputError: when the answers do not fit their own design.
+        InputError: when there is nothing to analyse.
     """
     run = analyse_consistency if answers.judgements else analyse
-    return run(answers, choices, progress)
+    return run(answers, options, progress)
 
 
 def parts_of(found: StudyAnalysis) -> Parts:
@@ -90,7 +90,7 @@ def write_report(
     title: str,
     progress: Progress = lambda _fraction, _step: None,
 ) -> None:
-    """Write a new folder with everything; whole or not at all.
+    """Write the report into a new folder, atomically.
 
     `report.html`, `report.pdf`, `numbers.json`, the figures as SVG, PDF and PNG, and of
     ratings `conditions.csv` (means and spreads), `tests.csv` and `scores.csv` (each
@@ -98,7 +98,7 @@ def write_report(
 
     Raises:
         SequenceError: when the folder exists or cannot be written.
-        Cancelled: by `progress`; nothing is left behind.
+        Cancelled: by `progress`; nothing is written.
     """
     parts = parts_of(analysis)
     with files.written_aside(target, private.FOLDER_MODE) as aside:
@@ -121,7 +121,7 @@ def write_report(
             out = io.StringIO()
             csv.writer(out, lineterminator="\n").writerows(rows)
             _write_text(aside / name, out.getvalue())
-        for path in aside.iterdir():  # codes, and what each of them answered
+        for path in aside.iterdir():  # contains the answers of participants
             path.chmod(private.FILE_MODE)
 
 

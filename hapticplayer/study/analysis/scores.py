@@ -1,4 +1,4 @@
-"""The ratings as arrays, and what is missing in them.
+"""The ratings as arrays, with missing answers.
 
 QoE of a condition is the sum of its factors. The score of a feedback is the mean over
 the sequences, per participant (the paper's QoE_All, section 4.3).
@@ -24,13 +24,13 @@ _LEAST_FEEDBACKS = 2
 
 
 class MissingPolicy(StrEnum):
-    """What becomes of a participant whose answers have holes."""
+    """Treatment of participants with missing answers."""
 
     PAIRED = "paired"
-    """Sequences with a hole are left out for all feedbacks of this participant, so that
-    the feedbacks are still compared on the same sequences."""
+    """Drop sequences with a missing answer for all feedbacks of this participant, so that
+    feedbacks are compared on the same sequences."""
     COMPLETE = "complete"
-    """A participant with any hole is left out."""
+    """Drop participants with a missing answer."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,10 +42,10 @@ class Scores:
         sequences: names, second axis.
         feedbacks: names, third axis; none, random, realistic first.
         factors: names, fourth axis.
-        ratings: (P, S, F, K), 1 to 5, NaN where there is no usable answer.
-        used_before: code to whether the device was used before; only where known.
-        unsound: answers left out because the playback was not sound.
-        repeated: answers replaced by those of a repeated, sound trial.
+        ratings: (P, S, F, K), 1 to 5, NaN without a usable answer.
+        used_before: by code, whether the device was used before, where known.
+        unsound: number of answers dropped because the playback was not sound.
+        repeated: number of answers replaced by those of a repeated trial.
     """
 
     participants: tuple[str, ...]
@@ -64,7 +64,7 @@ class Scores:
 
     @property
     def missing(self) -> int:
-        """How many answers of the design there are not."""
+        """Number of missing answers."""
         return int(np.isnan(self.ratings).sum())
 
     def of(self, measure: str) -> Floats:
@@ -76,18 +76,18 @@ class Scores:
 
 @dataclass(frozen=True, slots=True)
 class Sample:
-    """One measure as the statistics see it.
+    """One measure, as input of the statistics.
 
     Attributes:
         measure: "qoe" or a factor.
         feedbacks: names.
-        participants: codes of those who are in `values`.
-        values: (n, F), averaged over the sequences, without holes.
-        dropped: codes of those who are not in it.
-        reduced: code to the sequences that were left out.
+        participants: codes, of the rows of `values`.
+        values: (n, F), means over the sequences, without NaN.
+        dropped: codes of excluded participants.
+        reduced: dropped sequences by code.
         used_before: whether each of `participants` had used the device; None if unknown.
-        by_condition: (P, S, F) of everybody, NaN where there is no usable answer.
-        everybody: codes of all participants.
+        by_condition: (P, S, F) of all participants, NaN without a usable answer.
+        all_participants: codes of all participants.
     """
 
     measure: str
@@ -98,12 +98,12 @@ class Sample:
     reduced: dict[str, tuple[str, ...]]
     used_before: tuple[bool | None, ...]
     by_condition: Floats
-    everybody: tuple[str, ...]
+    all_participants: tuple[str, ...]
 
     def each_pair(
         self, compare: Callable[[list[tuple[int, int]]], list[dict[str, Any]]]
     ) -> dict[str, Any]:
-        """Return what is found of all pairs of columns, by name; none of one person."""
+        """Return the results of all pairs of columns by name; {} for one participant."""
         pairs = list(combinations(range(len(self.feedbacks)), 2))
         if len(self.values) < 2:
             return {}
@@ -111,11 +111,11 @@ class Sample:
         return dict(zip(names, compare(pairs), strict=True))
 
     def each_feedback(
-        self, look: Callable[[str, Floats], dict[str, Any]]
+        self, compute: Callable[[str, Floats], dict[str, Any]]
     ) -> dict[str, Any]:
-        """Return what is found of each column (n,), by name."""
+        """Return the results of each column (n,) by name."""
         columns = zip(self.feedbacks, self.values.T, strict=True)
-        return {name: look(name, column) for name, column in columns}
+        return {name: compute(name, column) for name, column in columns}
 
 
 def scores_of(answers: Answers, *, with_unsound: bool = False) -> Scores:
@@ -123,7 +123,7 @@ def scores_of(answers: Answers, *, with_unsound: bool = False) -> Scores:
 
     Args:
         answers: of a study.
-        with_unsound: keep ratings of trials whose playback was not sound.
+        with_unsound: keep trials whose playback was not sound.
 
     Raises:
         InputError: when there is nothing to compare.
@@ -152,7 +152,7 @@ def scores_of(answers: Answers, *, with_unsound: bool = False) -> Scores:
 def sample_of(
     scores: Scores, measure: str, policy: MissingPolicy = MissingPolicy.PAIRED
 ) -> Sample:
-    """Return a measure with its mean over the sequences for each feedback."""
+    """Return a measure, averaged over the sequences."""
     values = scores.of(measure)
     usable = _all(~np.isnan(values))
     kept = _all(usable) if policy is MissingPolicy.COMPLETE else ~_all(~usable)
@@ -173,7 +173,7 @@ def sample_of(
         reduced=reduced,
         used_before=tuple(scores.used_before.get(code) for code in codes[kept]),
         by_condition=values,
-        everybody=scores.participants,
+        all_participants=scores.participants,
     )
 
 
@@ -183,12 +183,13 @@ def _all(flags: NDArray[np.bool_]) -> NDArray[np.bool_]:
 
 def _check_design(answers: Answers) -> None:
     if not answers.participants:
-        raise InputError("there is no participant", remedy="run a participant first")
+        raise InputError("there are no participants", remedy="run a participant first")
     if len(answers.feedbacks) < _LEAST_FEEDBACKS:
-        raise InputError("one feedback alone cannot be compared with anything")
+        raise InputError("comparing needs two feedbacks or more")
     if QOE in answers.factors:
         raise InputError(
-            "no factor may be called {name!r}, the name of their sum", name=QOE
+            "a factor must not be named {name!r}, the name of the sum of all factors",
+            name=QOE,
         )
 
 

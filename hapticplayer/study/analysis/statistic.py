@@ -1,4 +1,4 @@
-"""What a statistic is to the report: a name, a text, a function, and its columns."""
+"""The entries of the registry of statistics, and formats of numbers."""
 
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
@@ -13,23 +13,23 @@ from hapticplayer.study.analysis.scores import Sample
 ALPHA = 0.05
 
 Found = dict[str, Any]
-"""What a statistic found of a measure, or of a part of it, as it stands in JSON."""
+"""Results of a statistic for a measure, or for a part of it, as in JSON."""
 
 
 def number(value: float | None, digits: int = 2) -> str:
-    """Return a number for people; a dash where there is none."""
+    """Return a number as text; None is a dash."""
     return "-" if value is None else f"{value:.{digits}f}"
 
 
 def p_value(value: float | None) -> str:
-    """Return a p value as it is printed."""
+    """Return a p value as text."""
     if value is None:
         return "-"
     return "< .001" if value < 0.001 else f"{value:.3f}".lstrip("0")
 
 
 def interval(value: Sequence[float] | None) -> str:
-    """Return an interval."""
+    """Return an interval as text; None is a dash."""
     return "-" if value is None else f"[{value[0]:.2f}, {value[1]:.2f}]"
 
 
@@ -38,8 +38,8 @@ class ReportColumn(NamedTuple):
 
     Attributes:
         head: of the column.
-        key: of the value in what was found.
-        text: gives the value as text.
+        key: of the value in the results.
+        text: formats the value.
     """
 
     head: str
@@ -48,11 +48,11 @@ class ReportColumn(NamedTuple):
 
 
 class Holm(NamedTuple):
-    """A correction for the number of tests; `p_holm` is added to each of them.
+    """Holm's correction for the number of tests; adds `p_holm` to the results.
 
     Attributes:
-        p: key of the p value that is corrected.
-        over: which tests are one family.
+        p: key of the uncorrected p value.
+        over: tests in one family.
     """
 
     p: str
@@ -61,20 +61,20 @@ class Holm(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Statistic:
-    """An entry of `analysis.STATISTICS`.
+    """A statistic: an entry of `analysis.STATISTICS`.
 
     Attributes:
         name: in tests.csv and `--help`.
-        title: of its table in the report; one line in `--help`.
-        compute: returns what is found of a measure, by part (pair, feedback): `rows`
-            tells where it is otherwise. Two values of `columns` and `of` head its table.
-        of: what its parts are.
-        columns: of its table; without them each value of the first part has one.
-        assumes: a paragraph of the report.
-        warn: returns where care is needed, from what was found by measure.
-        rows: gives the parts by name, "" for the whole.
+        title: of its table in the report, and in `--help`.
+        compute: returns the results for a measure, by part (pair, feedback) unless
+            `rows` is given.
+        of: head of the first column: what the parts are.
+        columns: of its table; by default one for each value.
+        assumes: its assumptions, a paragraph of the report.
+        warn: returns warnings from the results by measure.
+        rows: returns the parts by name, "" for the whole.
         holm: correction for the number of tests.
-        key: in JSON, where it is not the name.
+        key: in JSON, if it differs from the name.
     """
 
     name: str
@@ -89,7 +89,7 @@ class Statistic:
     key: str = ""
 
     def correct(self, found: Mapping[str, Any]) -> None:
-        """Add `p_holm` to what was found, by measure."""
+        """Add `p_holm` to the results by measure."""
         if self.holm is None:
             return
         families = [list(self.rows(one).values()) for one in found.values()]
@@ -102,9 +102,9 @@ class Statistic:
 
 
 def holm(p_values: Sequence[float | None]) -> list[float | None]:
-    """Return p values corrected step by step (Holm 1979); None stay out of the family.
+    """Return p values corrected by Holm (1979); None are not in the family.
 
-    statsmodels has the same and collects garbage at every call, 2 s in an analysis.
+    statsmodels gives the same, but runs the garbage collector: 2 s in an analysis.
     """
     known = [i for i, p in enumerate(p_values) if p is not None]
     raw = np.array([p_values[i] for i in known], dtype=np.float64)
@@ -117,7 +117,7 @@ def holm(p_values: Sequence[float | None]) -> list[float | None]:
 
 
 def plain(value: Any) -> Any:
-    """Return what was found as JSON has it: lists, and None for NaN and infinity."""
+    """Return results as JSON: lists for tuples, None for NaN and infinity."""
     if isinstance(value, dict):
         return {key: plain(one) for key, one in value.items()}
     if isinstance(value, (list, tuple)):
@@ -128,6 +128,6 @@ def plain(value: Any) -> Any:
 
 
 def listed(names: Iterable[str]) -> str:
-    """Return names as a sentence has them."""
+    """Return names as a list in a sentence."""
     *first, last = names
     return f"{', '.join(first)} and {last}" if first else last

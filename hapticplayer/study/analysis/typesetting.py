@@ -1,4 +1,4 @@
-"""The report as one HTML page (no scripts, nothing from elsewhere) and as PDF of A4."""
+"""The report as one HTML page (no scripts, no external content) and as PDF (A4)."""
 
 import base64
 import datetime as dt
@@ -65,7 +65,7 @@ def body(blocks: Iterable[ReportBlock], source: Callable[[str], str]) -> str:
 
     Args:
         blocks: of the report.
-        source: gives the address of a figure by its name.
+        source: returns the address of a figure by its name.
     """
     return "\n".join(_block(block, source) for block in blocks)
 
@@ -77,10 +77,10 @@ def _block(block: ReportBlock, source: Callable[[str], str]) -> str:
         case Paragraph(text):
             return f"<p>{html.escape(text)}</p>"
         case ReportFigure(name, caption):
-            told = html.escape(caption)
-            return (  # paragraphs, for the window does not know <figure>
-                f'<p><img src="{html.escape(source(name))}" alt="{told}"></p>'
-                f"<p><i>{told}</i></p>"
+            text = html.escape(caption)
+            return (  # QTextBrowser has no <figure>
+                f'<p><img src="{html.escape(source(name))}" alt="{text}"></p>'
+                f"<p><i>{text}</i></p>"
             )
         case ReportTable():
             return _table(block)
@@ -136,10 +136,10 @@ def _new_pdf(title: str) -> "FPDF":
             self.set_font(_FONT, size=_TABLE_PT)
             self.cell(w=0, text=str(self.page_no()), align="C")
 
-    # a character that the font lacks is shown as a box
+    # it warns of each character that is not in the font
     logging.getLogger("fpdf").setLevel(logging.ERROR)
     pdf = Pdf(format="A4")
-    pdf.set_creation_date(dt.datetime.fromtimestamp(0, dt.UTC))  # for the same bytes
+    pdf.set_creation_date(dt.datetime.fromtimestamp(0, dt.UTC))  # reproducible
     pdf.set_title(title)
     pdf.set_margin(_MARGIN_MM)
     fonts = Path(get_data_path()) / "fonts" / "ttf"
@@ -158,7 +158,7 @@ def _paragraph(pdf: "FPDF", text: str, size_pt: float, *, bold: bool = False) ->
 
 
 def _add_table(pdf: "FPDF", table: ReportTable) -> None:
-    """Write a table as wide as its texts, in smaller letters where there is no room."""
+    """Write a table, in a smaller font if it is too wide."""
     from fpdf.enums import TableBordersLayout
 
     if pdf.will_page_break(_LEAST_ROOM_MM):

@@ -96,11 +96,11 @@ def test_texts_are_reviewed_before_they_leave(run, folder, code, tmp_path):
     _, report, _ = run("review", folder, "--json")
     assert report["unreviewed"] == [{"code": code, "question": "tiring", "text": "no"}]
     _, _, told = run("export", folder, "-o", tmp_path / "a")
-    assert "1 answers in words were left out" in told
+    assert "1 text answers were left out" in told
     assert run("review", folder, "--pass", f"{code}:tiring")[0] == 0
     _, report, told = run("export", folder, "-o", tmp_path / "b", "--json")
     assert "texts.csv" in report["files"]
-    assert "in words" not in told
+    assert "left out" not in told
 
 
 def test_merging_tells_conflicts_by_status(run, folder, code, tmp_path):

@@ -73,7 +73,7 @@ SPOILT = [
     (lambda d: d.update(version=2), "version 2"),
     (lambda d: d.pop("title"), "'title'"),
     (lambda d: d.update(colour="red"), "'colour'"),
-    (lambda d: d["sequences"][1].update(key="bike"), "'bike' stands twice"),
+    (lambda d: d["sequences"][1].update(key="bike"), "duplicate key 'bike'"),
     (lambda d: d["sequences"][2].update(key="../etc"), "sequences[2].key"),
     (lambda d: d["factors"][3]["text"].pop("de"), "factors[3].text"),
     (lambda d: d["factors"][0].update(kind="text"), "factors[0].kind"),
@@ -89,7 +89,7 @@ SPOILT = [
     (lambda d: d["sheet"][1].update(choices=[]), "sheet[1]: 'choices'"),
     (
         lambda d: d["texts"]["consent"].update(fr=3),
-        "texts.consent.fr: is a whole number",
+        "texts.consent.fr: must be a text",
     ),
     (lambda d: d["texts"]["consent"].update(fr=" "), "texts.consent.fr"),
     (lambda d: d["checks"].update(scheduling=["fast"]), "one of fifo, normal, slice"),

@@ -69,10 +69,10 @@ class Sitting:
     def to_trials(self):
         self.runner.consent(given=True)
         self.runner.answer(SHEET)
-        self.runner.go_on()
+        self.runner.proceed()
 
     def play(self):
-        self.runner.go_on()
+        self.runner.proceed()
         assert self.kind is PageKind.PLAYING
         self.clock.advance(60.0)
         self.stage.ended = True
@@ -202,7 +202,7 @@ def test_how_long_an_answer_took_is_kept(sitting):
 
 def test_pausing_a_clip_makes_it_begin_again(sitting):
     sitting.to_trials()
-    sitting.runner.go_on()
+    sitting.runner.proceed()
     sitting.runner.pause()
     assert sitting.kind is PageKind.PAUSED
     assert not sitting.stage.is_armed
@@ -263,7 +263,7 @@ def test_stopping_keeps_what_was_answered(sitting):
     sitting.to_trials()
     for _ in range(5):
         sitting.trial()
-    sitting.runner.go_on()
+    sitting.runner.proceed()
     sitting.runner.leave()
     assert sitting.kind is PageKind.STOPPED
     assert sitting.study.session(sitting.code).state is SessionState.STOPPED
@@ -324,7 +324,7 @@ def test_a_full_disk_stops_the_session_before_an_answer_counts(
 def test_once_the_disk_has_room_again_the_force_is_back(sitting, monkeypatch, at):
     sitting.to_trials()
     if at != "trial-begin":
-        sitting.play() if at == "answers" else sitting.runner.go_on()
+        sitting.play() if at == "answers" else sitting.runner.proceed()
     with monkeypatch.context() as patch:
         patch.setattr(journals, "_write_whole", no_room)
         if at == "answers":
@@ -333,7 +333,7 @@ def test_once_the_disk_has_room_again_the_force_is_back(sitting, monkeypatch, at
             sitting.stage.ended = True
             sitting.runner.poll()
         else:
-            sitting.runner.go_on()
+            sitting.runner.proceed()
         assert sitting.kind is PageKind.PROBLEM
         assert not sitting.stage.is_armed
     sitting.runner.retry()
@@ -396,12 +396,12 @@ def test_consent_that_cannot_be_kept_is_no_consent(sitting):
 def test_the_demonstration_and_replays_come_back_to_their_page(sitting):
     sitting.runner.consent(given=True)
     sitting.runner.answer(SHEET)
-    sitting.runner.feel()
+    sitting.runner.demonstrate()
     assert sitting.kind is PageKind.PLAYING
     sitting.stage.ended = True
     sitting.runner.poll()
     assert sitting.kind is PageKind.DEMONSTRATION
-    sitting.runner.go_on()
+    sitting.runner.proceed()
     for _ in range(12):
         sitting.trial()
     replays = sitting.runner.page.replays
@@ -439,7 +439,7 @@ def test_an_observer_hears_markers_but_no_answers_and_no_code(study, manual_cloc
 
 
 def test_the_operator_s_notes_and_checks_are_kept(sitting):
-    sitting.runner.keep_checks([{"check": "disk", "ok": True}], overridden=False)
+    sitting.runner.store_checks([{"check": "disk", "ok": True}], overridden=False)
     sitting.runner.note(" window was open ")
     found = {r.kind: r.content for r in sitting.records().intact}
     assert found["note"] == {"text": "window was open"}

@@ -237,9 +237,9 @@ def test_who_left_early_and_who_never_was_there_is_told(study, scripted, manual_
     journal.close()
     found = collect_answers(study)
     assert found.remarks == (
-        "1 of 3 sessions hold no answer to a trial",
-        "1 of 3 sessions have answers and no end",
-        "1 of 3 sessions are simulated: nobody sat there",
+        "1 of 3 sessions have no answers",
+        "1 of 3 sessions have answers but were not completed",
+        "1 of 3 sessions are simulated",
     )
     assert len(found.participants) == 2
 

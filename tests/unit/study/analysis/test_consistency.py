@@ -137,7 +137,7 @@ def test_shares_are_counted_and_what_is_missing_is_told():
     ("p", "words"),
     [
         (lambda _x: 0.5, "do not differ significantly"),
-        (lambda x: float(-0.15 < x < 0.25), "only levels in between could tell"),
+        (lambda x: float(-0.15 < x < 0.25), "need levels in between"),
         (lambda x: 0.9 if abs(x) in {0.1, 0.4} else 0.1, "does not fit"),
     ],
 )

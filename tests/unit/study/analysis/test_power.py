@@ -50,7 +50,7 @@ def test_a_pilot_stands_for_the_population(make_answers):
     found = find_power(draw_pilot(pilot), pilot.feedbacks, PowerGoal(studies=200))
     assert found.needed["friedman"] is not None
     few = sample_of(scores_of(make_answers(3, 4)), "qoe")
-    with pytest.raises(UsageError, match="five participants"):
+    with pytest.raises(UsageError, match="five complete participants"):
         draw_pilot(few)
 
 
