@@ -12,7 +12,8 @@ from hapticplayer.motion.saturation import (
     ACCELEROMETER,
     GYROSCOPE,
     SensorRange,
-    saturated_mask,
+    find_rails,
+    on_rails,
 )
 
 Flags = NDArray[np.bool_]
@@ -113,10 +114,10 @@ def find_flaws(imu: ImuLog) -> Flaws:
 
 
 def _clipped(values: Floats, sensor: SensorRange) -> Flags:
-    mask, full_scale = saturated_mask(values, sensor)
-    if full_scale is None:
+    rails = find_rails(values, sensor)
+    if rails is None:
         return np.zeros(len(values), np.bool_)
-    x, y, z = mask.T
+    x, y, z = on_rails(values, rails).T
     return np.asarray(x | y | z)
 
 

@@ -128,12 +128,12 @@ def _conditioned(imu: ImuLog, processing: Processing) -> tuple[ImuLog, list[str]
         from hapticplayer.motion.conditioning import remove_spikes
 
         imu, spikes = remove_spikes(imu)
-        steps.append(str(spikes))
+        steps.append(spikes.message)
     if processing.repair_clipping:
         from hapticplayer.motion.conditioning import repair_clipping
 
         imu, clipping = repair_clipping(imu)
-        steps.append(Message("clipped peaks: {clipping}", clipping=clipping))
+        steps.append(clipping.message)
     if processing.average_hz is not None:
         from hapticplayer.motion.conditioning import average
 

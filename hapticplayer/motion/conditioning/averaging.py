@@ -7,40 +7,69 @@ Time stamps: the window k reaches from start + k / rate to start + (k + 1) / rat
 where start is the beginning of the first sample's interval; its mean carries the time
 of its middle and the result is Sampling.AVERAGED. No delay remains.
 
-Frequency response: a boxcar, |sin(pi f / rate) / (pi f / rate)|, zero phase at the
+Frequency response: a boxcar, sin(pi f / rate) / (pi f / rate), zero phase at the
 window's middle: -0.9 dB at a quarter of the rate, -3.9 dB at half of it, zeros at its
-multiples. It aliases (content at 0.8 of the rate comes out at 0.2 with -12.6 dB);
-`decimate` does not.
+multiples. It aliases: content at 0.8 of the rate comes out at 0.2 with -12.6 dB.
 """
 
 import dataclasses
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike
 
-from hapticplayer.errors import Message
-from hapticplayer.model import ImuLog, MotionTrack, Sampling
-from hapticplayer.model import quaternions as quat
+from hapticplayer.errors import InputError, Message
+from hapticplayer.model import ImuLog, Sampling
 from hapticplayer.model.arrays import Floats
 from hapticplayer.motion.conditioning import timing
 from hapticplayer.motion.conditioning.timing import Mask
 
+# Windows covered by valid samples to a smaller share are not valid.
 MIN_COVERAGE = 0.5
-EMPTY = timing.ROUNDING
+# Share of a window that rounding of the time stamps may cost.
+ROUNDING = 1e-6
+RATE_TOLERANCE = 1e-3
 
 
-def average_response(frequency_hz: ArrayLike, rate_hz: float) -> Floats:
-    """Return the gain of averaging to `rate_hz` at each frequency; signed, zero phase.
+def average(imu: ImuLog, rate_hz: float) -> ImuLog:
+    """Return the log averaged to `rate_hz`; response and times as stated above.
 
-    Exact where a sample is the mean over its own interval, as ImuLog defines it, and
-    windows begin and end with samples.
+    Rates need not divide: a sample that lies in two windows counts in each by its
+    overlap. Windows without any sample (gaps) are left out; windows that valid samples
+    cover to less than a half are kept and marked as not valid.
+
+    Args:
+        imu: samples of any kind; INSTANT ones hold over the interval that ends at
+            their time.
+        rate_hz: windows per second.
+
+    Raises:
+        InputError: for a rate above the log's, or a log shorter than one window.
     """
-    return np.asarray(np.sinc(np.asarray(frequency_hz, dtype=np.float64) / rate_hz))
+    rate_now_hz = 1.0 / timing.median_step_s(imu.time_s)
+    _check_rate(rate_hz, rate_now_hz, imu.source)
+    start_s, end_s = _intervals(imu.time_s, imu.sampling)
+    usable = np.ones(len(imu), dtype=np.bool_) if imu.valid is None else imu.valid
+    windows = _Windows(start_s, end_s, *_windows(start_s, end_s, rate_hz), usable)
+    force, covered = windows.means(imu.specific_force_mps2)
+    rate, _ = windows.means(imu.angular_rate_radps)
+    field = imu.magnetic_field_ut
+    if field is not None:
+        field, _ = windows.means(field)
+    keep = windows.share(np.ones(len(imu), dtype=np.bool_)) > ROUNDING
+    valid = covered[keep] >= MIN_COVERAGE - ROUNDING
+    return dataclasses.replace(
+        imu,
+        time_s=0.5 * (windows.opens_s + windows.closes_s)[keep],
+        specific_force_mps2=force[keep],
+        angular_rate_radps=rate[keep],
+        magnetic_field_ut=None if field is None else field[keep],
+        sampling=Sampling.AVERAGED,
+        valid=None if valid.all() else valid,
+    )
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Windows:
+class _Windows:
     """Samples on the time axis, to be averaged over windows.
 
     Attributes:
@@ -57,11 +86,6 @@ class Windows:
     closes_s: Floats
     valid: Mask
 
-    @property
-    def middle_s(self) -> Floats:
-        """The time stamps (M,) of the means."""
-        return 0.5 * (self.opens_s + self.closes_s)
-
     def share(self, mask: Mask) -> Floats:
         """Return the share (M,) of each window that the samples in `mask` cover."""
         weights = mask.astype(np.float64)
@@ -74,13 +98,13 @@ class Windows:
         count only where a window has no valid ones; empty windows are zero.
         """
         covered = self.share(self.valid)
-        use_invalid = covered < EMPTY
+        use_invalid = covered < ROUNDING
         out = np.empty((len(covered), values.shape[1]))
         window_s = self.closes_s - self.opens_s
         everything = np.ones(len(self.valid), dtype=np.bool_)
         fallback = self.share(everything) if use_invalid.any() else covered
         base = np.where(use_invalid, fallback, covered) * window_s
-        base = np.where(base < EMPTY * window_s, np.inf, base)
+        base = np.where(base < ROUNDING * window_s, np.inf, base)
         for axis, column in enumerate(values.T):
             # around the mean: a running sum over hours keeps its digits
             mean = float(np.mean(column)) if len(column) else 0.0
@@ -103,102 +127,79 @@ class Windows:
         )
 
 
-def average(
-    imu: ImuLog, rate_hz: float, *, min_coverage: float = MIN_COVERAGE
-) -> ImuLog:
-    """Return the log averaged to `rate_hz`; response and times as stated above.
+def _intervals(time_s: Floats, sampling: Sampling) -> tuple[Floats, Floats]:
+    """Return start and end, (N,) each in s, of the time each sample stands for.
 
-    Rates need not divide: a sample that lies in two windows counts in each by its
-    overlap. Windows without any sample (gaps) are left out, windows covered by valid
-    samples to less than `min_coverage` are kept and marked as not valid.
-
-    Args:
-        imu: samples of any kind; INSTANT ones hold over the interval that ends at
-            their time.
-        rate_hz: windows per second.
-        min_coverage: share of a window, 0 to 1.
+    INSTANT: from the sample before to its own time. AVERAGED: between the midpoints
+    to its neighbours. At a gap and at the ends of the recording a sample covers one
+    median step, so that the intervals never overlap and a gap stays uncovered.
 
     Raises:
-        InputError: for a rate above the log's, or a log shorter than one window.
+        InputError: for fewer than two samples.
     """
-    windows = _windows(imu.time_s, imu.valid, imu.sampling, rate_hz, imu.source)
-    force, covered = windows.means(imu.specific_force_mps2)
-    rate, _ = windows.means(imu.angular_rate_radps)
-    field = imu.magnetic_field_ut
-    if field is not None:
-        field, _ = windows.means(field)
-    keep, valid = _judge(windows, covered, min_coverage)
-    return dataclasses.replace(
-        imu,
-        time_s=windows.middle_s[keep],
-        specific_force_mps2=force[keep],
-        angular_rate_radps=rate[keep],
-        magnetic_field_ut=None if field is None else field[keep],
-        sampling=Sampling.AVERAGED,
-        valid=None if valid.all() else valid,
+    step_s = timing.median_step_s(time_s)
+    gap = timing.gaps(time_s, step_s)
+    # shared edges are the same float on both sides: no sliver between the samples
+    if sampling is Sampling.INSTANT:
+        start_s = np.where(gap, time_s[1:] - step_s, time_s[:-1])
+        return np.concatenate(([time_s[0] - step_s], start_s)), time_s
+    middle_s = 0.5 * (time_s[1:] + time_s[:-1])
+    half_s = 0.5 * step_s
+    start_s = np.where(gap, time_s[1:] - half_s, middle_s)
+    end_s = np.where(gap, time_s[:-1] + half_s, middle_s)
+    return (
+        np.concatenate(([time_s[0] - half_s], start_s)),
+        np.concatenate((end_s, [time_s[-1] + half_s])),
     )
 
 
-def average_motion(
-    track: MotionTrack,
-    rate_hz: float,
-    *,
-    sampling: Sampling = Sampling.INSTANT,
-    min_coverage: float = MIN_COVERAGE,
-) -> MotionTrack:
-    """Return the track averaged to `rate_hz`; response and times as stated above.
+def _windows(start_s: Floats, end_s: Floats, rate_hz: float) -> tuple[Floats, Floats]:
+    """Return opening and closing times (M,) of the windows that hold samples.
 
-    Acceleration and gravity are window means (so gravity is a little shorter than 1 g
-    where the sensor turns), the orientation is that at the window's middle, sigma the
-    RMS over the window: errors of gravity are slow and do not average out.
+    Window k reaches from start_s[0] + k / rate to start_s[0] + (k + 1) / rate; only
+    full ones before the last sample's end count. What lies in a gap is left out, so
+    that hours of silence don't become millions of windows.
 
     Args:
-        track: gravity-free acceleration.
+        start_s: (N,) where each sample's interval begins, in order.
+        end_s: (N,) where it ends.
         rate_hz: windows per second.
-        sampling: what a sample of the log was that the track comes from.
-        min_coverage: share of a window, as in `average`.
 
     Raises:
-        InputError: as `average`.
+        InputError: when the time is shorter than one window.
     """
-    windows = _windows(
-        track.time_s, track.valid, sampling, rate_hz, Message("motion track")
+    origin_s, total_s = float(start_s[0]), float(end_s[-1] - start_s[0])
+    # a few ulps of the time stamps must not cost the last window
+    count = int(np.floor(total_s * rate_hz + ROUNDING))
+    if count < 1:
+        raise InputError(
+            "{total_s:.4g} s of samples are less than one window of {window_s:.4g} s",
+            remedy="give a higher rate or a longer recording",
+            total_s=total_s,
+            window_s=1.0 / rate_hz,
+        )
+    closed = np.flatnonzero(start_s[1:] > end_s[:-1])  # before a gap
+    begins = start_s[np.concatenate(([0], closed + 1))] - origin_s
+    ends = end_s[np.concatenate((closed, [len(end_s) - 1]))] - origin_s
+    first = np.floor(begins * rate_hz + ROUNDING).astype(np.int64)
+    stop = np.ceil(ends * rate_hz - ROUNDING).astype(np.int64)
+    lengths = np.maximum(stop - first, 0)
+    offsets = np.repeat(first - np.cumsum(lengths) + lengths, lengths)
+    number = np.unique(offsets + np.arange(len(offsets)))
+    number = number[number < count]
+    return origin_s + number / rate_hz, origin_s + (number + 1) / rate_hz
+
+
+def _check_rate(rate_hz: float, input_rate_hz: float, where: str) -> None:
+    """Raise InputError unless 0 < rate_hz <= input_rate_hz."""
+    timing.positive(
+        rate_hz, Message("the rate"), Message("give a rate in Hz, such as 30")
     )
-    acceleration, covered = windows.means(track.acceleration_mps2)
-    gravity, _ = windows.means(track.gravity_mps2)
-    sigma = track.gravity_sigma_mps2
-    if sigma is not None:
-        variance, _ = windows.means(np.square(sigma)[:, None])
-        sigma = np.sqrt(np.maximum(variance[:, 0], 0.0))
-    keep, valid = _judge(windows, covered, min_coverage)
-    time_s = windows.middle_s[keep]
-    return MotionTrack(
-        time_s=time_s,
-        acceleration_mps2=acceleration[keep],
-        gravity_mps2=gravity[keep],
-        accelerometer_gain=track.accelerometer_gain,
-        quaternion_wxyz=quat.interpolate(time_s, track.time_s, track.quaternion_wxyz),
-        gravity_sigma_mps2=None if sigma is None else sigma[keep],
-        valid=valid,
-    )
-
-
-def _windows(
-    time_s: Floats,
-    valid: Mask | None,
-    sampling: Sampling,
-    rate_hz: float,
-    where: str,
-) -> Windows:
-    timing.check_lower_rate(rate_hz, 1.0 / timing.median_step_s(time_s), where)
-    start_s, end_s = timing.intervals(time_s, sampling)
-    opens_s, closes_s = timing.windows(start_s, end_s, rate_hz)
-    usable = np.ones(len(time_s), dtype=np.bool_) if valid is None else valid
-    return Windows(start_s, end_s, opens_s, closes_s, usable)
-
-
-def _judge(windows: Windows, covered: Floats, min_coverage: float) -> tuple[Mask, Mask]:
-    """Return which windows to keep (M,) and, of these, which are valid."""
-    everything = np.ones(len(windows.valid), dtype=np.bool_)
-    keep = windows.share(everything) > EMPTY
-    return keep, covered[keep] >= min_coverage - EMPTY
+    if rate_hz > input_rate_hz * (1.0 + RATE_TOLERANCE):
+        raise InputError(
+            "{rate_hz:g} Hz is above the rate of the samples, {input_rate_hz:.4g} Hz",
+            where=where,
+            remedy="give a lower rate; samples can be merged, not made up",
+            rate_hz=rate_hz,
+            input_rate_hz=input_rate_hz,
+        )

@@ -1,19 +1,15 @@
-"""Clipped peaks: found, reconstructed where they are short, else marked.
+"""Clipped peaks: reconstructed where they are short, else marked.
 
-A sensor that is driven beyond its full scale repeats one extreme value, its rail. The
-rail is given, or found: many readings equal to the extreme one within 1e-4, several of
-them in a row, and far more than just below it. No smooth peak looks like that.
+The rails of a sensor that clips are found by `saturation`. Short runs at a rail are
+replaced by the cubic through the two samples on each side, which continues both flanks.
+It is bounded: never inside the rail; never above the tent of the two flanks' chords (a
+peak that curves towards the rail everywhere lies below it); never more than half of the
+rail beyond it. Longer runs, and those whose flanks do not point beyond the rail, keep
+their values and are marked in `valid`. On recordings that were clipped afterwards this
+removes a third to two thirds of the RMS error of what it reconstructs.
 
-Short runs at the rail are replaced by the cubic through the two samples on each side,
-which continues both flanks. It is bounded: never inside the rail; never above the tent
-of the two flanks' chords (a peak that curves towards the rail everywhere lies below
-it); never more than `max_overshoot` beyond the rail. Longer runs, and those whose flanks
-don't point beyond the rail, keep their values and are marked in `valid`: what happened
-there was not measured. On recordings that were clipped afterwards this takes away a
-third to two thirds of the RMS error of what it reconstructs.
-
-Frequency response: not linear. Samples that are not clipped come out bit for bit.
-Time stamps stay as they are. Repair before averaging; a mean hides its rail.
+Not linear; samples that are not clipped come out bit for bit, time stamps stay as they
+are. Repair before averaging: a mean hides its rail.
 """
 
 import dataclasses
@@ -21,38 +17,22 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from hapticplayer.errors import Message
 from hapticplayer.model import ImuLog
-from hapticplayer.model.arrays import Floats, frozen
+from hapticplayer.model.arrays import Floats
 from hapticplayer.motion.conditioning import timing
-from hapticplayer.motion.conditioning.rails import (
-    MIN_FORCE_RAIL_MPS2,
-    MIN_RATE_RAIL_RADPS,
-    sensor_rails,
-)
 from hapticplayer.motion.conditioning.timing import Indices, Mask
+from hapticplayer.motion.saturation import (
+    ACCELEROMETER,
+    GYROSCOPE,
+    SensorRange,
+    find_rails,
+    on_rails,
+)
 
-
-@dataclass(frozen=True, slots=True)
-class ClippingLimits:
-    """What is reconstructed, and how far.
-
-    Attributes:
-        max_run: most samples in a row.
-        max_overshoot: most beyond the rail, as a share of it.
-
-    Raises:
-        InputError: when a number is not positive.
-    """
-
-    max_run: int = 8
-    max_overshoot: float = 0.5
-
-    def __post_init__(self) -> None:
-        for name in self.__slots__:
-            timing.positive(getattr(self, name), name, "see ClippingLimits")
-
-
-DEFAULT_CLIPPING = ClippingLimits()
+# Longest run that is reconstructed, in samples, and how far beyond the rail at most, as
+# a share of it.
+MAX_RUN, MAX_OVERSHOOT = 8, 0.5
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -60,8 +40,7 @@ class Clipping:
     """What was clipped in one sensor.
 
     Attributes:
-        rails: (3, 2) low and high; what is at or beyond is clipped. Infinite where
-            an axis has none.
+        rails: (3, 2) low and high; infinite where an axis has none.
         clipped: (N, 3) True at a rail.
         reconstructed: (N, 3) True where a value was replaced; part of `clipped`.
     """
@@ -70,23 +49,15 @@ class Clipping:
     clipped: Mask
     reconstructed: Mask
 
-    def __post_init__(self) -> None:
-        rails = np.array(self.rails, dtype=np.float64)
-        rails.setflags(write=False)
-        object.__setattr__(self, "rails", rails)
-        for name in ("clipped", "reconstructed"):
-            mask = frozen(getattr(self, name), (None, None), name, np.bool_)
-            object.__setattr__(self, name, mask)
-
     @property
     def marked(self) -> Mask:
         """(N,) True where an axis is clipped and could not be reconstructed."""
         return np.asarray((self.clipped & ~self.reconstructed).any(axis=1))
 
     @property
-    def share(self) -> float:
-        """Share of samples with a clipped axis."""
-        return float(np.mean(self.clipped.any(axis=1))) if len(self.clipped) else 0.0
+    def samples(self) -> int:
+        """Number of samples with a clipped axis."""
+        return int(self.clipped.any(axis=1).sum())
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -101,56 +72,36 @@ class ClippingReport:
     force: Clipping
     rate: Clipping
 
-    def __str__(self) -> str:
-        parts = []
-        for name, one in (("accelerometer", self.force), ("gyro", self.rate)):
-            clipped = int(one.clipped.any(axis=1).sum())
-            parts.append(
-                f"{name}: {clipped} clipped samples ({100 * one.share:.2f} %), "
-                f"{int(one.marked.sum())} of them only marked"
-            )
-        return "; ".join(parts)
+    @property
+    def message(self) -> Message:
+        """For people."""
+        return Message(
+            "clipped samples: {force} of the accelerometer ({force_marked} of them not "
+            "reconstructed, marked as not valid), {rate} of the gyro ({rate_marked})",
+            force=self.force.samples,
+            force_marked=int(self.force.marked.sum()),
+            rate=self.rate.samples,
+            rate_marked=int(self.rate.marked.sum()),
+        )
 
 
-def repair_clipping(
-    imu: ImuLog,
-    *,
-    full_scale_mps2: float | None = None,
-    full_scale_radps: float | None = None,
-    limits: ClippingLimits = DEFAULT_CLIPPING,
-) -> tuple[ImuLog, ClippingReport]:
+def repair_clipping(imu: ImuLog) -> tuple[ImuLog, ClippingReport]:
     """Return the log with short clipped peaks reconstructed, and what was done.
 
     Longer runs are marked as not valid; reconstructed samples stay valid.
-
-    Args:
-        imu: samples as the sensor gave them.
-        full_scale_mps2: rail of the accelerometer (19.6 for +-2 g); found if None.
-        full_scale_radps: rail of the gyro; found if None.
-        limits: what is reconstructed.
-
-    Raises:
-        InputError: for a full scale that is not positive.
     """
     trusted = np.ones(len(imu), dtype=np.bool_) if imu.valid is None else imu.valid
-    force, force_report = _repair(
-        imu.time_s,
-        imu.specific_force_mps2,
-        sensor_rails(
-            imu.specific_force_mps2, full_scale_mps2, MIN_FORCE_RAIL_MPS2, trusted
-        ),
-        limits,
-        trusted,
-    )
-    rate, rate_report = _repair(
-        imu.time_s,
-        imu.angular_rate_radps,
-        sensor_rails(
-            imu.angular_rate_radps, full_scale_radps, MIN_RATE_RAIL_RADPS, trusted
-        ),
-        limits,
-        trusted,
-    )
+
+    def repaired(values: Floats, sensor: SensorRange) -> tuple[Floats, Clipping]:
+        rails = find_rails(values[trusted], sensor)
+        if rails is None:
+            none = np.zeros(values.shape, np.bool_)
+            return values, Clipping(np.tile([-np.inf, np.inf], (3, 1)), none, none)
+        values, clipped, done = reconstruct(imu.time_s, values, rails, trusted)
+        return values, Clipping(rails, clipped & trusted[:, None], done)
+
+    force, force_report = repaired(imu.specific_force_mps2, ACCELEROMETER)
+    rate, rate_report = repaired(imu.angular_rate_radps, GYROSCOPE)
     valid = trusted & ~force_report.marked & ~rate_report.marked
     log = dataclasses.replace(
         imu,
@@ -162,58 +113,41 @@ def repair_clipping(
 
 
 def reconstruct(
-    time_s: Floats,
-    values: Floats,
-    rails: Floats,
-    limits: ClippingLimits = DEFAULT_CLIPPING,
-    trusted: Mask | None = None,
+    time_s: Floats, values: Floats, rails: Floats, trusted: Mask
 ) -> tuple[Floats, Mask, Mask]:
     """Return values (N, C), clipped (N, C) and reconstructed (N, C).
 
     Args:
         time_s: (N,) increasing.
         values: (N, C).
-        rails: (C, 2) low and high; a reading at or beyond it is clipped.
-        limits: what is reconstructed.
-        trusted: (N,) samples that may serve as a flank; all by default.
+        rails: (C, 2) low and high.
+        trusted: (N,) samples that may serve as a flank.
     """
-    clipped = (values <= rails[:, 0]) | (values >= rails[:, 1])
+    clipped = on_rails(values, rails)
     done = np.zeros(values.shape, dtype=np.bool_)
     if len(values) < 2 or not clipped.any():
         return values, clipped, done
     out = values.copy()
-    usable = np.ones(len(values), dtype=np.bool_) if trusted is None else trusted
     for axis, side in np.argwhere(np.isfinite(rails)):
         sign = 1.0 if side else -1.0
         column, rail = sign * values[:, axis], sign * float(rails[axis, side])
-        starts, ends = timing.runs((column >= rail) & usable)
-        good = usable & ~clipped[:, axis]
-        starts, ends = _with_flanks(time_s, good, starts, ends, limits.max_run)
+        starts, ends = timing.runs(clipped[:, axis] & trusted & (column > 0.0))
+        good = trusted & ~clipped[:, axis]
+        starts, ends = _with_flanks(time_s, good, starts, ends)
         rows, peak = _peaks(time_s, column, starts, ends)
-        bounded = np.minimum(peak, rail + limits.max_overshoot * abs(rail))
+        bounded = np.minimum(peak, (1.0 + MAX_OVERSHOOT) * rail)
         bounded = np.maximum(bounded, column[rows])
-        told = _spread(bounded > column[rows], ends - starts)
-        out[rows[told], axis] = sign * bounded[told]
-        done[rows[told], axis] = True
+        beyond = _whole_runs(bounded > column[rows], ends - starts)
+        out[rows[beyond], axis] = sign * bounded[beyond]
+        done[rows[beyond], axis] = True
     return out, clipped, done
 
 
-def _repair(
-    time_s: Floats,
-    values: Floats,
-    rails: Floats,
-    limits: ClippingLimits,
-    trusted: Mask,
-) -> tuple[Floats, Clipping]:
-    values, clipped, done = reconstruct(time_s, values, rails, limits, trusted)
-    return values, Clipping(rails, clipped & trusted[:, None], done)
-
-
 def _with_flanks(
-    time_s: Floats, good: Mask, starts: Indices, ends: Indices, max_run: int
+    time_s: Floats, good: Mask, starts: Indices, ends: Indices
 ) -> tuple[Indices, Indices]:
     """Return the short runs that have two good samples on each side, no gap between."""
-    fits = (ends - starts <= max_run) & (starts >= 2) & (ends + 1 < len(time_s))
+    fits = (ends - starts <= MAX_RUN) & (starts >= 2) & (ends + 1 < len(time_s))
     starts, ends = starts[fits], ends[fits]
     flanks = np.stack([starts - 2, starts - 1, ends, ends + 1])
     gaps = timing.gaps(time_s, timing.median_step_s(time_s))
@@ -242,7 +176,7 @@ def _peaks(
     return rows, np.minimum(cubic, np.minimum(rise, fall))
 
 
-def _spread(found: Mask, lengths: Indices) -> Mask:
+def _whole_runs(found: Mask, lengths: Indices) -> Mask:
     """Return True for all rows of each run in which any row is True."""
     run = np.repeat(np.arange(len(lengths)), lengths)
     hits = np.bincount(run[found], minlength=len(lengths)) > 0

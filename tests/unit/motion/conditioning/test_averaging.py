@@ -7,8 +7,7 @@ import pytest
 
 from hapticplayer.errors import InputError
 from hapticplayer.model import STANDARD_GRAVITY_MPS2, Sampling
-from hapticplayer.model import quaternions as quat
-from hapticplayer.motion.conditioning import average, average_motion, average_response
+from hapticplayer.motion.conditioning import average
 
 
 def mean_of_sine(begin_s, end_s, frequency_hz):
@@ -83,12 +82,6 @@ def test_the_frequency_response_is_the_documented_sinc(make_log, frequency_hz):
     gain = got / np.exp(1j * w * log.time_s)
     x = frequency_hz / 30.0
     assert np.allclose(gain, np.sin(np.pi * x) / (np.pi * x), atol=1e-10)
-    assert average_response(frequency_hz, 30.0) == pytest.approx(gain[0].real, abs=1e-9)
-
-
-def test_the_documented_decibels_of_the_response_hold():
-    decibels = 20 * np.log10(np.abs(average_response([7.5, 15.0, 24.0], 30.0)))
-    assert np.allclose(decibels, [-0.91, -3.92, -12.6], atol=0.06)
 
 
 def test_recordings_averaged_elsewhere_come_out_the_same(shared_data, recording):
@@ -162,10 +155,6 @@ def test_what_is_not_valid_reaches_no_valid_average(make_log):
     assert np.allclose(log.specific_force_mps2[log.valid], 2.0, atol=1e-9)
     # four of ten samples missing: enough is left; 30 in a row are three windows
     assert np.flatnonzero(~log.valid).tolist() == [20, 21, 22]
-    strict = average(
-        make_log(end, force=force[:, None], valid=valid), 20.0, min_coverage=0.9
-    )
-    assert np.flatnonzero(~strict.valid).tolist() == [10, 20, 21, 22]
 
 
 def test_the_magnetic_field_is_carried_along(make_log, rng):
@@ -194,26 +183,6 @@ def test_a_day_of_samples_keeps_its_digits(make_log):
     log = average(make_log(end, force=force[:, None]), 2.5)
     error = log.specific_force_mps2 - STANDARD_GRAVITY_MPS2
     assert np.abs(error).max() < 1e-9
-
-
-def test_the_motion_keeps_its_equation_and_its_orientation(make_track):
-    time_s = np.arange(1, 2001) / 200.0
-    track = make_track(time_s, np.sin(9 * time_s), sigma=np.full(2000, 0.2))
-    slow = average_motion(track, 20.0)
-    force = track.acceleration_mps2 + track.gravity_mps2
-    blocks = force.reshape(200, 10, 3).mean(axis=1)
-    assert np.allclose(slow.acceleration_mps2 + slow.gravity_mps2, blocks, atol=1e-11)
-    truth = quat.from_rotation_vector(np.outer(0.4 * slow.time_s, [1.0, 0, 0]))
-    assert np.abs(slow.quaternion_wxyz - truth).max() < 1e-6
-    assert np.allclose(slow.gravity_sigma_mps2, 0.2, atol=1e-12)
-    assert slow.accelerometer_gain == track.accelerometer_gain
-    assert slow.valid.all()
-
-
-def test_averaged_tracks_are_averaged_around_their_middles(make_track):
-    time_s = (np.arange(300) + 0.5) / 30.0
-    slow = average_motion(make_track(time_s, time_s), 10.0, sampling=Sampling.AVERAGED)
-    assert np.allclose(slow.acceleration_mps2[:, 0], slow.time_s, atol=1e-12)
 
 
 @pytest.mark.parametrize("rate_hz", [0.0, -30.0, np.nan, np.inf, 201.0])

@@ -7,24 +7,24 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from hapticplayer.errors import InputError
-from hapticplayer.motion.conditioning import (
-    ClippingLimits,
-    find_rails,
-    reconstruct,
-    repair_clipping,
-)
+from hapticplayer.motion.conditioning import repair_clipping
+from hapticplayer.motion.conditioning.clipping import MAX_OVERSHOOT, reconstruct
 
 RAILS = np.array([[-20.0, 20.0]])
+
+
+def rebuilt(time_s, values, rails=RAILS):
+    return reconstruct(time_s, values, rails, np.ones(len(values), bool))
 
 
 def test_a_clipped_sine_comes_back_close_to_its_closed_form():
     t = np.arange(1000) / 200.0
     truth = 22.0 * np.sin(2 * np.pi * 8.0 * t + 0.3)[:, None]
     cut = np.clip(truth, -20.0, 20.0)
-    out, clipped, done = reconstruct(t, cut, RAILS)
-    assert np.array_equal(clipped, np.abs(truth) >= 20.0)
-    assert np.array_equal(done, clipped)
+    out, clipped, done = rebuilt(t, cut)
+    # a rail may be smeared by 0.2 %
+    assert np.array_equal(clipped, np.abs(truth) >= 0.998 * 20.0)
+    assert done[np.abs(truth) > 20.1].all()
     before = np.sqrt(np.mean((cut - truth)[clipped] ** 2))
     after = np.sqrt(np.mean((out - truth)[clipped] ** 2))
     assert before > 1.2
@@ -32,21 +32,17 @@ def test_a_clipped_sine_comes_back_close_to_its_closed_form():
     assert np.array_equal(out[~clipped], cut[~clipped])
 
 
-@given(
-    heights=st.lists(st.floats(-60, 60), min_size=20, max_size=60),
-    overshoot=st.floats(0.05, 1.0),
-)
+@given(heights=st.lists(st.floats(-60, 60), min_size=20, max_size=60))
 @settings(max_examples=60)
-def test_a_reconstruction_never_leaves_its_bounds(heights, overshoot):
+def test_a_reconstruction_never_leaves_its_bounds(heights):
     cut = np.clip(np.array(heights), -20.0, 20.0)[:, None]
     time_s = np.arange(len(cut)) / 100.0
-    limits = ClippingLimits(max_overshoot=overshoot)
-    out, clipped, done = reconstruct(time_s, cut, RAILS, limits)
+    out, clipped, done = rebuilt(time_s, cut)
     assert np.array_equal(out[~done], cut[~done])
     assert not (done & ~clipped).any()
     assert (np.sign(out[done]) == np.sign(cut[done])).all()
-    assert (np.abs(out[done]) >= 20.0).all()
-    assert (np.abs(out) <= 20.0 * (1.0 + overshoot) + 1e-9).all()
+    assert (np.abs(out[done]) >= np.abs(cut[done])).all()
+    assert (np.abs(out) <= 20.0 * (1.0 + MAX_OVERSHOOT) + 1e-9).all()
 
 
 @given(
@@ -58,8 +54,7 @@ def test_a_reconstruction_never_leaves_its_bounds(heights, overshoot):
 def test_a_peak_stays_below_the_tent_of_its_flanks(rise, fall, length):
     values = np.array([*rise, *[20.0] * length, *fall])
     row = np.arange(len(values))
-    limits = ClippingLimits(max_overshoot=100.0)
-    out, clipped, _ = reconstruct(row / 200.0, values[:, None], RAILS, limits)
+    out, clipped, _ = rebuilt(row / 200.0, values[:, None])
     peak = np.flatnonzero(clipped[:, 0])
     up = rise[1] + (rise[1] - rise[0]) * (peak - 1)
     down = fall[0] + (fall[0] - fall[1]) * (length + 2 - peak)
@@ -71,7 +66,7 @@ def test_a_peak_stays_below_the_tent_of_its_flanks(rise, fall, length):
 def test_a_parabola_is_rebuilt_exactly_at_uneven_times():
     t = np.array([-9.0, -7.0, -4.0, -3.1, -1.0, 0.5, 1.1, 3.5, 4.0, 8.0])
     truth = (28.0 - 0.8 * t**2)[:, None]
-    out, clipped, done = reconstruct(t, np.minimum(truth, 20.0), RAILS * [[9, 1]])
+    out, clipped, done = rebuilt(t, np.minimum(truth, 20.0), RAILS * [[9, 1]])
     assert clipped.sum() == 4
     assert np.array_equal(clipped, done)
     assert np.allclose(out, truth, atol=1e-9)
@@ -105,24 +100,20 @@ def test_short_clipping_is_repaired_and_long_is_marked(make_log):
     # the knock of 40 samples is above the rail for 21
     assert np.flatnonzero(~out.valid).tolist() == list(range(2810, 2831))
     assert report.force.marked.sum() == 21
-    assert "21 of them only marked" in str(report)
+    assert "21 of them not reconstructed" in report.message
     assert np.array_equal(out.angular_rate_radps, log.angular_rate_radps)
 
 
-def test_a_given_full_scale_is_used_and_a_gyro_saturates_too(make_log, rng):
+def test_a_gyro_saturates_too(make_log):
     t = np.arange(2000) / 200.0
-    spin = 6.0 * np.sin(2 * np.pi * 3.0 * t)
-    rate = np.clip(spin, -5.24, 5.24)[:, None] + 0 * rng.standard_normal((2000, 3))
-    log = make_log(t, force=9.8, rate=rate)
-    out, report = repair_clipping(
-        log, full_scale_radps=5.24, limits=ClippingLimits(max_run=20)
-    )
+    spin = 6.0 * np.sin(2 * np.pi * 7.0 * t)
+    log = make_log(t, force=9.8, rate=np.clip(spin, -5.24, 5.24)[:, None])
+    out, report = repair_clipping(log)
+    assert np.allclose(np.abs(report.rate.rails), 5.24)
     assert report.rate.clipped.any(axis=1).mean() > 0.25
     truth = spin[:, None] * np.ones(3)
     error = np.abs(out.angular_rate_radps - truth)[report.rate.reconstructed]
     assert error.max() < 0.1
-    found = repair_clipping(log)[1]
-    assert np.allclose(np.abs(found.rate.rails), 5.24, rtol=2e-4)
 
 
 def test_clipping_beside_a_gap_or_the_end_is_only_marked(make_log):
@@ -137,12 +128,12 @@ def test_clipping_beside_a_gap_or_the_end_is_only_marked(make_log):
     assert starts.tolist()[:2] == [5, 30]
     valid[29] = False
     log = make_log(time_s, force=np.stack([cut, 0 * t, 0 * t], axis=1), valid=valid)
-    out, report = repair_clipping(log, full_scale_mps2=20.0)
+    out, report = repair_clipping(log)
     assert not report.force.reconstructed[:50].max(
         where=(wave > 0)[:50, None], initial=0
     )
     assert report.force.reconstructed[50:150].any()
-    assert (~out.valid[[5, 6, 7, 8, 30, 31, 32, 33]]).all()
+    assert (~out.valid[[5, 6, 7, 30, 31, 32]]).all()
 
 
 def test_unclipped_recordings_come_out_bit_for_bit(recording):
@@ -150,8 +141,7 @@ def test_unclipped_recordings_come_out_bit_for_bit(recording):
         log = recording(name)
         out, report = repair_clipping(log)
         assert np.array_equal(out.specific_force_mps2, log.specific_force_mps2)
-        assert report.force.share == 0.0
-        assert report.rate.share == 0.0
+        assert report.force.samples == report.rate.samples == 0
         assert out.valid is None
 
 
@@ -163,7 +153,7 @@ def test_the_rails_of_a_running_phone_are_found(recording):
     low = log.specific_force_mps2[:, 0].min()
     assert np.sum(log.specific_force_mps2[:, 0] == low) == 6699
     assert report.force.clipped[:, 0].sum() >= 6699
-    assert 0.25 < report.force.share < 0.3
+    assert 0.25 < report.force.samples / len(log) < 0.3
 
 
 def test_recordings_clipped_afterwards_come_closer_to_the_truth(recording):
@@ -172,7 +162,7 @@ def test_recordings_clipped_afterwards_come_closer_to_the_truth(recording):
         log = recording(name)
         truth = log.specific_force_mps2
         cut = dataclasses.replace(log, specific_force_mps2=np.clip(truth, -rail, rail))
-        out, report = repair_clipping(cut, full_scale_mps2=rail / (1 - 1e-9))
+        out, report = repair_clipping(cut)
         done = report.force.reconstructed & (np.abs(truth) > rail)
         before += np.sum((cut.specific_force_mps2 - truth)[done] ** 2)
         after += np.sum((out.specific_force_mps2 - truth)[done] ** 2)
@@ -181,29 +171,9 @@ def test_recordings_clipped_afterwards_come_closer_to_the_truth(recording):
     assert np.sqrt(after / before) < 0.7
 
 
-def test_smooth_peaks_and_readings_at_rest_are_no_rails(rng):
-    t = np.arange(5000) / 1000.0
-    smooth = 18.0 + np.sin(t)  # a hundred samples within 1e-3 of the top
-    rest = np.round(9.8 + 0.02 * rng.standard_normal(5000), 2)
-    quantised = np.round((17.0 + 0.3 * rng.standard_normal(5000)) / 0.0766) * 0.0766
-    values = np.stack([smooth, rest, quantised], axis=1)
-    assert np.isinf(find_rails(values, 14.0)).all()
-    assert np.isinf(find_rails(np.zeros((0, 3)), 14.0)).all()
-
-
-def test_a_full_scale_that_is_no_number_is_refused_with_a_remedy(make_log):
-    log = make_log(np.arange(10) / 100.0)
-    for wrong in (0.0, -19.6, np.nan):
-        with pytest.raises(InputError) as caught:
-            repair_clipping(log, full_scale_mps2=wrong)
-        assert caught.value.remedy
-    with pytest.raises(InputError):
-        ClippingLimits(max_run=0)
-
-
 @pytest.mark.parametrize("count", [0, 1, 2])
-def test_short_recordings_are_only_marked(make_log, count):
+def test_short_recordings_are_left_alone(make_log, count):
     log = make_log(np.arange(count) / 100.0, force=19.6)
-    out, report = repair_clipping(log, full_scale_mps2=19.6)
+    out, report = repair_clipping(log)
     assert np.array_equal(out.specific_force_mps2, log.specific_force_mps2)
-    assert report.force.marked.sum() == count
+    assert report.force.samples == 0

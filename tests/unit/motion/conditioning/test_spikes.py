@@ -5,9 +5,9 @@ import dataclasses
 import numpy as np
 import pytest
 
-from hapticplayer.errors import InputError
 from hapticplayer.model import Sampling
-from hapticplayer.motion.conditioning import SpikeLimits, find_spikes, remove_spikes
+from hapticplayer.motion.conditioning import remove_spikes
+from hapticplayer.motion.conditioning.spikes import find_spikes
 
 
 @pytest.fixture
@@ -35,6 +35,11 @@ def changed(log, **columns):
     return dataclasses.replace(log, **arrays)
 
 
+def removed(report):
+    """Return how many samples had an axis replaced."""
+    return int((report.force | report.rate | report.field).any(axis=1).sum())
+
+
 def same(a, b):
     return (
         np.array_equal(a.specific_force_mps2, b.specific_force_mps2)
@@ -46,7 +51,7 @@ def same(a, b):
 def test_a_clean_recording_comes_out_bit_for_bit(ride):
     log, report = remove_spikes(ride)
     assert same(log, ride)
-    assert report.removed_samples == 0
+    assert removed(report) == 0
     assert not report.kept.any()
 
 
@@ -61,8 +66,8 @@ def test_glitches_are_removed_and_a_second_pass_finds_none(ride):
     assert np.argwhere(report.force).tolist() == [[100, 0], [400, 2], [900, 1]]
     assert np.argwhere(report.rate).tolist() == [[200, 1], [1500, 2]]
     assert np.argwhere(report.field).tolist() == [[700, 0]]
-    assert report.removed_samples == 6
-    assert "3 accelerometer, 2 gyro, 1 magnetometer" in str(report)
+    assert removed(report) == 6
+    assert "3 accelerometer, 2 gyro, 1 magnetometer" in report.message
     # the line between the neighbours is off by noise and curvature only
     error = np.abs(log.specific_force_mps2 - ride.specific_force_mps2)
     assert error.max() < 0.25
@@ -71,7 +76,7 @@ def test_glitches_are_removed_and_a_second_pass_finds_none(ride):
     assert log.valid is None
     again, second = remove_spikes(log)
     assert same(again, log)
-    assert second.removed_samples == 0
+    assert removed(second) == 0
 
 
 def test_gyro_readings_scaled_twice_go_on_all_axes_at_once(ride):
@@ -129,20 +134,13 @@ def test_a_step_stays(ride):
     assert same(log, stepped)
 
 
-def test_pairs_go_only_when_they_drop_to_zero_or_when_asked(ride):
+def test_pairs_go_only_when_they_drop_to_zero(ride):
     pair = changed(
         ride,
         specific_force_mps2=[(500, 0, 30.0), (501, 0, 25.0), (900, 2, 0), (901, 2, 0)],
     )
     _, report = remove_spikes(pair)
     assert np.argwhere(report.force).tolist() == [[900, 2], [901, 2]]
-    _, report = remove_spikes(pair, SpikeLimits(max_run=2))
-    assert np.argwhere(report.force).tolist() == [
-        [500, 0],
-        [501, 0],
-        [900, 2],
-        [901, 2],
-    ]
 
 
 def test_in_averaged_samples_only_drops_go(ride):
@@ -163,7 +161,7 @@ def test_nothing_is_judged_beside_a_gap_or_a_recorder_that_waits(ride):
         spiky, time_s=time_s, specific_force_mps2=force, angular_rate_radps=rate
     )
     _, report = remove_spikes(waiting)
-    assert report.removed_samples == 0
+    assert removed(report) == 0
     assert report.kept[[500, 900]].all()
 
 
@@ -191,18 +189,18 @@ def test_short_recordings_are_left_alone(make_log, count):
     log = make_log(np.arange(count) / 90.0, force=9.8)
     out, report = remove_spikes(log)
     assert np.array_equal(out.specific_force_mps2, log.specific_force_mps2)
-    assert report.removed_samples == 0
+    assert removed(report) == 0
 
 
 def test_quantised_readings_hold_no_spikes_and_lose_one():
     time_s = np.arange(400) / 90.0
     values = np.round(9.8 + 0.2 * np.sin(time_s), 1)[:, None]
-    floors = np.array([2.0])
-    spikes, kept = find_spikes(time_s, values, floors)
+    given = np.array([2.0]), np.ones(400, bool), False
+    spikes, kept = find_spikes(time_s, values, *given)
     assert not spikes.any()
     assert not kept.any()
     values[200] = -10.0
-    spikes, _ = find_spikes(time_s, values, floors)
+    spikes, _ = find_spikes(time_s, values, *given)
     assert np.flatnonzero(spikes[:, 0]).tolist() == [200]
 
 
@@ -211,7 +209,7 @@ def test_real_taps_survive_bit_for_bit(recording):
     log, report = remove_spikes(tapped)
     assert same(log, tapped)
     assert np.abs(log.specific_force_mps2).max() > 155.0
-    assert report.removed_samples == 0
+    assert removed(report) == 0
     # they did stand out
     assert report.kept.any()
 
@@ -221,7 +219,7 @@ def test_real_taps_survive_bit_for_bit(recording):
 )
 def test_real_recordings_lose_nothing_and_injected_glitches_go(recording, rng, name):
     clean = recording(name)
-    assert remove_spikes(clean)[1].removed_samples == 0
+    assert removed(remove_spikes(clean)[1]) == 0
     rows = np.arange(50, len(clean) - 50, 97)
     axes = rng.integers(0, 3, len(rows))
     force = clean.specific_force_mps2.copy()
@@ -236,14 +234,5 @@ def test_real_recordings_lose_nothing_and_injected_glitches_go(recording, rng, n
 def test_phone_vibration_is_not_taken_for_spikes(recording):
     shaken = recording("broad_27")
     _, report = remove_spikes(shaken)
-    assert report.removed_samples <= 3  # of 54952
+    assert removed(report) <= 3  # of 54952
     assert report.kept.sum() > 100
-
-
-@pytest.mark.parametrize(
-    "wrong", [{"half_window": 0}, {"threshold": np.nan}, {"max_run": 4}, {"flank": 5}]
-)
-def test_limits_that_make_no_sense_are_refused_with_a_remedy(wrong):
-    with pytest.raises(InputError) as caught:
-        SpikeLimits(**wrong)
-    assert caught.value.remedy
