@@ -20,7 +20,7 @@ from hapticplayer.errors import HapticPlayerError, message_of
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.playback.forces import ForcePlayer
 from hapticplayer.rendering import demonstration
-from hapticplayer.rendering.demonstration import Step
+from hapticplayer.rendering.demonstration import DemonstrationStep
 
 POLL_MS = 30
 HOMING_AFTER_MS = 1000
@@ -51,7 +51,7 @@ def sign_of(direction: str) -> str:
     return signs.get(direction, "\u2248")
 
 
-def step_text(step: Step) -> str:
+def step_text(step: DemonstrationStep) -> str:
     """Return what is felt now."""
     ways = {
         "right": translate("DevicePage", "To the right"),

@@ -223,7 +223,7 @@ def clean(
         InputError: for what cannot be repaired, see `motion.repair_samples`.
     """
     from hapticplayer.motion import repair_samples  # brings scipy along
-    from hapticplayer.motion.repair.timestamps import Kind, Repair
+    from hapticplayer.motion.repair.timestamps import Repair, RepairKind
 
     if not _is_constant(time_s, accel, rate):
         done = repair_samples(time_s, accel, rate, field, source=source)
@@ -237,7 +237,7 @@ def clean(
         np.asarray(field, np.float64) if has_field else None,
         source=source,
     )
-    return imu, (Repair(Kind.STUCK, len(time_s), 0, text),)
+    return imu, (Repair(RepairKind.STUCK, len(time_s), 0, text),)
 
 
 def _is_constant(time_s: Floats, accel: Reals, rate: Reals) -> bool:

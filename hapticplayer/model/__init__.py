@@ -26,22 +26,7 @@ if TYPE_CHECKING:
 STANDARD_GRAVITY_MPS2 = 9.80665
 """|g| of equation 1 (3rd CGPM, 1901); local gravity is within 0.3 % of it."""
 
-_HOMES = {
-    "M_AD": "mapping",
-    "ClockMap": "timing",
-    "DeviceCapabilities": "device",
-    "DeviceReading": "device",
-    "Feedback": "mapping",
-    "ForceTrack": "force",
-    "ImuLog": "imu",
-    "LoopStats": "device",
-    "Mapping": "mapping",
-    "MotionTrack": "motion",
-    "PlaybackClock": "timing",
-    "Reconstruction": "force",
-    "Sampling": "imu",
-    "SyncStats": "device",
-}
+_MODULES = ("device", "force", "imu", "mapping", "motion", "timing")
 
 __all__ = [
     "M_AD",
@@ -63,9 +48,12 @@ __all__ = [
 
 
 def __getattr__(name: str) -> object:
-    """Load the module of a public name at its first use."""
-    if name not in _HOMES:
+    """Load the module of a public name when it is first used."""
+    if name not in __all__:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    module = importlib.import_module(f"{__name__}.{_HOMES[name]}")
-    globals()[name] = getattr(module, name)
-    return globals()[name]
+    for module in _MODULES:
+        found = vars(importlib.import_module(f"{__name__}.{module}")).get(name)
+        if found is not None:
+            globals()[name] = found
+            return found
+    raise AssertionError(name)

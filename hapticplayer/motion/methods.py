@@ -15,7 +15,7 @@ from hapticplayer.motion import ekf, grid, lowpass
 from hapticplayer.motion.estimate import Estimate
 from hapticplayer.motion.flaws import Flaws
 from hapticplayer.motion.smoother import (
-    Samples,
+    InertialSamples,
     SmoothedRecording,
     SmootherParameters,
     smooth_recording,
@@ -107,14 +107,14 @@ def _reason(vehicle_weight: float) -> str:
     return "that it drives: it is far from the centre of its turns"
 
 
-def _samples(task: Task) -> Samples:
+def _samples(task: Task) -> InertialSamples:
     imu, flaws = task.imu, task.flaws
     step = np.empty(len(imu))
     step[0] = flaws.interval_s
     np.subtract(imu.time_s[1:], imu.time_s[:-1], out=step[1:])
     if not flaws.flawless:
         step[flaws.beyond_bridging] = flaws.interval_s
-    return Samples(
+    return InertialSamples(
         step,
         imu.specific_force_mps2,
         imu.angular_rate_radps,

@@ -3,7 +3,6 @@
 A pure room: no I/O, no threads, no clocks.
 """
 
-from hapticplayer.rendering.adaptation import adapted
 from hapticplayer.rendering.demonstration import circle, demonstration
 from hapticplayer.rendering.feedback import (
     FEEDBACKS,
@@ -11,7 +10,7 @@ from hapticplayer.rendering.feedback import (
     no_feedback,
     random_feedback,
 )
-from hapticplayer.rendering.force import render_force
+from hapticplayer.rendering.force import adapted, render_force
 
 __all__ = [
     "FEEDBACKS",

@@ -12,11 +12,11 @@ import numpy as np
 
 from hapticplayer.model import ForceTrack
 from hapticplayer.model.device import DeviceCapabilities
+from hapticplayer.model.mapping import DEFAULT_FORCE_LIMIT_N
 
 RISE_S, HOLD_S, REST_S = 0.6, 0.8, 0.8
 LEAD_S = 1.0
 STRENGTHS = (0.25, 0.5, 1.0)
-USUAL_CAP_N = 4.5
 CIRCLE_N, CIRCLE_TURN_S = 0.8, 8.0
 _STEP_S = 0.01
 _DIRECTIONS: dict[str, tuple[float, float, float]] = {
@@ -31,7 +31,7 @@ NO_DIRECTION = "vibration"
 
 
 @dataclass(frozen=True, slots=True)
-class Step:
+class DemonstrationStep:
     """One force of the demonstration.
 
     Attributes:
@@ -48,21 +48,21 @@ class Step:
 
 def demonstration(
     capabilities: DeviceCapabilities,
-) -> tuple[ForceTrack, tuple[Step, ...]]:
+) -> tuple[ForceTrack, tuple[DemonstrationStep, ...]]:
     """Return a force track (frame D, N) and what is felt when.
 
     Args:
         capabilities: of the device; its axes are gone through in turns, a device
             without direction only gets the strengths.
     """
-    cap_n = min(USUAL_CAP_N, capabilities.peak_force_n)
+    cap_n = min(DEFAULT_FORCE_LIMIT_N, capabilities.peak_force_n)
     names = list(_DIRECTIONS)[: 2 * capabilities.axes] or [NO_DIRECTION]
     length_s = 2 * RISE_S + HOLD_S
     steps, begin_s = [], LEAD_S
     for strength in STRENGTHS:
         for name in names:
             end_s = begin_s + length_s
-            steps.append(Step(begin_s, end_s, name, strength * cap_n))
+            steps.append(DemonstrationStep(begin_s, end_s, name, strength * cap_n))
             begin_s = end_s + REST_S
     times = np.arange(0.0, begin_s + _STEP_S, _STEP_S)
     force = np.zeros((len(times), 3))
@@ -77,14 +77,13 @@ def demonstration(
     return track, tuple(steps)
 
 
-def circle(turns: int = 1) -> ForceTrack:
-    """Return a force of 0.8 N that turns slowly, right and up first; for tests.
+def circle() -> ForceTrack:
+    """Return a force of 0.8 N that turns once, slowly, right and up first.
 
     It fades in and out over its first and last quarter of a turn.
     """
-    length_s = turns * CIRCLE_TURN_S
-    times = np.arange(0.0, length_s + 2 * _STEP_S, _STEP_S)
-    ends = np.minimum(times, length_s - times) / (CIRCLE_TURN_S / 4.0)
+    times = np.arange(0.0, CIRCLE_TURN_S + 2 * _STEP_S, _STEP_S)
+    ends = np.minimum(times, CIRCLE_TURN_S - times) / (CIRCLE_TURN_S / 4.0)
     size = CIRCLE_N * np.clip(ends, 0.0, 1.0)
     angle = 2.0 * math.pi * times / CIRCLE_TURN_S
     turning = (size * np.cos(angle), size * np.sin(angle), 0.0 * size)

@@ -1,42 +1,34 @@
-"""F[k] = diag(s) M p[k], saturated in magnitude.
+"""Force tracks from motion, and for devices that are weaker than a Falcon.
 
-Source: Danieau et al. 2012, section on the rendering of the haptic effect: the
-axes of the actor are aligned with the device by M and scaled by s.
+Source: Danieau et al. 2012, section on the rendering of the haptic effect: the axes of
+the actor are aligned with the device by M and scaled by s, F[k] = diag(s) M p[k]; here
+with one scale for all axes, and saturated in magnitude.
 """
+
+from dataclasses import replace
 
 import numpy as np
 
 from hapticplayer.errors import InputError
-from hapticplayer.model import (
-    ClockMap,
-    ForceTrack,
-    Mapping,
-    MotionTrack,
-    Reconstruction,
-)
+from hapticplayer.model import ForceTrack, Mapping, MotionTrack, Reconstruction
+from hapticplayer.model.device import DeviceCapabilities
+from hapticplayer.model.mapping import DEFAULT_FORCE_LIMIT_N
 
 
-def render_force(
-    motion: MotionTrack,
-    mapping: Mapping | None = None,
-    *,
-    clock: ClockMap | None = None,
-) -> ForceTrack:
+def render_force(motion: MotionTrack, mapping: Mapping | None = None) -> ForceTrack:
     """Return the force track (frame D, N) of a motion track (frame A, m/s^2).
 
     Samples that are not valid give no force. A vector longer than the limit is
     shortened and keeps its direction.
 
     Args:
-        motion: gravity-free acceleration.
-        mapping: axes, gain and limit; the house default if None.
-        clock: IMU time to media time; identity if None.
+        motion: gravity-free acceleration, in media time.
+        mapping: axes, gain and limit; the default mapping if None.
 
     Raises:
         InputError: for an empty motion track.
     """
     mapping = mapping or Mapping()
-    clock = clock or ClockMap()
     if not len(motion):
         raise InputError("the motion track is empty, so there is no force to render")
     force = mapping.gain_n_per_mps2 * motion.acceleration_mps2 @ mapping.axes.T
@@ -45,7 +37,7 @@ def render_force(
     over = magnitude > mapping.force_limit_n
     force[over] *= (mapping.force_limit_n / magnitude[over])[:, None]
     return ForceTrack(
-        time_s=clock.rate * motion.time_s + clock.offset_s,
+        time_s=motion.time_s,
         force_n=force.astype(np.float32),
         reconstruction=Reconstruction.LINEAR,
         provenance={
@@ -55,3 +47,26 @@ def render_force(
             "saturated_share": float(np.mean(over)),
         },
     )
+
+
+def adapted(track: ForceTrack, capabilities: DeviceCapabilities) -> ForceTrack:
+    """Return a track for this device; the same object where nothing has to change.
+
+    Tracks are made for 3 axes and 4.5 N. A weaker device gets all of a track scaled by
+    one factor that depends on the device alone, so that strong and gentle scenes keep
+    their relation and no peak is cut. Forces along axes that it lacks are dropped; the
+    driver of a device without direction (a motor that vibrates) takes the magnitude.
+
+    Args:
+        track: in frame D, N.
+        capabilities: of the device; `axes` counts x, y, z in this order.
+    """
+    scale = min(1.0, capabilities.peak_force_n / DEFAULT_FORCE_LIMIT_N)
+    axes = capabilities.axes
+    if scale == 1.0 and axes in (0, 3):
+        return track
+    force_n = scale * track.force_n.astype(np.float64)
+    if axes:
+        force_n[:, axes:] = 0.0
+    provenance = {**track.provenance, "device_scale": scale, "device_axes": axes}
+    return replace(track, force_n=force_n.astype(np.float32), provenance=provenance)

@@ -9,7 +9,7 @@ from app.player.device_page import DevicePage, homing_text, sign_of, step_text
 from hapticplayer.clock import SystemClock
 from hapticplayer.haptics.contract import Cause
 from hapticplayer.haptics.processes import Health
-from hapticplayer.rendering.demonstration import LEAD_S, Step
+from hapticplayer.rendering.demonstration import LEAD_S, DemonstrationStep
 
 
 @pytest.fixture
@@ -93,7 +93,7 @@ def test_a_falcon_that_is_not_homed_leads_to_the_homing_page(
 
 def test_every_step_has_words_and_a_sign():
     names = ["right", "left", "up", "down", "towards you", "away from you", "vibration"]
-    steps = [Step(0.0, 1.0, name, 2.25) for name in names]
+    steps = [DemonstrationStep(0.0, 1.0, name, 2.25) for name in names]
     assert len({step_text(step) for step in steps}) == len(names)
     assert all(step_text(step).endswith("2.2 N") for step in steps)
     assert len({sign_of(name) for name in names}) == len(names)

@@ -9,7 +9,6 @@ Specific force and field are measurements whose noise is infinite (they are skip
 while they fail their gates. Cost: about 20 us a sample, 45 with a magnetometer.
 """
 
-from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -22,22 +21,12 @@ from hapticplayer.motion.ekf import start
 from hapticplayer.motion.ekf.parameters import EkfParameters
 from hapticplayer.motion.ekf.quaternion_filter import QuaternionFilter
 
-__all__ = ["EkfParameters", "EkfResult", "Observer", "run_ekf"]
-
-Observer = Callable[[int, Floats], None]
-"""Called with each sample's index and a copy of the covariance after it.
-
-The covariance is that of the rotation error about east and north in rad, about up
-only with a magnetometer, then of the accelerometer's bias in m/s^2 and the
-magnetometer's in uT.
-"""
-
 BLOCK = 4096
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class EkfResult:
-    """What the filter found out.
+    """The result of the filter.
 
     Attributes:
         quaternion_wxyz: (N, 4) sensor to earth (east, north, up) at the end of each
@@ -79,7 +68,6 @@ def run_ekf(
     magnetic_field_ut: ArrayLike | None,
     interval_s: float,
     parameters: EkfParameters | None = None,
-    observer: Observer | None = None,
 ) -> EkfResult:
     """Estimate the orientation of every sample, forwards in time.
 
@@ -89,7 +77,6 @@ def run_ekf(
         magnetic_field_ut: (N, 3), or None: no heading and no work for it.
         interval_s: spacing of the samples.
         parameters: the defaults of EkfParameters where None.
-        observer: sees the covariance after each sample.
 
     Raises:
         InputError: without samples, for arrays that do not fit each other, or an
@@ -117,7 +104,7 @@ def run_ekf(
     q = start.start_orientation(force, turns, force_ok, still, p)
     w, x, y, z = q.tolist()
     kalman = QuaternionFilter((w, x, y, z), p, interval_s, earth_field)
-    run = _Run(kalman, _Inputs(turns, force, force_ok, field, field_ok), observer)
+    run = _Run(kalman, _Inputs(turns, force, force_ok, field, field_ok))
     for first in range(0, len(force), BLOCK):
         run.block(first, min(first + BLOCK, len(force)))
     return run.result(still, interval_s)
@@ -126,13 +113,10 @@ def run_ekf(
 class _Run:
     """One pass of the filter over a recording, and what comes out of it."""
 
-    def __init__(
-        self, kalman: QuaternionFilter, inputs: _Inputs, observer: Observer | None
-    ) -> None:
+    def __init__(self, kalman: QuaternionFilter, inputs: _Inputs) -> None:
         count = len(inputs.force_mps2)
         self._kalman = kalman
         self._in = inputs
-        self._observer = observer
         self._q = np.empty((count, 4))
         self._variance = np.empty(count)
         self._bias = np.empty((count, len(kalman.bias)))
@@ -156,8 +140,6 @@ class _Run:
             self._q[k] = kalman.q
             self._bias[k] = kalman.bias
             self._variance[k] = kalman.P[0, 0] + kalman.P[1, 1]
-            if self._observer is not None:
-                self._observer(k, kalman.P.copy())
 
     def _use_field(self, k: int) -> None:
         assert self._in.field_ut is not None

@@ -1,8 +1,8 @@
-"""Raw arrays of a flawed recording -> an honest ImuLog, or a refusal that helps.
+"""Raw arrays of a flawed recording to an ImuLog: repaired, marked or refused.
 
-What can be put right without guessing is, and is said; what has to be filled in is
+What can be corrected without guessing is, and is reported; what has to be filled in is
 marked as not valid; what would make every number wrong (units, a clock set back) is
-refused with the remedy. Cost: 0.4 us a sample, linear.
+refused with the remedy.
 """
 
 from dataclasses import dataclass
@@ -15,8 +15,8 @@ from hapticplayer.errors import InputError, Message
 from hapticplayer.model import STANDARD_GRAVITY_MPS2, ImuLog, Sampling
 from hapticplayer.model.arrays import Floats, all_of_rows
 from hapticplayer.motion.repair.timestamps import (
-    Kind,
     Repair,
+    RepairKind,
     Timeline,
     repair_times,
     row_of,
@@ -36,21 +36,21 @@ MAX_FIELD = 1e7
 magnet at the sensor shows 1e6 nT."""
 
 MAX_MISSING = 0.5
-"""Beyond this part of the samples of a sensor there is no recording to repair."""
+"""Larger shares of a sensor's samples cannot be filled in."""
 
 MIN_UNPAIRED = 0.1
-"""Each of two sensors alone in this part of the rows: streams of different times."""
+"""Share of the rows from which either sensor alone means two streams."""
 
 # Over this time a hand moves nearly straight; longer gaps take means of both sides.
 MAX_LINE_S = 0.1
 SIDE_S = 0.25
-# An exact zero beside a force above this is a placeholder, no free fall.
+# An exact zero beside a force above this is a placeholder, not free fall.
 PLACEHOLDER_MPS2 = 0.3 * STANDARD_GRAVITY_MPS2
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Repaired:
-    """A log that can be trusted, and what it took.
+    """A valid log, and what was repaired.
 
     Attributes:
         imu: the log; its `valid` is False where force or rate was filled in, and
@@ -61,19 +61,16 @@ class Repaired:
     imu: ImuLog
     repairs: tuple[Repair, ...]
 
-    def __str__(self) -> str:
-        return "\n".join(repair.text for repair in self.repairs)
-
 
 class _Sensor(NamedTuple):
     name: str
-    kind: Kind
+    kind: RepairKind
     largest: float
 
 
-_FORCE = _Sensor("specific_force_mps2", Kind.FORCE_FILLED, MAX_FORCE)
-_RATE = _Sensor("angular_rate_radps", Kind.RATE_FILLED, MAX_RATE)
-_FIELD = _Sensor("magnetic_field_ut", Kind.FIELD_FILLED, MAX_FIELD)
+_FORCE = _Sensor("specific_force_mps2", RepairKind.FORCE_FILLED, MAX_FORCE)
+_RATE = _Sensor("angular_rate_radps", RepairKind.RATE_FILLED, MAX_RATE)
+_FIELD = _Sensor("magnetic_field_ut", RepairKind.FIELD_FILLED, MAX_FIELD)
 
 
 def repair_samples(
@@ -234,7 +231,7 @@ def _placeholders(force: Floats) -> Flags:
 
 
 def _refuse_unpaired(lost_force: Flags, lost_rate: Flags, source: str) -> None:
-    """Refuse two streams of different times that were put under each other."""
+    """Refuse two streams of different times in one table."""
     pairs = np.count_nonzero(~lost_force & ~lost_rate)
     alone = min(
         np.count_nonzero(lost_force & ~lost_rate),
@@ -254,7 +251,6 @@ def _refuse_missing(sensor: _Sensor, lost: Flags, line: Timeline, source: str) -
     count = int(np.count_nonzero(lost))
     if count <= MAX_MISSING * len(lost):
         return
-    row = int(line.rows[line.starts[int(np.argmax(lost))]])
     raise InputError(
         "{name} is zero, not finite or beyond any sensor in {count} of "
         "{total} rows, first in {place}",
@@ -263,7 +259,7 @@ def _refuse_missing(sensor: _Sensor, lost: Flags, line: Timeline, source: str) -
         name=sensor.name,
         count=count,
         total=len(lost),
-        place=row_of(row),
+        place=row_of(line.first_row(lost)),
     )
 
 
@@ -294,8 +290,7 @@ def _fill(
             part = (time_s[lost][is_long] - time_s[good[left]]) / span_s
             filled[is_long] = back + part * (ahead - back)
         values[lost, axis] = filled
-    number, row = int(np.count_nonzero(lost)), int(np.argmax(lost))
-    first_row = int(line.rows[line.starts[row]])
+    number, first_row = int(np.count_nonzero(lost)), line.first_row(lost)
     what = Message(
         "{count} of {total} samples of {name} were missing, the first in "
         "{place}; they were filled in",
@@ -312,7 +307,7 @@ def _fill(
 def _side_means(
     column: Floats, left: NDArray[np.intp], right: NDArray[np.intp], count: int
 ) -> tuple[Floats, Floats]:
-    """Return the means of `count` samples that end at `left` and begin at `right`."""
+    """Return the means of `count` samples up to `left` and from `right` on."""
     sums = np.concatenate([[0.0], np.cumsum(column)])
     low = np.maximum(left + 1 - count, 0)
     high = np.minimum(right + count, len(column))
@@ -322,17 +317,18 @@ def _side_means(
 
 
 def _field(field: Floats, line: Timeline, repairs: list[Repair]) -> Floats | None:
-    """Return the magnetic field without holes, or None when it says nothing."""
+    """Return the magnetic field without gaps, or None when most of it is missing."""
     lost = _missing(field, _FIELD) | ~field.any(axis=1)
     if np.count_nonzero(lost) > MAX_MISSING * len(lost):
-        row = int(line.rows[line.starts[int(np.argmax(lost))]])
         count = int(np.count_nonzero(lost))
         what = Message(
             "the magnetometer was left out: {count} of {total} samples are empty",
             count=count,
             total=len(lost),
         )
-        repairs.append(Repair(Kind.FIELD_DROPPED, count, row, what))
+        repairs.append(
+            Repair(RepairKind.FIELD_DROPPED, count, line.first_row(lost), what)
+        )
         return None
     _fill(field, lost, line, repairs, _FIELD)
     return field
@@ -341,7 +337,7 @@ def _field(field: Floats, line: Timeline, repairs: list[Repair]) -> Floats | Non
 def _check_motion(
     line: Timeline, force: Floats, rate: Floats, repairs: list[Repair], source: str
 ) -> None:
-    """Refuse stuck sensors and wrong units; mention a gyroscope that says nothing."""
+    """Refuse stuck sensors and wrong units; report a gyroscope that reads zero."""
     if (force == force[0]).all() and (rate == rate[0]).all():
         raise InputError(
             "all samples are the same, so the sensor was stuck",
@@ -352,4 +348,6 @@ def _check_motion(
     check_rate_unit(line.time_s, force, rate, source)
     if not rate.any():
         what = Message("the angular rate is zero throughout, so no rotation is assumed")
-        repairs.append(Repair(Kind.NO_ROTATION, len(rate), int(line.rows[0]), what))
+        repairs.append(
+            Repair(RepairKind.NO_ROTATION, len(rate), int(line.rows[0]), what)
+        )

@@ -1,7 +1,7 @@
-"""Times that can be relied on, from the ones a logger wrote.
+"""Strictly increasing times from those that a logger wrote.
 
 A clock that was set back in the middle of a recording is refused: no order of the
-rows would be right. Everything milder is put in order and said.
+rows would be right. Lesser flaws are repaired and reported.
 """
 
 import enum
@@ -34,7 +34,7 @@ LOST = 0.6
 INTERVAL_ROWS = 64
 
 
-class Kind(enum.StrEnum):
+class RepairKind(enum.StrEnum):
     """What was wrong with some rows."""
 
     TIME_FILLED = "time filled"
@@ -63,7 +63,7 @@ class Repair:
         text: a sentence for people.
     """
 
-    kind: Kind
+    kind: RepairKind
     count: int
     first_row: int
     text: Message
@@ -90,6 +90,10 @@ class Timeline:
     rows: Rows
     starts: Rows
     repairs: tuple[Repair, ...]
+
+    def first_row(self, flags: NDArray[np.bool_]) -> int:
+        """Return the given row of the first time that is flagged, (M,)."""
+        return int(self.rows[self.starts[int(np.argmax(flags))]])
 
 
 def repair_times(
@@ -173,7 +177,7 @@ def _in_order(time_s: Floats, repairs: list[Repair], source: str) -> Rows:
             "{count} pairs of rows were swapped in time and put in order",
             count=len(left),
         )
-        repairs.append(Repair(Kind.SWAPPED, len(left), int(left[0]), what))
+        repairs.append(Repair(RepairKind.SWAPPED, len(left), int(left[0]), what))
     return rows
 
 
@@ -209,14 +213,14 @@ def _filled(
         what = Message(
             "{count} missing or wild times were interpolated", count=count - lost
         )
-        repairs.append(Repair(Kind.TIME_FILLED, count - lost, first, what))
+        repairs.append(Repair(RepairKind.TIME_FILLED, count - lost, first, what))
     if lost:
         what = Message(
             "{count} rows without a time were left out, as they stand in a gap",
             count=lost,
         )
         row = int(rows[np.argmax(is_lost)])
-        repairs.append(Repair(Kind.TIME_DROPPED, lost, row, what))
+        repairs.append(Repair(RepairKind.TIME_DROPPED, lost, row, what))
     return filled[~is_lost], rows[~is_lost]
 
 
@@ -229,7 +233,7 @@ def _trimmed(time_s: Floats, rows: Rows, repairs: list[Repair]) -> tuple[Floats,
             "{place} was left out, as its time is more than an hour apart",
             place=row_of(row),
         )
-        repairs.append(Repair(Kind.TIME_DROPPED, 1, int(row), what))
+        repairs.append(Repair(RepairKind.TIME_DROPPED, 1, int(row), what))
     return time_s[begin:end], rows[begin:end]
 
 
@@ -290,12 +294,12 @@ def _one_row_a_time(
     late = sizes[group] - 1 - place
     spread_s = stamp_s[group] - since_s[group] * late / sizes[group]
     in_spread = is_spread[group]
-    _note(Kind.SPREAD, in_spread, rows, repairs)
+    _note(RepairKind.SPREAD, in_spread, rows, repairs)
     # what remains of a group is averaged, after exact repetitions are left out
     rest = (place > 0) & ~in_spread
     same = rest & _equals_first(sensors, rows, rows[starts][group])
-    _note(Kind.DUPLICATE, same, rows, repairs)
-    _note(Kind.MERGED, rest & ~same, rows, repairs)
+    _note(RepairKind.DUPLICATE, same, rows, repairs)
+    _note(RepairKind.MERGED, rest & ~same, rows, repairs)
     times = np.where(in_spread, spread_s, time_s[starts][group])
     keep = ~same
     is_start = ((place == 0) | in_spread)[keep]
@@ -315,14 +319,14 @@ def _equals_first(
 
 
 _DONE = {
-    Kind.SPREAD: Message("carry the time of their packet and were spread evenly"),
-    Kind.DUPLICATE: Message("repeat the one before and were left out"),
-    Kind.MERGED: Message("share the time of another and were averaged with it"),
+    RepairKind.SPREAD: Message("carry the time of their packet and were spread evenly"),
+    RepairKind.DUPLICATE: Message("repeat the one before and were left out"),
+    RepairKind.MERGED: Message("share the time of another and were averaged with it"),
 }
 
 
 def _note(
-    kind: Kind, flags: NDArray[np.bool_], rows: Rows, repairs: list[Repair]
+    kind: RepairKind, flags: NDArray[np.bool_], rows: Rows, repairs: list[Repair]
 ) -> None:
     count = int(np.count_nonzero(flags))
     if count:
@@ -377,4 +381,4 @@ def _count_lost(groups: _Groups, rows: Rows, repairs: list[Repair]) -> None:
             longest_s=groups.since_s.max(),
         )
         row = int(rows[groups.starts[int(np.argmax(wide))]])
-        repairs.append(Repair(Kind.LOST, count, row, what))
+        repairs.append(Repair(RepairKind.LOST, count, row, what))

@@ -2,10 +2,10 @@
 
 from hapticplayer.motion.smoother.parameters import SmootherParameters
 from hapticplayer.motion.smoother.recording import SmoothedRecording, smooth_recording
-from hapticplayer.motion.smoother.samples import Samples, window_mean
+from hapticplayer.motion.smoother.samples import InertialSamples, window_mean
 
 __all__ = [
-    "Samples",
+    "InertialSamples",
     "SmoothedRecording",
     "SmootherParameters",
     "smooth_recording",

@@ -31,7 +31,7 @@ from hapticplayer.motion.smoother.least_squares import (
 )
 from hapticplayer.motion.smoother.parameters import SmootherParameters
 from hapticplayer.motion.smoother.problem import Knowledge, linearised, velocity_bound
-from hapticplayer.motion.smoother.samples import Samples, at_middles
+from hapticplayer.motion.smoother.samples import InertialSamples, at_middles
 from hapticplayer.motion.smoother.stationary import Flags, StillBins
 from hapticplayer.motion.smoother.uncertainty import BoundExcess, tilt_variance
 from hapticplayer.motion.smoother.vehicle import Locomotion
@@ -102,7 +102,7 @@ class Smoothed:
 
 
 def smooth(
-    samples: Samples,
+    samples: InertialSamples,
     bins: StillBins | None,
     p: SmootherParameters,
     *,
@@ -147,7 +147,11 @@ def smooth(
 
 
 def _smoothed(
-    samples: Samples, bins: StillBins | None, p: SmootherParameters, *, with_sigma: bool
+    samples: InertialSamples,
+    bins: StillBins | None,
+    p: SmootherParameters,
+    *,
+    with_sigma: bool,
 ) -> Smoothed:
     step_s = samples.interval_s
     per_window = max(1, round(1.0 / (p.window_hz * step_s)))
@@ -171,7 +175,7 @@ class _Block:
 
     def __init__(
         self,
-        samples: Samples,
+        samples: InertialSamples,
         grid: tuple[int, int],
         bins: StillBins | None,
         p: SmootherParameters,
@@ -469,7 +473,7 @@ def _mean_change(now: Floats, before: Floats) -> float:
     return float(np.abs(np.log(now / before)).sum()) / len(now)
 
 
-def _turns_fast(samples: Samples, per_window: int) -> bool:
+def _turns_fast(samples: InertialSamples, per_window: int) -> bool:
     """Return whether means over two windows are too coarse for the rotation."""
     rate = samples.angular_rate_radps
     fastest = max(float(rate.max()), -float(rate.min()))

@@ -12,7 +12,7 @@ from hapticplayer.model import quaternions as quat
 from hapticplayer.model.arrays import Floats
 from hapticplayer.motion.smoother.block import Calibration, Smoothed, smooth
 from hapticplayer.motion.smoother.parameters import SmootherParameters
-from hapticplayer.motion.smoother.samples import Samples, with_dropouts_filled
+from hapticplayer.motion.smoother.samples import InertialSamples, with_dropouts_filled
 from hapticplayer.motion.smoother.stationary import StillBins
 from hapticplayer.motion.stillness import StillSpans
 
@@ -57,7 +57,7 @@ class SmoothedRecording:
 
 
 def smooth_recording(
-    samples: Samples,
+    samples: InertialSamples,
     still: StillSpans,
     p: SmootherParameters,
     *,
@@ -94,7 +94,7 @@ def smooth_recording(
 
 
 def _in_blocks(
-    samples: Samples,
+    samples: InertialSamples,
     still: StillSpans,
     edges: NDArray[np.intp],
     p: SmootherParameters,

@@ -17,7 +17,7 @@ MAX_GROWTH = 2.0
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Samples:
+class InertialSamples:
     """Inertial samples of one block.
 
     Attributes:
@@ -46,7 +46,7 @@ class Samples:
     def __len__(self) -> int:
         return len(self.step_s)
 
-    def cut(self, part: slice) -> "Samples":
+    def cut(self, part: slice) -> "InertialSamples":
         """Return some of the samples."""
         return replace(
             self,
@@ -63,7 +63,7 @@ class Samples:
             return values
         return np.add.reduceat(values, np.arange(0, len(self), per_window))
 
-    def averages(self, per_window: int) -> "Samples":
+    def averages(self, per_window: int) -> "InertialSamples":
         """Return means over windows: enough for bias, speed and a rough vertical."""
         if per_window == 1:
             return self
@@ -87,7 +87,7 @@ class Samples:
         )
 
 
-def at_middles(samples: Samples, bias_radps: Floats) -> Samples:
+def at_middles(samples: InertialSamples, bias_radps: Floats) -> InertialSamples:
     """Return averaged samples as seen in their middles; others as they are.
 
     With the mean rate of the neighbours, the rotation d[k] over a sample gains the
@@ -134,7 +134,9 @@ def window_mean(vector: Floats, turn_rad: Floats, *, inverse: bool = False) -> F
     return np.asarray(factor * vector + along * turn_rad)
 
 
-def with_dropouts_filled(samples: Samples) -> tuple[Samples, NDArray[np.intp] | None]:
+def with_dropouts_filled(
+    samples: InertialSamples,
+) -> tuple[InertialSamples, NDArray[np.intp] | None]:
     """Return the samples with dropped ones interpolated, and the places of the others.
 
     The places are None where nothing was dropped.

@@ -12,9 +12,9 @@ import numpy as np
 from hapticplayer.model.arrays import Floats
 from hapticplayer.motion import rotations as rot
 from hapticplayer.motion.rotations import Pair
-from hapticplayer.motion.smoother.samples import Samples, window_mean
+from hapticplayer.motion.smoother.samples import InertialSamples, window_mean
 
-# Samples at a time, so that intermediate arrays stay in the cache of a core and below
+# InertialSamples at a time, so that intermediate arrays stay in the cache of a core and below
 # the size from which the C library takes fresh memory for each.
 CHUNK = 4096
 
@@ -45,7 +45,7 @@ class Windows:
 
 
 def integrate(
-    samples: Samples, per_window: int, bias_radps: Floats, matrix: Floats
+    samples: InertialSamples, per_window: int, bias_radps: Floats, matrix: Floats
 ) -> Windows:
     """Return the windows of some samples; the last one may be shorter.
 
@@ -125,7 +125,7 @@ def _products(steps: Pair) -> Pair:
 
 
 def spread(
-    start: Pair, windows: Windows, samples: Samples, bias_radps: Floats
+    start: Pair, windows: Windows, samples: InertialSamples, bias_radps: Floats
 ) -> tuple[Floats, Floats]:
     """Return orientation (n, 4) and vertical (n, 3) at the samples.
 
@@ -160,7 +160,7 @@ def spread(
 
 
 def _after_gaps(
-    q: Pair, start: Pair, windows: Windows, samples: Samples, part: slice
+    q: Pair, start: Pair, windows: Windows, samples: InertialSamples, part: slice
 ) -> None:
     """Take the samples after a gap from the end of their window, not its start."""
     lost = _columns(samples.lost_s, len(q[0]), part) > 0.0

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from hapticplayer.errors import InputError
-from hapticplayer.motion.repair.timestamps import Kind, repair_times
+from hapticplayer.motion.repair.timestamps import RepairKind, repair_times
 
 INTERVAL_S = 0.01
 
@@ -39,7 +39,7 @@ def test_swapped_neighbours_are_put_in_order(true_s, values):
     line = repair_times(true_s[order], [values])
     assert np.array_equal(line.time_s, true_s)
     assert np.array_equal(line.rows, order)
-    assert kinds(line) == {Kind.SWAPPED: 2}
+    assert kinds(line) == {RepairKind.SWAPPED: 2}
 
 
 @pytest.mark.parametrize("stamp", [np.nan, np.inf, 0.0, -5.0, 1e9, 1e300])
@@ -48,7 +48,7 @@ def test_one_wild_stamp_is_interpolated(true_s, values, stamp):
     times[200] = stamp
     line = repair_times(times, [values])
     assert np.allclose(line.time_s, true_s, atol=1e-12)
-    assert kinds(line) == {Kind.TIME_FILLED: 1}
+    assert kinds(line) == {RepairKind.TIME_FILLED: 1}
     assert line.repairs[0].first_row == 200
 
 
@@ -64,7 +64,7 @@ def test_rows_without_a_time_in_a_gap_are_left_out(true_s, values):
     times[299] = times[300] = np.nan
     line = repair_times(times, [values])
     assert np.array_equal(line.rows, np.delete(np.arange(500), [299, 300]))
-    assert kinds(line) == {Kind.TIME_DROPPED: 2, Kind.LOST: 402}
+    assert kinds(line) == {RepairKind.TIME_DROPPED: 2, RepairKind.LOST: 402}
 
 
 def test_equal_rows_of_a_time_are_kept_once_others_averaged(true_s, values):
@@ -73,7 +73,7 @@ def test_equal_rows_of_a_time_are_kept_once_others_averaged(true_s, values):
     rows[np.searchsorted(again, 350) + 1] += 1.0
     line = repair_times(times, [rows])
     assert np.array_equal(line.time_s, true_s)
-    assert kinds(line) == {Kind.DUPLICATE: 2, Kind.MERGED: 1}
+    assert kinds(line) == {RepairKind.DUPLICATE: 2, RepairKind.MERGED: 1}
     # 498 rows for themselves, one that was twice more, and two to be averaged
     assert len(line.rows) == 501
     assert line.rows[line.starts[350] : line.starts[351]].tolist() == [352, 353]
@@ -84,7 +84,7 @@ def test_packets_with_the_time_of_their_last_sample_are_spread(true_s, values, s
     last = np.minimum(np.arange(500) // size * size + size - 1, 499)
     line = repair_times(true_s[last], [values])
     assert np.allclose(line.time_s, true_s, atol=1e-9)
-    assert kinds(line) == {Kind.SPREAD: 500}
+    assert kinds(line) == {RepairKind.SPREAD: 500}
 
 
 def test_a_late_sample_that_came_with_the_next_is_spread(true_s, values):
@@ -98,7 +98,7 @@ def test_a_lost_packet_is_counted_and_not_filled(true_s, values):
     last = np.arange(500) // 10 * 10 + 9
     keep = np.r_[0:200, 210:500]
     line = repair_times(true_s[last][keep], [values[keep]])
-    assert kinds(line) == {Kind.SPREAD: 490, Kind.LOST: 10}
+    assert kinds(line) == {RepairKind.SPREAD: 490, RepairKind.LOST: 10}
     assert len(line.time_s) == 490
 
 
@@ -115,7 +115,7 @@ def test_a_gap_of_hours_is_refused_but_a_lone_first_row_dropped(true_s, values):
     epoch[0] = 0.0
     line = repair_times(epoch.copy(), [values])
     assert line.rows[0] == 1
-    assert kinds(line) == {Kind.TIME_DROPPED: 1}
+    assert kinds(line) == {RepairKind.TIME_DROPPED: 1}
     epoch[1:250] = true_s[1:250]
     with pytest.raises(InputError, match=r"nothing was recorded.*after row 249"):
         repair_times(epoch, [values])

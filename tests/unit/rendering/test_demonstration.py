@@ -9,8 +9,9 @@ from hapticplayer.devices import DEVICES
 from hapticplayer.haptics.limiter import Limits
 from hapticplayer.model import ForceTrack
 from hapticplayer.model.device import DeviceCapabilities
+from hapticplayer.model.mapping import DEFAULT_FORCE_LIMIT_N
 from hapticplayer.rendering import adapted, circle, demonstration
-from hapticplayer.rendering.demonstration import RISE_S, USUAL_CAP_N
+from hapticplayer.rendering.demonstration import RISE_S
 
 FALCON = DEVICES["falcon"].capabilities
 AXES = {"right": 0, "left": 0, "up": 1, "down": 1, "towards you": 2, "away from you": 2}
@@ -25,7 +26,7 @@ def test_every_direction_comes_at_every_strength_gentle_first():
     track, steps = demonstration(FALCON)
     assert len(steps) == 18
     assert [s.strength_n for s in steps] == sorted(s.strength_n for s in steps)
-    assert steps[-1].strength_n == Limits().force_cap_n == USUAL_CAP_N
+    assert steps[-1].strength_n == Limits().force_cap_n == DEFAULT_FORCE_LIMIT_N
     for step in steps:
         middle = np.array([(step.begin_s + step.end_s) / 2])
         expected = np.zeros(3)
@@ -41,7 +42,9 @@ def test_between_the_forces_there_is_none_and_nothing_is_sudden():
         np.testing.assert_allclose(rest, 0.0, atol=1e-6)
     assert not track.at(np.array([0.0, 0.5, track.end_s - 0.1])).any()
     slope = np.abs(np.diff(track.force_n, axis=0)).max() / 0.01
-    assert slope <= USUAL_CAP_N * np.pi / 2 / RISE_S * 1.001  # of half a cosine
+    assert (
+        slope <= DEFAULT_FORCE_LIMIT_N * np.pi / 2 / RISE_S * 1.001
+    )  # of half a cosine
 
 
 def test_a_device_with_fewer_axes_is_shown_only_what_it_has():
@@ -51,16 +54,16 @@ def test_a_device_with_fewer_axes_is_shown_only_what_it_has():
     track, steps = demonstration(device(axes=0))
     assert {s.direction for s in steps} == {"vibration"}
     assert len(steps) == 3
-    assert track.peak_n() == pytest.approx(USUAL_CAP_N)
+    assert track.peak_n() == pytest.approx(DEFAULT_FORCE_LIMIT_N)
 
 
 def test_the_circle_goes_round_below_1_newton():
-    track = circle(turns=2)
+    track = circle()
     size = np.linalg.norm(track.force_n, axis=1)
     assert size.max() == pytest.approx(0.8)
     assert not size[[0, -1]].any()
     angle = np.unwrap(np.arctan2(track.force_n[1:-2, 1], track.force_n[1:-2, 0]))
-    assert angle[-1] - angle[0] == pytest.approx(2 * 2 * np.pi, abs=0.05)
+    assert angle[-1] - angle[0] == pytest.approx(2 * np.pi, abs=0.05)
     assert not track.force_n[:, 2].any()
 
 

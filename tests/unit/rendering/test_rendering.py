@@ -5,7 +5,7 @@ import pytest
 from scipy import signal
 
 from hapticplayer.errors import InputError
-from hapticplayer.model import ClockMap, ForceTrack, Mapping, MotionTrack
+from hapticplayer.model import ForceTrack, Mapping, MotionTrack
 from hapticplayer.rendering import no_feedback, random_feedback, render_force
 
 
@@ -46,11 +46,6 @@ def test_gain_is_linear_below_the_limit(rng):
 def test_samples_that_are_not_valid_give_no_force():
     track = render_force(motion(np.ones((3, 3)), np.array([True, False, True])))
     assert np.any(track.force_n != 0, axis=1).tolist() == [True, False, True]
-
-
-def test_times_follow_the_clock_map():
-    track = render_force(motion(np.ones((3, 3))), clock=ClockMap(2.0, 1.01))
-    assert np.allclose(track.time_s, 2.0 + 1.01 * np.array([0, 0.01, 0.02]))
 
 
 def test_an_empty_motion_is_refused():

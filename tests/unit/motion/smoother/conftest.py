@@ -10,7 +10,7 @@ from scipy.spatial.transform import Rotation
 from hapticplayer.model import STANDARD_GRAVITY_MPS2, ImuLog, MotionTrack, Sampling
 from hapticplayer.motion import remove_gravity
 from hapticplayer.motion import rotations as rot
-from hapticplayer.motion.smoother.samples import Samples
+from hapticplayer.motion.smoother.samples import InertialSamples
 from hapticplayer.motion.smoother.strapdown import Windows
 
 Floats = NDArray[np.float64]
@@ -114,11 +114,13 @@ def apart(one: Rotation, other: Rotation) -> float:
     return float(np.max((one.inv() * other).magnitude()))
 
 
-def samples_of(step_s, force, rate, averaged, **more) -> Samples:
+def samples_of(step_s, force, rate, averaged, **more) -> InertialSamples:
     """Return samples without gaps."""
     lost_s, doubt_s = np.zeros((2, len(step_s)))
     interval_s = float(np.median(step_s))
-    return Samples(step_s, force, rate, averaged, lost_s, doubt_s, interval_s, **more)
+    return InertialSamples(
+        step_s, force, rate, averaged, lost_s, doubt_s, interval_s, **more
+    )
 
 
 def rms(vectors: Floats) -> float:

@@ -1,4 +1,4 @@
-"""Samples that are means over windows, against closed forms and quadrature."""
+"""InertialSamples that are means over windows, against closed forms and quadrature."""
 
 import numpy as np
 import pytest
