@@ -34,6 +34,7 @@ PYTHON_PACKAGES = {
     "av": "av",
     "fpdf": "fpdf2",
     "hid": "hidapi",
+    "jeepney": "jeepney",
     "matplotlib": "matplotlib",
     "msgspec": "msgspec",
     "numpy": "numpy",

@@ -2,6 +2,7 @@
 
 import os
 import signal
+from collections import Counter
 from pathlib import Path
 
 import numpy as np
@@ -20,6 +21,18 @@ os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 signal.signal(signal.SIGINT, signal.default_int_handler)
 
 SHARED_DATA = Path(__file__).resolve().parents[2] / "shared" / "data"
+
+
+def pytest_terminal_summary(terminalreporter) -> None:
+    """Append what was skipped, and why, to what ./test shows at its end."""
+    if "SKIPPED_LOG" in os.environ:
+        reports = terminalreporter.stats.get("skipped", ())
+        reasons = Counter(report.longrepr[2] for report in reports)
+        with Path(os.environ["SKIPPED_LOG"]).open("a", encoding="utf-8") as log:
+            log.writelines(
+                f"   {count} x {reason.removeprefix('Skipped: ')}\n"
+                for reason, count in reasons.items()
+            )
 
 
 @pytest.fixture(scope="session")

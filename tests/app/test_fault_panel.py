@@ -6,6 +6,8 @@ from app.player.fault_panel import FaultPanel, expected, fault_text, names
 from hapticplayer.haptics.contract import Mode
 from hapticplayer.haptics.processes import Health
 
+pytestmark = pytest.mark.realtime
+
 
 @pytest.fixture
 def window(make_window, source, wait_for):

@@ -136,6 +136,7 @@ def test_the_beats_are_at_their_times_and_below_a_newton():
     assert around == pytest.approx(0.0, abs=1e-6)
 
 
+@pytest.mark.realtime
 def test_on_a_device_the_force_is_gentle_and_escape_ends_it(make_page, wait_for):
     page = make_page(SystemClock(), "simulated")
     page.begin()

@@ -32,6 +32,7 @@ HERE = "HAPTICPLAYER_TEST_PLATFORM"
 beside = pytest.mark.skipif(HERE not in os.environ, reason="needs two screens")
 
 
+@pytest.mark.realtime
 def test_everything_that_needs_two_screens(tmp_path, cache):
     if HERE in os.environ:
         pytest.skip("this is that process")

@@ -270,6 +270,7 @@ def test_a_missing_falcon_leaves_the_window_without_a_device(window, wait_for):
     assert not window.player.snapshot().tick
 
 
+@pytest.mark.realtime
 def test_stop_trips_and_rearm_lets_the_force_back(make_window, source, wait_for):
     window = make_window("simulated")
     window.session.show_source(source)
@@ -348,6 +349,7 @@ def test_a_device_is_let_go_of_without_holding_the_window_up(
     wait_for(lambda: not is_alive(first))
 
 
+@pytest.mark.realtime
 def test_a_dead_haptics_process_is_shown_and_can_be_restarted(
     make_window, source, wait_for
 ):
@@ -407,6 +409,7 @@ def programs_we_started() -> set[str]:
     return {f"{pid} {line}" for pid, line in lines.items() if "tracker" not in line}
 
 
+@pytest.mark.realtime
 def test_closing_leaves_nothing_running(make_window, source, wait_for):
     before = programs_we_started()
     window = make_window("simulated")

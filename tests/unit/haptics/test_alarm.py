@@ -73,6 +73,7 @@ def _has_stopped(ticks):
     return (ticks["cause"] == Cause.STOPPED).any()
 
 
+@pytest.mark.realtime
 def test_the_loop_stops_before_the_players_handler_runs():
     clock, handled_s = SystemClock(), []
     process = HapticsProcesses(clock)

@@ -15,6 +15,8 @@ from hapticplayer.model import ForceTrack, PlaybackClock
 from hapticplayer.simulation.falcon.record_reader import read_record
 from hapticplayer.simulation.falcon.remote import Controls
 
+pytestmark = pytest.mark.realtime
+
 PATIENCE_S = 30.0
 PUSH_N = 2.8
 

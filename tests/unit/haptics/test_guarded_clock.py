@@ -13,6 +13,8 @@ from hapticplayer.clock import SystemClock
 from hapticplayer.devices.falcon.measuring import PUSH_N
 from hapticplayer.simulation.falcon.record_reader import read_record
 
+pytestmark = pytest.mark.realtime
+
 PATIENCE_S = 30.0
 OWNER = Path(__file__).with_name("measuring_owner.py")
 

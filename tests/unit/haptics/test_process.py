@@ -20,6 +20,8 @@ from hapticplayer.haptics.shared import SharedBlock
 from hapticplayer.model import ForceTrack, PlaybackClock
 from hapticplayer.simulation.falcon.record_reader import read_record
 
+pytestmark = pytest.mark.realtime
+
 HERE = Path(__file__).parent
 
 

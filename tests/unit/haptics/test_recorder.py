@@ -237,6 +237,7 @@ def test_killed_itself_it_leaves_what_it_had_written(start, ring):
     assert "status -9" in recorder.problem
 
 
+@pytest.mark.realtime
 def test_the_record_of_a_killed_player_goes_to_the_end(tmp_path):
     path = tmp_path / "record"
     player = subprocess.run(

@@ -1,5 +1,6 @@
 """The process that plays the sound: what it loads, how it ends, who replaces it."""
 
+import os
 import subprocess
 import sys
 
@@ -48,8 +49,11 @@ def wait_for(condition):
 
 
 def is_alive(pid):
-    asked = subprocess.run(["kill", "-0", str(pid)], check=False, capture_output=True)
-    return asked.returncode == 0
+    try:
+        os.kill(pid, 0)
+    except ProcessLookupError:
+        return False
+    return True
 
 
 def test_it_loads_neither_numpy_nor_what_the_player_needs():

@@ -14,6 +14,8 @@ from hapticplayer.errors import DeviceError
 from hapticplayer.simulation.falcon.record_reader import read_record
 from hapticplayer.simulation.falcon.remote import Controls, RemoteFalcon, silence
 
+pytestmark = pytest.mark.realtime
+
 ZERO = (0.0, 0.0, 0.0)
 PUSH = (2.0, 0.0, 0.0)
 PATIENCE_S = 30.0

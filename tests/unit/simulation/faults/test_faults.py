@@ -88,6 +88,7 @@ def bench(device="simulated", **more):
         process.close()
 
 
+@pytest.mark.realtime
 @pytest.mark.parametrize("device", ["simulated", "falcon-simulated"])
 @pytest.mark.parametrize("fault", [f for f in Fault if f is not Fault.LET_GO])
 def test_each_fault_meets_its_rule_and_the_force_is_gone(device, fault):
@@ -100,6 +101,7 @@ def test_each_fault_meets_its_rule_and_the_force_is_gone(device, fault):
             made.play_until(made.pushes)  # it comes back by itself
 
 
+@pytest.mark.realtime
 def test_after_a_trip_a_person_re_arms():
     with bench() as made:
         assert made.outcome(Fault.POSITION_NAN).is_trip
@@ -110,6 +112,7 @@ def test_after_a_trip_a_person_re_arms():
         made.play_until(made.pushes)
 
 
+@pytest.mark.realtime
 def test_a_fault_waits_until_there_is_a_force_to_take_away():
     with bench() as made:
         made.process.inject(Fault.FORCE_NAN)
@@ -118,6 +121,7 @@ def test_a_fault_waits_until_there_is_a_force_to_take_away():
         assert made.ticks["cause"][-1] == Cause.NOT_FINITE
 
 
+@pytest.mark.realtime
 def test_without_leave_the_player_and_the_loop_refuse():
     process = HapticsProcesses(SystemClock(), "simulated")
     try:
