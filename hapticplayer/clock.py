@@ -44,7 +44,7 @@ class SystemClock:
 
 
 class ManualClock:
-    """A clock that only moves when it is told to; for tests and simulations."""
+    """A clock that moves only when asked to; for tests and simulations."""
 
     def __init__(self, start_s: float = 1000.0) -> None:
         self._now_s = start_s

@@ -37,7 +37,7 @@ class HapticDevice(Protocol):
 
         Raises:
             DeviceError: when the device is gone. Late and malformed answers are
-                no errors: the reading tells.
+                no errors: the reading shows them.
         """
         ...
 

@@ -54,5 +54,5 @@ def demo_folder(progress: files.Progress = files.no_progress) -> Path:
         try:
             write_simulated_sequence("demo", target, progress=progress)
         except SequenceError:
-            open_sequence(target)  # somebody else made it meanwhile
+            open_sequence(target)  # another process made it meanwhile
     return target

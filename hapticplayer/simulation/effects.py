@@ -7,7 +7,7 @@ A rating is a latent value, rounded and cut to 1..5:
 with the feedback f, the factor k, the participant p and independent standard normal
 a, b, e. m_fk and s_f are solved so that the population has the wanted mean of each
 factor and the wanted SD of QoE over participants (each the mean of S sequences); the
-expectations are exact up to Gauss-Hermite quadrature. What the paper does not tell was
+expectations are exact up to Gauss-Hermite quadrature. What the paper does not state was
 chosen so that the median chi-squares of 15 participants come near its printed ones:
 how alike a participant's answers are for all feedbacks (r), and how much they scatter
 over sequences (T). The population gives 25.6, 26.3, 29.1, 5.8 and 22.9 for QoE, realism,

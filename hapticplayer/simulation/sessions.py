@@ -23,7 +23,7 @@ def write_scripted_session(
     *,
     origin: Mapping[str, Any],
 ) -> str:
-    """Write a whole session as if it had been sat through, and return its code.
+    """Write a whole session as if a participant had taken part, and return its code.
 
     Args:
         study: to which it is added.
@@ -31,7 +31,7 @@ def write_scripted_session(
         rate: gives a condition's answers by key of the question; None leaves the
             trial out, as if it had been skipped.
         clock: of the machine.
-        origin: why nobody sat there, such as `{"simulated": true, "seed": 1}`.
+        origin: why there was no participant, such as `{"simulated": true, "seed": 1}`.
 
     Raises:
         StudyError: when it cannot be written.

@@ -173,7 +173,7 @@ class FalconDriver:
 
         Raises:
             DeviceError: when the device is not open or gone, or a fault has stopped
-                it; then it is told zero.
+                it; then it is sent zero.
         """
         session = self._session
         if session is None:

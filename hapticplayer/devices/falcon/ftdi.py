@@ -25,7 +25,7 @@ _EVENT_IS_ON = 0x100
 
 
 class Divisor(NamedTuple):
-    """How the chip is told a baud rate: wValue and wIndex of the request."""
+    """Encode a baud rate for the chip: wValue and wIndex of the request."""
 
     request_value: int
     request_index: int

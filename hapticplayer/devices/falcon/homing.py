@@ -77,7 +77,7 @@ class Guide:
         if self._advice is Advice.PUSH:
             if in_again < _MOVED_COUNTS or self._still_looks < _IN_VAIN_LOOKS:
                 return Advice.PUSH
-            self._from = self._highest = out  # it was not far enough: once more
+            self._from = self._highest = out  # it was not far enough: repeat
             return Advice.PULL
         is_turning = in_again > _BACK_COUNTS or self._still_looks > _AT_THE_END_LOOKS
         was_out = self._highest - self._from > _MOVED_COUNTS

@@ -41,7 +41,7 @@ from hapticplayer.model.device import Vector
 Counts = tuple[int, int, int]
 
 WORDS_PER_NM = 10_000.0
-"""Motor word per torque as libnifalcon has it; nobody has published a measurement."""
+"""Motor word per torque as libnifalcon has it; no measurement is published."""
 WORD_LIMIT = 4096
 """Where the hardware saturates; the 16 bits of a frame would wrap round beyond."""
 FADE_BEGINS = 6.0
@@ -207,7 +207,7 @@ def fade(jacobian: Rows) -> float:
 
 
 def motor_words(jacobian: Rows, force_n: Vector) -> Vector:
-    """Return what the motors are told for a force, not rounded, within +-4096.
+    """Return the motor words for a force, not rounded, within +-4096.
 
     Faded near singular poses; what is too much for one motor is taken from all
     three in proportion, so that the force keeps its direction.

@@ -50,7 +50,7 @@ NO_ANSWER = Answer(None, 0.0, 0)
 
 
 class Freshness:
-    """Tells answers of now from those that waited in the chip while nobody read.
+    """Separates current answers from those that waited in the chip unread.
 
     What a stall of the bus leaves there would be taken for the place of the hand
     at the end of the stall, and the next answer for an impossible leap.
@@ -106,7 +106,7 @@ class DirectLink:
         return self._answer
 
     def stop(self) -> None:
-        """Nothing goes on by itself."""
+        """There is nothing to poll."""
 
 
 class ThreadedLink:

@@ -1,4 +1,4 @@
-"""What nobody has published about the Falcon, measured by an owner at low force.
+"""Unpublished figures of the Falcon, measured by an owner at low force.
 
 All forces stay below 1.5 N, are left at a button, above 0.5 m/s and outside 30 mm, and
 end in zero frames whatever happens. Each function takes an open, homed driver, except
@@ -28,7 +28,7 @@ _PERIOD_S = 0.001
 _TOO_FAST_MPS, _TOO_FAR_M = 0.5, 0.030
 _SPEED_OVER = 10  # periods; one step of an encoder in one is 0.05 m/s
 _FIRST_ANSWERS = 100
-_TRIES = 20  # a busy computer stands still for 15 ms every few seconds
+_TRIES = 20  # a busy computer stalls for 15 ms every few seconds
 _ZERO: Vector = (0.0, 0.0, 0.0)
 _ZERO_WORDS = (0, 0, 0)
 _AXES: dict[str, Vector] = {
@@ -153,7 +153,7 @@ def force_after_silence(
     Args:
         driver: of the Falcon.
         clock: of the machine.
-        was_disturbed: whether somebody else may have sent a frame since the last call;
+        was_disturbed: whether another process may have sent a frame since the last call;
             then that silence is measured again.
 
     Returns:
@@ -212,7 +212,7 @@ def _held(bench: Bench, driver: FalconDriver, clock: Clock) -> Vector:
 
 
 def _first_answer(driver: FalconDriver, clock: Clock) -> Vector:
-    """Return the first place that is told after a silence."""
+    """Return the first position that is reported after a silence."""
     last_s = driver.exchange(_ZERO, clock.now_s()).replied_s
     for _ in range(100):
         clock.sleep_until(clock.now_s() + _PERIOD_S)

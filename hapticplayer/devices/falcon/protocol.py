@@ -49,7 +49,7 @@ class Buttons(IntFlag):
 
 
 class Command(NamedTuple):
-    """What a frame tells the Falcon: motor words top, right, lower left; lights."""
+    """A frame for the Falcon: motor words top, right, lower left; lights."""
 
     words: Words
     lights: int

@@ -47,7 +47,7 @@ class Progress(NamedTuple):
 def set_up(reach: Reach, clock: Clock, show: Callable[[Progress], None]) -> None:
     """Open a Falcon, load its firmware, guide its homing, then show its grip.
 
-    No force is made. It goes on until `show`, which is called 100 times a second (less
+    The device exerts no force. It continues until `show`, which is called 100 times a second (less
     while the device is being opened), raises Cancelled.
 
     Args:

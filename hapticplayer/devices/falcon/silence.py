@@ -1,10 +1,10 @@
-"""The last word to a Falcon whose program stands still or has died: zero.
+"""Send zero to a Falcon whose program stalls or has died.
 
 For a guard process. The loop hands it the open USB file (`usbfs`), through which it
 can write at any time. Where that is not possible (not Linux, or the loop had not come
 so far) the guard looks for the device itself, and gets it as soon as its program has
 died: the system leaves the last force on the motors (for how long is not known) and
-the line settings on the chip, so one zero frame is enough. A program that stands still
+the line settings on the chip, so one zero frame is enough. A program that stalls
 then keeps the device, and only its end helps.
 """
 
@@ -36,7 +36,7 @@ class Silencer:
     Args:
         backend: of pyusb; None for the machine's libusb.
         line: descriptor along which the loop hands over its open USB file; it stays
-            the caller's. Without it: every Falcon that nobody uses.
+            the caller's. Without it: every Falcon that is not in use.
 
     Raises:
         DeviceError: when libusb is missing.
@@ -64,7 +64,7 @@ class Silencer:
             self.close()
             return False
         except DeviceError:
-            self.close()  # to begin anew with the next call
+            self.close()  # to start over with the next call
         return True
 
     def close(self) -> None:

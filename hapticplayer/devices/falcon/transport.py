@@ -152,7 +152,7 @@ def list_falcons(backend: Any = None) -> list[FalconAddress]:
 
 
 def open_all(backend: Any = None) -> list[PyUsbTransport]:
-    """Return all Falcons that nobody uses.
+    """Return all Falcons that are not in use.
 
     Raises:
         FalconGoneError: when none is plugged in.
@@ -187,7 +187,7 @@ def open_falcon(serial: str = "", backend: Any = None) -> PyUsbTransport:
     found = {_address_of(device).serial: device for device in devices}
     if serial in found:
         return PyUsbTransport(found[serial])
-    if "" in found and serial:  # it has not told its number because it may not
+    if "" in found and serial:  # its number cannot be read without permission
         return PyUsbTransport(found[""])
     known = ", ".join(sorted(filter(None, found))) or Message(
         "without a readable number"

@@ -2,7 +2,7 @@
 
 An interface belongs to the open file through which it was claimed, not to a process
 (Linux, drivers/usb/core/devio.c). So a guard that holds the loop's own descriptor can
-write to the device while the loop stands still, and after it has died.
+write to the device while the loop stalls, and after it has died.
 """
 
 import contextlib

@@ -44,7 +44,7 @@ class DirectOutlet:
         self._port.write(report)
 
     def stop(self) -> None:
-        """Nothing goes on by itself."""
+        """There is nothing to poll."""
 
 
 class ThreadedOutlet:
@@ -188,7 +188,9 @@ def silence(_line: int, open_port: Callable[[], Port] = open_pad) -> Callable[[]
     still, and after its death.
     """
     opened: list[Port] = []
-    with contextlib.suppress(DeviceError):  # then the loop has none either, and tells
+    with contextlib.suppress(
+        DeviceError
+    ):  # then the loop has none either, and reports it
         opened.append(open_port())  # now and not when time is short
 
     def write_zero() -> bool:

@@ -1,4 +1,4 @@
-"""What DualSense and DualShock 4 say and are told over USB.
+"""Input and output reports of DualSense and DualShock 4 over USB.
 
 Layouts: Linux, drivers/hid/hid-playstation.c (structs dualsense_output_report_common,
 dualshock4_output_report_common, and the input reports of both). Only motors are set;

@@ -1,4 +1,4 @@
-"""What the processes of simulated devices are told on their command line."""
+"""Command-line options of the processes of simulated devices."""
 
 import argparse
 import math
@@ -35,6 +35,6 @@ def simulation_of(options: argparse.Namespace) -> Simulation:
 
 
 def outlive_the_player() -> None:
-    """The device does not go because somebody wants the player to go."""
+    """Ignore the signals that are meant for the player."""
     for number in (signal.SIGINT, signal.SIGHUP, signal.SIGTERM):
         signal.signal(number, signal.SIG_IGN)

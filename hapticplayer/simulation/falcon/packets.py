@@ -2,7 +2,7 @@
 
 Little-endian and of fixed size: four bytes that name the kind, a serial number,
 the sender's CLOCK_MONOTONIC, a payload, and the CRC-32 of everything before it.
-A packet that was corrupted on its way is therefore told from a good one.
+A packet that was corrupted on its way is therefore recognised.
 """
 
 import enum

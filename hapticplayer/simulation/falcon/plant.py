@@ -189,7 +189,7 @@ class Plant:
         self.energy.lost_j -= _dot(force_n, _less(beyond_m, self.position_m))
 
     def _change_hand(self, hand: Hand) -> None:
-        """Exchange the hand; the grip goes on at its speed."""
+        """Replace the hand; the grip keeps its speed."""
         before_j = self.energy_j()
         self.hand = hand
         self.energy.hand_j += self.energy_j() - before_j

@@ -34,7 +34,7 @@ class RemoteFalcon:
 
     Every exchange writes a command and takes the newest reply that has arrived,
     normally the one to the command before. A device that has stopped listening
-    is not an error here: `replied_s` stands still, and its age tells.
+    is not an error here: `replied_s` then does not advance.
 
     Args:
         descriptor: one end of the pair; it belongs to this object from now on.
@@ -46,7 +46,7 @@ class RemoteFalcon:
     def __init__(self, descriptor: int) -> None:
         self._end = _end_of(descriptor)
         self._send, self._receive = self._end.send, self._end.recv
-        self._serial = 1  # the first command has 2: nobody answers 1, many have 0
+        self._serial = 1  # the first command has 2, so that stale answers do not match
         self._newest: DeviceReading | None = None
         self._malformed = 0
 
@@ -54,7 +54,7 @@ class RemoteFalcon:
         """Wait for the device's first answer; the only call here that waits.
 
         Raises:
-            DeviceError: when nobody is at the other end, or nobody answers.
+            DeviceError: when there is no device at the other end, or it does not answer.
         """
         hello = pack_control(Control(Act.HELLO))
         if not _write(self._send, hello):
@@ -85,7 +85,7 @@ class RemoteFalcon:
         try:
             self._send(command_bytes(serial, now_s, force_n))
         except BlockingIOError:
-            pass  # the device is there and does not listen: the age of its answers tells
+            pass  # the device does not listen; the age of its answers shows it
         except OSError:
             raise _unplugged() from None
         if not self._collect(before, now_s - _FRESH_S):

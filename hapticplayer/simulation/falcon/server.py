@@ -22,7 +22,7 @@ _LONGEST_SLEEP_S = 0.020
 
 
 class Server:
-    """Answers at one end of a SOCK_SEQPACKET pair until nobody holds the other.
+    """Answers at one end of a SOCK_SEQPACKET pair until the other end is closed.
 
     `turn` is public so that tests drive it on a virtual clock.
 
@@ -165,7 +165,7 @@ class Server:
             data = data[:middle] + bytes([data[middle] ^ 0x10]) + data[middle + 1 :]
         try:
             self._line.send(data)
-        except OSError:  # nobody reads: the queue is full, or reading will tell
+        except OSError:  # the queue is full, or the peer has gone
             return
 
     def _write_down(self, now_s: float) -> None:

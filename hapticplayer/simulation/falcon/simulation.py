@@ -18,7 +18,7 @@ _PERIOD_S = 1.0 / FALCON.rate_hz
 
 
 class Simulation:
-    """Advances only when told to, and the same way each time that it is told so.
+    """Advances only when called, and deterministically.
 
     Vectors in frame D; times are those of the caller's clock, s, and never run
     backwards here.

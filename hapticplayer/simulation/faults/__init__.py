@@ -95,7 +95,7 @@ class Outcome(NamedTuple):
 
     Attributes:
         cause: the rule that spoke last, and whether it tripped.
-        is_trip: the force stays away until somebody re-arms.
+        is_trip: the force stays away until a person re-arms.
         reaction_s: from the fault to the first command that reacts.
         zero_s: from the fault to the first command without force; None so far.
     """

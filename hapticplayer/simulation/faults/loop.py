@@ -24,7 +24,7 @@ class _Poisoned:
 
 
 class FaultyLoop(Loop):
-    """Does once what it is told to; each fault waits until a force may be on."""
+    """Injects each requested fault once, as soon as a force may be on."""
 
     def __post_init__(self) -> None:
         """Begin sound."""
@@ -33,7 +33,7 @@ class FaultyLoop(Loop):
         self._sound: Any = None
 
     def tick(self, now_s: float, late_s: float = 0.0, missed: int = 0) -> None:
-        """Do one period, then stand still if that is asked for."""
+        """Do one period, then stall if that is requested."""
         super().tick(now_s, late_s, missed)
         for fault, delay_s in _DELAYS_S.items():
             if self._is_due(fault):
@@ -66,7 +66,7 @@ class FaultyLoop(Loop):
         super()._exchange(force_n, now_s)
         if self._reading is None or before is None:
             return
-        # nobody looks at a reading that is known already
+        # a reading that is known already is not checked again
         is_new = self._reading.replied_s > before.replied_s
         if is_new and self._is_due(Fault.POSITION_NAN):
             self._reading = self._reading._replace(position_m=_NANS)

@@ -1,8 +1,8 @@
-"""The pictures of a simulated ride, all of them or a run that a second process draws.
+"""The frames of a simulated ride, all of them or a run that a second process draws.
 
     python -m hapticplayer.simulation.film.film OUT.mp4 SCENE SEED WIDTH HEIGHT RATE FIRST QUICK
 
-writes the pictures from number FIRST on, and a line on stdout after each. It ends when
+writes the frames from number FIRST on, and a line on stdout after each. It ends when
 its standard input does: with whoever wanted it.
 """
 
@@ -28,7 +28,7 @@ from hapticplayer.simulation.film.view import Pose
 from hapticplayer.simulation.rides.scenes import Scene
 
 _GROUP_FRAMES, _GROUP_M = 20, 10.0
-"""Pictures that are drawn together; the ground is painted before them."""
+"""Frames that are drawn together; the ground is painted before them."""
 
 COMMAND = (sys.executable, "-P", "-m", "hapticplayer.simulation.film.film")
 
@@ -42,7 +42,7 @@ class Film:
         seed: of the country and of what stands in it.
         width: px.
         height: px.
-        frame_rate_hz: of the pictures.
+        frame_rate_hz: of the frames.
     """
 
     scene: Scene
@@ -53,11 +53,11 @@ class Film:
 
     @property
     def frame_count(self) -> int:
-        """How many pictures there are."""
+        """How many frames there are."""
         return round(self.scene.duration_s * self.frame_rate_hz)
 
     def frames(self, first: int, end: int) -> Iterator[NDArray[np.uint8]]:
-        """Yield pictures (height, width, 4): RGB and an unused channel.
+        """Yield frames (height, width, 4): RGB and an unused channel.
 
         Args:
             first: number of the first one.
@@ -71,7 +71,7 @@ class Film:
                 yield maker.draw(pose)
 
     def studio(self) -> tuple[PictureMaker, list[Pose]]:
-        """Return what draws, and where the camera is for each picture."""
+        """Return what draws, and where the camera is for each frame."""
         rng = np.random.default_rng([self.seed, 2])
         country = Country(self.scene, rng)
         return PictureMaker(country, self.width, self.height, rng), self._poses()
@@ -97,7 +97,7 @@ class Film:
         ]
 
     def _shakes_px(self, time_s: Floats, upward_mps2: Floats) -> Floats:
-        """Return how far what is in front of the camera moves down in the picture."""
+        """Return how far what is in front of the camera moves down in the frame."""
         per_mps2 = self.height / 540 * SHAKES_PX[self.scene.vehicle]
         shakes = per_mps2 * upward_mps2
         if self.scene.nod_rad is not None:
@@ -129,7 +129,7 @@ class SecondPainter:
     Args:
         film: of a scene that its name and seed make again.
         target: the video it writes.
-        first: number of its first picture.
+        first: number of its first frame.
         is_quick: as `media.write_clip` takes it.
     """
 
@@ -162,12 +162,14 @@ class SecondPainter:
         self._ear.join()
         if self._child.returncode or self.done < self._count:
             assert self._child.stderr is not None
-            told = self._child.stderr.read().decode("utf-8", "replace").split("\n")
+            last_words = (
+                self._child.stderr.read().decode("utf-8", "replace").split("\n")
+            )
             raise MediaError(
                 "the second half could not be drawn ({reason})",
                 where=str(self.target.parent),
                 remedy="free some memory and disk, and try again",
-                reason=told[-2:][0][:200],
+                reason=last_words[-2:][0][:200],
             )
 
     def close(self) -> None:

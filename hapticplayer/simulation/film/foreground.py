@@ -317,7 +317,7 @@ STEERING_RATIO = 15.0
 
 
 class Foreground(Protocol):
-    """Is laid over each picture."""
+    """Is laid over each frame."""
 
     def lay_over(self, canvas: Pixels, shake_px: float, steering_rad: float) -> None:
         """Lay it over, moved down by `shake_px`, steered to the left."""

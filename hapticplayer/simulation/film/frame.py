@@ -125,7 +125,7 @@ _UPRIGHT_PX = 60.0
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Sprite:
-    """An upright picture, foot at the middle of its lowest row.
+    """An upright sprite, foot at the middle of its lowest row.
 
     Attributes:
         pixels: (rows from the top, columns) packed colours.
@@ -291,7 +291,7 @@ _STRIP = 48
 
 
 class PictureMaker:
-    """Draws pictures of one country in one size."""
+    """Draws the frames of one scene in one size."""
 
     def __init__(
         self, country: Country, width: int, height: int, rng: np.random.Generator
@@ -303,7 +303,7 @@ class PictureMaker:
         self._foreground = make_foreground(country.vehicle, width, height, rng)
 
     def draw(self, pose: Pose) -> NDArray[np.uint8]:
-        """Return the picture (height, width, 4): RGB and a channel that says nothing."""
+        """Return the frame (height, width, 4): RGB and an unused channel."""
         self._country.prepare([pose])
         canvas = np.empty(self._view.size, np.uint32)
         rotation = pose.rotation.astype(np.float32)

@@ -110,7 +110,7 @@ SIZE = 2048
 _BLOCK = 128
 _BLOCKS = SIZE // _BLOCK
 _CORNER = 1.4
-"""How much farther the ground is at the picture's edges than ahead."""
+"""How much farther the ground is at the frame's edges than ahead."""
 
 _NOWHERE = np.iinfo(np.int64).min
 

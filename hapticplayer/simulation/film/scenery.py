@@ -33,7 +33,7 @@ TREE_KINDS = (1, 2, 3)
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Standing:
-    """The things beside the road, drawn as upright pictures.
+    """The things beside the road, drawn as upright sprites.
 
     Attributes:
         foot_m: (N, 3) earth, on the ground.
@@ -56,7 +56,7 @@ class Route:
         ridden = np.stack(
             [np.interp(wanted_m, travelled_m, axis) for axis in scene.route_m.T], axis=1
         )
-        if self.length_m < 1.0:  # nobody moves: a way that leads ahead
+        if self.length_m < 1.0:  # no motion: a straight way ahead
             ridden = ridden[:1] + np.outer(wanted_m, (0.0, 1.0))
         first, last = ridden[0] - ridden[1], ridden[-1] - ridden[-2]
         reach = np.arange(1, round(_BEYOND_M / _ROUTE_STEP_M))[:, None]

@@ -59,7 +59,7 @@ class Pose(NamedTuple):
     Attributes:
         position_m: (3,) earth.
         rotation: (3, 3) sensor (right, front, up) to earth.
-        shake_px: how far the handlebar moves against the picture, down.
+        shake_px: how far the handlebar moves against the frame, down.
         steering_rad: how far a steering wheel is turned, to the left.
     """
 
@@ -84,7 +84,7 @@ class View(NamedTuple):
 
     @classmethod
     def of_size(cls, width: int, height: int) -> Self:
-        """Return the view of a picture, its axis in the middle."""
+        """Return the view of a frame, its axis in the middle."""
         focal_px = float(0.5 * width / np.tan(0.5 * FIELD_OF_VIEW_RAD))
         x = (np.arange(width, dtype=np.float32) + 0.5 - 0.5 * width) / focal_px
         z = (0.5 * height - 0.5 - np.arange(height, dtype=np.float32)) / focal_px

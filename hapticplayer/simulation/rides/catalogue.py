@@ -78,7 +78,7 @@ class Ride:
     script: Script
 
     def __call__(self, rng: np.random.Generator) -> Scene:
-        """Return the scene; its time 0 is the first picture."""
+        """Return the scene; its time 0 is the first frame."""
         lead_s = snapped(float(rng.uniform(*LEAD_S)))
         length_s = lead_s + self.duration_s + TAIL_S
         pats = three_pats(rng, float(rng.uniform(*FIRST_PAT_S)))

@@ -1,4 +1,4 @@
-"""Random scripts of manoeuvres: how somebody drives, rides or walks for a while.
+"""Random scripts of manoeuvres: driving, riding and walking.
 
 Each writes until the duration is full, from a seeded generator. Levels are shares of
 g, as drivers and the literature on comfort give them.
@@ -17,7 +17,7 @@ Band = tuple[float, float]
 
 @dataclass(frozen=True, slots=True)
 class Style:
-    """How hard somebody drives.
+    """How hard a person drives.
 
     Attributes:
         level_g: band of braking, accelerating and cornering.

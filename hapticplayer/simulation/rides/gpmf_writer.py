@@ -3,7 +3,7 @@
 A payload a second, as a HERO9 has them: accelerometer and gyro as 16-bit counts in
 the stored order Z,X,Y, each stream with the count of its samples so far (TSMP) and
 the time of its first one (STMP), beside the shutter's stream, whose first stamp is
-the first picture.
+the first frame.
 
 Source: github.com/gopro/gpmf-parser, README; scales and order as in real files.
 """

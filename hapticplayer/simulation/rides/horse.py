@@ -73,7 +73,7 @@ class HorseRide:
 
 
 def ride_horse(drive: Drive, rng: np.random.Generator, duration_s: float) -> HorseRide:
-    """Return the motion of a camera on the chest of somebody who rides."""
+    """Return the motion of a camera on the chest of a rider."""
     path = drive.path(duration_s)
     shaker = Shaker(rng, len(path.time_s), KNOT_HZ)
     shares = _shares(path.speed_mps)

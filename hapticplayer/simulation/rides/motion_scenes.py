@@ -1,4 +1,4 @@
-"""Rides without picture and sound: motion and inertial log only, truth known.
+"""Rides without frame and sound: motion and inertial log only, truth known.
 
 They are what gravity removal is judged on: cars that brake and corner for seconds,
 people who walk and run, cameras in hands that are almost still.

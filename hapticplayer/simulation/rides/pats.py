@@ -1,11 +1,11 @@
-"""The three pats: knocks that the sensor feels and the camera hears.
+"""The three pats: taps that the sensor feels and the camera hears.
 
-A knock pushes the camera, and sets its mount swinging: from rest the camera gains speed
+A tap pushes the camera, and sets its mount swinging: from rest the camera gains speed
 the way it is hit, up to the first half of an oscillation; whoever holds it brings it back
 a few millimetres later. The push is what an average over a frame shows, for the
 oscillation cancels in it. Real ones were not at hand; frequency, strength and spacing lie
 in the ranges of the synchronisation's reference clips (18 to 60 Hz, 10 to 35 m/s2, 0.3 to
-0.6 s apart). The push has the speed that a knock of those clips leaves, its peak over its
+0.6 s apart). The push has the speed that a tap of those clips leaves, its peak over its
 angular frequency.
 """
 
@@ -22,12 +22,12 @@ _RETURN_S = 0.12
 _RINGING = 0.6
 """How much of the speed is the mount's, which swings back; the hand keeps the rest."""
 _FREQUENCY_HZ = (22.0, 38.0)
-"""Above 45 Hz the knots of a trajectory (200 Hz) would blunt the knock."""
+"""Above 45 Hz the knots of a trajectory (200 Hz) would blunt the tap."""
 
 
 @dataclass(frozen=True, slots=True)
 class Pat:
-    """One knock.
+    """One tap.
 
     Attributes:
         time_s: when it begins, media time.

@@ -22,7 +22,7 @@ _HARMONICS = 10
 
 @dataclass(frozen=True, slots=True)
 class Gait:
-    """How somebody goes, with a camera worn on the body.
+    """Gait of a person with a camera worn on the body.
 
     Attributes:
         speed_mps: at the given cadence.
@@ -82,7 +82,7 @@ RUN = Gait(
 def go_on_foot(
     drive: Drive, gait: Gait, rng: np.random.Generator, duration_s: float
 ) -> Trajectory:
-    """Return the motion of a camera worn by somebody who walks or runs."""
+    """Return the motion of a camera worn by a person who walks or runs."""
     path = drive.path(duration_s)
     shaker = Shaker(rng, len(path.time_s), KNOT_HZ)
     share = path.speed_mps / gait.speed_mps

@@ -47,7 +47,7 @@ _LOOK_S = 0.05
 class SimulatedRecording:
     """A recording with its truth.
 
-    Time 0 of truth, log, sound and pictures is the first picture.
+    Time 0 of truth, log, sound and frames is the first frame.
 
     Attributes:
         scene: what was ridden.
@@ -58,9 +58,9 @@ class SimulatedRecording:
         audio: (n, 2) float32.
         board: what a board with its own clock logged; None in the demo.
         audio_rate_hz: of the sound.
-        frame_rate_hz: of the pictures.
-        width: of the pictures, px.
-        height: of the pictures, px.
+        frame_rate_hz: of the frames.
+        width: of the frames, px.
+        height: of the frames, px.
     """
 
     scene: Scene
@@ -76,11 +76,11 @@ class SimulatedRecording:
 
     @property
     def film(self) -> Film:
-        """Its pictures."""
+        """Its frames."""
         return Film(self.scene, self.seed, self.width, self.height, self.frame_rate_hz)
 
     def frame(self, number: int) -> NDArray[np.uint8]:
-        """Return one picture (height, width, 3) RGB; for screenshots."""
+        """Return one frame (height, width, 3) RGB; for screenshots."""
         maker, poses = self.film.studio()
         return np.ascontiguousarray(maker.draw(poses[number])[:, :, :3])
 
@@ -182,7 +182,7 @@ def write_simulated_clip(
     path: str | os.PathLike[str],
     progress: Callable[[float], None] | None = None,
 ) -> None:
-    """Write pictures and sound as MP4.
+    """Write frames and sound as MP4.
 
     Args:
         recorded: from `simulate`.
@@ -196,10 +196,10 @@ def write_simulated_clip(
 
     film, is_quick = recorded.film, recorded.board is not None
     count = film.frame_count
-    tell = progress or (lambda _share: None)
+    report = progress or (lambda _share: None)
     if count * film.width * film.height < WORTH_PX:
         first = film.frames(0, count)
-        _write(recorded, path, first, is_quick, lambda drawn: tell(drawn / count))
+        _write(recorded, path, first, is_quick, lambda drawn: report(drawn / count))
         return
     interval = key_frame_interval(film.frame_rate_hz)
     half = -(-count // (2 * interval)) * interval
@@ -208,7 +208,7 @@ def write_simulated_clip(
     second = SecondPainter(film, rest, half, is_quick=is_quick)
 
     def tell_both(drawn: int) -> None:
-        tell(min(1.0, (min(drawn, half) + second.done) / count))
+        report(min(1.0, (min(drawn, half) + second.done) / count))
 
     def waited_for() -> Path:
         while second.is_busy(_LOOK_S):
@@ -227,21 +227,21 @@ def write_simulated_clip(
 def _write(
     recorded: SimulatedRecording,
     path: str | os.PathLike[str],
-    pictures: Iterator[NDArray[np.uint8]],
+    frames: Iterator[NDArray[np.uint8]],
     is_quick: bool,
-    tell: Callable[[int], None],
+    report: Callable[[int], None],
     rest: Callable[[], Path] | None = None,
 ) -> None:
     from hapticplayer.media.encode import write_clip
 
     write_clip(
         path,
-        pictures,
+        frames,
         frame_rate_hz=recorded.frame_rate_hz,
         audio=recorded.audio,
         audio_rate_hz=recorded.audio_rate_hz,
         is_quick=is_quick,
-        progress=lambda s: tell(round(s * recorded.frame_rate_hz)),
+        progress=lambda s: report(round(s * recorded.frame_rate_hz)),
         rest=rest,
     )
 

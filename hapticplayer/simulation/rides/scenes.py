@@ -51,8 +51,8 @@ class Scene:
         steering_rad: (N,) angle of the wheels, to the left; None for straight on.
         nod_rad: (N,) of a horse's head; None for none.
         footfalls: time and strength (0 to 1) of hooves or feet.
-        pats: the knocks for synchronisation.
-        lead_s: how long a logger ran before the first picture; the trajectory
+        pats: the taps for synchronisation.
+        lead_s: how long a logger ran before the first frame; the trajectory
             reaches so far back, and 0.5 s beyond.
         tail_s: how long it ran after the last one.
         stairs_m: distances along the route at which a stair's risers stand.

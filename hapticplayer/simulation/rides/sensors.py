@@ -90,7 +90,7 @@ class SensorModel:
     """An inertial sensor.
 
     Its gyro integrates: each of its samples is the mean rotation since the last one.
-    Its accelerometer tells the specific force at the time of the sample. With
+    Its accelerometer measures the specific force at the time of the sample. With
     `averaged_to_hz`, samples in the middles of intervals of 1 / rate_hz are averaged
     over windows (a boxcar; a part of an interval counts as its part), as the firmware
     of the paper's board does.

@@ -1,7 +1,7 @@
 """Simulated clips with three pats, to measure synchronisation against a known truth.
 
-Motion alone: damped knocks of 18 to 60 Hz and 10 to 35 m/s2, walking with foot impacts,
-knocks later in the clip, a sensor like the ADXL345 (noise as measured at 200 Hz, steps
+Motion alone: damped taps of 18 to 60 Hz and 10 to 35 m/s2, walking with foot impacts,
+taps later in the clip, a sensor like the ADXL345 (noise as measured at 200 Hz, steps
 of 3.9 mg) at 200 Hz or averaged to 30 Hz, times in whole ms with jitter, stalls of the
 memory card of 20 to 80 ms, a clock that is off by up to 100 ppm and 20 s. Sound at
 16 kHz: thumps of 90 to 350 Hz, gusts of wind, speech, a soft limiter. A clip is easy
@@ -49,7 +49,7 @@ class PatClip:
 
 
 @dataclass(frozen=True, slots=True)
-class _Knock:
+class _Tap:
     """What hits the camera: begins at `at_s`, felt and heard."""
 
     at_s: float
@@ -102,13 +102,13 @@ def _pat_times(rng: np.random.Generator, first_s: float) -> Floats:
     return np.asarray(first_s + np.concatenate([[0.0], np.cumsum(steps)]))
 
 
-def _pats(rng: np.random.Generator, pats_s: Floats) -> list[_Knock]:
+def _pats(rng: np.random.Generator, pats_s: Floats) -> list[_Tap]:
     """The three pats of one place: alike in kind, unlike in strength."""
     felt_hz, heard_hz = rng.uniform(18.0, 60.0), rng.uniform(90.0, 350.0)
     felt_decay_s, heard_decay_s = rng.uniform(0.015, 0.06), rng.uniform(0.01, 0.035)
     direction = rng.standard_normal(3)
     return [
-        _Knock(
+        _Tap(
             at_s=float(at_s),
             felt_mps2=rng.uniform(10.0, 35.0),
             heard=float(np.exp(0.45 * rng.standard_normal())),
@@ -127,7 +127,7 @@ def _other_knocks(
     duration_s: float,
     pats_s: Floats,
     still: list[tuple[float, float]],
-) -> list[_Knock]:
+) -> list[_Tap]:
     """Knocks later in the clip; some are felt or heard only."""
     count = rng.poisson(duration_s / 12.0)
     found = []
@@ -137,7 +137,7 @@ def _other_knocks(
             continue
         kind = rng.uniform()
         found.append(
-            _Knock(
+            _Tap(
                 at_s=float(at_s),
                 felt_mps2=0.0 if kind < 0.25 else rng.uniform(5.0, 40.0),
                 heard=0.0 if kind > 0.75 else float(np.exp(0.7 * rng.normal())),
@@ -175,7 +175,7 @@ def _step_times(
 def _specific_force(
     rng: np.random.Generator,
     time_s: Floats,
-    knocks: list[_Knock],
+    taps: list[_Tap],
     steps_s: Floats,
     still: list[tuple[float, float]],
 ) -> Floats:
@@ -195,10 +195,10 @@ def _specific_force(
     for at_s in steps_s:
         size = impact_mps2 * np.exp(0.35 * rng.standard_normal())
         along = _unit(up + 0.3 * rng.standard_normal(3))
-        _add_knock(force, time_s, at_s, size * along, (rng.uniform(15, 40), 0.02))
-    for knock in knocks:
-        form = (knock.felt_hz, knock.felt_decay_s)
-        _add_knock(force, time_s, knock.at_s, knock.felt_mps2 * knock.direction, form)
+        _add_tap(force, time_s, at_s, size * along, (rng.uniform(15, 40), 0.02))
+    for tap in taps:
+        form = (tap.felt_hz, tap.felt_decay_s)
+        _add_tap(force, time_s, tap.at_s, tap.felt_mps2 * tap.direction, form)
     return force
 
 
@@ -210,7 +210,7 @@ def _sway(rng: np.random.Generator, time_s: Floats, steps_s: Floats) -> Floats:
     return np.asarray(np.sin(phase) + 0.4 * np.sin(2 * phase + rng.uniform(0, 6.28)))
 
 
-def _add_knock(
+def _add_tap(
     force: Floats,
     time_s: Floats,
     at_s: float,
@@ -271,7 +271,7 @@ def _log(
 
 def _sound(
     rng: np.random.Generator,
-    knocks: list[_Knock],
+    taps: list[_Tap],
     steps_s: Floats,
     duration_s: float,
     *,
@@ -283,9 +283,9 @@ def _sound(
     background = _wind(rng, count) + rng.uniform(0.3, 1.2) * _speech(rng, count)
     background /= np.sqrt(np.mean(background**2))
     signal = np.zeros(count)
-    for knock in knocks:
-        form = (knock.heard_hz, knock.heard_decay_s)
-        _add_thump(signal, knock.at_s, knock.heard, form)
+    for tap in taps:
+        form = (tap.heard_hz, tap.heard_decay_s)
+        _add_thump(signal, tap.at_s, tap.heard, form)
     loudness = rng.uniform(0.0, 0.4)
     for at_s in steps_s:
         size = loudness * np.exp(0.5 * rng.standard_normal())

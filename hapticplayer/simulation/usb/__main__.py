@@ -46,7 +46,7 @@ def main(argv: list[str] | None = None) -> int:
     gc.freeze()
     gc.disable()  # no cycles are made here; a collection costs milliseconds
     Server(chip, socket.socket(fileno=options.line)).run()
-    os._exit(0)  # not after threads that wait for somebody who has left
+    os._exit(0)  # do not wait for threads whose peer has gone
 
 
 if __name__ == "__main__":

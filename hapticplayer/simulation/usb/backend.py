@@ -154,7 +154,7 @@ class SimulatedBus(IBackend):  # type: ignore[misc]
         """Accept the only configuration."""
 
     def claim_interface(self, port: SimulatedPort, intf: int) -> None:
-        """Take the interface, unless somebody has it."""
+        """Claim the interface, unless it is claimed."""
         if port.is_claimed or port.has_kernel_driver:
             raise _usb_error(errno.EBUSY)
         port.is_claimed = True

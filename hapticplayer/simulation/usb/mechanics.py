@@ -44,7 +44,7 @@ class BenchMechanics:
         """Write the words down."""
         self.commands.append((at_s, command.words))
 
-    def reply(self, at_s: float) -> Reply:  # noqa: ARG002 - they stand still
+    def reply(self, at_s: float) -> Reply:  # noqa: ARG002 - they do not move
         """Return what the test wants."""
         return Reply(self.counts, self.buttons, self.homed)
 

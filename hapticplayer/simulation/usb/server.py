@@ -1,4 +1,4 @@
-"""The process of a simulated Falcon: serves requests until nobody is left to ask."""
+"""The process of a simulated Falcon: serves requests until the last peer has gone."""
 
 import errno
 import socket
@@ -66,7 +66,7 @@ class Server:
         try:
             end.send(pack_answer(answer))
         except OSError:
-            return  # they have gone; reading will tell
+            return  # the peer has gone; the next read ends
 
     def _answer(self, request: Request) -> Answer:
         serial, chip = request.serial, self._chip

@@ -80,7 +80,7 @@ def open_running(
         find_image: returns the firmware; asked only when it is needed.
         clock: for time limits.
         patience: what they are.
-        progress: is told how far an upload has come.
+        progress: called with the share of the upload that is done.
 
     Raises:
         DeviceError: when the device cannot be opened, the firmware is missing, or

@@ -25,7 +25,7 @@ may use it. The file stays on this computer."""
 
 
 class UnknownFirmwareError(UsageError):
-    """The file is sound and nobody has recorded it here: somebody has to decide."""
+    """The file is intact but unknown: a decision is needed."""
 
 
 class FirmwareMissingError(DeviceError):
@@ -92,7 +92,7 @@ def install_image(source: Path, *, accept_unknown: bool = False) -> FirmwareImag
 
     Args:
         source: the file.
-        accept_unknown: whether it may be one that nobody has recorded here.
+        accept_unknown: whether an unknown image is accepted.
 
     Raises:
         DeviceError: when it is no firmware or cannot be kept.
@@ -143,13 +143,13 @@ def _data_home() -> Path:
         home = os.environ.get("LOCALAPPDATA")
     else:
         home = os.environ.get("XDG_DATA_HOME")
-    # the standard tells to ignore what is not absolute
+    # the XDG standard ignores paths that are not absolute
     if home and Path(home).is_absolute():
         return Path(home)
     try:
         return Path.home() / ".local" / "share"
     except RuntimeError as problem:
         raise DeviceError(
-            "nobody's home folder is known; set {variable} to the firmware's path",
+            "the home folder is unknown; set {variable} to the firmware's path",
             variable=OVERRIDE,
         ) from problem
