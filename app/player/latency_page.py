@@ -50,9 +50,9 @@ from hapticplayer.playback.beats import (
 )
 from hapticplayer.playback.latency import MOST_S, Latencies
 from hapticplayer.playback.player import Player
-from hapticplayer.playback.screen import NullSink
 from hapticplayer.playback.snapshot import Snapshot
 from hapticplayer.playback.source import Source
+from hapticplayer.playback.video_output import NullSink
 
 TOGETHER = "together"
 PARTS = (DISPLAY, SOUND, DEVICE)

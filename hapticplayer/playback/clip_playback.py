@@ -16,10 +16,9 @@ from hapticplayer.playback.phases import (
     Phase,
     transition,
 )
-from hapticplayer.playback.screen import FrameSink
 from hapticplayer.playback.sound import NO_OUTPUT, AudioFactory, Sound
 from hapticplayer.playback.source import Source
-from hapticplayer.playback.video_output import VideoOutput
+from hapticplayer.playback.video_output import FrameSink, VideoOutput
 
 FIRST_SOUND_TIMEOUT_S = 3.0  # a sound server that wakes its device took 1.3 s
 SLOWEST, FASTEST = 0.5, 4.0  # of `set_speed`
@@ -125,7 +124,7 @@ class ClipPlayback:
             half_s = 0.5 / (self.source.clip.frame_rate_hz or 30.0)
             frame_s = self.video.frame_s - half_s
             self.seek(frame_s)
-            self.video.expect(frame_s)
+            self.video.frame_s = max(0.0, frame_s)
         elif (shown_s := self.video.show_next()) is not None:
             self.media.seek(shown_s)
             self.sound.go_to(shown_s)

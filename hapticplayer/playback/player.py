@@ -24,11 +24,11 @@ from hapticplayer.playback.force_output import ForceOutput
 from hapticplayer.playback.latency import Latencies
 from hapticplayer.playback.log import PlaybackLog, Reporter
 from hapticplayer.playback.phases import Event, Phase
-from hapticplayer.playback.screen import POLL_S, FrameSink
 from hapticplayer.playback.snapshot import Measurements, Snapshot, SyncTraces
 from hapticplayer.playback.sound import AudioFactory
 from hapticplayer.playback.sound_process import SoundProcess
 from hapticplayer.playback.source import Source
+from hapticplayer.playback.video_output import POLL_S, FrameSink
 
 __all__ = ["FASTEST", "SLOWEST", "Player"]
 
@@ -119,7 +119,7 @@ class Player:
 
     def set_sink(self, sink: FrameSink) -> None:
         """Show the frames somewhere else, at a standstill the present one too."""
-        self._clip.video.set_sink(sink)
+        self._clip.video.sink = sink
         self._clip.refresh()
 
     def set_volume(self, share: float) -> None:

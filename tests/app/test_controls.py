@@ -78,8 +78,8 @@ def test_the_dot_shows_the_next_picture(playing, wait_for):
     playing.player.pause()
     playing.player.seek(1.0)
     wait_for(lambda: abs(playing.player._clip.video.frame_s - 1.0) < 0.02)
-    wait_for(lambda: not playing.player._clip.video._screen._needs_preview)
-    wait_for(lambda: playing.player._clip.video._feeder.peek() is not None)
+    wait_for(lambda: not playing.player._clip.video.is_previewing)
+    wait_for(lambda: playing.player._clip.video.feeder.peek() is not None)
     key(playing, Qt.Key.Key_Period)
     assert playing.player._clip.video.frame_s == pytest.approx(1.04, abs=1e-6)
     assert playing.player.snapshot().phase is Phase.PAUSED

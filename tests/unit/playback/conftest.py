@@ -105,7 +105,7 @@ class Theatre:
 
     def settle(self):
         """Wait until the decoders have nothing left to do."""
-        feeder = self.player._clip.video._feeder
+        feeder = self.player._clip.video.feeder
         with feeder._wake:
             assert feeder._wake.wait_for(
                 lambda: feeder._target is None and not feeder._has_work(), timeout=30

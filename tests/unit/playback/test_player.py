@@ -176,7 +176,7 @@ def test_a_clip_that_breaks_ends_with_a_sentence(theatre, monkeypatch):
 
     theatre.player.play()
     theatre.run(0.3)
-    decoder = theatre.player._clip.video._feeder._decoder
+    decoder = theatre.player._clip.video.feeder._decoder
 
     def broken():
         raise MediaError("is damaged", where="short.mp4")
@@ -204,10 +204,10 @@ def test_a_seek_in_a_clip_that_has_broken_does_not_wait_for_ever(theatre, monkey
     def broken():
         raise MediaError("is damaged", where="short.mp4")
 
-    monkeypatch.setattr(player._clip.video._feeder._decoder, "next_frame", broken)
-    player._clip.video._feeder.request(99, 2.0)
-    player._clip.video._feeder.join(20)
-    assert player._clip.video._feeder.problem is not None
+    monkeypatch.setattr(player._clip.video.feeder._decoder, "next_frame", broken)
+    player._clip.video.feeder.request(99, 2.0)
+    player._clip.video.feeder.join(20)
+    assert player._clip.video.feeder.problem is not None
     player.seek(1.0)
     player.play()
     reading = threading.Event()
@@ -253,7 +253,7 @@ def test_when_the_picture_stops_the_force_does_until_it_is_back(theatre, monkeyp
     player.play()
     theatre.run(0.5)
     assert set(tracks()) == {"realistic"}
-    feeder = player._clip.video._feeder
+    feeder = player._clip.video.feeder
     with monkeypatch.context() as stall:
         stall.setattr(feeder, "_has_work", lambda: False)
         theatre.run(2 * FRAME_S + 0.15)  # so much is queued at least, 5 at most
