@@ -25,7 +25,8 @@ from hapticplayer.capture.sync import methods
 from hapticplayer.capture.sync.result import Synchronisation
 from hapticplayer.errors import HapticPlayerError, message_of
 from hapticplayer.model import ClockMap
-from hapticplayer.playback.snippet import LONGEST_S, Samples, Snippet, pats_sound
+from hapticplayer.playback import snippet
+from hapticplayer.playback.snippet import LONGEST_S, Samples, pats_sound
 from hapticplayer.sequence.recognising import Recognised
 from hapticplayer.sequence.synchronizing import moved_to, store_skew
 
@@ -48,7 +49,6 @@ class SyncPage(QWidget):
     def __init__(self) -> None:
         super().__init__()
         self.strip, self.frame = SyncStrip(), ClipFrame()
-        self.snippet = Snippet()
         self._sound: Job[Samples] | None = None
         self._recognised: Recognised | None = None
         self.verdict, self.problem = QLabel(), QLabel()
@@ -249,7 +249,7 @@ class SyncPage(QWidget):
             if job.problem is not None:
                 raise job.problem
             assert job.result is not None
-            self.snippet.play(job.result)
+            snippet.play(job.result)
             self.problem.clear()
         except (HapticPlayerError, OSError) as problem:
             self.problem.setText(translated(message_of(problem)))
@@ -258,7 +258,7 @@ class SyncPage(QWidget):
         """Be silent, and wait for what still decodes."""
         self.frame.close_jobs()
         with contextlib.suppress(OSError):
-            self.snippet.stop()
+            snippet.stop()
         if self._sound is not None:
             self._sound.join()
             self._sound = None

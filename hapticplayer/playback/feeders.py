@@ -5,6 +5,7 @@ import logging
 import threading
 from collections import deque
 from pathlib import Path
+from typing import Generic, TypeVar
 
 from hapticplayer.errors import MediaError
 from hapticplayer.media.audio import AudioBlock, AudioDecoder
@@ -18,9 +19,18 @@ QUEUE_FRAMES = 5
 ROOM_S = 0.2  # seconds of sound lie ahead: there is no hurry
 SAME_TIME_S = 1e-6  # far below any time base
 
+DecoderT = TypeVar("DecoderT", VideoDecoder, AudioDecoder)
 
-class Feeder(threading.Thread, abc.ABC):
-    """A thread that follows seeks and stops when it is told to."""
+
+class Feeder(threading.Thread, abc.ABC, Generic[DecoderT]):
+    """A thread that decodes from wherever it is sent to.
+
+    Attributes:
+        problem: why it has ended, None while it has not.
+        is_at_end: whether nothing follows what it has decoded.
+    """
+
+    _decoder: DecoderT
 
     def __init__(self, name: str, path: Path) -> None:
         super().__init__(name=name, daemon=True)
@@ -36,7 +46,7 @@ class Feeder(threading.Thread, abc.ABC):
         """Go to a position; what was decoded for older epochs is dropped."""
         with self._wake:
             self._target = (epoch, media_s)
-            self.is_at_end = self.problem is not None  # nobody is left who decodes
+            self.is_at_end = self.problem is not None  # the thread has ended
             self._forget()
             self._wake.notify_all()
 
@@ -55,12 +65,12 @@ class Feeder(threading.Thread, abc.ABC):
     def run(self) -> None:
         """Decode until stopped; a broken file ends the stream, not the player."""
         try:
-            self._open()
-            while not self._is_stopping:
-                self._one_round()
+            with self._open() as self._decoder:
+                while not self._is_stopping:
+                    self._one_round()
         except MediaError as problem:
             self.problem = problem
-        except Exception as problem:  # a thread's top: nobody else would hear of it
+        except Exception as problem:  # a thread's top: it would be lost
             logging.getLogger(__name__).exception("%s failed", self.name)
             self.problem = MediaError(
                 "cannot be decoded ({reason})",
@@ -69,7 +79,6 @@ class Feeder(threading.Thread, abc.ABC):
             )
         finally:
             self.is_at_end = True
-            self._close()
 
     def _one_round(self) -> None:
         with self._wake:
@@ -86,37 +95,31 @@ class Feeder(threading.Thread, abc.ABC):
             self._decode()
 
     def _end(self) -> None:
-        """Note that nothing comes any more, unless a seek has come meanwhile."""
+        """Note that nothing follows, unless a seek has come meanwhile."""
         with self._wake:
             self.is_at_end = self._target is None
             self._wake.notify_all()
 
-    @abc.abstractmethod
-    def _has_work(self) -> bool:
-        """Whether there is room for more."""
-
-    @abc.abstractmethod
-    def _open(self) -> None:
-        """Open the decoder, in this thread."""
-
-    @abc.abstractmethod
-    def _close(self) -> None:
-        """Close the decoder, if it was opened."""
-
-    @abc.abstractmethod
     def _forget(self) -> None:
         """Drop what was decoded for an older position."""
 
-    @abc.abstractmethod
     def _seek(self, media_s: float) -> None:
-        """Move the decoder."""
+        self._decoder.seek(media_s)
+
+    def _has_work(self) -> bool:
+        """Whether there is room for more."""
+        return not self.is_at_end
+
+    @abc.abstractmethod
+    def _open(self) -> DecoderT:
+        """Open the decoder, in this thread."""
 
     @abc.abstractmethod
     def _decode(self) -> None:
         """Decode one piece."""
 
 
-class VideoFeeder(Feeder):
+class VideoFeeder(Feeder[VideoDecoder]):
     """Decodes frames ahead of time; they are converted when they are shown.
 
     Attributes:
@@ -163,21 +166,14 @@ class VideoFeeder(Feeder):
             return self._taken
 
     def _has_work(self) -> bool:
-        return not self.is_at_end and len(self._queue) < QUEUE_FRAMES
+        return super()._has_work() and len(self._queue) < QUEUE_FRAMES
 
     def _forget(self) -> None:
         self._queue.clear()
         self._taken = None
 
-    def _open(self) -> None:
-        self._decoder = VideoDecoder(self._path)
-
-    def _close(self) -> None:
-        if hasattr(self, "_decoder"):
-            self._decoder.close()
-
-    def _seek(self, media_s: float) -> None:
-        self._decoder.seek(media_s)
+    def _open(self) -> VideoDecoder:
+        return VideoDecoder(self._path)
 
     def _decode(self) -> None:
         frame = self._decoder.next_frame()
@@ -191,47 +187,31 @@ class VideoFeeder(Feeder):
                 self._wake.notify_all()
 
 
-class AudioFeeder(Feeder):
-    """Decodes sound into the ring of the output."""
+class AudioFeeder(Feeder[AudioDecoder]):
+    """Decodes sound into the ring of the output, at the speed that the ring has."""
 
     def __init__(self, path: Path, ring: AudioRing) -> None:
         super().__init__("audio-decoder", path)
         self._ring = ring
-        self._speed = self._speed_now = 1.0
+        self._speed = 1.0
         self._tempo: TempoFilter | None = None
         self._ready: deque[AudioBlock] = deque()
 
-    def set_speed(self, speed: float) -> None:
-        """Play at this speed, keeping the pitch, from the next `request` on."""
-        self._speed = speed
-
     def hurry(self) -> None:
-        """Fill the ring now: the reader stands elsewhere in it."""
+        """Fill the ring now: the reader is elsewhere in it."""
         with self._wake:
             self._wake.notify_all()
 
-    def _has_work(self) -> bool:
-        return not self.is_at_end
-
-    def _forget(self) -> None:
-        """The ring itself drops what is stale."""
-
-    def _open(self) -> None:
-        self._decoder = AudioDecoder(
-            self._path, rate_hz=self._ring.rate_hz, channels=CHANNELS
-        )
-
-    def _close(self) -> None:
-        if hasattr(self, "_decoder"):
-            self._decoder.close()
+    def _open(self) -> AudioDecoder:
+        return AudioDecoder(self._path, rate_hz=self._ring.rate_hz, channels=CHANNELS)
 
     def _seek(self, media_s: float) -> None:
-        self._decoder.seek(media_s)
+        super()._seek(media_s)
         self._ready.clear()
-        self._speed_now = self._speed
+        self._speed = self._ring.speed
         self._tempo = None
-        if self._speed_now != 1.0:
-            self._tempo = TempoFilter(self._speed_now, self._ring.rate_hz)
+        if self._speed != 1.0:
+            self._tempo = TempoFilter(self._speed, self._ring.rate_hz)
 
     def _next_block(self) -> AudioBlock | None:
         """Return the next block at the speed, None at the end."""
@@ -251,7 +231,7 @@ class AudioFeeder(Feeder):
         while len(samples):
             taken = self._ring.write(self._epoch, media_s, samples)
             samples = samples[taken:]
-            media_s += taken / self._ring.rate_hz * self._speed_now
+            media_s += taken / self._ring.rate_hz * self._speed
             if len(samples) and not self._wait_for_room():
                 return
 

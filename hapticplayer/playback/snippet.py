@@ -1,8 +1,8 @@
-"""A few seconds of a clip's sound, with ticks where a log felt knocks, played once."""
+"""A few seconds of a clip's sound, with ticks at the tap marks of a log, played once."""
 
+import sys
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -45,60 +45,41 @@ def pats_sound(
             at = round((block.media_s - begin_s) * RATE_HZ)
             if at >= count:
                 break
-            _lay(heard[:, 0], at, block.samples[:, 0])
+            _add(heard[:, 0], at, block.samples[:, 0])
     loudest = float(np.abs(heard).max())
     if loudest > 0.0:
         heard *= _PEAK / loudest
     time_s = np.arange(round(_TICK_S * RATE_HZ)) / RATE_HZ
     tick = _TICK * np.sin(2 * np.pi * _TICK_HZ * time_s) * np.exp(-time_s / 0.003)
     for at_s in ticks_s:
-        _lay(heard[:, 1], round((at_s - begin_s) * RATE_HZ), tick.astype(np.float32))
+        _add(heard[:, 1], round((at_s - begin_s) * RATE_HZ), tick.astype(np.float32))
     return heard
 
 
-def _lay(target: Samples, at: int, samples: Samples) -> None:
+def _add(target: Samples, at: int, samples: Samples) -> None:
     """Add samples that begin at a row; what lies outside is left out."""
     first, last = max(0, at), min(len(target), at + len(samples))
     if last > first:
         target[first:last] += samples[first - at : last - at]
 
 
-class Output(Protocol):
-    """What a snippet needs of `sounddevice`."""
+def play(samples: Samples) -> None:
+    """Begin to play (n, 2) samples at `RATE_HZ`, in place of those that play.
 
-    def play(self, data: Samples, samplerate: int) -> None:
-        """Begin to play."""
-        ...
+    Raises:
+        OSError: when there is no output.
+    """
+    import sounddevice  # raises OSError without PortAudio
 
-    def stop(self) -> None:
-        """Be silent."""
-        ...
+    try:
+        sounddevice.play(samples, RATE_HZ)
+    except Exception as problem:
+        raise OSError(
+            Message("there is no sound output: {reason}", reason=problem)
+        ) from problem
 
 
-class Snippet:
-    """Plays samples once; a new one stops the one before."""
-
-    def __init__(self) -> None:
-        self.output: Output | None = None
-
-    def play(self, samples: Samples) -> None:
-        """Begin to play (n, 2) samples at `RATE_HZ`.
-
-        Raises:
-            OSError: when there is no output.
-        """
-        if self.output is None:
-            import sounddevice  # raises OSError without PortAudio
-
-            self.output = sounddevice
-        try:
-            self.output.play(samples, RATE_HZ)
-        except Exception as problem:
-            raise OSError(
-                Message("there is no sound output: {reason}", reason=problem)
-            ) from problem
-
-    def stop(self) -> None:
-        """Be silent."""
-        if self.output is not None:
-            self.output.stop()
+def stop() -> None:
+    """Stop what plays."""
+    if sounddevice := sys.modules.get("sounddevice"):  # else nothing has played
+        sounddevice.stop()

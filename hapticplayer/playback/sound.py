@@ -134,7 +134,6 @@ class Sound:
             return
         generation = self.ring.load(media.epoch, media_s, media.speed)
         if feeder is not None:
-            feeder.set_speed(media.speed)
             feeder.request(generation, media_s)
             if feeder.ident is None:
                 feeder.start()

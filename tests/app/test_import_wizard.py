@@ -1,8 +1,10 @@
 """The import wizard is driven as a person would, on rides that were simulated."""
 
 import dataclasses
+import sys
 import threading
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -168,22 +170,19 @@ def test_keys_move_the_log_and_the_cursor(wizard, qtbot, ride, wait_for):
     wait_for(lambda: (page.frame.shown_s or 0.0) > cursor_s)
 
 
-def test_the_pats_are_heard_left_and_ticked_right(wizard, ride, wait_for):
+def test_the_pats_are_heard_left_and_ticked_right(wizard, ride, wait_for, monkeypatch):
     folder, made = ride
     played = []
 
-    class Output:
-        def play(self, data, samplerate) -> None:
-            assert samplerate == 48_000
-            played.append(data)
+    def play(data, samplerate):
+        assert samplerate == 48_000
+        played.append(data)
 
-        def stop(self) -> None:
-            played.append(None)
-
+    output = SimpleNamespace(play=play, stop=lambda: played.append(None))
+    monkeypatch.setitem(sys.modules, "sounddevice", output)
     wizard.take([folder / "ride.mp4", folder / "log.csv"])
     wait_for(wizard.next.isEnabled)
     wizard.next.click()
-    wizard.sync.snippet.output = Output()
     wizard.sync.hear.click()
     wait_for(lambda: bool(played))
     begin_s = wizard.sync.strip.view_s[0]

@@ -6,9 +6,13 @@ import numpy as np
 import pytest
 
 from hapticplayer.clock import SystemClock
+from hapticplayer.media.clip_info import probe
+from hapticplayer.media.encode import write_clip
+from hapticplayer.media.frames import FrameConverter
 from hapticplayer.playback import sound
 from hapticplayer.playback.clock import Source
 from hapticplayer.playback.phases import Phase
+from tests.unit.playback.conftest import Theatre
 
 FRAME_S = 1 / 25
 LATENCY_S = 0.12
@@ -161,8 +165,6 @@ def test_a_feedback_that_is_not_there_changes_nothing(theatre):
 
 
 def test_closing_ends_all_threads(clip):
-    from tests.unit.playback.conftest import Theatre
-
     before = set(threading.enumerate())
     made = Theatre(clip)
     made.player.play()
@@ -265,3 +267,24 @@ def test_when_the_picture_stops_the_force_does_until_it_is_back(theatre, monkeyp
     theatre.run(0.1)
     assert tracks()[-1] == "realistic"
     assert player.snapshot().phase is Phase.PLAYING
+
+
+def test_every_frame_of_a_4k_clip_is_shown_in_order(tmp_path):
+    path, levels = tmp_path / "large.mp4", range(40, 200, 8)
+    frames = (np.full((2160, 3840, 3), level, np.uint8) for level in levels)
+    write_clip(path, frames, frame_rate_hz=25, is_quick=True)
+    theatre = Theatre(probe(path), with_sound=False)
+    greys, converter = [], FrameConverter()
+
+    def show(frame):
+        image = converter.convert(frame, 1280, 720)
+        greys.append(image.as_rgb()[::90, ::90].mean())
+
+    theatre.sink.show = show
+    theatre.run(0.02)  # shows the first one
+    theatre.player.play()
+    theatre.run(len(levels) / 25)
+    snapshot = theatre.player.snapshot()
+    theatre.player.close()
+    assert (snapshot.frames_shown, snapshot.frames_dropped) == (len(levels), 0)
+    assert greys == pytest.approx([levels[0], *levels], abs=2.5)
