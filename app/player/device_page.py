@@ -3,16 +3,15 @@
 from PySide6.QtCore import QCoreApplication, Qt, QTimer, Signal
 from PySide6.QtWidgets import (
     QDialog,
-    QHBoxLayout,
     QLabel,
     QProgressBar,
-    QVBoxLayout,
     QWidget,
 )
 
 from app.bridge.languages import translated
 from app.player.health import device_name, stop_reason
 from app.widgets.buttons import text_button
+from app.widgets.layout import STRETCH, fill_page, paragraph, row_of
 from app.widgets.texts import local
 from hapticplayer.clock import Clock
 from hapticplayer.devices import find_device
@@ -89,7 +88,7 @@ class DevicePage(QDialog):
         self._player: ForcePlayer | None = None
         self._unhomed_polls = 0
         self._track, self._steps = demonstration(find_device(device).capabilities)
-        self.sign, self.text = QLabel(), QLabel()
+        self.sign, self.text = QLabel(), paragraph(is_centred=True, lines=4)
         self.progress = QProgressBar()
         self.start_button = text_button(
             self.tr("Start"), self.tr("Feel every direction, gentle first"), "primary"
@@ -147,25 +146,13 @@ class DevicePage(QDialog):
         font.setPixelSize(_SIGN_PX)
         self.sign.setFont(font)
         self.sign.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        self.text.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        self.text.setWordWrap(True)
-        self.text.setMinimumHeight(4 * self.text.fontMetrics().lineSpacing())
         self.progress.setTextVisible(False)
         self.progress.setRange(0, 1000)
         self.progress.setAccessibleName(self.tr("Progress"))
         close = text_button(self.tr("Close"), self.tr("Give the device back"))
         close.clicked.connect(self.reject)
-        buttons = QHBoxLayout()
-        for button in (self.start_button, self.stop_button):
-            buttons.addWidget(button)
-        buttons.addStretch()
-        buttons.addWidget(close)
-        page = QVBoxLayout(self)
-        page.setContentsMargins(18, 16, 18, 14)
-        page.setSpacing(12)
-        for part in (self.sign, self.text, self.progress):
-            page.addWidget(part)
-        page.addLayout(buttons)
+        buttons = row_of(self.start_button, self.stop_button, STRETCH, close)
+        fill_page(self, self.sign, self.text, self.progress, buttons)
 
     def _poll(self) -> None:
         player = self._player

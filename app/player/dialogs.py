@@ -11,9 +11,7 @@ from PySide6.QtCore import QCoreApplication, QObject, QSize, Qt, Signal
 from PySide6.QtWidgets import (
     QDialog,
     QFileDialog,
-    QHBoxLayout,
     QLabel,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -29,6 +27,7 @@ from app.widgets.files import (
     settings_filter,
     video_filter,
 )
+from app.widgets.layout import STRETCH, column_of, fill_page, paragraph, row_of
 from app.widgets.theme import icon
 from hapticplayer import __version__
 from hapticplayer.clock import Clock
@@ -49,10 +48,12 @@ _TEXT_PX = 320
 
 def about_dialog(parent: QWidget) -> QDialog:
     """Return a dialog that says what this is."""
-    dialog, column = _dialog(parent, translate("Help", "About hapticplayer"))
+    dialog = QDialog(parent)
+    dialog.setWindowTitle(translate("Help", "About hapticplayer"))
+    dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
     picture = QLabel()
     picture.setPixmap(icon("hapticplayer").pixmap(QSize(56, 56)))
-    text = QLabel(
+    text = paragraph(
         translate(
             "Help",
             "<b>hapticplayer {version}</b><p>Plays a video and lets you feel the "
@@ -62,36 +63,14 @@ def about_dialog(parent: QWidget) -> QDialog:
         ).format(version=__version__)
     )
     text.setTextFormat(Qt.TextFormat.RichText)
-    text.setWordWrap(True)
     text.setMinimumWidth(_TEXT_PX)
     # a dialog asks for the height of its texts at another width than they get
     text.setMinimumHeight(text.heightForWidth(_TEXT_PX))
-    row = QHBoxLayout()
-    row.setSpacing(16)
-    row.addWidget(picture, 0, Qt.AlignmentFlag.AlignTop)
-    row.addWidget(text, 1)
-    column.addLayout(row)
-    return _closed_by_button(dialog, column)
-
-
-def _dialog(parent: QWidget, title: str) -> tuple[QDialog, QVBoxLayout]:
-    dialog = QDialog(parent)
-    dialog.setWindowTitle(title)
-    dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-    column = QVBoxLayout(dialog)
-    column.setContentsMargins(18, 16, 18, 14)
-    column.setSpacing(14)
-    return dialog, column
-
-
-def _closed_by_button(dialog: QDialog, column: QVBoxLayout) -> QDialog:
     close = text_button(translate("Help", "Close"), "")
     close.setDefault(True)
     close.clicked.connect(dialog.accept)
-    row = QHBoxLayout()
-    row.addStretch(1)
-    row.addWidget(close)
-    column.addLayout(row)
+    about = row_of(column_of(picture, STRETCH), (text, 1), spacing=16)
+    fill_page(dialog, about, row_of(STRETCH, close), spacing=14)
     return dialog
 
 

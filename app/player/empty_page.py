@@ -1,17 +1,16 @@
 """What the window shows while nothing is open."""
 
-from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtCore import QSize, Signal
 from PySide6.QtGui import QPainter, QPaintEvent, QResizeEvent
 from PySide6.QtWidgets import (
     QHBoxLayout,
-    QLabel,
     QSizePolicy,
-    QVBoxLayout,
     QWidget,
 )
 
 from app.widgets import theme
 from app.widgets.buttons import text_button
+from app.widgets.layout import STRETCH, column_of, paragraph, row_of
 from app.widgets.theme import icon
 
 _PICTURE_PX, _LEAST_PICTURE_PX = 72, 32  # a smaller one is left out
@@ -33,27 +32,18 @@ class EmptyPage(QWidget):
 
     def __init__(self) -> None:
         super().__init__()
-        column = QVBoxLayout(self)
-        column.setContentsMargins(16, 8, 16, 8)
-        column.setSpacing(12)
-        column.addStretch(1)
-        column.addWidget(_Picture())
-        title = QLabel(self.tr("Feel the motion of what you watch"))
+        title = paragraph(self.tr("Feel the motion of what you watch"), is_centred=True)
         title.setFont(theme.scaled(self.font(), 1.6, bold=True))
-        text = QLabel(
+        text = paragraph(
             self.tr(
                 "Open a sequence or a video, or drop one here. A video alone plays "
                 "without force; import it with its motion to feel it."
-            )
+            ),
+            theme.DIM,
+            is_centred=True,
         )
-        text.setStyleSheet(f"color: {theme.DIM};")
-        for label in (title, text):
-            label.setAlignment(Qt.AlignmentFlag.AlignCenter)
-            label.setWordWrap(True)
-            column.addWidget(label)
-        column.addSpacing(6)
-        column.addLayout(self._buttons())
-        column.addStretch(2)
+        parts = (STRETCH, _Picture(), title, text, 6, self._buttons())
+        column_of(*parts, spacing=12, margins=(16, 8, 16, 8), of=self).addStretch(2)
 
     def _buttons(self) -> QHBoxLayout:
         self.demo = text_button(
@@ -82,14 +72,8 @@ class EmptyPage(QWidget):
         self.open.clicked.connect(self.open_clicked)
         self.library.clicked.connect(self.library_clicked)
         self.import_recording.clicked.connect(self.import_clicked)
-        row = QHBoxLayout()
-        row.setSpacing(10)
-        row.addStretch(1)
         ways = (self.demo, self.open, self.library, self.import_recording, self.device)
-        for button in ways:
-            row.addWidget(button)
-        row.addStretch(1)
-        return row
+        return row_of(STRETCH, *ways, STRETCH, spacing=10)
 
     def minimumSizeHint(self) -> QSize:
         """Return the room for all lines at this width, without the picture."""

@@ -5,12 +5,10 @@ from PySide6.QtWidgets import (
     QAbstractItemView,
     QDialog,
     QGridLayout,
-    QHBoxLayout,
     QHeaderView,
     QLabel,
     QTableWidget,
     QTableWidgetItem,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -18,7 +16,14 @@ from app.player import health
 from app.player.session import Session
 from app.widgets import theme
 from app.widgets.buttons import set_role, text_button
-from app.widgets.layout import BESIDE, resize_within_screen
+from app.widgets.layout import (
+    BESIDE,
+    STRETCH,
+    fill_page,
+    paragraph,
+    resize_within_screen,
+    row_of,
+)
 from hapticplayer.clock import Clock
 from hapticplayer.devices import NO_DEVICE, find_device
 from hapticplayer.errors import HapticPlayerError
@@ -100,7 +105,7 @@ class FaultPanel(QDialog):
         super().__init__(parent)
         self._clock, self._session = clock, session
         self._followed: tuple[int, float] | None = None  # row of the table, since when
-        self.state, self.hint = QLabel(), QLabel()
+        self.state, self.hint = QLabel(), paragraph("", theme.DIM)
         self.table = QTableWidget(0, 4)
         self.buttons = {
             name: text_button(fault_text(name), expected(name)) for name in names()
@@ -155,8 +160,6 @@ class FaultPanel(QDialog):
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         resize_within_screen(self, _WIDTH_PX, _HEIGHT_PX)
         self.state.setFont(theme.scaled(self.font(), 1.2, bold=True))
-        self.hint.setWordWrap(True)
-        self.hint.setStyleSheet(f"color: {theme.DIM};")
         grid = QGridLayout()
         for place, (name, button) in enumerate(self.buttons.items()):
             button.clicked.connect(lambda _=False, name=name: self.inject(name))
@@ -166,19 +169,8 @@ class FaultPanel(QDialog):
         self.again.clicked.connect(self.start)
         close = text_button(self.tr("Close"), self.tr("No faults any more"))
         close.clicked.connect(self.reject)
-        row = QHBoxLayout()
-        for button in (self.rearm, self.again):
-            row.addWidget(button)
-        row.addStretch(1)
-        row.addWidget(close)
-        column = QVBoxLayout(self)
-        column.setContentsMargins(18, 16, 18, 14)
-        column.setSpacing(12)
-        for part in (self.state, self.hint):
-            column.addWidget(part)
-        column.addLayout(grid)
-        column.addWidget(self.table, 1)
-        column.addLayout(row)
+        buttons = row_of(self.rearm, self.again, STRETCH, close)
+        fill_page(self, self.state, self.hint, grid, (self.table, 1), buttons)
 
     def _lay_out_table(self) -> None:
         self.table.setHorizontalHeaderLabels(

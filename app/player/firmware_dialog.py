@@ -4,12 +4,13 @@ from collections.abc import Callable
 from pathlib import Path
 
 from PySide6.QtCore import QCoreApplication, Qt
-from PySide6.QtWidgets import QDialog, QHBoxLayout, QLabel, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QDialog, QWidget
 
 from app.bridge.languages import translated
 from app.player import setup_texts
 from app.widgets.buttons import text_button
 from app.widgets.files import file_dialog
+from app.widgets.layout import STRETCH, fill_page, paragraph, row_of
 from hapticplayer.devices.falcon import firmware
 from hapticplayer.errors import HapticPlayerError, message_of
 
@@ -72,22 +73,13 @@ class Question(QDialog):
         super().__init__(parent)
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.setWindowTitle(translate("FirmwareDialog", "The Falcon's firmware"))
-        self.text = QLabel(text)
-        self.text.setWordWrap(True)
+        self.text = paragraph(text)
         self.text.setMinimumWidth(_WIDTH_PX)
         self.yes = text_button(yes, "", "primary")
         self.no = text_button(translate("FirmwareDialog", "Cancel"), "")
         self.yes.clicked.connect(self.accept)
         self.no.clicked.connect(self.reject)
-        row = QHBoxLayout()
-        row.addStretch(1)
-        row.addWidget(self.no)
-        row.addWidget(self.yes)
-        column = QVBoxLayout(self)
-        column.setContentsMargins(18, 16, 18, 14)
-        column.setSpacing(14)
-        column.addWidget(self.text)
-        column.addLayout(row)
+        fill_page(self, self.text, row_of(STRETCH, self.no, self.yes), spacing=14)
 
 
 def _ask(parent: QWidget, text: str, yes: str, agreed: Callable[[], None]) -> None:

@@ -3,11 +3,11 @@
 from typing import NamedTuple
 
 from PySide6.QtGui import QResizeEvent
-from PySide6.QtWidgets import QFrame, QHBoxLayout, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QFrame, QWidget
 
 from app.player.health import Level, Reading, level_word, readings
 from app.widgets import theme
-from app.widgets.layout import ElidedLabel
+from app.widgets.layout import ElidedLabel, column_of, row_of
 from app.widgets.texts import titled
 from hapticplayer.playback.snapshot import Measurements, Snapshot
 
@@ -26,23 +26,16 @@ class _Column(NamedTuple):
 class HealthEntry(QWidget):
     """A title, and under it a sign and a value."""
 
-    def __init__(self, column: _Column) -> None:
+    def __init__(self, of: _Column) -> None:
         super().__init__()
-        self._title, self._tip = column.title, column.tip
-        title = self._name = ElidedLabel(column.title, theme.DIM)
+        self._title, self._tip = of.title, of.tip
+        title = self._name = ElidedLabel(of.title, theme.DIM)
         title.setFont(theme.scaled(self.font(), 0.85))
         self._sign = ElidedLabel("\u25cb", theme.DIM)
         self._sign.fix_width(self.fontMetrics().horizontalAdvance("\u25a0") + 2)
         self._value = ElidedLabel("\u2013")
-        row = QHBoxLayout()
-        row.setSpacing(_APART_PX)
-        row.addWidget(self._sign)
-        row.addWidget(self._value, 1)
-        both = QVBoxLayout(self)
-        both.setContentsMargins(0, 0, 0, 0)
-        both.setSpacing(1)
-        both.addWidget(title)
-        both.addLayout(row)
+        value = row_of(self._sign, (self._value, 1), spacing=_APART_PX)
+        column_of(title, value, spacing=1, of=self)
 
     def set_letters(self, factor: float) -> None:
         """Take letters of this share of the usual size."""
@@ -84,16 +77,14 @@ class HealthLine(QFrame):
             f"border: 0; border-top: 1px solid {theme.BORDER}; }}"
         )
         self.setAccessibleName(self.tr("Health"))
-        row = self._row = QHBoxLayout(self)
-        row.setContentsMargins(12, 4, 12, 5)
-        row.setSpacing(_BETWEEN_PX)
+        self._row = row_of(spacing=_BETWEEN_PX, margins=(12, 4, 12, 5), of=self)
         self.entries = []
         self._rooms_px = []
-        for column in self._columns():
-            entry = HealthEntry(column)
-            wide = max(column.widest, column.title, key=len)
+        for one in self._columns():
+            entry = HealthEntry(one)
+            wide = max(one.widest, one.title, key=len)
             room_px = self.fontMetrics().horizontalAdvance(wide) + _SIGN_ROOM_PX
-            row.addWidget(entry, room_px)
+            self._row.addWidget(entry, room_px)
             self.entries.append(entry)
             self._rooms_px.append(room_px)
         self._needed_px = [0] * len(self.entries)

@@ -5,14 +5,11 @@ from PySide6.QtGui import QKeySequence
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QDialog,
-    QHBoxLayout,
     QHeaderView,
     QKeySequenceEdit,
-    QLabel,
     QLineEdit,
     QTableWidget,
     QTableWidgetItem,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -27,7 +24,14 @@ from app.player.commands import (
     texts,
 )
 from app.widgets.buttons import text_button
-from app.widgets.layout import BESIDE, resize_within_screen
+from app.widgets.layout import (
+    BESIDE,
+    STRETCH,
+    fill_page,
+    paragraph,
+    resize_within_screen,
+    row_of,
+)
 
 _WIDTH_PX, _HEIGHT_PX = 520, 560
 _FIELD_MARGIN_PX = 36
@@ -68,8 +72,7 @@ class KeysDialog(QDialog):
             self.tr("Reset all"), self.tr("Give every command its first keys again")
         )
         self.close_button = text_button(self.tr("Close"), "")
-        self.note = QLabel()
-        self.note.setWordWrap(True)
+        self.note = paragraph()
         self._lay_out()
         self.assign.clicked.connect(self._on_assign)
         self.reset.clicked.connect(self._on_reset)
@@ -97,21 +100,14 @@ class KeysDialog(QDialog):
         return table
 
     def _lay_out(self) -> None:
-        column = QVBoxLayout(self)
-        column.setContentsMargins(18, 16, 18, 14)
-        column.setSpacing(10)
-        column.addWidget(self.table, 1)
-        row = QHBoxLayout()
-        row.addWidget(self.key, 1)
-        row.addWidget(self.assign)
-        row.addWidget(self.reset)
-        column.addLayout(row)
-        column.addWidget(self.note)
-        last = QHBoxLayout()
-        last.addWidget(self.reset_all)
-        last.addStretch(1)
-        last.addWidget(self.close_button)
-        column.addLayout(last)
+        fill_page(
+            self,
+            (self.table, 1),
+            row_of((self.key, 1), self.assign, self.reset),
+            self.note,
+            row_of(self.reset_all, STRETCH, self.close_button),
+            spacing=10,
+        )
 
     def refresh(self) -> None:
         """Show the keys as they are."""

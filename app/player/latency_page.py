@@ -10,10 +10,8 @@ from PySide6.QtWidgets import (
     QDialog,
     QDoubleSpinBox,
     QGridLayout,
-    QHBoxLayout,
     QLabel,
     QRadioButton,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -34,7 +32,15 @@ from app.player.health import device_name, stop_reason
 from app.player.video_surface import SurfaceSink, VideoSurface
 from app.widgets import theme
 from app.widgets.buttons import text_button
-from app.widgets.layout import ElidedLabel, framed, indent
+from app.widgets.layout import (
+    STRETCH,
+    ElidedLabel,
+    fill_page,
+    framed,
+    indent,
+    paragraph,
+    row_of,
+)
 from hapticplayer.clock import Clock
 from hapticplayer.devices import NO_DEVICE
 from hapticplayer.errors import HapticPlayerError, message_of
@@ -315,9 +321,7 @@ class LatencyPage(QDialog):
             button.installEventFilter(self)
         for row in self.rows.values():
             row.number.installEventFilter(self)
-        self.told = QLabel()
-        self.told.setWordWrap(True)
-        self.told.setMinimumHeight(4 * self.told.fontMetrics().lineSpacing())
+        self.told = paragraph(lines=4)
         self.start_button = text_button(
             self.tr("Start"), self.tr("Play a beat each second"), "primary"
         )
@@ -364,22 +368,13 @@ class LatencyPage(QDialog):
             name = self.names[part]
             for column, widget in enumerate((row.choice, row.number, name, row.told)):
                 table.addWidget(widget, line, column)
-        buttons = QHBoxLayout()
         close = text_button(self.tr("Cancel"), self.tr("Change nothing"))
         close.clicked.connect(self.reject)
-        for button in (self.start_button, self.stop_button, self.tap_button):
-            buttons.addWidget(button)
-        buttons.addStretch()
-        buttons.addWidget(self.use_button)
-        buttons.addWidget(close)
-        page = QVBoxLayout(self)
-        page.setContentsMargins(18, 16, 18, 14)
-        page.setSpacing(12)
-        page.addWidget(framed(self.surface))
-        page.addWidget(self.told)
-        page.addLayout(table)
-        page.addStretch()
-        page.addLayout(buttons)
+        buttons = row_of(
+            *(self.start_button, self.stop_button, self.tap_button),
+            *(STRETCH, self.use_button, close),
+        )
+        fill_page(self, framed(self.surface), self.told, table, STRETCH, buttons)
 
     def _show_known(self) -> None:
         """Begin with what was measured before."""

@@ -7,9 +7,10 @@ import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import QObject, QPoint, Qt
 from PySide6.QtGui import QImage, QPixmap
-from PySide6.QtWidgets import QLabel, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QLabel, QWidget
 
 from app.bridge.jobs import Job, in_child
+from app.widgets.layout import column_of
 from app.widgets.seek_slider import SeekSlider
 from app.widgets.texts import time_text
 from hapticplayer.devices import NO_DEVICE
@@ -82,11 +83,7 @@ class ThumbnailTip(QWidget):
         self.setStyleSheet(_STYLE)
         self.picture, self.time = QLabel(), QLabel()
         self.time.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        column = QVBoxLayout(self)
-        column.setContentsMargins(4, 4, 4, 2)
-        column.setSpacing(2)
-        column.addWidget(self.picture)
-        column.addWidget(self.time)
+        column_of(self.picture, self.time, spacing=2, margins=(4, 4, 4, 2), of=self)
         self._over = over
         self.hide()
 

@@ -7,10 +7,8 @@ from PySide6.QtGui import QFontMetrics
 from PySide6.QtWidgets import (
     QComboBox,
     QDialog,
-    QHBoxLayout,
     QLabel,
     QProgressBar,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -23,6 +21,7 @@ from app.player.homing_view import HomingPicture, Ways, view_of
 from app.player.setup_texts import Trouble, trouble
 from app.widgets import theme
 from app.widgets.buttons import text_button
+from app.widgets.layout import STRETCH, fill_page, paragraph, row_of
 from app.widgets.texts import PERCENT
 from hapticplayer.clock import Clock
 from hapticplayer.devices import NO_DEVICE
@@ -70,7 +69,8 @@ class SetupPage(QDialog):
         self._ways, self._result = Ways(), 0
         self._is_ending = False
         self.picture, self.device = HomingPicture(), QComboBox()
-        self.title, self.text, self.bar = QLabel(), QLabel(), QProgressBar()
+        self.title = paragraph(is_centred=True)
+        self.text, self.bar = paragraph(is_centred=True, lines=4), QProgressBar()
         self._make_buttons()
         self._lay_out()
         self._fill(device if device != NO_DEVICE else plugged.falcons()[0][0])
@@ -167,31 +167,19 @@ class SetupPage(QDialog):
         self.bar.setRange(0, 100)
         self.bar.setFormat(PERCENT)
         self.bar.setAccessibleName(self.tr("Progress"))
-        for label in (self.title, self.text):
-            label.setAlignment(Qt.AlignmentFlag.AlignCenter)
-            label.setWordWrap(True)
-        lines = 4 * self.text.fontMetrics().lineSpacing()
-        self.text.setMinimumHeight(lines)
         # two of the title's: a window that is open does not grow for a second one
         self.title.setMinimumHeight(2 * QFontMetrics(self.title.font()).lineSpacing())
         caption = QLabel(self.tr("Device"))
         caption.setBuddy(self.device)
-        top, buttons = QHBoxLayout(), QHBoxLayout()
-        top.addWidget(caption)
-        top.addWidget(self.device, 1)
-        for button in (self.firmware, self.forces):
-            buttons.addWidget(button)
-        buttons.addStretch(1)
-        for button in (self.close_button, self.use):
-            buttons.addWidget(button)
-        column = QVBoxLayout(self)
-        column.setContentsMargins(18, 16, 18, 14)
-        column.setSpacing(12)
-        column.addLayout(top)
-        column.addWidget(self.picture, 1)
-        for part in (self.title, self.text, self.bar):
-            column.addWidget(part)
-        column.addLayout(buttons)
+        fill_page(
+            self,
+            row_of(caption, (self.device, 1)),
+            (self.picture, 1),
+            self.title,
+            self.text,
+            self.bar,
+            row_of(self.firmware, self.forces, STRETCH, self.close_button, self.use),
+        )
 
     def _fill(self, current: str) -> None:
         self.device.clear()

@@ -7,18 +7,16 @@ from PySide6.QtGui import QStandardItemModel
 from PySide6.QtWidgets import (
     QComboBox,
     QFrame,
-    QHBoxLayout,
     QLabel,
     QSizePolicy,
     QSlider,
-    QVBoxLayout,
     QWidget,
 )
 
 from app.player.choices import Choice
 from app.widgets import theme
 from app.widgets.buttons import ICON_PX, set_role, text_button, tool_button
-from app.widgets.layout import ElidedLabel
+from app.widgets.layout import STRETCH, ElidedLabel, column_of, row_of
 from app.widgets.seek_slider import SeekSlider
 from app.widgets.texts import local, position_text
 from app.widgets.theme import control_icon
@@ -100,27 +98,16 @@ class Transport(QFrame):
 
     def _lay_out(self) -> None:
         self.stop.setFixedWidth(self._widest_stop_px())
-        column = QVBoxLayout(self)
-        column.setContentsMargins(8, 4, 12, 8)
-        column.setSpacing(4)
-        column.addWidget(self.slider)
-        row = QHBoxLayout()
-        row.setContentsMargins(4, 0, 0, 0)
-        row.setSpacing(10)
-        row.addWidget(self.play)
-        row.addWidget(self.stop)
-        row.addWidget(self.time)
-        row.addWidget(self.speed)
-        row.addStretch(1)
-        row.addWidget(self.mute)
-        row.addWidget(self.volume)
-        row.addSpacing(6)
-        for combo in (self.feedback, self.device):
-            row.addWidget(_caption(combo))
-            row.addWidget(combo, _BEFORE_THE_GAP)
-            row.addSpacing(6)
-        row.addWidget(self.fullscreen)
-        column.addLayout(row)
+        controls = row_of(
+            *(self.play, self.stop, self.time, self.speed, STRETCH),
+            *(self.mute, self.volume, 6),
+            *(_caption(self.feedback), (self.feedback, _BEFORE_THE_GAP), 6),
+            *(_caption(self.device), (self.device, _BEFORE_THE_GAP), 6),
+            self.fullscreen,
+            spacing=10,
+            margins=(4, 0, 0, 0),
+        )
+        column_of(self.slider, controls, spacing=4, margins=(8, 4, 12, 8), of=self)
 
     def _widest_stop_px(self) -> int:
         texts = (self._stop_text(is_stopped=False), self._stop_text(is_stopped=True))

@@ -4,6 +4,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent
 from PySide6.QtWidgets import (
     QMainWindow,
+    QSplitter,
     QStackedWidget,
     QWidget,
 )
@@ -12,7 +13,7 @@ from app.bridge.desktop import Desktop
 from app.bridge.pump import Cadence, Pump
 from app.bridge.settings import Settings
 from app.experimenter.study_menu import StudyMenu
-from app.player import choices, layout
+from app.player import choices
 from app.player.commands import Actions
 from app.player.dialogs import Dialogs
 from app.player.display import Display, PlotsPlace
@@ -26,6 +27,7 @@ from app.player.sync_plot import SyncPlot
 from app.player.transport import Transport
 from app.player.video_surface import VideoSurface
 from app.widgets.files import dropped_paths
+from app.widgets.layout import column_of
 from app.widgets.messages import JobBar, MessageBar
 from app.widgets.theme import icon
 from hapticplayer.clock import Clock
@@ -39,6 +41,8 @@ LEAST_PICTURE_PX = 150  # high, also on a screen of 540 with all that can be sho
 DRAW_HZ = 30.0  # what is shown beside the picture needs no more
 WATCH_HZ = 15.0
 LONGEST_TITLE_PX = 600
+PLOTS_PX, _STAGE_PX = 190, 600  # only the proportion counts
+_HANDLE_PX = 3
 DEVICE = "device"
 
 
@@ -131,9 +135,19 @@ class PlayerWindow(QMainWindow):
         self.surface.setMinimumHeight(LEAST_PICTURE_PX)
         self.stage.addWidget(self.empty_page)
         self.stage.addWidget(self.surface)
-        above: list[QWidget] = [self.messages, self.job_bar]
-        below: list[QWidget] = [self.transport, self.sync_plot, self.health]
-        self._middle = layout.arrange(self, above, self.stage, self.plots, below)
+        splitter = QSplitter(Qt.Orientation.Vertical)
+        for part in (self.stage, self.plots):  # a person may make the plots higher
+            splitter.addWidget(part)
+        splitter.setStretchFactor(0, 1)
+        splitter.setChildrenCollapsible(False)
+        splitter.setHandleWidth(_HANDLE_PX)
+        splitter.setSizes([_STAGE_PX, PLOTS_PX])
+        middle = QWidget()
+        above, below = (self.messages, self.job_bar), (self.sync_plot, self.health)
+        self._middle = column_of(
+            *(*above, (splitter, 1), self.transport, *below), spacing=0, of=middle
+        )
+        self.setCentralWidget(middle)
 
     def _connect(self) -> None:
         session, transport, page = self.session, self.transport, self.empty_page

@@ -4,11 +4,9 @@ from collections.abc import Generator
 
 from PySide6.QtCore import QCoreApplication, Qt, Signal
 from PySide6.QtWidgets import (
-    QHBoxLayout,
     QLabel,
     QSizePolicy,
     QSplitter,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -28,6 +26,7 @@ from app.plots.series import (
     thin,
 )
 from app.widgets import theme
+from app.widgets.layout import column_of, row_of
 from hapticplayer.playback.snapshot import Snapshot, TicksSince
 from hapticplayer.playback.source import Source
 
@@ -154,9 +153,7 @@ class PlotPanel(QWidget):
         self._row = QSplitter(Qt.Orientation.Horizontal)
         self._row.setChildrenCollapsible(False)
         self._row.setHandleWidth(_HANDLE_PX)
-        whole = QHBoxLayout(self)
-        whole.setContentsMargins(0, 0, 0, 0)
-        whole.addWidget(self._row)
+        row_of(self._row, of=self)
         self._fill_row()
 
     def _fill_row(self) -> None:
@@ -255,16 +252,8 @@ def _boxed(title: QWidget, content: QWidget, tool: QWidget | None = None) -> QWi
     """Return something to look at under its title."""
     box = QWidget()
     box.setStyleSheet(f"background: {theme.PANEL};")
-    line = QHBoxLayout()
-    line.setContentsMargins(10, 6, 6, 0)
-    line.addWidget(title, 1)
-    if tool is not None:
-        line.addWidget(tool)
-    column = QVBoxLayout(box)
-    column.setContentsMargins(0, 0, 0, 0)
-    column.setSpacing(0)
-    column.addLayout(line)
-    column.addWidget(content, 1)
+    line = row_of((title, 1), *([tool] if tool else []), margins=(10, 6, 6, 0))
+    column_of(line, (content, 1), spacing=0, of=box)
     return box
 
 

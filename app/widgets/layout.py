@@ -4,8 +4,12 @@ from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QColor, QPainter, QPaintEvent
 from PySide6.QtWidgets import (
     QAbstractSpinBox,
+    QBoxLayout,
     QFrame,
+    QHBoxLayout,
     QInputDialog,
+    QLabel,
+    QLayout,
     QSizePolicy,
     QVBoxLayout,
     QWidget,
@@ -13,8 +17,93 @@ from PySide6.QtWidgets import (
 
 from app.widgets import theme
 
+STRETCH = -1
+"""In place of a part: what takes the rest of the room."""
+
+Part = QWidget | QLayout | int | tuple[QWidget | QLayout, int]
+"""What a row or column is made of; a number is a gap in px, a pair has its stretch."""
+
 ASKED_PX = 460
 _INDENT_PX = 8
+
+
+def row_of(
+    *parts: Part,
+    spacing: int | None = None,
+    margins: tuple[int, int, int, int] = (0, 0, 0, 0),
+    of: QWidget | None = None,
+) -> QHBoxLayout:
+    """Return parts side by side.
+
+    Args:
+        *parts: from the left.
+        spacing: px; the style's own by default.
+        margins: left, top, right, bottom, px.
+        of: the widget that they fill.
+    """
+    made = QHBoxLayout(of) if of else QHBoxLayout()
+    _fill(made, parts, spacing, margins)
+    return made
+
+
+def column_of(
+    *parts: Part,
+    spacing: int | None = None,
+    margins: tuple[int, int, int, int] = (0, 0, 0, 0),
+    of: QWidget | None = None,
+) -> QVBoxLayout:
+    """Return parts one below the other; see `row_of`."""
+    made = QVBoxLayout(of) if of else QVBoxLayout()
+    _fill(made, parts, spacing, margins)
+    return made
+
+
+def fill_page(dialog: QWidget, *parts: Part, spacing: int = 12) -> QVBoxLayout:
+    """Fill a dialog, with the margins that all have."""
+    return column_of(*parts, spacing=spacing, margins=(18, 16, 18, 14), of=dialog)
+
+
+def _fill(
+    layout: QBoxLayout,
+    parts: tuple[Part, ...],
+    spacing: int | None,
+    margins: tuple[int, int, int, int],
+) -> None:
+    layout.setContentsMargins(*margins)
+    if spacing is not None:
+        layout.setSpacing(spacing)
+    for part in parts:
+        one, stretch = part if isinstance(part, tuple) else (part, 0)
+        if isinstance(one, QWidget):
+            layout.addWidget(one, stretch)
+        elif isinstance(one, QLayout):
+            layout.addLayout(one, stretch)
+        elif one == STRETCH:
+            layout.addStretch(1)
+        else:
+            layout.addSpacing(one)
+
+
+def paragraph(
+    text: str = "", colour: str = "", *, is_centred: bool = False, lines: int = 0
+) -> QLabel:
+    """Return a text that may have several lines.
+
+    Args:
+        text: in plain or rich text.
+        colour: other than the usual one.
+        is_centred: whether its lines are.
+        lines: for which it has room from the beginning.
+    """
+    made = QLabel(text)
+    made.setWordWrap(True)
+    if colour:
+        made.setStyleSheet(f"color: {colour};")
+    if is_centred:
+        made.setAlignment(Qt.AlignmentFlag.AlignCenter)
+    if lines:
+        made.setMinimumHeight(lines * made.fontMetrics().lineSpacing())
+    return made
 
 
 def resize_within_screen(window: QWidget, width_px: int, height_px: int) -> None:
@@ -61,9 +150,7 @@ def framed(widget: QWidget) -> QWidget:
     frame = QFrame()
     frame.setObjectName("framed")
     frame.setStyleSheet(f"QFrame#framed {{ border: 1px solid {theme.BORDER}; }}")
-    column = QVBoxLayout(frame)
-    column.setContentsMargins(0, 0, 0, 0)
-    column.addWidget(widget)
+    column_of(widget, of=frame)
     return frame
 
 

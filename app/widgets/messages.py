@@ -9,7 +9,6 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import (
     QFrame,
-    QHBoxLayout,
     QLabel,
     QProgressBar,
     QSizePolicy,
@@ -20,7 +19,7 @@ from app.bridge.jobs import JobState
 from app.bridge.languages import translated
 from app.widgets import theme
 from app.widgets.buttons import text_button
-from app.widgets.layout import ElidedLabel
+from app.widgets.layout import ElidedLabel, row_of
 from app.widgets.texts import PERCENT, job_text
 
 _LONGEST = 600
@@ -50,21 +49,17 @@ class MessageBar(QFrame):
             self.tr("Copy"), self.tr("Copy it, in English too, to report")
         )
         self.copy.clicked.connect(self._copy)
-        row = QHBoxLayout(self)
-        row.setContentsMargins(12, 6, 8, 6)
-        row.addWidget(self._sign, 0)
-        row.addWidget(self._text, 1)
-        row.addWidget(self.copy, 0)
-        row.addWidget(self._close, 0)
+        parts = (self._sign, (self._text, 1), self.copy, self._close)
+        row_of(*parts, margins=(12, 6, 8, 6), of=self)
         self.hide()
 
     def minimumSizeHint(self) -> QSize:
         """Return the room for all lines at this width; a label guesses too many."""
-        least, row = super().minimumSizeHint(), self.layout()
-        if row is None or not row.hasHeightForWidth():
+        least, parts = super().minimumSizeHint(), self.layout()
+        if parts is None or not parts.hasHeightForWidth():
             return least
         return QSize(
-            least.width(), row.totalHeightForWidth(max(least.width(), self.width()))
+            least.width(), parts.totalHeightForWidth(max(least.width(), self.width()))
         )
 
     def resizeEvent(self, event: QResizeEvent) -> None:
@@ -120,12 +115,8 @@ class JobBar(QFrame):
             self.tr("Cancel"), self.tr("Stop this work; nothing is left behind")
         )
         self._cancel.clicked.connect(self._on_cancel)
-        row = QHBoxLayout(self)
-        row.setContentsMargins(12, 6, 8, 6)
-        row.setSpacing(12)
-        row.addWidget(self._label, 1)
-        row.addWidget(self._bar)
-        row.addWidget(self._cancel)
+        parts = ((self._label, 1), self._bar, self._cancel)
+        row_of(*parts, spacing=12, margins=(12, 6, 8, 6), of=self)
         self.hide()
 
     def show_state(self, state: JobState | None, now_s: float) -> None:
