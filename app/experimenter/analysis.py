@@ -15,11 +15,8 @@ from PySide6.QtGui import (
     QTextDocument,
 )
 from PySide6.QtWidgets import (
-    QHBoxLayout,
-    QLabel,
     QMainWindow,
     QTextBrowser,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -27,7 +24,13 @@ from app.bridge.jobs import Jobs, Progress, in_child
 from app.widgets import theme
 from app.widgets.buttons import text_button
 from app.widgets.files import folder_dialog
-from app.widgets.layout import ElidedLabel, resize_within_screen
+from app.widgets.layout import (
+    ElidedLabel,
+    column_of,
+    paragraph,
+    resize_within_screen,
+    row_of,
+)
 from app.widgets.messages import JobBar, MessageBar
 from hapticplayer.clock import Clock
 from hapticplayer.errors import message_of
@@ -172,23 +175,12 @@ class AnalysisPage(QWidget):
 
     def _lay_out(self) -> None:
         self._heading = ElidedLabel(self._title)
-        language = QLabel(
-            self.tr("The report is in English, to be published as it is.")
+        text = self.tr("The report is in English, to be published as it is.")
+        top = row_of(
+            (self._heading, 1), self.save_button, self.analyse_button, spacing=8
         )
-        language.setStyleSheet(f"color: {theme.DIM};")
-        language.setWordWrap(True)
-        row = QHBoxLayout()
-        row.setSpacing(8)
-        row.addWidget(self._heading, 1)
-        row.addWidget(self.save_button)
-        row.addWidget(self.analyse_button)
-        column = QVBoxLayout(self)
-        column.setContentsMargins(12, 10, 12, 12)
-        column.setSpacing(8)
-        column.addLayout(row)
-        column.addWidget(language)
-        column.addWidget(self.job_bar)
-        column.addWidget(self.text, 1)
+        parts = (top, paragraph(text, theme.DIM), self.job_bar, (self.text, 1))
+        column_of(*parts, spacing=8, margins=(12, 10, 12, 12), of=self)
 
     def _work(self, progress: Progress) -> Report:
         progress(0.0, "reading the answers")
@@ -280,10 +272,7 @@ class AnalysisWindow(QMainWindow):
             clock,
         )
         middle = QWidget()
-        column = QVBoxLayout(middle)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.addWidget(self.messages)
-        column.addWidget(self.page, 1)
+        column_of(self.messages, (self.page, 1), of=middle)
         self.setCentralWidget(middle)
         resize_within_screen(self, WIDTH_PX, HEIGHT_PX)
 

@@ -9,7 +9,6 @@ from PySide6.QtWidgets import (
     QComboBox,
     QFrame,
     QGridLayout,
-    QHBoxLayout,
     QLabel,
     QLineEdit,
     QRadioButton,
@@ -21,7 +20,8 @@ from app.bridge.languages import translated
 from app.experimenter.import_mounting import Triad
 from app.widgets import theme
 from app.widgets.buttons import text_button
-from app.widgets.files import file_dialog, video_filter
+from app.widgets.files import dropped_paths, file_dialog, video_filter
+from app.widgets.layout import STRETCH, captioned, column_of, paragraph, row_of
 from app.widgets.texts import local, time_text, titled
 from hapticplayer.capture import formats
 from hapticplayer.capture.choices import (
@@ -66,15 +66,12 @@ class FilesPage(QWidget):
         self.format.activated.connect(
             lambda _row: self._answer([f"format={self.format.currentData()}"])
         )
-        self.facts, self.notes = QLabel(), QLabel()
+        self.facts, self.notes = paragraph(), paragraph("", theme.DIM)
         for label in (self.facts, self.notes):
-            label.setWordWrap(True)
             label.setTextFormat(Qt.TextFormat.PlainText)
             label.setAlignment(Qt.AlignmentFlag.AlignTop | Qt.AlignmentFlag.AlignLeft)
-        self.notes.setStyleSheet(f"color: {theme.DIM};")
         self.triad, self.place = Triad(), _drop_place(self.tr("Drop a recording here"))
-        self.problem = QLabel()
-        self.problem.setWordWrap(True)
+        self.problem = paragraph("", theme.BAD)
         self.problem.setTextFormat(Qt.TextFormat.PlainText)
         self.question = _Question()
         self.question.answered.connect(self._answer)
@@ -100,48 +97,31 @@ class FilesPage(QWidget):
         return field
 
     def _lay_out(self) -> None:
-        intro = QLabel(
+        intro = paragraph(
             self.tr(
                 "Drop a video here, with the log of its motion sensor if that was a "
                 "device of its own. GoPro cameras keep their motion inside the video."
-            )
+            ),
+            theme.DIM,
         )
-        intro.setWordWrap(True)
-        intro.setStyleSheet(f"color: {theme.DIM};")
         grid = QGridLayout()
         grid.setHorizontalSpacing(8)
         rows = (
             (self.tr("&Video"), self.video, self._choose_video),
             (self.tr("Motion &log"), self.log, self._choose_log),
         )
-        for row, (text, field, slot) in enumerate(rows):
-            caption = QLabel(text)
-            caption.setBuddy(field)
+        for line, (text, field, slot) in enumerate(rows):
             browse = text_button(self.tr("Choose\u2026"), field.accessibleName())
             browse.clicked.connect(slot)
-            for column, widget in enumerate((caption, field, browse)):
-                grid.addWidget(widget, row, column)
-        caption = QLabel(self.tr("&Format"))
-        caption.setBuddy(self.format)
-        grid.addWidget(caption, len(rows), 0)
-        grid.addWidget(self.format, len(rows), 1)
-        texts = QVBoxLayout()
-        texts.addWidget(self.facts)
-        texts.addWidget(self.notes)
-        texts.addWidget(self.keep, 0, Qt.AlignmentFlag.AlignLeft)
-        texts.addStretch(1)
-        found = QHBoxLayout()
-        found.addLayout(texts, 1)
-        found.addWidget(self.triad, 0, Qt.AlignmentFlag.AlignTop)
-        column_ = QVBoxLayout(self)
-        column_.setContentsMargins(0, 0, 0, 0)
-        column_.setSpacing(10)
-        column_.addWidget(intro)
-        column_.addLayout(grid)
-        column_.addWidget(self.problem)
-        column_.addWidget(self.question)
-        column_.addLayout(found, 1)
-        column_.addWidget(self.place, _ALL_THE_ROOM)
+            for place, widget in enumerate((*captioned(text, field), browse)):
+                grid.addWidget(widget, line, place)
+        for place, widget in enumerate(captioned(self.tr("&Format"), self.format)):
+            grid.addWidget(widget, len(rows), place)
+        keep = row_of(self.keep, STRETCH)
+        texts = column_of(self.facts, self.notes, keep, STRETCH)
+        found = row_of((texts, 1), column_of(self.triad, STRETCH))
+        parts = (intro, grid, self.problem, self.question, (found, 1))
+        column_of(*parts, (self.place, _ALL_THE_ROOM), spacing=10, of=self)
 
     # --- what is chosen ------------------------------------------------------
 
@@ -212,7 +192,6 @@ class FilesPage(QWidget):
             self.question.show_problem(translated(message_of(problem)))
             return
         self.problem.setText(translated(message_of(problem)))
-        self.problem.setStyleSheet(f"color: {theme.BAD};")
         self.problem.show()
 
     def show_found(self, found: Recognised) -> None:
@@ -307,16 +286,14 @@ class FilesPage(QWidget):
 
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:
         """Take files."""
-        if event.mimeData().hasUrls():
+        if dropped_paths(event.mimeData()):
             event.acceptProposedAction()
 
     def dropEvent(self, event: QDropEvent) -> None:
         """Look at what is dropped."""
-        urls = event.mimeData().urls()
-        paths = [Path(url.toLocalFile()) for url in urls if url.isLocalFile()]
         event.acceptProposedAction()
         try:
-            self.take(paths)
+            self.take(dropped_paths(event.mimeData()))
         except HapticPlayerError as problem:
             self.show_problem(problem)
 
@@ -338,11 +315,9 @@ class _Question(QFrame):
         self.setStyleSheet(
             f"QFrame#question {{ border: 1px solid {theme.WARN}; border-radius: 5px; }}"
         )
-        self.text, self.problem = QLabel(), QLabel()
+        self.text, self.problem = paragraph(), paragraph("", theme.BAD)
         for label in (self.text, self.problem):
-            label.setWordWrap(True)
             label.setTextFormat(Qt.TextFormat.PlainText)
-        self.problem.setStyleSheet(f"color: {theme.BAD};")
         self.answers = QButtonGroup(self)
         self._choices = QVBoxLayout()
         self.other = QLineEdit()
@@ -357,14 +332,9 @@ class _Question(QFrame):
             self.tr("&Template\u2026"), self.tr("Take the answers from a file")
         )
         template.clicked.connect(self.template_wanted)
-        row = QHBoxLayout()
-        for widget in (self.other, template, self.take):
-            row.addWidget(widget)
-        column = QVBoxLayout(self)
-        column.addWidget(self.text)
-        column.addLayout(self._choices)
-        column.addLayout(row)
-        column.addWidget(self.problem)
+        answer = row_of(self.other, template, self.take)
+        parts = (self.text, self._choices, answer, self.problem)
+        column_of(*parts, margins=(9, 9, 9, 9), of=self)
 
     def ask(self, question: LogQuestion) -> None:
         """Put a question."""

@@ -10,18 +10,22 @@ from PySide6.QtWidgets import (
     QComboBox,
     QDoubleSpinBox,
     QFormLayout,
-    QHBoxLayout,
-    QLabel,
     QLineEdit,
     QSizePolicy,
-    QVBoxLayout,
     QWidget,
 )
 
 from app.widgets import theme
 from app.widgets.buttons import text_button
 from app.widgets.files import folder_dialog
-from app.widgets.layout import ElidedLabel, indent
+from app.widgets.layout import (
+    STRETCH,
+    ElidedLabel,
+    column_of,
+    indent,
+    paragraph,
+    row_of,
+)
 from hapticplayer.capture.limits import UPRIGHT
 from hapticplayer.capture.mounting import (
     AS_RECORDED,
@@ -198,8 +202,7 @@ class MountingPage(QWidget):
         self.mounting.setAccessibleName(self.tr("Mounting"))
         self.device.setAccessibleName(self.tr("The device stands"))
         self.triad = Triad()
-        self.gravity = QLabel()
-        self.gravity.setWordWrap(True)
+        self.gravity = paragraph()
         self.gain = QDoubleSpinBox()
         self.gain.setAccessibleName(self.tr("Gain"))
         self.gain.setRange(0.01, 5.0)
@@ -251,9 +254,6 @@ class MountingPage(QWidget):
             self.tr("Change\u2026"), self.tr("Keep sequences in another folder")
         )
         change.clicked.connect(self._choose_library)
-        place = QHBoxLayout()
-        place.addWidget(self.place, 1)
-        place.addWidget(change)
         form = QFormLayout()
         form.setLabelAlignment(Qt.AlignmentFlag.AlignRight)
         form.setVerticalSpacing(10)
@@ -262,24 +262,16 @@ class MountingPage(QWidget):
         form.addRow(self.tr("The &device stands"), self.device)
         form.addRow(self.tr("&Gain"), self.gain)
         form.addRow(self.tr("&Title"), self.title)
-        form.addRow(self.tr("Library"), place)
-        hint = QLabel(
+        form.addRow(self.tr("Library"), row_of((self.place, 1), change))
+        hint = paragraph(
             self.tr(
                 "The drawing shows the recorder on its actor, who looks to the front; "
                 "the dashed line is where gravity says that up was."
-            )
+            ),
+            theme.DIM,
         )
-        hint.setWordWrap(True)
-        hint.setStyleSheet(f"color: {theme.DIM};")
-        beside = QVBoxLayout()
-        beside.addWidget(self.triad, 0, Qt.AlignmentFlag.AlignHCenter)
-        beside.addWidget(hint)
-        beside.addStretch(1)
-        row = QHBoxLayout(self)
-        row.setContentsMargins(0, 0, 0, 0)
-        row.setSpacing(18)
-        row.addLayout(form, 3)
-        row.addLayout(beside, 2)
+        beside = column_of(row_of(STRETCH, self.triad, STRETCH), hint, STRETCH)
+        row_of((form, 3), (beside, 2), spacing=18, of=self)
 
     def show_found(self, found: Recognised) -> None:
         """Propose the mounting in which up is up, and a title."""

@@ -8,9 +8,6 @@ from PySide6.QtWidgets import (
     QCheckBox,
     QComboBox,
     QDoubleSpinBox,
-    QHBoxLayout,
-    QLabel,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -19,7 +16,7 @@ from app.bridge.languages import translated
 from app.experimenter.sync_strip import STEP_S, ClipFrame, SyncStrip
 from app.widgets import theme
 from app.widgets.buttons import text_button
-from app.widgets.layout import indent
+from app.widgets.layout import STRETCH, captioned, column_of, indent, paragraph, row_of
 from app.widgets.texts import local
 from hapticplayer.capture.sync import methods
 from hapticplayer.capture.sync.result import Synchronisation
@@ -51,10 +48,7 @@ class SyncPage(QWidget):
         self.strip, self.frame = SyncStrip(), ClipFrame()
         self._sound: Job[Samples] | None = None
         self._recognised: Recognised | None = None
-        self.verdict, self.problem = QLabel(), QLabel()
-        for label in (self.verdict, self.problem):
-            label.setWordWrap(True)
-        self.problem.setStyleSheet(f"color: {theme.BAD};")
+        self.verdict, self.problem = paragraph(), paragraph("", theme.BAD)
         self.offset = _spin(_LONGEST_OFFSET_S, 3, STEP_S, self.tr(" s"))
         self.offset.setAccessibleName(self.tr("Offset"))
         self.offset.setToolTip(
@@ -94,53 +88,27 @@ class SyncPage(QWidget):
             self.tr("Play what is shown: the clip left, a tick at each knock right"),
         )
         self.hear.clicked.connect(self._hear)
-        row = QHBoxLayout()
-        row.setSpacing(8)
-        caption = QLabel(self.tr("&Offset"))
-        caption.setBuddy(self.offset)
-        for widget in (whole, self.near, self.hear, caption, self.offset):
-            row.addWidget(widget)
-        row.addStretch(1)
-        late = QLabel(self.tr("S&ound later than picture"))
-        late.setBuddy(self.skew)
-        how = QLabel(self.tr("&Method"))
-        how.setBuddy(self.method)
-        skew = QHBoxLayout()
-        for part in (late, self.skew, self.keep_skew, how, self.method):
-            skew.addWidget(part)
-        skew.addStretch(1)
-        self._lay_out_below(row, skew)
-
-    def _lay_out_below(self, row: QHBoxLayout, skew: QHBoxLayout) -> None:
-        hint = QLabel(
+        offset = captioned(self.tr("&Offset"), self.offset)
+        late = captioned(self.tr("S&ound later than picture"), self.skew)
+        how = captioned(self.tr("&Method"), self.method)
+        buttons = (whole, self.near, self.hear)
+        hint = paragraph(
             self.tr(
                 "Drag the acceleration until it lies under the sound; the arrow keys "
                 "move it by 1 ms, with Shift by 10 ms, with Ctrl by 100 ms. The wheel "
                 "zooms; the picture is that at the cursor, which comma and point move."
-            )
+            ),
+            theme.DIM,
         )
-        hint.setWordWrap(True)
-        hint.setStyleSheet(f"color: {theme.DIM};")
-        beside = QHBoxLayout()
-        texts = QVBoxLayout()
-        for one in (hint, row, skew, self.looked, self.problem):
-            if isinstance(one, QHBoxLayout):
-                texts.addLayout(one)
-            else:
-                texts.addWidget(one)
-        texts.addStretch(1)
-        beside.addLayout(texts, 1)
-        beside.addWidget(self.frame)
+        texts = column_of(
+            hint,
+            row_of(*buttons, *offset, STRETCH, spacing=8),
+            row_of(*late, self.keep_skew, *how, STRETCH),
+            *(self.looked, self.problem, STRETCH),
+        )
         self._body = QWidget()
-        inner = QVBoxLayout(self._body)
-        inner.setContentsMargins(0, 0, 0, 0)
-        inner.addWidget(self.strip, 1)
-        inner.addLayout(beside)
-        column = QVBoxLayout(self)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.addWidget(self.verdict)
-        column.addWidget(self._body, 1)
-        column.addStretch(0)
+        column_of((self.strip, 1), row_of((texts, 1), self.frame), of=self._body)
+        column_of(self.verdict, (self._body, 1), of=self).addStretch(0)
 
     # --- what there is -------------------------------------------------------
 

@@ -10,7 +10,6 @@ from PySide6.QtWidgets import (
     QLabel,
     QProgressBar,
     QStackedWidget,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -22,7 +21,14 @@ from app.experimenter.import_sync import SyncPage
 from app.experimenter.quality_view import QualityView
 from app.widgets import theme
 from app.widgets.buttons import text_button
-from app.widgets.layout import ElidedLabel
+from app.widgets.layout import (
+    STRETCH,
+    ElidedLabel,
+    column_of,
+    paragraph,
+    resize_within_screen,
+    row_of,
+)
 from app.widgets.texts import PERCENT, job_text
 from hapticplayer.capture.choices import LogQuestion
 from hapticplayer.errors import HapticPlayerError, message_of
@@ -59,8 +65,7 @@ class ImportWizard(QDialog):
     ) -> None:
         super().__init__(parent)
         self.setWindowTitle(self.tr("Import a recording"))
-        room = self.screen().availableGeometry()
-        self.resize(min(WIDTH_PX, room.width()), min(HEIGHT_PX, room.height()))
+        resize_within_screen(self, WIDTH_PX, HEIGHT_PX)
         self.recognised: Recognised | None = None
         self.made: Path | None = None
         self._is_leaving = False
@@ -85,18 +90,11 @@ class ImportWizard(QDialog):
         self.stack = QStackedWidget()
         for page in (self.files, self.sync, self.mounting, self.report):
             self.stack.addWidget(page)
-        self.problem = QLabel()
-        self.problem.setWordWrap(True)
+        self.problem = paragraph("", theme.BAD)
         self.problem.setTextFormat(Qt.TextFormat.PlainText)
-        self.problem.setStyleSheet(f"color: {theme.BAD};")
-        column = QVBoxLayout(self)
-        column.setContentsMargins(16, 14, 16, 14)
-        column.setSpacing(10)
-        column.addWidget(self.steps)
-        column.addWidget(self.stack, 1)
-        column.addWidget(self.problem)
-        column.addLayout(self._progress_row())
-        column.addLayout(self._button_row())
+        rows = (self._progress_row(), self._button_row())
+        parts = (self.steps, (self.stack, 1), self.problem, *rows)
+        column_of(*parts, spacing=10, margins=(16, 14, 16, 14), of=self)
 
     def _progress_row(self) -> QHBoxLayout:
         self.step, self.bar = ElidedLabel(colour=theme.DIM), QProgressBar()
@@ -108,10 +106,7 @@ class ImportWizard(QDialog):
             self.tr("&Stop"), self.tr("Stop this work; nothing is left behind")
         )
         self.stop.clicked.connect(self.jobs.cancel)
-        row = QHBoxLayout()
-        for widget in (self.step, self.bar, self.stop):
-            row.addWidget(widget, 1 if widget is self.step else 0)
-        return row
+        return row_of((self.step, 1), self.bar, self.stop)
 
     def _button_row(self) -> QHBoxLayout:
         self.another = text_button(
@@ -126,13 +121,8 @@ class ImportWizard(QDialog):
         self.next.clicked.connect(self._on_next)
         self.leave = text_button(self.tr("Close"), self.tr("Close this window"))
         self.leave.clicked.connect(self.reject)
-        row = QHBoxLayout()
-        row.setSpacing(8)
-        row.addWidget(self.leave)
-        row.addStretch(1)
-        for button in (self.another, self.back, self.next):
-            row.addWidget(button)
-        return row
+        forward = (self.another, self.back, self.next)
+        return row_of(self.leave, STRETCH, *forward, spacing=8)
 
     # --- going through the steps ---------------------------------------------
 

@@ -8,13 +8,11 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QDoubleSpinBox,
-    QHBoxLayout,
     QHeaderView,
     QLabel,
     QSlider,
     QTableWidget,
     QTableWidgetItem,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -25,7 +23,15 @@ from app.player.choices import feedbacks
 from app.widgets import theme
 from app.widgets.buttons import text_button
 from app.widgets.files import file_dialog
-from app.widgets.layout import BESIDE, ask_text, indent
+from app.widgets.layout import (
+    BESIDE,
+    STRETCH,
+    ask_text,
+    column_of,
+    indent,
+    paragraph,
+    row_of,
+)
 from app.widgets.texts import local
 from hapticplayer.errors import HapticPlayerError, message_of
 from hapticplayer.model import Feedback
@@ -97,13 +103,9 @@ class LibraryDetails(QWidget):
         self.number.setSingleStep(0.01)
         self.number.setSuffix(self.tr(" N per m/s\u00b2"))
         indent(self.number)
-        self.preview, self.problem = QLabel(), QLabel()
-        for label in (self.preview, self.problem):
-            label.setWordWrap(True)
-        self.problem.setStyleSheet(f"color: {theme.BAD};")
         # its room is kept, so that nothing jumps while the gain is moved
-        lines_px = _PREVIEW_LINES * self.preview.fontMetrics().lineSpacing()
-        self.preview.setMinimumHeight(lines_px)
+        self.preview = paragraph(lines=_PREVIEW_LINES)
+        self.problem = paragraph("", theme.BAD)
         self.preview.setAlignment(Qt.AlignmentFlag.AlignTop)
         self.problem.hide()
         self._lay_out()
@@ -121,31 +123,23 @@ class LibraryDetails(QWidget):
         self.add.clicked.connect(self._choose_csv)
         self.rename.clicked.connect(self._ask_name)
         self.remove.clicked.connect(lambda: self._edit(remove_track, self._track()))
-        tracks = QHBoxLayout()
-        for button in (self.add, self.rename, self.remove):
-            tracks.addWidget(button)
-        tracks.addStretch(1)
         self.apply = text_button(
             self.tr("Use this &gain"),
             self.tr("Make the realistic and the random track anew"),
         )
         self.apply.clicked.connect(self._set_gain)
-        gain, last = QHBoxLayout(), QHBoxLayout()
         caption = QLabel(self.tr("Gain"))
         self._changing = (self.tracks, self.add, caption, self.gain, self.number)
-        for widget in (caption, self.gain, self.number):
-            gain.addWidget(widget, 1 if widget is self.gain else 0)
-        last.addStretch(1)
-        last.addWidget(self.apply)
-        column = QVBoxLayout(self)
-        column.setContentsMargins(8, 0, 0, 0)
-        column.addWidget(self.report, 3)
-        column.addWidget(self.tracks, 2)
-        column.addLayout(tracks)
-        column.addLayout(gain)
-        column.addLayout(last)
-        column.addWidget(self.preview)
-        column.addWidget(self.problem)
+        column_of(
+            (self.report, 3),
+            (self.tracks, 2),
+            row_of(self.add, self.rename, self.remove, STRETCH),
+            row_of(caption, (self.gain, 1), self.number),
+            row_of(STRETCH, self.apply),
+            *(self.preview, self.problem),
+            margins=(8, 0, 0, 0),
+            of=self,
+        )
         self._show_gain()
         self._show_buttons()
 

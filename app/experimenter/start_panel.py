@@ -8,10 +8,8 @@ from PySide6.QtWidgets import (
     QCheckBox,
     QComboBox,
     QFormLayout,
-    QHBoxLayout,
     QLabel,
     QSpinBox,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -19,7 +17,7 @@ from app.bridge.languages import NAMES, translated
 from app.player.health import cause_text, device_name
 from app.widgets import theme
 from app.widgets.buttons import set_role, text_button
-from app.widgets.layout import indent
+from app.widgets.layout import STRETCH, fill_page, indent, paragraph, row_of
 from app.widgets.texts import local, titled
 from hapticplayer.haptics.contract import Cause
 from hapticplayer.study.orders import Balance
@@ -174,8 +172,7 @@ class StartPanel(QWidget):
         )
         set_role(self.start, "primary")
         self.start.clicked.connect(self.started)
-        self.checks, self.balance = QLabel(), QLabel()
-        self.balance.setWordWrap(True)
+        self.checks, self.balance = QLabel(), paragraph()
         self._lay_out()
 
     def _lay_out(self) -> None:
@@ -184,27 +181,13 @@ class StartPanel(QWidget):
         form = QFormLayout()
         form.addRow(self.tr("Participant"), self.who)
         form.addRow(self.tr("Language of the pages"), self.language)
-        sound = QHBoxLayout()
-        sound.setSpacing(10)
-        sound.addWidget(self.volume)
-        sound.addWidget(self.hear)
-        sound.addWidget(self.sound)
-        sound.addStretch(1)
-        form.addRow(self.tr("Sound"), sound)
+        sound = (self.volume, self.hear, self.sound)
+        form.addRow(self.tr("Sound"), row_of(*sound, STRETCH, spacing=10))
         form.addRow(self.tr("Checks"), self.checks)
         form.addRow(self.tr("Balance so far"), self.balance)
         form.setHorizontalSpacing(14)
         form.setVerticalSpacing(12)
-        column = QVBoxLayout(self)
-        column.setContentsMargins(18, 16, 18, 14)
-        column.setSpacing(12)
-        column.addLayout(form)
-        column.addStretch(1)
-        last = QHBoxLayout()
-        last.addWidget(self.override)
-        last.addStretch(1)
-        last.addWidget(self.start)
-        column.addLayout(last)
+        fill_page(self, form, STRETCH, row_of(self.override, STRETCH, self.start))
 
     def choose(self, code: str, language: str) -> None:
         """Preselect what the command line said."""

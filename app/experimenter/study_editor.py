@@ -13,19 +13,17 @@ from PySide6.QtWidgets import (
     QFileDialog,
     QFormLayout,
     QHBoxLayout,
-    QLabel,
     QLineEdit,
     QScrollArea,
     QSpinBox,
     QTabWidget,
-    QVBoxLayout,
     QWidget,
 )
 
 from app.bridge.languages import translated
 from app.widgets import theme
 from app.widgets.buttons import set_role, text_button
-from app.widgets.layout import indent, resize_within_screen
+from app.widgets.layout import fill_page, indent, paragraph, resize_within_screen
 from hapticplayer.errors import StudyError, message_of
 from hapticplayer.study.creation import change_definition
 from hapticplayer.study.definition import OrderMethod
@@ -53,9 +51,7 @@ class StudyEditor(QDialog):
         resize_within_screen(self, WIDTH_PX, HEIGHT_PX)
         self.texts: dict[tuple[str, ...], QLineEdit] = {}
         self.folders: dict[str, QLineEdit] = {}
-        self.problem = QLabel()
-        self.problem.setWordWrap(True)
-        self.problem.setStyleSheet(f"color: {theme.BAD};")
+        self.problem = paragraph("", theme.BAD)
         self.problem.hide()
         tabs = QTabWidget()
         tabs.addTab(self._general(), self.tr("General"))
@@ -69,11 +65,7 @@ class StudyEditor(QDialog):
         set_role(save, "primary")
         buttons.accepted.connect(self.save)
         buttons.rejected.connect(self.reject)
-        column = QVBoxLayout(self)
-        column.setContentsMargins(18, 16, 18, 14)
-        column.setSpacing(12)
-        for widget in (tabs, self.problem, buttons):
-            column.addWidget(widget)
+        fill_page(self, tabs, self.problem, buttons)
 
     def _general(self) -> QWidget:
         content, page = self._content, QWidget()

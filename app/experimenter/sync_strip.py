@@ -16,10 +16,11 @@ from PySide6.QtGui import (
     QPolygonF,
     QWheelEvent,
 )
-from PySide6.QtWidgets import QLabel, QSizePolicy, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QLabel, QSizePolicy, QWidget
 
 from app.bridge.jobs import Job
 from app.widgets import theme
+from app.widgets.layout import column_of
 from app.widgets.texts import local, time_text
 from hapticplayer.media.thumbnails import Thumbnail, thumbnails
 
@@ -40,11 +41,7 @@ class ClipFrame(QWidget):
         self.time.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.time.setStyleSheet(f"color: {theme.DIM};")
         self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
-        column = QVBoxLayout(self)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.setSpacing(2)
-        column.addWidget(self.picture)
-        column.addWidget(self.time)
+        column_of(self.picture, self.time, spacing=2, of=self)
         self.shown_s: float | None = None
         self._path: Path | None = None
         self._wanted_s: float | None = None

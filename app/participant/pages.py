@@ -5,7 +5,7 @@ from typing import Any
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QKeyEvent
-from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QWidget
+from PySide6.QtWidgets import QGridLayout, QLabel, QWidget
 
 from app.participant.look import FittedPage, paragraph
 from app.participant.questions import (
@@ -16,6 +16,7 @@ from app.participant.questions import (
     make_row,
 )
 from app.widgets.buttons import Button, set_role
+from app.widgets.layout import STRETCH, row_of
 from hapticplayer.study.pages import Page
 
 Word = Callable[[str], str]
@@ -45,15 +46,12 @@ class TextPage(FittedPage):
         is_short = len(page.text) < 160
         self.text = paragraph(page.text, centred=is_short)
         self.column.addWidget(self.text)
-        row = QHBoxLayout()
-        row.setContentsMargins(0, _APART_PX, 0, 0)
-        row.addStretch(1)
         self.buttons: dict[str, Button] = {}
         for name, text in buttons:
             button = self.buttons[name] = Button(text)
             button.clicked.connect(lambda _on, name=name: self.pressed.emit(name))
-            row.addWidget(button)
-        row.addStretch(1)
+        made = self.buttons.values()
+        row = row_of(STRETCH, *made, STRETCH, margins=(0, _APART_PX, 0, 0))
         self.column.addLayout(row)
         self.column.addStretch(1)
         if buttons:
@@ -112,11 +110,8 @@ class QuestionsPage(FittedPage):
         self.next = Button(word("next"))
         set_role(self.next, "primary")
         self.next.clicked.connect(self.finished)
-        last = QHBoxLayout()
-        last.addStretch(1)
-        last.addWidget(self.next)
         self.column.addStretch(1)
-        self.column.addLayout(last)
+        self.column.addLayout(row_of(STRETCH, self.next))
 
     def _replay_table(self, page: Page) -> QWidget:
         table = QWidget()

@@ -9,7 +9,6 @@ from PySide6.QtGui import QFocusEvent, QKeyEvent
 from PySide6.QtWidgets import (
     QButtonGroup,
     QFrame,
-    QHBoxLayout,
     QLabel,
     QPlainTextEdit,
     QSpinBox,
@@ -20,6 +19,7 @@ from PySide6.QtWidgets import (
 from app.participant.look import paragraph
 from app.widgets import theme
 from app.widgets.buttons import Button
+from app.widgets.layout import STRETCH, row_of
 from hapticplayer.study.definition import LIKERT, QuestionKind
 from hapticplayer.study.pages import AskedQuestion
 
@@ -109,25 +109,17 @@ class ButtonsRow(QuestionRow):
         super().__init__(asked)
         self._values = [value for value, _ in answers]
         self.group = QButtonGroup(self)
-        row = QHBoxLayout()
-        self._add_end(row, ends[0])
         for number, (_, text) in enumerate(answers):
             button = _AnswerButton(text, self.entered.emit)
             button.setCheckable(True)
             button.setAccessibleName(f"{asked.text} {text}")
             self.group.addButton(button, number)
-            row.addWidget(button, 1)
-        self._add_end(row, ends[1])
         self.group.idClicked.connect(lambda _number: self._on_clicked())
-        self.column.addLayout(row)
+        buttons = [(button, 1) for button in self.group.buttons()]
+        first = (QLabel(ends[0]), _BESIDE_PX) if ends[0] else ()
+        last = (_BESIDE_PX, QLabel(ends[1])) if ends[1] else ()
+        self.column.addLayout(row_of(*first, *buttons, *last))
         self.column.addWidget(self.missing)
-
-    def _add_end(self, row: QHBoxLayout, text: str) -> None:
-        if text:
-            is_first = row.count() == 0
-            row.addSpacing(0 if is_first else _BESIDE_PX)
-            row.addWidget(QLabel(text))
-            row.addSpacing(_BESIDE_PX if is_first else 0)
 
     def _on_clicked(self) -> None:
         self.show_missing("")
@@ -193,17 +185,15 @@ class NumberRow(QuestionRow):
         self.box.valueChanged.connect(lambda _value: self.answered.emit())
         self.box.installEventFilter(self)
         self.box.setButtonSymbols(QSpinBox.ButtonSymbols.NoButtons)
-        row = QHBoxLayout()
-        row.addWidget(self.box)
         # the box's own are too small for a finger
+        steps = []
         for sign, step in (("\u2212", self.box.stepDown), ("+", self.box.stepUp)):
             button = Button(sign)
             button.setAutoRepeat(True)
             button.setAccessibleName(f"{asked.text} {sign}")
             button.clicked.connect(step)
-            row.addWidget(button)
-        row.addStretch(1)
-        self.column.addLayout(row)
+            steps.append(button)
+        self.column.addLayout(row_of(self.box, *steps, STRETCH))
         self.column.addWidget(self.missing)
 
     def value(self) -> int | None:

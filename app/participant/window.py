@@ -5,12 +5,13 @@ from typing import Any
 
 from PySide6.QtCore import QEvent, Qt, QTimer
 from PySide6.QtGui import QCloseEvent, QGuiApplication, QKeyEvent
-from PySide6.QtWidgets import QStackedWidget, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QStackedWidget, QWidget
 
 from app.participant.look import style
 from app.participant.pages import QuestionsPage, TextPage
 from app.player.fullscreen import EscapeEverywhere
 from app.player.video_surface import VideoSurface
+from app.widgets.layout import column_of
 from hapticplayer.errors import StudyError
 from hapticplayer.study.pages import Page, PageKind
 from hapticplayer.study.runner import SessionRunner
@@ -40,9 +41,7 @@ class ParticipantWindow(QWidget):
         self._may_close = False
         self._stack = QStackedWidget()
         self._stack.addWidget(surface)
-        column = QVBoxLayout(self)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.addWidget(self._stack)
+        column_of(self._stack, of=self)
         self._guard = QTimer(self)
         self._guard.setSingleShot(True)
         self._guard.setInterval(GUARD_MS)

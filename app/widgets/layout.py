@@ -106,6 +106,13 @@ def paragraph(
     return made
 
 
+def captioned(text: str, widget: QWidget) -> tuple[QLabel, QWidget]:
+    """Return a widget behind its caption, whose mnemonic leads to it."""
+    caption = QLabel(text)
+    caption.setBuddy(widget)
+    return caption, widget
+
+
 def resize_within_screen(window: QWidget, width_px: int, height_px: int) -> None:
     """Give a window a size, or less where the screen has no room for it.
 
