@@ -104,8 +104,8 @@ def _words() -> dict[str, str]:
         "not confirmed": translate("StartPanel", "not confirmed"),
         "none": translate("StartPanel", "none"),
         "no device": translate("StartPanel", "no device"),
-        "the device has said nothing yet": translate(
-            "StartPanel", "the device has said nothing yet"
+        "no data from the device yet": translate(
+            "StartPanel", "no data from the device yet"
         ),
         "yes": translate("StartPanel", "yes"),
         "not yet": translate("StartPanel", "not yet"),

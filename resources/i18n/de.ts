@@ -225,18 +225,6 @@
 <context>
     <name>Choices</name>
     <message>
-        <source>Realistic</source>
-        <translation>Realistisch</translation>
-    </message>
-    <message>
-        <source>None</source>
-        <translation>Keins</translation>
-    </message>
-    <message>
-        <source>Random</source>
-        <translation>Zufällig</translation>
-    </message>
-    <message>
         <source>From file</source>
         <translation>Aus Datei</translation>
     </message>
@@ -652,6 +640,14 @@
         <translation>im Video</translation>
     </message>
     <message>
+        <source>Format</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>recognised by its content</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Drop a recording here</source>
         <translation>Eine Aufnahme hier ablegen</translation>
     </message>
@@ -678,6 +674,10 @@
     <message>
         <source>Choose…</source>
         <translation>Wählen…</translation>
+    </message>
+    <message>
+        <source>&amp;Format</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>with sound</source>
@@ -849,22 +849,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     <message>
         <source>pull the grip out, then push it in</source>
         <translation>Griff herausziehen, dann hineinschieben</translation>
-    </message>
-    <message>
-        <source>Simulated</source>
-        <translation>Simuliert</translation>
-    </message>
-    <message>
-        <source>Falcon</source>
-        <translation>Falcon</translation>
-    </message>
-    <message>
-        <source>Falcon on simulated USB</source>
-        <translation>Falcon an simuliertem USB</translation>
-    </message>
-    <message>
-        <source>Game pad</source>
-        <translation>Gamepad</translation>
     </message>
     <message>
         <source>None</source>
@@ -2629,8 +2613,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>kein Gerät</translation>
     </message>
     <message>
-        <source>the device has said nothing yet</source>
-        <translation>das Gerät hat sich noch nicht gemeldet</translation>
+        <source>no data from the device yet</source>
+        <translation>noch keine Daten vom Gerät</translation>
     </message>
     <message>
         <source>yes</source>
@@ -2872,6 +2856,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>Um wie viel der Ton der Kamera später kommt als ihr Bild</translation>
     </message>
     <message>
+        <source>Method</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>keep for this camera</source>
         <translation>für diese Kamera behalten</translation>
     </message>
@@ -2912,6 +2900,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>T&amp;on später als Bild</translation>
     </message>
     <message>
+        <source>&amp;Method</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Drag the acceleration until it lies under the sound; the arrow keys move it by 1 ms, with Shift by 10 ms, with Ctrl by 100 ms. The wheel zooms; the picture is that at the cursor, which comma and point move.</source>
         <translation>Ziehen Sie die Beschleunigung, bis sie unter dem Ton liegt; die Pfeiltasten bewegen sie um 1 ms, mit Umschalt um 10 ms, mit Strg um 100 ms. Das Rad vergrößert; das Bild ist das am Zeiger, den Komma und Punkt bewegen.</translation>
     </message>
@@ -2926,6 +2918,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     <message>
         <source>The offset was moved by hand.</source>
         <translation>Der Versatz wurde von Hand verschoben.</translation>
+    </message>
+    <message>
+        <source>Synchronised by {method} (confidence {confidence}).</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The pats were found (confidence {confidence}, residual {ms} ms).</source>
@@ -3280,6 +3276,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>das Kontingent der Platte ist erschöpft</translation>
     </message>
     <message>
+        <source>Falcon</source>
+        <translation type="unfinished">Falcon</translation>
+    </message>
+    <message>
+        <source>Falcon on simulated USB</source>
+        <translation type="unfinished">Falcon an simuliertem USB</translation>
+    </message>
+    <message>
         <source>File exists</source>
         <translation>die Datei existiert schon</translation>
     </message>
@@ -3294,6 +3298,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     <message>
         <source>GPMF track</source>
         <translation>GPMF-Spur</translation>
+    </message>
+    <message>
+        <source>Game pad</source>
+        <translation type="unfinished">Gamepad</translation>
     </message>
     <message>
         <source>Gyroflow gcsv</source>
@@ -3340,6 +3348,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>Datei oder Ordner gibt es nicht</translation>
     </message>
     <message>
+        <source>None</source>
+        <translation type="unfinished">Keins</translation>
+    </message>
+    <message>
         <source>Not a directory</source>
         <translation>es ist kein Ordner</translation>
     </message>
@@ -3356,6 +3368,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>keine Berechtigung</translation>
     </message>
     <message>
+        <source>Random</source>
+        <translation type="unfinished">Zufällig</translation>
+    </message>
+    <message>
         <source>Razor, raw output</source>
         <translation>Razor, Rohausgabe</translation>
     </message>
@@ -3364,8 +3380,16 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>die Platte ist schreibgeschützt</translation>
     </message>
     <message>
+        <source>Realistic</source>
+        <translation type="unfinished">Realistisch</translation>
+    </message>
+    <message>
         <source>Sensor Logger ({system})</source>
         <translation>Sensor Logger ({system})</translation>
+    </message>
+    <message>
+        <source>Simulated</source>
+        <translation type="unfinished">Simuliert</translation>
     </message>
     <message>
         <source>The compass is ignored: the file does not declare its axes.</source>
@@ -3408,10 +3432,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>die Telemetrie einer GoPro wird ohne ihn gelesen, und sie ist beschädigt</translation>
     </message>
     <message>
-        <source>a Williams design has every pair of neighbours, also those of one sequence</source>
-        <translation>ein Williams-Plan enthält jedes Paar von Nachbarn, auch die einer selben Sequenz</translation>
-    </message>
-    <message>
         <source>a block of {count} words at {address:X} fits nowhere</source>
         <translation>ein Block von {count} Wörtern bei {address:X} passt nirgends hin</translation>
     </message>
@@ -3422,10 +3442,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     <message>
         <source>a code has {length} letters, as `study status` lists them</source>
         <translation>ein Code hat {length} Buchstaben, wie `study status` sie aufzählt</translation>
-    </message>
-    <message>
-        <source>a condition was rated twice although it was sound the first time</source>
-        <translation>eine Bedingung wurde zweimal bewertet, obwohl sie beim ersten Mal einwandfrei war</translation>
     </message>
     <message>
         <source>a cutoff of {cutoff_hz:g} Hz is not below half the rate of the samples, {half_rate_hz:.4g} Hz</source>
@@ -3444,20 +3460,12 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>eine Kraftspur braucht mindestens eine Zeile</translation>
     </message>
     <message>
-        <source>a gain span holds a number that is not finite: {numbers}</source>
-        <translation>ein Abschnitt der Verstärkung enthält eine Zahl, die nicht endlich ist: {numbers}</translation>
-    </message>
-    <message>
         <source>a latency of {value:g} s is not between 0 and 1 s</source>
         <translation>eine Latenz von {value:g} s liegt nicht zwischen 0 und 1 s</translation>
     </message>
     <message>
         <source>a list</source>
         <translation>eine Liste</translation>
-    </message>
-    <message>
-        <source>a low-pass of order {order} is not possible</source>
-        <translation>ein Tiefpass der Ordnung {order} ist nicht möglich</translation>
     </message>
     <message>
         <source>a number</source>
@@ -3468,20 +3476,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>ein Bild hat die Form {shape}, erwartet wird {expected} aus uint8</translation>
     </message>
     <message>
-        <source>a pilot needs at least five participants without holes</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>a rating names the {kind} {name!r}, which there is not</source>
-        <translation>eine Bewertung nennt: {kind} {name!r}, was es nicht gibt</translation>
-    </message>
-    <message>
-        <source>a rating of {rating} is outside {low} to {high}</source>
-        <translation>eine Bewertung von {rating} liegt außerhalb von {low} bis {high}</translation>
-    </message>
-    <message>
-        <source>a run of {longest} and a flank of {flank} samples are more than half a window, {half_window}</source>
-        <translation type="unfinished"></translation>
+        <source>a pilot study must have at least five complete participants</source>
+        <translation>eine Pilotstudie braucht mindestens fünf vollständige Teilnehmer</translation>
     </message>
     <message>
         <source>a sensor of {rate_hz:g} Hz averaged to {log_hz:g} Hz; give rates above 0, the second not above the first</source>
@@ -3492,11 +3488,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>ein Ton mit {rate_hz} Hz ist zu grob; geben Sie 8000 oder mehr an</translation>
     </message>
     <message>
-        <source>a span without a fade makes the force jump</source>
-        <translation>ein Abschnitt ohne Überblendung lässt die Kraft springen</translation>
-    </message>
-    <message>
-        <source>a step is skipped only with a reason</source>
+        <source>skipping a step needs a reason</source>
         <translation>ein Schritt wird nur mit einem Grund übersprungen</translation>
     </message>
     <message>
@@ -3510,14 +3502,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     <message>
         <source>a title must have 1 to {most} characters</source>
         <translation>ein Titel hat 1 bis {most} Zeichen</translation>
-    </message>
-    <message>
-        <source>a {kind} has half a character in its name</source>
-        <translation>im Namen steht ein halbes Zeichen: {kind}</translation>
-    </message>
-    <message>
-        <source>a {kind} is named twice ({name})</source>
-        <translation>zweimal genannt: {kind} ({name})</translation>
     </message>
     <message>
         <source>about {count} samples were never recorded; the longest gap is {longest_s:.3g} s; nothing was put in their place</source>
@@ -3548,8 +3532,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>alle Werte sind gleich: Hing der Sensor fest?</translation>
     </message>
     <message>
-        <source>alpha and power are shares between 0 and 1</source>
-        <translation type="unfinished"></translation>
+        <source>alpha and power must be between 0 and 1</source>
+        <translation>Alpha und Teststärke müssen zwischen 0 und 1 liegen</translation>
     </message>
     <message>
         <source>already exists</source>
@@ -3584,11 +3568,11 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>wie telemetry-parser sie liefert</translation>
     </message>
     <message>
-        <source>asks about feedbacks before any was felt</source>
+        <source>asks about feedbacks before the first trial</source>
         <translation>fragt nach Feedbacks, bevor eines gefühlt wurde</translation>
     </message>
     <message>
-        <source>asks nothing after a clip</source>
+        <source>has no question after a clip</source>
         <translation>fragt nichts nach einem Clip</translation>
     </message>
     <message>
@@ -3616,7 +3600,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>axes={axes} oder was sonst rechts, vorn, oben war</translation>
     </message>
     <message>
-        <source>begin a new one</source>
+        <source>start a new session</source>
         <translation>beginnen Sie eine neue</translation>
     </message>
     <message>
@@ -3632,7 +3616,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>gehört zum Clip {found!r}, nicht zu {expected!r}</translation>
     </message>
     <message>
-        <source>bring the old one back, or stop this session</source>
+        <source>restore the old sequence, or stop this session</source>
         <translation>bringen Sie die alte zurück, oder beenden Sie diese Sitzung</translation>
     </message>
     <message>
@@ -3744,10 +3728,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>wählen Sie ein anderes Protokoll</translation>
     </message>
     <message>
-        <source>choose another name</source>
-        <translation>wählen Sie einen anderen Namen</translation>
-    </message>
-    <message>
         <source>choose another place</source>
         <translation>wählen Sie einen anderen Ort</translation>
     </message>
@@ -3758,10 +3738,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     <message>
         <source>choose one of {known}</source>
         <translation>wählen Sie eines von {known}</translation>
-    </message>
-    <message>
-        <source>clipped peaks: {clipping}</source>
-        <translation>abgeschnittene Spitzen: {clipping}</translation>
     </message>
     <message>
         <source>close it there first</source>
@@ -3817,7 +3793,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     </message>
     <message>
         <source>copy the study&apos;s folder to the other machine, then run it there</source>
-        <translation type="unfinished"></translation>
+        <translation>kopieren Sie den Ordner der Studie auf den anderen Rechner und führen Sie sie dort durch</translation>
     </message>
     <message>
         <source>correct it</source>
@@ -3852,7 +3828,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>beschreibt keine Sequenz</translation>
     </message>
     <message>
-        <source>describes no study</source>
+        <source>is not the definition of a study</source>
         <translation>beschreibt keine Studie</translation>
     </message>
     <message>
@@ -3868,15 +3844,15 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>legen Sie ein Video und höchstens ein Protokoll ab; importieren Sie weitere danach</translation>
     </message>
     <message>
-        <source>drop the constraint</source>
+        <source>remove the constraint</source>
         <translation>lassen Sie die Einschränkung weg</translation>
     </message>
     <message>
-        <source>drop the constraint or add sequences</source>
+        <source>remove the constraint or add sequences</source>
         <translation>lassen Sie die Einschränkung weg, oder fügen Sie Sequenzen hinzu</translation>
     </message>
     <message>
-        <source>drop the constraint or choose random or latin-square</source>
+        <source>remove the constraint or choose random or latin-square</source>
         <translation>lassen Sie die Einschränkung weg, oder wählen Sie random oder latin-square</translation>
     </message>
     <message>
@@ -3920,10 +3896,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>exportieren Sie die Zeiten als Zahlen, in s, ms, us oder ns</translation>
     </message>
     <message>
-        <source>factor</source>
-        <translation>Faktor</translation>
-    </message>
-    <message>
         <source>failed</source>
         <translation>fehlgeschlagen</translation>
     </message>
@@ -3934,10 +3906,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     <message>
         <source>faults are refused: this loop is not for them</source>
         <translation>Fehler werden abgelehnt: Diese Schleife ist nicht dafür da</translation>
-    </message>
-    <message>
-        <source>feedback</source>
-        <translation>Feedback</translation>
     </message>
     <message>
         <source>field_dip_rad must lie within a right angle, got {field_dip_rad}</source>
@@ -4012,11 +3980,11 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>machen Sie Platz frei, oder wählen Sie einen Ordner, in den Sie schreiben dürfen</translation>
     </message>
     <message>
-        <source>from 3 to {most} participants can be tried</source>
+        <source>--largest must be between 3 and {most}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>from {least} to {most} studies can be simulated</source>
+        <source>--studies must be between {least} and {most}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4034,10 +4002,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     <message>
         <source>give --offset S, the media time at which the log&apos;s clock reads 0</source>
         <translation>geben Sie --offset S an, die Medienzeit, zu der die Uhr des Protokolls 0 zeigt</translation>
-    </message>
-    <message>
-        <source>give 0 or more; directions are set by the mapping</source>
-        <translation>geben Sie 0 oder mehr an; Richtungen bestimmt die Abbildung</translation>
     </message>
     <message>
         <source>give a file that &apos;hapticplayer play --record&apos; has written</source>
@@ -4076,28 +4040,12 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>geben Sie eine Aufnahme mit mindestens zwei Werten an</translation>
     </message>
     <message>
-        <source>give a smaller max_run or flank, or a larger half_window</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>give an order of 1 to {most}</source>
-        <translation>geben Sie eine Ordnung von 1 bis {most} an</translation>
-    </message>
-    <message>
         <source>give another --offset</source>
         <translation>geben Sie ein anderes --offset an</translation>
     </message>
     <message>
         <source>give at least {least_hz:g} samples a second</source>
         <translation>geben Sie mindestens {least_hz:g} Werte je Sekunde an</translation>
-    </message>
-    <message>
-        <source>give fades above zero, such as {fade_s} s</source>
-        <translation>geben Sie Überblendungen über null an, etwa {fade_s} s</translation>
-    </message>
-    <message>
-        <source>give shorter fades or a longer span</source>
-        <translation>geben Sie kürzere Überblendungen oder einen längeren Abschnitt an</translation>
     </message>
     <message>
         <source>give the angular rate in rad/s</source>
@@ -4114,10 +4062,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     <message>
         <source>give the folder of a sequence, or a video</source>
         <translation>geben Sie den Ordner einer Sequenz oder ein Video an</translation>
-    </message>
-    <message>
-        <source>give the folder of a sequence, or nothing</source>
-        <translation>geben Sie den Ordner einer Sequenz an, oder nichts</translation>
     </message>
     <message>
         <source>give the folder of a study</source>
@@ -4152,10 +4096,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>geben Sie das Protokoll mit --imu LOG --offset S an, und {option}, wo danach gefragt wird</translation>
     </message>
     <message>
-        <source>give the samples per second</source>
-        <translation>geben Sie die Werte je Sekunde an</translation>
-    </message>
-    <message>
         <source>give the specific force in m/s2, about 9.8 at rest</source>
         <translation>geben Sie die spezifische Kraft in m/s2 an, etwa 9.8 in Ruhe</translation>
     </message>
@@ -4182,10 +4122,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     <message>
         <source>give three axes for each time</source>
         <translation>geben Sie drei Achsen für jede Zeit an</translation>
-    </message>
-    <message>
-        <source>give times in seconds and a gain</source>
-        <translation>geben Sie Zeiten in Sekunden und eine Verstärkung an</translation>
     </message>
     <message>
         <source>give times in seconds of the clip</source>
@@ -4220,11 +4156,11 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>hat einen beschädigten Kopf: keine Zeile t,gx,gy,gz,ax,ay,az</translation>
     </message>
     <message>
-        <source>has an answer that was not offered</source>
+        <source>must be one of the choices</source>
         <translation>hat eine Antwort, die nicht angeboten wurde</translation>
     </message>
     <message>
-        <source>has another number of columns</source>
+        <source>has a different number of columns</source>
         <translation>hat eine andere Zahl von Spalten</translation>
     </message>
     <message>
@@ -4241,7 +4177,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     </message>
     <message>
         <source>has no answers yet</source>
-        <translation type="unfinished"></translation>
+        <translation>hat noch keine Antworten</translation>
     </message>
     <message>
         <source>has no force ({reason})</source>
@@ -4256,7 +4192,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>hat nur {rate_hz:.1f} Werte je Sekunde, in denen sich Klopfen nicht zeigt</translation>
     </message>
     <message>
-        <source>has the unknown entry {name!r}</source>
+        <source>unknown entry {name!r}</source>
         <translation>hat den unbekannten Eintrag {name!r}</translation>
     </message>
     <message>
@@ -4286,10 +4222,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     <message>
         <source>has {count} columns, the header has {expected}</source>
         <translation>hat {count} Spalten, der Kopf hat {expected}</translation>
-    </message>
-    <message>
-        <source>has {count} entries; {least} to {most} go</source>
-        <translation>hat {count} Einträge; {least} bis {most} gehen</translation>
     </message>
     <message>
         <source>has {count} telemetry payloads, too many</source>
@@ -4368,7 +4300,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>enthält kein {name}</translation>
     </message>
     <message>
-        <source>holds records of version {found}, this program reads {version}</source>
+        <source>has records of version {found}, this program reads {version}</source>
         <translation>enthält Aufzeichnungen der Version {found}, dieses Programm liest {version}</translation>
     </message>
     <message>
@@ -4436,7 +4368,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>ist beschädigt ({reason})</translation>
     </message>
     <message>
-        <source>is damaged or missing, and the study&apos;s own definition is another one now</source>
+        <source>is damaged or missing, and the definition of the study has changed</source>
         <translation>ist beschädigt oder fehlt, und die Definition der Studie ist inzwischen eine andere</translation>
     </message>
     <message>
@@ -4468,7 +4400,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>ist kein JSON-Objekt</translation>
     </message>
     <message>
-        <source>is no UTF-8 text</source>
+        <source>is not UTF-8 text</source>
         <translation>ist kein Text in UTF-8</translation>
     </message>
     <message>
@@ -4476,15 +4408,11 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>ist kein Protokoll</translation>
     </message>
     <message>
-        <source>is no participant&apos;s code</source>
-        <translation>ist kein Code einer teilnehmenden Person</translation>
-    </message>
-    <message>
-        <source>is no question of this page</source>
+        <source>is not a question of this page</source>
         <translation>ist keine Frage dieser Seite</translation>
     </message>
     <message>
-        <source>is no session</source>
+        <source>is not a session</source>
         <translation>ist keine Sitzung</translation>
     </message>
     <message>
@@ -4492,11 +4420,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>ist keine Vorlage für ein Protokoll ({reason})</translation>
     </message>
     <message>
-        <source>is no text</source>
-        <translation>ist kein Text</translation>
-    </message>
-    <message>
-        <source>is no valid JSON ({reason})</source>
+        <source>is not valid JSON ({reason})</source>
         <translation>ist kein gültiges JSON ({reason})</translation>
     </message>
     <message>
@@ -4504,7 +4428,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>ist kein Video</translation>
     </message>
     <message>
-        <source>is no yes-no question</source>
+        <source>must be a yes-no question</source>
         <translation>ist keine Ja-Nein-Frage</translation>
     </message>
     <message>
@@ -4552,7 +4476,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>ist von einer {name}, deren Achsen ihre Telemetrie nicht nennt</translation>
     </message>
     <message>
-        <source>is of another version of the program</source>
+        <source>was written by another version of the program</source>
         <translation>ist von einer anderen Version des Programms</translation>
     </message>
     <message>
@@ -4565,7 +4489,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     </message>
     <message>
         <source>is the study {found}, not {expected}</source>
-        <translation type="unfinished"></translation>
+        <translation>ist die Studie {found}, nicht {expected}</translation>
     </message>
     <message>
         <source>is too large</source>
@@ -4576,32 +4500,28 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>is {kind} instead of a list</source>
-        <translation>ist {kind} statt einer Liste</translation>
-    </message>
-    <message>
-        <source>is {kind} instead of a number</source>
-        <translation>ist {kind} statt einer Zahl</translation>
-    </message>
-    <message>
-        <source>is {kind} instead of a text</source>
-        <translation>ist {kind} statt eines Textes</translation>
-    </message>
-    <message>
-        <source>is {kind} instead of an object</source>
-        <translation>ist {kind} statt eines Objekts</translation>
-    </message>
-    <message>
-        <source>is {kind} instead of true or false</source>
-        <translation>ist {kind} statt true oder false</translation>
-    </message>
-    <message>
-        <source>is {value!r}</source>
+        <source>{value!r} is not allowed</source>
         <translation>ist {value!r}</translation>
     </message>
     <message>
         <source>it cannot be decoded any further</source>
         <translation>es kann nicht weiter dekodiert werden</translation>
+    </message>
+    <message>
+        <source>a Williams design contains every pair of neighbours, also of one sequence</source>
+        <translation>ein Williams-Plan enthält jedes Paar von Nachbarn, auch aus einer Sequenz</translation>
+    </message>
+    <message>
+        <source>a whole number</source>
+        <translation>eine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>clipped samples: {force} of the accelerometer ({force_marked} of them not reconstructed, marked as not valid), {rate} of the gyro ({rate_marked})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is not a valid key</source>
+        <translation>ist kein gültiger Schlüssel</translation>
     </message>
     <message>
         <source>it cannot be probed</source>
@@ -4756,10 +4676,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>der Index nennt mehr Einträge, als es Bytes hat</translation>
     </message>
     <message>
-        <source>its pictures have a format that is not known</source>
-        <translation>die Bilder haben ein unbekanntes Format</translation>
-    </message>
-    <message>
         <source>its pictures of {width} x {height} pixels are too large (up to 8192 x 4320 are shown)</source>
         <translation>die Bilder mit {width} x {height} Pixeln sind zu groß (bis 8192 x 4320 werden gezeigt)</translation>
     </message>
@@ -4812,11 +4728,11 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>{key} ist {value!r}, keine Zahl über null</translation>
     </message>
     <message>
-        <source>known are {known}</source>
+        <source>allowed: {known}</source>
         <translation>bekannt sind {known}</translation>
     </message>
     <message>
-        <source>lacks the entry {name!r}</source>
+        <source>missing entry {name!r}</source>
         <translation>der Eintrag {name!r} fehlt</translation>
     </message>
     <message>
@@ -4860,7 +4776,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>Magnetfeld in {unit}</translation>
     </message>
     <message>
-        <source>makes {count} conditions; 2 to {most} go</source>
+        <source>must have 2 to {most} conditions, has {count}</source>
         <translation>ergibt {count} Bedingungen; 2 bis {most} gehen</translation>
     </message>
     <message>
@@ -4880,10 +4796,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>Bewegung mit Tiefpass bei {lowpass_hz:g} Hz, ohne Phasenverschiebung</translation>
     </message>
     <message>
-        <source>motion track</source>
-        <translation>Bewegungsspur</translation>
-    </message>
-    <message>
         <source>names a column twice</source>
         <translation>nennt eine Spalte zweimal</translation>
     </message>
@@ -4896,11 +4808,11 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>nennt {count} Spalten, die Tabelle hat {total} ({shown})</translation>
     </message>
     <message>
-        <source>needs 1 to {most} characters</source>
+        <source>must have 1 to {most} characters</source>
         <translation>braucht 1 bis {most} Zeichen</translation>
     </message>
     <message>
-        <source>needs a number from {least} to {most}</source>
+        <source>must be a number from {least} to {most}</source>
         <translation>braucht eine Zahl von {least} bis {most}</translation>
     </message>
     <message>
@@ -4924,7 +4836,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>kein Falcon {serial!r} ist angesteckt; es gibt: {known}</translation>
     </message>
     <message>
-        <source>no factor may be called {name!r}, the name of their sum</source>
+        <source>a factor must not be named {name!r}, the name of the sum of all factors</source>
         <translation>kein Faktor darf {name!r} heißen, wie die Summe aller</translation>
     </message>
     <message>
@@ -4936,12 +4848,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>kein Bein erreicht ({x:.1f}, {y:.1f}, {z:.1f}) mm</translation>
     </message>
     <message>
-        <source>no order was found in which no sequence is played twice in a row</source>
+        <source>found no order in which no sequence is played twice in a row</source>
         <translation>es wurde keine Reihenfolge gefunden, in der keine Sequenz zweimal hintereinander kommt</translation>
-    </message>
-    <message>
-        <source>nobody&apos;s home folder is known; set {variable} to the firmware&apos;s path</source>
-        <translation>der persönliche Ordner ist nicht bekannt; setzen Sie {variable} auf den Pfad der Firmware</translation>
     </message>
     <message>
         <source>none of its pictures can be decoded</source>
@@ -4972,7 +4880,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>Versatz {offset_s} s mit Rate {rate} ist keine Zuordnung der Uhren; geben Sie endliche Zahlen und eine positive Rate an</translation>
     </message>
     <message>
-        <source>one feedback alone cannot be compared with anything</source>
+        <source>comparing needs two feedbacks or more</source>
         <translation>ein einziges Feedback kann mit nichts verglichen werden</translation>
     </message>
     <message>
@@ -4980,7 +4888,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>eine Lücke</translation>
     </message>
     <message>
-        <source>one sequence cannot but follow itself</source>
+        <source>a single sequence always follows itself</source>
         <translation>eine einzige Sequenz folgt zwangsläufig sich selbst</translation>
     </message>
     <message>
@@ -5018,14 +4926,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     <message>
         <source>order {order} plays {sequence} twice in a row</source>
         <translation>Reihenfolge {order} spielt {sequence} zweimal hintereinander</translation>
-    </message>
-    <message>
-        <source>participant</source>
-        <translation>teilnehmende Person</translation>
-    </message>
-    <message>
-        <source>participant {participant}, {sequence}, {feedback}, {factor}</source>
-        <translation>Person {participant}, {sequence}, {feedback}, {factor}</translation>
     </message>
     <message>
         <source>participants: 1 to {most} can be simulated</source>
@@ -5116,7 +5016,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>packen Sie es in MP4 um, damit die Dauer darin steht</translation>
     </message>
     <message>
-        <source>rename one</source>
+        <source>rename one of them</source>
         <translation>benennen Sie einen um</translation>
     </message>
     <message>
@@ -5133,15 +5033,11 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     </message>
     <message>
         <source>run a participant</source>
-        <translation type="unfinished"></translation>
+        <translation>führen Sie eine Sitzung durch</translation>
     </message>
     <message>
         <source>run a participant first</source>
         <translation>lassen Sie erst eine Person teilnehmen</translation>
-    </message>
-    <message>
-        <source>runs backwards</source>
-        <translation>läuft rückwärts</translation>
     </message>
     <message>
         <source>samples have the shape {shape}, expected N x 3</source>
@@ -5156,10 +5052,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>speichern Sie sie als Text in UTF-8</translation>
     </message>
     <message>
-        <source>sequence</source>
-        <translation>Sequenz</translation>
-    </message>
-    <message>
         <source>session {code} cannot be used: {what}</source>
         <translation>Sitzung {code} ist nicht zu gebrauchen: {what}</translation>
     </message>
@@ -5168,7 +5060,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>Sitzung {code} ist {state}</translation>
     </message>
     <message>
-        <source>session {code}: {key} was left out, the definition no longer has it</source>
+        <source>session {code}: {key} was left out; it is not in the definition</source>
         <translation>Sitzung {code}: {key} wurde weggelassen, die Definition enthält sie nicht mehr</translation>
     </message>
     <message>
@@ -5190,10 +5082,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     <message>
         <source>sort the rows by time or cut the recording there</source>
         <translation>sortieren Sie die Zeilen nach der Zeit, oder schneiden Sie die Aufnahme dort</translation>
-    </message>
-    <message>
-        <source>span from {start_s:g} s to {end_s:g} s</source>
-        <translation>Abschnitt von {start_s:g} s bis {end_s:g} s</translation>
     </message>
     <message>
         <source>specific force is acceleration plus the phone&apos;s gravity estimate</source>
@@ -5336,7 +5224,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>die Spalten stehen in anderer Reihenfolge</translation>
     </message>
     <message>
-        <source>the columns have to be {columns}</source>
+        <source>the columns must be {columns}</source>
         <translation>die Spalten müssen {columns} sein</translation>
     </message>
     <message>
@@ -5348,16 +5236,12 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>die Grenzfrequenz</translation>
     </message>
     <message>
-        <source>the entry {twice!r} stands twice in one object</source>
+        <source>duplicate entry {twice!r}</source>
         <translation>der Eintrag {twice!r} steht zweimal in einem Objekt</translation>
     </message>
     <message>
         <source>the experiment was paused; its clock skips the pause</source>
         <translation>das Experiment wurde angehalten; seine Uhr lief ohne die Pause weiter</translation>
-    </message>
-    <message>
-        <source>the fades take {fades_s:g} s</source>
-        <translation>die Überblendungen dauern {fades_s:g} s</translation>
     </message>
     <message>
         <source>the file ends at byte {size_bytes} but its header promises {promised_bytes}</source>
@@ -5382,10 +5266,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     <message>
         <source>the folder was replaced</source>
         <translation>der Ordner wurde ersetzt</translation>
-    </message>
-    <message>
-        <source>the gain {gain:g} would reverse the motion</source>
-        <translation>die Verstärkung {gain:g} würde die Bewegung umkehren</translation>
     </message>
     <message>
         <source>the game pad is not open; choose the device again</source>
@@ -5428,7 +5308,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>the key {key!r} stands twice</source>
+        <source>duplicate key {key!r}</source>
         <translation>der Schlüssel {key!r} steht zweimal da</translation>
     </message>
     <message>
@@ -5498,10 +5378,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     <message>
         <source>the phone&apos;s axes: x right, y top, z out of the screen</source>
         <translation>Achsen des Telefons: x rechts, y oben, z aus dem Bildschirm</translation>
-    </message>
-    <message>
-        <source>the position {text!r} is no whole number</source>
-        <translation>die Stelle {text!r} ist keine ganze Zahl</translation>
     </message>
     <message>
         <source>the rate</source>
@@ -5580,7 +5456,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>die spezifische Kraft ist in Ruhe {norm:.3g} m/s2, wenn sie in {accel_unit} gelesen wird, aber die Schwerkraft ist 9.81</translation>
     </message>
     <message>
-        <source>the study has no condition {key}</source>
+        <source>condition {key} is not in the study</source>
         <translation>die Studie hat keine Bedingung {key}</translation>
     </message>
     <message>
@@ -5608,10 +5484,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>eine Spur {name!r} gibt es schon; wählen Sie einen anderen Namen</translation>
     </message>
     <message>
-        <source>there is no device that could have a fault</source>
-        <translation>es gibt kein Gerät, das einen Fehler haben könnte</translation>
-    </message>
-    <message>
         <source>there is no effect {name!r}; there is paper, none, or a share of the paper&apos;s effect such as 0.5</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5620,15 +5492,15 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>es gibt das Format {name!r} nicht; wählen Sie eines von {known}</translation>
     </message>
     <message>
-        <source>there is no format {name!r}; there is {known}</source>
-        <translation type="unfinished"></translation>
+        <source>unknown format {name!r}; choose one of {known}</source>
+        <translation>unbekanntes Format {name!r}; wählen Sie eines von {known}</translation>
     </message>
     <message>
         <source>there is no header, the file begins with numbers</source>
         <translation>es gibt keinen Kopf, die Datei beginnt mit Zahlen</translation>
     </message>
     <message>
-        <source>there is no judgement that could be analysed</source>
+        <source>there is no judgement to analyse</source>
         <translation>es gibt kein Urteil, das sich auswerten ließe</translation>
     </message>
     <message>
@@ -5648,7 +5520,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>es gibt keine Befestigung {text!r}; wählen Sie eine von {known}, oder geben Sie rechts, vorn und oben der Person in den Achsen des Recorders an, etwa --mounting=-x,y,-z</translation>
     </message>
     <message>
-        <source>there is no participant {code}</source>
+        <source>no participant {code}</source>
         <translation>es gibt keine teilnehmende Person {code}</translation>
     </message>
     <message>
@@ -5660,7 +5532,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>there is no sequence {key!r}; {known} are</source>
+        <source>unknown sequence {key!r}; choose one of {known}</source>
         <translation>es gibt keine Sequenz {key!r}; es gibt {known}</translation>
     </message>
     <message>
@@ -5680,16 +5552,12 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>diese Datei gibt es nicht</translation>
     </message>
     <message>
-        <source>there is no template {name!r}; there is {known}</source>
+        <source>unknown template {name!r}; choose one of {known}</source>
         <translation>es gibt keine Vorlage {name!r}; es gibt {known}</translation>
     </message>
     <message>
         <source>track {name!r} not found</source>
         <translation>es gibt keine Spur {name!r}</translation>
-    </message>
-    <message>
-        <source>there is no {kind}</source>
-        <translation>es fehlt: {kind}</translation>
     </message>
     <message>
         <source>there is nothing in it</source>
@@ -5704,7 +5572,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>das ist keine Firmware für den Falcon: {reason}; wählen Sie die Datei nvent_firmware.bin eines Quellarchivs von libnifalcon</translation>
     </message>
     <message>
-        <source>this is the page {page}, not {expected}</source>
+        <source>the current page is {page}, not {expected}</source>
         <translation>dies ist die Seite {page}, nicht {expected}</translation>
     </message>
     <message>
@@ -5884,12 +5752,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>{device} ist ein echtes Gerät und nimmt keine Fehler an</translation>
     </message>
     <message>
-        <source>{early} of {count} sessions have answers and no end</source>
+        <source>{early} of {count} sessions have answers but were not completed</source>
         <translation>{early} von {count} Sitzungen haben Antworten und kein Ende</translation>
-    </message>
-    <message>
-        <source>{empty} of {count} sessions hold no answer to a trial</source>
-        <translation>{empty} von {count} Sitzungen enthalten keine Antwort zu einem Durchgang</translation>
     </message>
     <message>
         <source>{file}, line 1</source>
@@ -5904,7 +5768,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>{file}: columns={columns} {fault}</translation>
     </message>
     <message>
-        <source>{file}: is damaged; the study&apos;s own definition was used</source>
+        <source>{file}: is damaged; the definition of the study was used</source>
         <translation>{file}: ist beschädigt; die Definition der Studie wurde verwendet</translation>
     </message>
     <message>
@@ -5946,6 +5810,62 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     <message>
         <source>{name!r} is no Falcon; use falcon, or falcon:SERIAL</source>
         <translation>{name!r} ist kein Falcon; nehmen Sie falcon oder falcon:SERIAL</translation>
+    </message>
+    <message>
+        <source>its pixel format cannot be converted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>must be {kind} {limit}</source>
+        <translation>muss {kind} {limit} sein</translation>
+    </message>
+    <message>
+        <source>must be {wanted}, not {kind}</source>
+        <translation>muss {wanted} sein, nicht {kind}</translation>
+    </message>
+    <message>
+        <source>nothing is recorded: {reason}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>spikes removed from {force} accelerometer, {rate} gyro, {field} magnetometer samples; {kept} samples stood out and were left as motion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the guard could not be started: {reason}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the home folder is unknown; set {variable} to the firmware&apos;s path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the record is not complete: its file could not be written</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the record is not complete: its file was removed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the record is not complete: its process ended with status {status}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the record is not complete: the disk is full, or the file as large as it may be</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the record is not complete: the disk is too slow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there are no participants</source>
+        <translation>es gibt keine Teilnehmer</translation>
+    </message>
+    <message>
+        <source>{empty} of {count} sessions have no answers</source>
+        <translation>{empty} von {count} Sitzungen haben keine Antworten</translation>
     </message>
     <message>
         <source>{name!r} is not a plain file name</source>
@@ -6052,7 +5972,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>{rate_hz:g} Hz liegen über der Rate der Werte, {input_rate_hz:.4g} Hz</translation>
     </message>
     <message>
-        <source>{reason}; the copy among the answers was used</source>
+        <source>{reason}; the copy in the journal was used</source>
         <translation>{reason}; die Kopie bei den Antworten wurde verwendet</translation>
     </message>
     <message>
@@ -6060,7 +5980,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{scripted} of {count} sessions are simulated: nobody sat there</source>
+        <source>{scripted} of {count} sessions are simulated</source>
         <translation>{scripted} von {count} Sitzungen sind simuliert: Niemand saß dort</translation>
     </message>
     <message>
@@ -6080,8 +6000,12 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>{source}: einwandfrei, aber keine der bekannten Firmware-Dateien ({known}; SHA-256 {sha256}...); sie würde die Motoren betreiben: Sagen Sie, dass Sie das wollen (--accept-unknown)</translation>
     </message>
     <message>
-        <source>{text!r} is no participant&apos;s code</source>
+        <source>{text!r} is not a participant&apos;s code</source>
         <translation>{text!r} ist kein Code einer teilnehmenden Person</translation>
+    </message>
+    <message>
+        <source>{width} x {height} pixels are too large for a frame</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{text!r} is not a number</source>
@@ -6104,20 +6028,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>{total_s:.4g} s Werte sind weniger als ein Fenster von {window_s:.4g} s</translation>
     </message>
     <message>
-        <source>{value!r} is no key</source>
-        <translation>{value!r} ist kein Schlüssel</translation>
-    </message>
-    <message>
-        <source>{value:g} is no whole number</source>
-        <translation>{value:g} ist keine ganze Zahl</translation>
-    </message>
-    <message>
         <source>{value} is not a number</source>
         <translation>{value} ist keine Zahl</translation>
-    </message>
-    <message>
-        <source>{value} lies outside {least:g} to {most:g}</source>
-        <translation>{value} liegt außerhalb von {least:g} bis {most:g}</translation>
     </message>
     <message>
         <source>{what} ({reason})</source>
@@ -6142,10 +6054,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     <message>
         <source>{where}: {what}</source>
         <translation>{where}: {what}</translation>
-    </message>
-    <message>
-        <source>{width} x {height} pixels are too large for a picture</source>
-        <translation>{width} x {height} Pixel sind zu groß für ein Bild</translation>
     </message>
     <message>
         <source>CSV in SI units</source>

@@ -225,18 +225,6 @@
 <context>
     <name>Choices</name>
     <message>
-        <source>Realistic</source>
-        <translation>Réaliste</translation>
-    </message>
-    <message>
-        <source>None</source>
-        <translation>Aucun</translation>
-    </message>
-    <message>
-        <source>Random</source>
-        <translation>Aléatoire</translation>
-    </message>
-    <message>
         <source>From file</source>
         <translation>D’un fichier</translation>
     </message>
@@ -652,6 +640,14 @@
         <translation>dans la vidéo</translation>
     </message>
     <message>
+        <source>Format</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>recognised by its content</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Drop a recording here</source>
         <translation>Déposez un enregistrement ici</translation>
     </message>
@@ -678,6 +674,10 @@
     <message>
         <source>Choose…</source>
         <translation>Choisir…</translation>
+    </message>
+    <message>
+        <source>&amp;Format</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>with sound</source>
@@ -849,22 +849,6 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     <message>
         <source>pull the grip out, then push it in</source>
         <translation>tirez la poignée, puis enfoncez-la</translation>
-    </message>
-    <message>
-        <source>Simulated</source>
-        <translation>Simulé</translation>
-    </message>
-    <message>
-        <source>Falcon</source>
-        <translation>Falcon</translation>
-    </message>
-    <message>
-        <source>Falcon on simulated USB</source>
-        <translation>Falcon sur USB simulé</translation>
-    </message>
-    <message>
-        <source>Game pad</source>
-        <translation>Manette</translation>
     </message>
     <message>
         <source>None</source>
@@ -2629,8 +2613,8 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>pas d’appareil</translation>
     </message>
     <message>
-        <source>the device has said nothing yet</source>
-        <translation>l’appareil n’a encore rien dit</translation>
+        <source>no data from the device yet</source>
+        <translation>pas encore de données de l&apos;appareil</translation>
     </message>
     <message>
         <source>yes</source>
@@ -2872,6 +2856,10 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>De combien le son de la caméra vient après son image</translation>
     </message>
     <message>
+        <source>Method</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>keep for this camera</source>
         <translation>garder pour cette caméra</translation>
     </message>
@@ -2912,6 +2900,10 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>S&amp;on après l’image</translation>
     </message>
     <message>
+        <source>&amp;Method</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Drag the acceleration until it lies under the sound; the arrow keys move it by 1 ms, with Shift by 10 ms, with Ctrl by 100 ms. The wheel zooms; the picture is that at the cursor, which comma and point move.</source>
         <translation>Tirez l’accélération jusqu’à ce qu’elle soit sous le son&#xa0;; les flèches la déplacent de 1 ms, avec Maj de 10 ms, avec Ctrl de 100 ms. La molette agrandit&#xa0;; l’image est celle du curseur, que la virgule et le point déplacent.</translation>
     </message>
@@ -2926,6 +2918,10 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     <message>
         <source>The offset was moved by hand.</source>
         <translation>Le décalage a été déplacé à la main.</translation>
+    </message>
+    <message>
+        <source>Synchronised by {method} (confidence {confidence}).</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The pats were found (confidence {confidence}, residual {ms} ms).</source>
@@ -3280,6 +3276,14 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>le quota du disque est épuisé</translation>
     </message>
     <message>
+        <source>Falcon</source>
+        <translation type="unfinished">Falcon</translation>
+    </message>
+    <message>
+        <source>Falcon on simulated USB</source>
+        <translation type="unfinished">Falcon sur USB simulé</translation>
+    </message>
+    <message>
         <source>File exists</source>
         <translation>le fichier existe déjà</translation>
     </message>
@@ -3294,6 +3298,10 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     <message>
         <source>GPMF track</source>
         <translation>piste GPMF</translation>
+    </message>
+    <message>
+        <source>Game pad</source>
+        <translation type="unfinished">Manette</translation>
     </message>
     <message>
         <source>Gyroflow gcsv</source>
@@ -3340,6 +3348,10 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>ce fichier ou ce dossier n’existe pas</translation>
     </message>
     <message>
+        <source>None</source>
+        <translation type="unfinished">Aucun</translation>
+    </message>
+    <message>
         <source>Not a directory</source>
         <translation>ce n’est pas un dossier</translation>
     </message>
@@ -3356,6 +3368,10 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>accès refusé</translation>
     </message>
     <message>
+        <source>Random</source>
+        <translation type="unfinished">Aléatoire</translation>
+    </message>
+    <message>
         <source>Razor, raw output</source>
         <translation>Razor, sortie brute</translation>
     </message>
@@ -3364,8 +3380,16 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>le disque est en lecture seule</translation>
     </message>
     <message>
+        <source>Realistic</source>
+        <translation type="unfinished">Réaliste</translation>
+    </message>
+    <message>
         <source>Sensor Logger ({system})</source>
         <translation>Sensor Logger ({system})</translation>
+    </message>
+    <message>
+        <source>Simulated</source>
+        <translation type="unfinished">Simulé</translation>
     </message>
     <message>
         <source>The compass is ignored: the file does not declare its axes.</source>
@@ -3408,10 +3432,6 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>la télémétrie d’une GoPro se lit sans lui, et elle est endommagée</translation>
     </message>
     <message>
-        <source>a Williams design has every pair of neighbours, also those of one sequence</source>
-        <translation>un plan de Williams contient chaque paire de voisins, aussi ceux d’une même séquence</translation>
-    </message>
-    <message>
         <source>a block of {count} words at {address:X} fits nowhere</source>
         <translation>un bloc de {count} mots à {address:X} n’a sa place nulle part</translation>
     </message>
@@ -3422,10 +3442,6 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     <message>
         <source>a code has {length} letters, as `study status` lists them</source>
         <translation>un code a {length} lettres, comme `study status` les donne</translation>
-    </message>
-    <message>
-        <source>a condition was rated twice although it was sound the first time</source>
-        <translation>une condition a été notée deux fois, bien qu’elle ait été valable la première fois</translation>
     </message>
     <message>
         <source>a cutoff of {cutoff_hz:g} Hz is not below half the rate of the samples, {half_rate_hz:.4g} Hz</source>
@@ -3444,20 +3460,12 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>une piste de force demande au moins une ligne</translation>
     </message>
     <message>
-        <source>a gain span holds a number that is not finite: {numbers}</source>
-        <translation>une plage de gain contient un nombre qui n’est pas fini&#xa0;: {numbers}</translation>
-    </message>
-    <message>
         <source>a latency of {value:g} s is not between 0 and 1 s</source>
         <translation>une latence de {value:g} s n’est pas entre 0 et 1 s</translation>
     </message>
     <message>
         <source>a list</source>
         <translation>une liste</translation>
-    </message>
-    <message>
-        <source>a low-pass of order {order} is not possible</source>
-        <translation>un passe-bas d’ordre {order} n’est pas possible</translation>
     </message>
     <message>
         <source>a number</source>
@@ -3468,20 +3476,8 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>une image a la forme {shape}, attendu&#xa0;: {expected} en uint8</translation>
     </message>
     <message>
-        <source>a pilot needs at least five participants without holes</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>a rating names the {kind} {name!r}, which there is not</source>
-        <translation>une note désigne&#xa0;: {kind} {name!r}, qui n’existe pas</translation>
-    </message>
-    <message>
-        <source>a rating of {rating} is outside {low} to {high}</source>
-        <translation>une note de {rating} est en dehors de {low} à {high}</translation>
-    </message>
-    <message>
-        <source>a run of {longest} and a flank of {flank} samples are more than half a window, {half_window}</source>
-        <translation type="unfinished"></translation>
+        <source>a pilot study must have at least five complete participants</source>
+        <translation>une étude pilote doit avoir au moins cinq participants complets</translation>
     </message>
     <message>
         <source>a sensor of {rate_hz:g} Hz averaged to {log_hz:g} Hz; give rates above 0, the second not above the first</source>
@@ -3492,11 +3488,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>un son de {rate_hz} Hz est trop grossier&#xa0;; donnez 8000 ou plus</translation>
     </message>
     <message>
-        <source>a span without a fade makes the force jump</source>
-        <translation>une plage sans fondu fait sauter la force</translation>
-    </message>
-    <message>
-        <source>a step is skipped only with a reason</source>
+        <source>skipping a step needs a reason</source>
         <translation>une étape n’est omise qu’avec une raison</translation>
     </message>
     <message>
@@ -3510,14 +3502,6 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     <message>
         <source>a title must have 1 to {most} characters</source>
         <translation>un titre a de 1 à {most} caractères</translation>
-    </message>
-    <message>
-        <source>a {kind} has half a character in its name</source>
-        <translation>un demi-caractère se trouve dans le nom&#xa0;: {kind}</translation>
-    </message>
-    <message>
-        <source>a {kind} is named twice ({name})</source>
-        <translation>nommé deux fois&#xa0;: {kind} ({name})</translation>
     </message>
     <message>
         <source>about {count} samples were never recorded; the longest gap is {longest_s:.3g} s; nothing was put in their place</source>
@@ -3548,8 +3532,8 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>toutes les mesures sont égales&#xa0;: le capteur était-il bloqué&#xa0;?</translation>
     </message>
     <message>
-        <source>alpha and power are shares between 0 and 1</source>
-        <translation type="unfinished"></translation>
+        <source>alpha and power must be between 0 and 1</source>
+        <translation>alpha et la puissance doivent être entre 0 et 1</translation>
     </message>
     <message>
         <source>already exists</source>
@@ -3584,11 +3568,11 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>tels que telemetry-parser les donne</translation>
     </message>
     <message>
-        <source>asks about feedbacks before any was felt</source>
+        <source>asks about feedbacks before the first trial</source>
         <translation>interroge sur des retours avant qu’un seul ait été senti</translation>
     </message>
     <message>
-        <source>asks nothing after a clip</source>
+        <source>has no question after a clip</source>
         <translation>ne demande rien après une vidéo</translation>
     </message>
     <message>
@@ -3616,7 +3600,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>axes={axes} ou ce qui était autrement droite, avant, haut</translation>
     </message>
     <message>
-        <source>begin a new one</source>
+        <source>start a new session</source>
         <translation>commencez-en une nouvelle</translation>
     </message>
     <message>
@@ -3632,7 +3616,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>appartient à la vidéo {found!r}, pas à {expected!r}</translation>
     </message>
     <message>
-        <source>bring the old one back, or stop this session</source>
+        <source>restore the old sequence, or stop this session</source>
         <translation>remettez l’ancienne, ou arrêtez cette séance</translation>
     </message>
     <message>
@@ -3744,10 +3728,6 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>choisissez un autre journal</translation>
     </message>
     <message>
-        <source>choose another name</source>
-        <translation>choisissez un autre nom</translation>
-    </message>
-    <message>
         <source>choose another place</source>
         <translation>choisissez un autre endroit</translation>
     </message>
@@ -3758,10 +3738,6 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     <message>
         <source>choose one of {known}</source>
         <translation>choisissez parmi {known}</translation>
-    </message>
-    <message>
-        <source>clipped peaks: {clipping}</source>
-        <translation>crêtes écrêtées&#xa0;: {clipping}</translation>
     </message>
     <message>
         <source>close it there first</source>
@@ -3817,7 +3793,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>copy the study&apos;s folder to the other machine, then run it there</source>
-        <translation type="unfinished"></translation>
+        <translation>copiez le dossier de l&apos;étude sur l&apos;autre machine, puis lancez-la là</translation>
     </message>
     <message>
         <source>correct it</source>
@@ -3852,7 +3828,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>ne décrit pas de séquence</translation>
     </message>
     <message>
-        <source>describes no study</source>
+        <source>is not the definition of a study</source>
         <translation>ne décrit pas d’étude</translation>
     </message>
     <message>
@@ -3868,15 +3844,15 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>déposez une vidéo et au plus un journal&#xa0;; importez les autres ensuite</translation>
     </message>
     <message>
-        <source>drop the constraint</source>
+        <source>remove the constraint</source>
         <translation>abandonnez la contrainte</translation>
     </message>
     <message>
-        <source>drop the constraint or add sequences</source>
+        <source>remove the constraint or add sequences</source>
         <translation>abandonnez la contrainte ou ajoutez des séquences</translation>
     </message>
     <message>
-        <source>drop the constraint or choose random or latin-square</source>
+        <source>remove the constraint or choose random or latin-square</source>
         <translation>abandonnez la contrainte ou choisissez random ou latin-square</translation>
     </message>
     <message>
@@ -3920,10 +3896,6 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>exportez les temps en nombres, en s, ms, us ou ns</translation>
     </message>
     <message>
-        <source>factor</source>
-        <translation>facteur</translation>
-    </message>
-    <message>
         <source>failed</source>
         <translation>a échoué</translation>
     </message>
@@ -3934,10 +3906,6 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     <message>
         <source>faults are refused: this loop is not for them</source>
         <translation>les pannes sont refusées&#xa0;: cette boucle n’est pas faite pour elles</translation>
-    </message>
-    <message>
-        <source>feedback</source>
-        <translation>retour</translation>
     </message>
     <message>
         <source>field_dip_rad must lie within a right angle, got {field_dip_rad}</source>
@@ -4012,11 +3980,11 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>libérez de la place, ou choisissez un dossier où vous pouvez écrire</translation>
     </message>
     <message>
-        <source>from 3 to {most} participants can be tried</source>
+        <source>--largest must be between 3 and {most}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>from {least} to {most} studies can be simulated</source>
+        <source>--studies must be between {least} and {most}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4034,10 +4002,6 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     <message>
         <source>give --offset S, the media time at which the log&apos;s clock reads 0</source>
         <translation>donnez --offset S, le temps du média où l’horloge du journal indique 0</translation>
-    </message>
-    <message>
-        <source>give 0 or more; directions are set by the mapping</source>
-        <translation>donnez 0 ou plus&#xa0;; les directions dépendent de la correspondance</translation>
     </message>
     <message>
         <source>give a file that &apos;hapticplayer play --record&apos; has written</source>
@@ -4076,28 +4040,12 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>donnez un enregistrement d’au moins deux mesures</translation>
     </message>
     <message>
-        <source>give a smaller max_run or flank, or a larger half_window</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>give an order of 1 to {most}</source>
-        <translation>donnez un ordre de 1 à {most}</translation>
-    </message>
-    <message>
         <source>give another --offset</source>
         <translation>donnez un autre --offset</translation>
     </message>
     <message>
         <source>give at least {least_hz:g} samples a second</source>
         <translation>donnez au moins {least_hz:g} mesures par seconde</translation>
-    </message>
-    <message>
-        <source>give fades above zero, such as {fade_s} s</source>
-        <translation>donnez des fondus supérieurs à zéro, par exemple {fade_s} s</translation>
-    </message>
-    <message>
-        <source>give shorter fades or a longer span</source>
-        <translation>donnez des fondus plus courts ou une plage plus longue</translation>
     </message>
     <message>
         <source>give the angular rate in rad/s</source>
@@ -4114,10 +4062,6 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     <message>
         <source>give the folder of a sequence, or a video</source>
         <translation>donnez le dossier d’une séquence, ou une vidéo</translation>
-    </message>
-    <message>
-        <source>give the folder of a sequence, or nothing</source>
-        <translation>donnez le dossier d’une séquence, ou rien</translation>
     </message>
     <message>
         <source>give the folder of a study</source>
@@ -4152,10 +4096,6 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>donnez le journal avec --imu LOG --offset S, et {option} là où c’est demandé</translation>
     </message>
     <message>
-        <source>give the samples per second</source>
-        <translation>donnez le nombre de mesures par seconde</translation>
-    </message>
-    <message>
         <source>give the specific force in m/s2, about 9.8 at rest</source>
         <translation>donnez la force spécifique en m/s2, environ 9.8 au repos</translation>
     </message>
@@ -4182,10 +4122,6 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     <message>
         <source>give three axes for each time</source>
         <translation>donnez trois axes pour chaque temps</translation>
-    </message>
-    <message>
-        <source>give times in seconds and a gain</source>
-        <translation>donnez des temps en secondes et un gain</translation>
     </message>
     <message>
         <source>give times in seconds of the clip</source>
@@ -4220,11 +4156,11 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>a un en-tête endommagé&#xa0;: pas de ligne t,gx,gy,gz,ax,ay,az</translation>
     </message>
     <message>
-        <source>has an answer that was not offered</source>
+        <source>must be one of the choices</source>
         <translation>a une réponse qui n’était pas proposée</translation>
     </message>
     <message>
-        <source>has another number of columns</source>
+        <source>has a different number of columns</source>
         <translation>a un autre nombre de colonnes</translation>
     </message>
     <message>
@@ -4241,7 +4177,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>has no answers yet</source>
-        <translation type="unfinished"></translation>
+        <translation>n&apos;a pas encore de réponse</translation>
     </message>
     <message>
         <source>has no force ({reason})</source>
@@ -4256,7 +4192,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>n’a que {rate_hz:.1f} mesures par seconde, où des tapes ne se voient pas</translation>
     </message>
     <message>
-        <source>has the unknown entry {name!r}</source>
+        <source>unknown entry {name!r}</source>
         <translation>a l’entrée inconnue {name!r}</translation>
     </message>
     <message>
@@ -4286,10 +4222,6 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     <message>
         <source>has {count} columns, the header has {expected}</source>
         <translation>a {count} colonnes, l’en-tête en a {expected}</translation>
-    </message>
-    <message>
-        <source>has {count} entries; {least} to {most} go</source>
-        <translation>a {count} entrées&#xa0;; de {least} à {most} sont possibles</translation>
     </message>
     <message>
         <source>has {count} telemetry payloads, too many</source>
@@ -4368,7 +4300,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>ne contient pas {name}</translation>
     </message>
     <message>
-        <source>holds records of version {found}, this program reads {version}</source>
+        <source>has records of version {found}, this program reads {version}</source>
         <translation>contient des données de la version {found}, ce programme lit {version}</translation>
     </message>
     <message>
@@ -4436,7 +4368,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>est endommagé ({reason})</translation>
     </message>
     <message>
-        <source>is damaged or missing, and the study&apos;s own definition is another one now</source>
+        <source>is damaged or missing, and the definition of the study has changed</source>
         <translation>est endommagé ou manque, et la définition de l’étude est maintenant une autre</translation>
     </message>
     <message>
@@ -4468,7 +4400,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>n’est pas un objet JSON</translation>
     </message>
     <message>
-        <source>is no UTF-8 text</source>
+        <source>is not UTF-8 text</source>
         <translation>n’est pas du texte en UTF-8</translation>
     </message>
     <message>
@@ -4476,15 +4408,11 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>n’est pas un journal</translation>
     </message>
     <message>
-        <source>is no participant&apos;s code</source>
-        <translation>n’est pas le code d’un participant</translation>
-    </message>
-    <message>
-        <source>is no question of this page</source>
+        <source>is not a question of this page</source>
         <translation>n’est pas une question de cette page</translation>
     </message>
     <message>
-        <source>is no session</source>
+        <source>is not a session</source>
         <translation>n’est pas une séance</translation>
     </message>
     <message>
@@ -4492,11 +4420,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>n’est pas un modèle de journal ({reason})</translation>
     </message>
     <message>
-        <source>is no text</source>
-        <translation>n’est pas un texte</translation>
-    </message>
-    <message>
-        <source>is no valid JSON ({reason})</source>
+        <source>is not valid JSON ({reason})</source>
         <translation>n’est pas du JSON valable ({reason})</translation>
     </message>
     <message>
@@ -4504,7 +4428,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>n’est pas une vidéo</translation>
     </message>
     <message>
-        <source>is no yes-no question</source>
+        <source>must be a yes-no question</source>
         <translation>n’est pas une question à répondre par oui ou non</translation>
     </message>
     <message>
@@ -4552,7 +4476,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>est d’une {name}, dont la télémétrie ne dit pas les axes</translation>
     </message>
     <message>
-        <source>is of another version of the program</source>
+        <source>was written by another version of the program</source>
         <translation>est d’une autre version du programme</translation>
     </message>
     <message>
@@ -4565,7 +4489,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>is the study {found}, not {expected}</source>
-        <translation type="unfinished"></translation>
+        <translation>est l&apos;étude {found}, et non {expected}</translation>
     </message>
     <message>
         <source>is too large</source>
@@ -4576,32 +4500,28 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>is {kind} instead of a list</source>
-        <translation>est {kind} au lieu d’une liste</translation>
-    </message>
-    <message>
-        <source>is {kind} instead of a number</source>
-        <translation>est {kind} au lieu d’un nombre</translation>
-    </message>
-    <message>
-        <source>is {kind} instead of a text</source>
-        <translation>est {kind} au lieu d’un texte</translation>
-    </message>
-    <message>
-        <source>is {kind} instead of an object</source>
-        <translation>est {kind} au lieu d’un objet</translation>
-    </message>
-    <message>
-        <source>is {kind} instead of true or false</source>
-        <translation>est {kind} au lieu de true ou false</translation>
-    </message>
-    <message>
-        <source>is {value!r}</source>
+        <source>{value!r} is not allowed</source>
         <translation>est {value!r}</translation>
     </message>
     <message>
         <source>it cannot be decoded any further</source>
         <translation>la suite ne peut pas être décodée</translation>
+    </message>
+    <message>
+        <source>a Williams design contains every pair of neighbours, also of one sequence</source>
+        <translation>un plan de Williams contient chaque paire de voisins, aussi d&apos;une même séquence</translation>
+    </message>
+    <message>
+        <source>a whole number</source>
+        <translation>un nombre entier</translation>
+    </message>
+    <message>
+        <source>clipped samples: {force} of the accelerometer ({force_marked} of them not reconstructed, marked as not valid), {rate} of the gyro ({rate_marked})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is not a valid key</source>
+        <translation>n&apos;est pas une clé valide</translation>
     </message>
     <message>
         <source>it cannot be probed</source>
@@ -4756,10 +4676,6 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>son index annonce plus d’échantillons qu’il n’a d’octets</translation>
     </message>
     <message>
-        <source>its pictures have a format that is not known</source>
-        <translation>ses images ont un format inconnu</translation>
-    </message>
-    <message>
         <source>its pictures of {width} x {height} pixels are too large (up to 8192 x 4320 are shown)</source>
         <translation>ses images de {width} x {height} pixels sont trop grandes (jusqu’à 8192 x 4320 sont montrées)</translation>
     </message>
@@ -4812,11 +4728,11 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>son {key} est {value!r}, pas un nombre supérieur à zéro</translation>
     </message>
     <message>
-        <source>known are {known}</source>
+        <source>allowed: {known}</source>
         <translation>sont connus&#xa0;: {known}</translation>
     </message>
     <message>
-        <source>lacks the entry {name!r}</source>
+        <source>missing entry {name!r}</source>
         <translation>l’entrée {name!r} manque</translation>
     </message>
     <message>
@@ -4860,7 +4776,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>champ magnétique en {unit}</translation>
     </message>
     <message>
-        <source>makes {count} conditions; 2 to {most} go</source>
+        <source>must have 2 to {most} conditions, has {count}</source>
         <translation>donne {count} conditions&#xa0;; de 2 à {most} sont possibles</translation>
     </message>
     <message>
@@ -4880,10 +4796,6 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>mouvement filtré par un passe-bas à {lowpass_hz:g} Hz, sans déphasage</translation>
     </message>
     <message>
-        <source>motion track</source>
-        <translation>piste de mouvement</translation>
-    </message>
-    <message>
         <source>names a column twice</source>
         <translation>nomme une colonne deux fois</translation>
     </message>
@@ -4896,11 +4808,11 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>nomme {count} colonnes, le tableau en a {total} ({shown})</translation>
     </message>
     <message>
-        <source>needs 1 to {most} characters</source>
+        <source>must have 1 to {most} characters</source>
         <translation>demande de 1 à {most} caractères</translation>
     </message>
     <message>
-        <source>needs a number from {least} to {most}</source>
+        <source>must be a number from {least} to {most}</source>
         <translation>demande un nombre de {least} à {most}</translation>
     </message>
     <message>
@@ -4909,7 +4821,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>the log is not synchronised: its clock is taken as media time; give --offset S</source>
-        <translation>le journal n’est pas synchronisé : son horloge est prise comme temps du média ; donnez --offset S</translation>
+        <translation>le journal n’est pas synchronisé&#xa0;: son horloge est prise comme temps du média&#x202f;; donnez --offset S</translation>
     </message>
     <message>
         <source>no Falcon is plugged in</source>
@@ -4924,7 +4836,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>aucun Falcon {serial!r} n’est branché&#xa0;; il y a&#xa0;: {known}</translation>
     </message>
     <message>
-        <source>no factor may be called {name!r}, the name of their sum</source>
+        <source>a factor must not be named {name!r}, the name of the sum of all factors</source>
         <translation>aucun facteur ne peut s’appeler {name!r}, le nom de leur somme</translation>
     </message>
     <message>
@@ -4936,12 +4848,8 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>aucune jambe n’atteint ({x:.1f}, {y:.1f}, {z:.1f}) mm</translation>
     </message>
     <message>
-        <source>no order was found in which no sequence is played twice in a row</source>
+        <source>found no order in which no sequence is played twice in a row</source>
         <translation>aucun ordre n’a été trouvé où aucune séquence ne passe deux fois de suite</translation>
-    </message>
-    <message>
-        <source>nobody&apos;s home folder is known; set {variable} to the firmware&apos;s path</source>
-        <translation>le dossier personnel n’est pas connu&#xa0;; donnez à {variable} le chemin du micrologiciel</translation>
     </message>
     <message>
         <source>none of its pictures can be decoded</source>
@@ -4972,7 +4880,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>le décalage {offset_s} s avec la cadence {rate} ne met pas les horloges en correspondance&#xa0;; donnez des nombres finis et une cadence positive</translation>
     </message>
     <message>
-        <source>one feedback alone cannot be compared with anything</source>
+        <source>comparing needs two feedbacks or more</source>
         <translation>un seul retour ne peut être comparé à rien</translation>
     </message>
     <message>
@@ -4980,7 +4888,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>une lacune</translation>
     </message>
     <message>
-        <source>one sequence cannot but follow itself</source>
+        <source>a single sequence always follows itself</source>
         <translation>une seule séquence ne peut que se suivre elle-même</translation>
     </message>
     <message>
@@ -5018,14 +4926,6 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     <message>
         <source>order {order} plays {sequence} twice in a row</source>
         <translation>l’ordre {order} joue {sequence} deux fois de suite</translation>
-    </message>
-    <message>
-        <source>participant</source>
-        <translation>participant</translation>
-    </message>
-    <message>
-        <source>participant {participant}, {sequence}, {feedback}, {factor}</source>
-        <translation>participant {participant}, {sequence}, {feedback}, {factor}</translation>
     </message>
     <message>
         <source>participants: 1 to {most} can be simulated</source>
@@ -5116,7 +5016,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>remettez-la en MP4 pour que sa durée soit inscrite</translation>
     </message>
     <message>
-        <source>rename one</source>
+        <source>rename one of them</source>
         <translation>renommez l’une d’elles</translation>
     </message>
     <message>
@@ -5133,15 +5033,11 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>run a participant</source>
-        <translation type="unfinished"></translation>
+        <translation>faites passer un participant</translation>
     </message>
     <message>
         <source>run a participant first</source>
         <translation>faites d’abord passer un participant</translation>
-    </message>
-    <message>
-        <source>runs backwards</source>
-        <translation>recule</translation>
     </message>
     <message>
         <source>samples have the shape {shape}, expected N x 3</source>
@@ -5156,10 +5052,6 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>enregistrez-le comme texte en UTF-8</translation>
     </message>
     <message>
-        <source>sequence</source>
-        <translation>séquence</translation>
-    </message>
-    <message>
         <source>session {code} cannot be used: {what}</source>
         <translation>la séance {code} n’est pas utilisable&#xa0;: {what}</translation>
     </message>
@@ -5168,7 +5060,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>la séance {code} est {state}</translation>
     </message>
     <message>
-        <source>session {code}: {key} was left out, the definition no longer has it</source>
+        <source>session {code}: {key} was left out; it is not in the definition</source>
         <translation>séance {code}&#xa0;: {key} a été omis, la définition ne l’a plus</translation>
     </message>
     <message>
@@ -5190,10 +5082,6 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     <message>
         <source>sort the rows by time or cut the recording there</source>
         <translation>triez les lignes par temps ou coupez l’enregistrement à cet endroit</translation>
-    </message>
-    <message>
-        <source>span from {start_s:g} s to {end_s:g} s</source>
-        <translation>plage de {start_s:g} s à {end_s:g} s</translation>
     </message>
     <message>
         <source>specific force is acceleration plus the phone&apos;s gravity estimate</source>
@@ -5336,7 +5224,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>les colonnes sont dans un autre ordre</translation>
     </message>
     <message>
-        <source>the columns have to be {columns}</source>
+        <source>the columns must be {columns}</source>
         <translation>les colonnes doivent être {columns}</translation>
     </message>
     <message>
@@ -5348,16 +5236,12 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>la fréquence de coupure</translation>
     </message>
     <message>
-        <source>the entry {twice!r} stands twice in one object</source>
+        <source>duplicate entry {twice!r}</source>
         <translation>l’entrée {twice!r} figure deux fois dans un objet</translation>
     </message>
     <message>
         <source>the experiment was paused; its clock skips the pause</source>
         <translation>l’expérience a été mise en pause&#xa0;; son horloge a continué sans la pause</translation>
-    </message>
-    <message>
-        <source>the fades take {fades_s:g} s</source>
-        <translation>les fondus prennent {fades_s:g} s</translation>
     </message>
     <message>
         <source>the file ends at byte {size_bytes} but its header promises {promised_bytes}</source>
@@ -5382,10 +5266,6 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     <message>
         <source>the folder was replaced</source>
         <translation>le dossier a été remplacé</translation>
-    </message>
-    <message>
-        <source>the gain {gain:g} would reverse the motion</source>
-        <translation>le gain {gain:g} inverserait le mouvement</translation>
     </message>
     <message>
         <source>the game pad is not open; choose the device again</source>
@@ -5428,7 +5308,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>the key {key!r} stands twice</source>
+        <source>duplicate key {key!r}</source>
         <translation>la clé {key!r} figure deux fois</translation>
     </message>
     <message>
@@ -5498,10 +5378,6 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     <message>
         <source>the phone&apos;s axes: x right, y top, z out of the screen</source>
         <translation>axes du téléphone&#xa0;: x à droite, y en haut, z hors de l’écran</translation>
-    </message>
-    <message>
-        <source>the position {text!r} is no whole number</source>
-        <translation>la position {text!r} n’est pas un nombre entier</translation>
     </message>
     <message>
         <source>the rate</source>
@@ -5580,7 +5456,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>la force spécifique est de {norm:.3g} m/s2 au repos quand elle est lue en {accel_unit}, mais la pesanteur est de 9.81</translation>
     </message>
     <message>
-        <source>the study has no condition {key}</source>
+        <source>condition {key} is not in the study</source>
         <translation>l’étude n’a pas de condition {key}</translation>
     </message>
     <message>
@@ -5608,10 +5484,6 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>il y a déjà une piste {name!r}&#xa0;; choisissez un autre nom</translation>
     </message>
     <message>
-        <source>there is no device that could have a fault</source>
-        <translation>il n’y a pas d’appareil qui puisse avoir une panne</translation>
-    </message>
-    <message>
         <source>there is no effect {name!r}; there is paper, none, or a share of the paper&apos;s effect such as 0.5</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5620,15 +5492,15 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>il n’y a pas de format {name!r}&#xa0;; choisissez parmi {known}</translation>
     </message>
     <message>
-        <source>there is no format {name!r}; there is {known}</source>
-        <translation type="unfinished"></translation>
+        <source>unknown format {name!r}; choose one of {known}</source>
+        <translation>format inconnu {name!r} ; choisissez parmi {known}</translation>
     </message>
     <message>
         <source>there is no header, the file begins with numbers</source>
         <translation>il n’y a pas d’en-tête, le fichier commence par des nombres</translation>
     </message>
     <message>
-        <source>there is no judgement that could be analysed</source>
+        <source>there is no judgement to analyse</source>
         <translation>il n’y a pas de jugement à analyser</translation>
     </message>
     <message>
@@ -5648,7 +5520,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>il n’y a pas de fixation {text!r}&#xa0;; choisissez parmi {known}, ou donnez la droite, l’avant et le haut de la personne dans les axes de l’enregistreur, par exemple --mounting=-x,y,-z</translation>
     </message>
     <message>
-        <source>there is no participant {code}</source>
+        <source>no participant {code}</source>
         <translation>il n’y a pas de participant {code}</translation>
     </message>
     <message>
@@ -5660,7 +5532,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>there is no sequence {key!r}; {known} are</source>
+        <source>unknown sequence {key!r}; choose one of {known}</source>
         <translation>il n’y a pas de séquence {key!r}&#xa0;; il y a {known}</translation>
     </message>
     <message>
@@ -5680,16 +5552,12 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>ce fichier n’existe pas</translation>
     </message>
     <message>
-        <source>there is no template {name!r}; there is {known}</source>
+        <source>unknown template {name!r}; choose one of {known}</source>
         <translation>il n’y a pas de modèle {name!r}&#xa0;; il y a {known}</translation>
     </message>
     <message>
         <source>track {name!r} not found</source>
         <translation>il n’y a pas de piste {name!r}</translation>
-    </message>
-    <message>
-        <source>there is no {kind}</source>
-        <translation>il manque&#xa0;: {kind}</translation>
     </message>
     <message>
         <source>there is nothing in it</source>
@@ -5704,7 +5572,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>ce n’est pas un micrologiciel pour le Falcon&#xa0;: {reason}&#xa0;; choisissez le fichier nvent_firmware.bin d’une archive des sources de libnifalcon</translation>
     </message>
     <message>
-        <source>this is the page {page}, not {expected}</source>
+        <source>the current page is {page}, not {expected}</source>
         <translation>c’est la page {page}, pas {expected}</translation>
     </message>
     <message>
@@ -5884,12 +5752,8 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>{device} est un vrai appareil et n’accepte pas de pannes</translation>
     </message>
     <message>
-        <source>{early} of {count} sessions have answers and no end</source>
+        <source>{early} of {count} sessions have answers but were not completed</source>
         <translation>{early} séances sur {count} ont des réponses et pas de fin</translation>
-    </message>
-    <message>
-        <source>{empty} of {count} sessions hold no answer to a trial</source>
-        <translation>{empty} séances sur {count} ne contiennent aucune réponse à un essai</translation>
     </message>
     <message>
         <source>{file}, line 1</source>
@@ -5904,7 +5768,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>{file}&#xa0;: columns={columns} {fault}</translation>
     </message>
     <message>
-        <source>{file}: is damaged; the study&apos;s own definition was used</source>
+        <source>{file}: is damaged; the definition of the study was used</source>
         <translation>{file}&#xa0;: est endommagé&#xa0;; la définition de l’étude a été utilisée</translation>
     </message>
     <message>
@@ -5946,6 +5810,62 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     <message>
         <source>{name!r} is no Falcon; use falcon, or falcon:SERIAL</source>
         <translation>{name!r} n’est pas un Falcon&#xa0;; prenez falcon, ou falcon:SERIAL</translation>
+    </message>
+    <message>
+        <source>its pixel format cannot be converted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>must be {kind} {limit}</source>
+        <translation>doit être {kind} {limit}</translation>
+    </message>
+    <message>
+        <source>must be {wanted}, not {kind}</source>
+        <translation>doit être {wanted}, et non {kind}</translation>
+    </message>
+    <message>
+        <source>nothing is recorded: {reason}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>spikes removed from {force} accelerometer, {rate} gyro, {field} magnetometer samples; {kept} samples stood out and were left as motion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the guard could not be started: {reason}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the home folder is unknown; set {variable} to the firmware&apos;s path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the record is not complete: its file could not be written</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the record is not complete: its file was removed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the record is not complete: its process ended with status {status}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the record is not complete: the disk is full, or the file as large as it may be</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the record is not complete: the disk is too slow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there are no participants</source>
+        <translation>il n&apos;y a aucun participant</translation>
+    </message>
+    <message>
+        <source>{empty} of {count} sessions have no answers</source>
+        <translation>{empty} sessions sur {count} n&apos;ont aucune réponse</translation>
     </message>
     <message>
         <source>{name!r} is not a plain file name</source>
@@ -6052,7 +5972,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>{rate_hz:g} Hz dépasse la cadence des mesures, {input_rate_hz:.4g} Hz</translation>
     </message>
     <message>
-        <source>{reason}; the copy among the answers was used</source>
+        <source>{reason}; the copy in the journal was used</source>
         <translation>{reason}&#xa0;; la copie parmi les réponses a été utilisée</translation>
     </message>
     <message>
@@ -6060,7 +5980,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{scripted} of {count} sessions are simulated: nobody sat there</source>
+        <source>{scripted} of {count} sessions are simulated</source>
         <translation>{scripted} séances sur {count} sont simulées&#xa0;: personne n’y était</translation>
     </message>
     <message>
@@ -6080,8 +6000,12 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>{source}&#xa0;: en bon état, mais aucun des micrologiciels connus ({known}&#xa0;; SHA-256 {sha256}...)&#xa0;; il ferait tourner les moteurs&#xa0;: dites que vous le voulez (--accept-unknown)</translation>
     </message>
     <message>
-        <source>{text!r} is no participant&apos;s code</source>
+        <source>{text!r} is not a participant&apos;s code</source>
         <translation>{text!r} n’est pas le code d’un participant</translation>
+    </message>
+    <message>
+        <source>{width} x {height} pixels are too large for a frame</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{text!r} is not a number</source>
@@ -6104,20 +6028,8 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>{total_s:.4g} s de mesures font moins qu’une fenêtre de {window_s:.4g} s</translation>
     </message>
     <message>
-        <source>{value!r} is no key</source>
-        <translation>{value!r} n’est pas une clé</translation>
-    </message>
-    <message>
-        <source>{value:g} is no whole number</source>
-        <translation>{value:g} n’est pas un nombre entier</translation>
-    </message>
-    <message>
         <source>{value} is not a number</source>
         <translation>{value} n’est pas un nombre</translation>
-    </message>
-    <message>
-        <source>{value} lies outside {least:g} to {most:g}</source>
-        <translation>{value} est en dehors de {least:g} à {most:g}</translation>
     </message>
     <message>
         <source>{what} ({reason})</source>
@@ -6144,10 +6056,6 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>{where}&#xa0;: {what}</translation>
     </message>
     <message>
-        <source>{width} x {height} pixels are too large for a picture</source>
-        <translation>{width} x {height} pixels sont trop pour une image</translation>
-    </message>
-    <message>
         <source>CSV in SI units</source>
         <translation>CSV en unités SI</translation>
     </message>
@@ -6161,7 +6069,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>method {method!r} not found; choose one of {known}</source>
-        <translation>la méthode {method!r} est introuvable ; choisissez parmi {known}</translation>
+        <translation>la méthode {method!r} est introuvable&#x202f;; choisissez parmi {known}</translation>
     </message>
     <message>
         <source>the offset if given, the recording&apos;s own clock if it is the clip&apos;s, else pats</source>

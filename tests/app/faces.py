@@ -139,7 +139,7 @@ def _operator(surface) -> SessionControl:
     start = StartPanel(["en", "de"], ["P01"])
     found = {
         "device": "falcon-simulated, starting",
-        "homed": "the device has said nothing yet",
+        "homed": "no data from the device yet",
         "scheduling": "normal",
         "sound": "not confirmed",
         "screen": "3840 x 2160, 60 Hz, screens: 2",
