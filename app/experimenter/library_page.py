@@ -27,7 +27,7 @@ from app.widgets.files import folder_dialog
 from app.widgets.layout import ElidedLabel, ask_text
 from app.widgets.texts import date_text, quoted, time_text, titled
 from hapticplayer.errors import HapticPlayerError, InputError, Message, message_of
-from hapticplayer.media.thumbnails import Thumbnail, cover_pictures
+from hapticplayer.media.thumbnails import Thumbnail, cover_thumbnails
 from hapticplayer.sequence import verify_sequence
 from hapticplayer.sequence.editing import rename_sequence
 from hapticplayer.sequence.files import refuse_existing
@@ -399,7 +399,9 @@ class LibraryPage(QDialog):
             clips = [entry.clip for entry in wanted]
             self._job = Job(
                 "",
-                lambda told: in_child(cover_pictures, clips, PICTURE_PX, progress=told),
+                lambda told: in_child(
+                    cover_thumbnails, clips, PICTURE_PX, progress=told
+                ),
             )
             self._job.start()
 

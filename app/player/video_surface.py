@@ -26,17 +26,17 @@ class Box(NamedTuple):
     height: int
 
 
-def letterbox(picture: tuple[int, int], area: tuple[int, int]) -> Box:
-    """Return the largest box of the picture's shape in the middle of the area.
+def letterbox(clip: tuple[int, int], area: tuple[int, int]) -> Box:
+    """Return the largest box of the clip's shape in the middle of the area.
 
     The width is even, as the converter wants it, and rounding never makes a bar
     of a single column or row: a box within a pixel of the area fills it.
 
     Args:
-        picture: width and height of the clip as shown, px.
+        clip: width and height of the clip as shown, px.
         area: width and height of the surface in device pixels.
     """
-    wide, high = max(1, picture[0]), max(1, picture[1])
+    wide, high = max(1, clip[0]), max(1, clip[1])
     room_x, room_y = max(2, area[0]), max(2, area[1])
     if wide * room_y >= high * room_x:
         width, height = room_x, round(room_x * high / wide)

@@ -37,11 +37,11 @@ class ClipInfo:
 
     Attributes:
         path: absolute, with symbolic links resolved.
-        duration_s: from the first picture to the end of the last.
+        duration_s: from the first frame to the end of the last.
         width: px as shown: after rotation, with square pixels.
         height: px as shown.
         frame_rate_hz: average; 0 where the file does not say.
-        frame_count: pictures that the file promises; 0 where it does not say.
+        frame_count: as the file states it, else 0.
         has_audio: whether there is sound that can be decoded.
         audio_rate_hz: as stored; 0 without sound.
         has_telemetry: whether a camera's motion track is embedded.
@@ -59,7 +59,7 @@ class ClipInfo:
 
 
 def probe(path: str | os.PathLike[str]) -> ClipInfo:
-    """Open a clip, decode its first picture and say what it holds.
+    """Open a clip, decode its first frame and return what it holds.
 
     Raises:
         MediaError: when it cannot be opened, or holds no video that can be shown.
@@ -167,5 +167,5 @@ def _first_frame(
         if count >= _MAX_PACKETS_TO_FIRST_FRAME:
             break
     raise MediaError(
-        "none of its pictures can be decoded", where=str(path), remedy=COPY_AGAIN
+        "none of its frames can be decoded", where=str(path), remedy=COPY_AGAIN
     )

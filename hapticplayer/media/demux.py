@@ -31,7 +31,7 @@ class PacketReader(Generic[FrameT]):
     """Decoded frames of one stream; packets that fail are counted.
 
     Attributes:
-        damaged: packets that could not be decoded so far, pictures that are missing,
+        damaged: packets that could not be decoded so far, frames that are missing,
             and frames that the decoder had to make up in part.
     """
 
@@ -80,7 +80,7 @@ class PacketReader(Generic[FrameT]):
         """After `seek`: leave out of the decoding what only leads to `ticks`.
 
         Returns:
-            the time stamp of the picture that covers `ticks`, None where unknown.
+            the time stamp of the frame that covers `ticks`, None where unknown.
 
         Raises:
             MediaError: when the stream cannot be read any further.

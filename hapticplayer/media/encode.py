@@ -28,8 +28,8 @@ KEY_FRAME_INTERVAL_S = 2.0
 _SMALL = {"crf": "20", "preset": "veryfast", "threads": "1", "mbtree": "0"}
 _QUICK = {"crf": "26", "preset": "ultrafast", "threads": "1"}
 """One thread: the bytes shall not depend on how many cores there are; and no macroblock
-tree, with which x264 gave five different files in five runs of small pictures. The quick one
-takes a fourth of the time, for a file of about the same size that looks a little worse.
+tree, with which x264 gave five different files in five runs of small frames. The quick one
+takes a fourth of the time, for a file of about the same size that is of slightly lower quality.
 """
 
 _BT709 = 1
@@ -46,13 +46,13 @@ Progress = Callable[[float], None]
 
 
 def key_frame_interval(frame_rate_hz: Fraction | float) -> int:
-    """Return how many pictures there are from one key frame to the next, at most."""
+    """Return how many frames there are from one key frame to the next, at most."""
     return max(1, round(KEY_FRAME_INTERVAL_S * frame_rate_hz))
 
 
 def write_clip(  # noqa: PLR0913 - two kinds of content, one file
     path: str | os.PathLike[str],
-    pictures: Iterable[NDArray[np.uint8]],
+    frames: Iterable[NDArray[np.uint8]],
     *,
     frame_rate_hz: float,
     audio: NDArray[np.float32] | None = None,
@@ -61,26 +61,26 @@ def write_clip(  # noqa: PLR0913 - two kinds of content, one file
     progress: Progress | None = None,
     rest: Callable[[], Path] | None = None,
 ) -> None:
-    """Encode pictures and sound; the file appears only when it is complete.
+    """Encode frames and sound; the file appears only when it is complete.
 
     Both begin at media time 0. Colours are written as BT.709 and tagged so; the
-    index stands in front, so that a truncated copy still plays its first part.
+    index comes first, so that a truncated copy still plays its first part.
 
     Args:
         path: the file to write; an older one is replaced.
-        pictures: (h, w, 3) uint8 RGB, all of one size with even sides; or (h, w, 4),
+        frames: (h, w, 3) uint8 RGB, all of one size with even sides; or (h, w, 4),
             whose last channel is ignored.
-        frame_rate_hz: of the pictures.
+        frame_rate_hz: of the frames.
         audio: (n, channels) with 1 or 2 channels, 1.0 is full scale, or None.
         audio_rate_hz: of the sound.
         is_quick: save time rather than quality.
-        progress: called after each picture with the seconds written so far; what
+        progress: called after each frame with the seconds written so far; what
             it raises (Cancelled) ends the work and leaves nothing behind.
-        rest: called after the last picture; gives a clip that this function has
-            written of the pictures that follow, which are not encoded again.
+        rest: called after the last frame; gives a clip that this function has
+            written of the frames that follow, which are not encoded again.
 
     Raises:
-        MediaError: when the file cannot be written or the pictures differ in size.
+        MediaError: when the file cannot be written or the frames differ in size.
     """
     target = Path(path)
     part = target.with_name(f".{target.stem}.{secrets.token_hex(4)}.part")
@@ -91,7 +91,7 @@ def write_clip(  # noqa: PLR0913 - two kinds of content, one file
         ):
             options = _QUICK if is_quick else _SMALL
             sound = None if audio is None else (audio, audio_rate_hz)
-            _write(part, iter(pictures), rate, options, sound, progress, rest)
+            _write(part, iter(frames), rate, options, sound, progress, rest)
             part.replace(target)
     finally:
         with contextlib.suppress(OSError):
@@ -100,16 +100,16 @@ def write_clip(  # noqa: PLR0913 - two kinds of content, one file
 
 def _write(  # noqa: PLR0913 - as write_clip
     part: Path,
-    pictures: Iterator[NDArray[np.uint8]],
+    frames: Iterator[NDArray[np.uint8]],
     rate: Fraction,
     options: dict[str, str],
     audio: tuple[NDArray[np.float32], int] | None,
     progress: Progress | None,
     rest: Callable[[], Path] | None,
 ) -> None:
-    first = next(pictures, None)
+    first = next(frames, None)
     if first is None:
-        raise MediaError("there are no pictures to write", where=str(part.parent))
+        raise MediaError("there are no frames to write", where=str(part.parent))
     container = av.open(
         str(part), "w", format="mp4", options={"movflags": "+faststart"}
     )
@@ -119,10 +119,10 @@ def _write(  # noqa: PLR0913 - as write_clip
         if audio is not None:
             sound = _SoundWriter(container, *audio)
         reformatter = VideoReformatter()
-        picture: NDArray[np.uint8] | None = first
+        pixels: NDArray[np.uint8] | None = first
         count = 0
-        while picture is not None:
-            frame = _yuv_frame(reformatter, picture, first.shape)
+        while pixels is not None:
+            frame = _yuv_frame(reformatter, pixels, first.shape)
             frame.pts, frame.time_base = count, 1 / rate
             container.mux(video.encode(frame))
             count += 1
@@ -131,7 +131,7 @@ def _write(  # noqa: PLR0913 - as write_clip
                 sound.write_until(written_s)
             if progress is not None:
                 progress(written_s)
-            picture = next(pictures, None)
+            pixels = next(frames, None)
         container.mux(video.encode())
         if rest is not None:
             _append(container, video, rest(), count, sound)
@@ -146,13 +146,13 @@ def _append(
     after: int,
     sound: "_SoundWriter | None",
 ) -> None:
-    """Copy the pictures of a clip that was encoded in the same way."""
+    """Copy the frames of a clip that was encoded in the same way."""
     with open_media(path) as source:
         stream = source.streams.video[0]
         base, step = stream.time_base, 1 / Fraction(video.codec_context.framerate)
         assert base is not None
         begin = round(after * step / base)
-        # an MP4 keeps the parameters of its pictures apart, an encoder gives them along
+        # an MP4 stores the parameter sets apart, an encoder sends them inline
         inline = BitStreamFilterContext("h264_mp4toannexb", stream)
         for packet in source.demux(stream):
             if packet.pts is None or packet.dts is None:
@@ -187,17 +187,17 @@ def _video_stream(
 
 def _yuv_frame(
     reformatter: VideoReformatter,
-    picture: NDArray[np.uint8],
+    pixels: NDArray[np.uint8],
     shape: tuple[int, ...],
 ) -> VideoFrame:
-    kind = _FORMATS.get(picture.shape[-1])
-    if picture.shape != shape or kind is None or picture.dtype != np.uint8:
+    kind = _FORMATS.get(pixels.shape[-1])
+    if pixels.shape != shape or kind is None or pixels.dtype != np.uint8:
         raise MediaError(
-            "a picture has the shape {shape}, expected {expected} of uint8",
-            shape=picture.shape,
+            "a frame has the shape {shape}, expected {expected} of uint8",
+            shape=pixels.shape,
             expected=shape,
         )
-    frame = VideoFrame.from_ndarray(np.ascontiguousarray(picture), format=kind)
+    frame = VideoFrame.from_ndarray(np.ascontiguousarray(pixels), format=kind)
     return reformatter.reformat(
         frame,
         format="yuv420p",
@@ -207,7 +207,7 @@ def _yuv_frame(
 
 
 class _SoundWriter:
-    """Encodes sound beside the pictures, so that the file is interleaved."""
+    """Encodes sound beside the frames, so that the file is interleaved."""
 
     def __init__(
         self,

@@ -5,10 +5,10 @@ to do harm, and is refused before memory is spent on it.
 """
 
 MAX_PIXELS = 8192 * 4320
-"""Largest picture area, px: 8K video. An 8192 x 8192 bomb of 199 kB took 696 MB."""
+"""Largest frame area, px: 8K video. An 8192 x 8192 bomb of 199 kB took 696 MB."""
 
 MAX_SIDE_PX = 16_384
-"""Longest side of a picture, px."""
+"""Longest side of a frame, px."""
 
 MAX_STREAMS = 64
 """Streams in one container; cameras write up to seven."""

@@ -1,4 +1,4 @@
-"""Opens media files that nobody has vouched for.
+"""Opens media files that are not trusted.
 
 FFmpeg follows references: playlists, `concat:` names and network addresses. So a
 file is opened by an absolute path with the `file:` prefix, only with demuxers that
@@ -133,7 +133,7 @@ def _check_streams(container: InputContainer, file: Path) -> None:
         width, height = stream.width, stream.height
         if width * height > MAX_PIXELS or max(width, height) > MAX_SIDE_PX:
             raise MediaError(
-                "its pictures of {width} x {height} pixels are too large (up to 8192 "
+                "its frames of {width} x {height} pixels are too large (up to 8192 "
                 "x 4320 are shown)",
                 where=str(file),
                 remedy="convert it to a smaller size",
@@ -193,7 +193,7 @@ def find_video(container: InputContainer) -> VideoStream | None:
 def origin_s(container: InputContainer) -> float:
     """Return the container time of media time 0, s.
 
-    Media time starts where the first picture is shown; without pictures, where
+    Media time starts where the first frame is shown; without video, where
     the first sound is heard.
     """
     stream: Stream | None = find_video(container)

@@ -21,8 +21,8 @@ MARKED = frozenset({"h264"})
 _FIRST_STEPS = 8  # what they are like, the rate is taken to be
 _EVEN = 0.1
 _LONGER = 1.5
-_LOST_AT_END = 2.6  # steps between the beginning of the last picture and the end
-_LOST_EARLY = 8  # the same where too few pictures came to know the rate
+_LOST_AT_END = 2.6  # steps between the beginning of the last frame and the end
+_LOST_EARLY = 8  # the same where too few frames came to know the rate
 
 if TYPE_CHECKING:
     AnyPacket = Packet[Any]
@@ -99,17 +99,17 @@ class Lookahead:
 
 
 class Continuity:
-    """Counts what is missing, from the packets read and the pictures that came.
+    """Counts what is missing, from the packets read and the frames that came.
 
-    Three signs: a packet was read and later ones have become pictures; pictures came at
+    Three signs: a packet was read and later ones have become frames; frames came at
     even steps and then one step is longer; the last comes long before the end that the
     index of the file (MP4, MOV) gives.
 
     Args:
-        stream: of the pictures.
+        stream: of the video.
 
     Attributes:
-        missing: pictures, or rows of them, so far.
+        missing: frames, or rows of them, so far.
     """
 
     def __init__(self, stream: Stream) -> None:
@@ -135,7 +135,7 @@ class Continuity:
             self._sent.add(packet.pts)
 
     def receive(self, frame: VideoFrame) -> None:
-        """Note a picture."""
+        """Note a frame."""
         pts, last = frame.pts, self._last
         if pts is None or not self._is_ordered:
             return
@@ -144,7 +144,7 @@ class Continuity:
             self.missing = 0
             return
         self._last = pts
-        if last is None:  # what comes before the first picture, nobody asked for
+        if last is None:  # before the first frame of a seek
             self._sent = {sent for sent in self._sent if sent > pts}
             return
         lost = {sent for sent in self._sent if sent < pts}

@@ -1,4 +1,4 @@
-"""Small pictures of a clip at regular times, for a seek bar or a library."""
+"""Thumbnails of clips, for a seek bar or a library."""
 
 import os
 from collections.abc import Callable
@@ -14,10 +14,10 @@ MOST = 400
 
 
 class Thumbnail(NamedTuple):
-    """One small picture.
+    """A small picture of a frame.
 
     Attributes:
-        media_s: of the picture.
+        media_s: of the frame.
         width: px.
         height: px.
         rgb: width * height * 3 bytes, top row first.
@@ -36,13 +36,13 @@ def thumbnails(
     *,
     progress: Callable[[float, str], None],
 ) -> list[Thumbnail]:
-    """Return the picture that is shown at each time; those that are broken are left out.
+    """Return a thumbnail for each time, without those that cannot be decoded.
 
     Args:
         path: a clip.
         times_s: in growing order; at most `MOST`.
-        height_px: of the pictures; their width follows.
-        progress: called before each picture; raises Cancelled to stop.
+        height_px: of the thumbnails; their width follows.
+        progress: called before each frame; raises Cancelled to stop.
 
     Raises:
         MediaError: when the clip cannot be opened.
@@ -66,17 +66,17 @@ def thumbnails(
     return made
 
 
-def cover_pictures(
+def cover_thumbnails(
     paths: list[Path],
     height_px: int,
     *,
     progress: Callable[[float, str], None],
 ) -> list[Thumbnail | None]:
-    """Return a picture from the first third of each clip; None where there is none.
+    """Return a thumbnail from the first third of each clip; None where that fails.
 
     Args:
         paths: of clips.
-        height_px: of the pictures; their width follows.
+        height_px: of the thumbnails; their width follows.
         progress: called before each clip; raises Cancelled to stop.
     """
     made: list[Thumbnail | None] = []

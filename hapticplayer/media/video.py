@@ -36,11 +36,11 @@ _EASY_PERCENT = 30.0
 """A machine of a third of that speed still keeps up."""
 
 _STEPS_BACK_S = (0.0, 1.0, 10.0, math.inf)
-"""Where to seek again when a container lands behind the wanted picture."""
+"""Where to seek again when a container lands behind the wanted frame."""
 
 
 class VideoDecoder(ClipDecoder[VideoFrame]):
-    """The pictures of a clip, in order, from any position.
+    """The frames of a clip, in order, from any position.
 
     One thread at a time. A damaged packet is skipped and counted in `damaged`;
     only an error that ends the stream raises.
@@ -77,7 +77,7 @@ class VideoDecoder(ClipDecoder[VideoFrame]):
         first = self.next_frame()
         if first is None:
             raise MediaError(
-                "none of its pictures can be decoded",
+                "none of its frames can be decoded",
                 where=str(self._path),
                 remedy=COPY_AGAIN,
             )
@@ -93,11 +93,11 @@ class VideoDecoder(ClipDecoder[VideoFrame]):
         super().close()
 
     def seek(self, media_s: float) -> None:
-        """Go to the picture that covers `media_s`; `next_frame` returns it.
+        """Go to the frame that covers `media_s`; `next_frame` returns it.
 
-        Before the first picture the first one is next, after the last the last.
-        Costs the decoding of up to one group of pictures, in H.264 without those
-        that no other picture is made from.
+        Before the first frame the first one is next, after the last the last.
+        Decodes up to one group of pictures, in H.264 without the frames that no other
+        frame refers to.
 
         Raises:
             MediaError: when the file cannot be read any more.
@@ -125,7 +125,7 @@ class VideoDecoder(ClipDecoder[VideoFrame]):
         return math.floor(container_s / self._stream.time_base)
 
     def _skip_to(self, frame: DecodedFrame | None, media_s: float) -> None:
-        """Decode on until the next frame lies beyond `media_s`."""
+        """Decode until the next frame is later than `media_s`."""
         while frame is not None:
             if self._wanted is not None and frame.native.pts == self._wanted:
                 self._pending = [frame]
@@ -141,12 +141,12 @@ class VideoDecoder(ClipDecoder[VideoFrame]):
             frame = following
 
     def frames(self) -> Iterator[DecodedFrame]:
-        """Yield the pictures from here to the end."""
+        """Yield the frames from here to the end."""
         while (frame := self.next_frame()) is not None:
             yield frame
 
     def next_frame(self) -> DecodedFrame | None:
-        """Return the next picture, or None at the end.
+        """Return the next frame, or None at the end.
 
         Times increase strictly until the next `seek`: a frame without a time, or
         with one that runs backwards, follows its predecessor.
@@ -167,7 +167,7 @@ class VideoDecoder(ClipDecoder[VideoFrame]):
         last = self._last
         following_s = 0.0 if last is None else last.pts_s + last.duration_s
         if native.pts is not None:
-            at_s = native.time  # in C: a Fraction for each picture costs 50 us
+            at_s = native.time  # in C: a Fraction for each frame costs 50 us
         elif native.dts is not None:
             at_s = native.dts * self._tick_s
         else:

@@ -1,1 +1,1 @@
-"""Picture, sound and force of one clip on one clock."""
+"""Frames, sound and force of one clip on one clock."""

@@ -55,7 +55,7 @@ def beat_source(progress: Progress = no_progress) -> Source:
         length_s = COUNT * PERIOD_S
         write_clip(
             aside,
-            _pictures(),
+            _frames(),
             frame_rate_hz=_RATE_HZ,
             audio=_sound(),
             is_quick=True,
@@ -74,7 +74,7 @@ def _since_beat_s(rate_hz: int) -> NDArray[np.float64]:
     return since.astype(np.float64) / rate_hz
 
 
-def _pictures() -> Iterator[NDArray[np.uint8]]:
+def _frames() -> Iterator[NDArray[np.uint8]]:
     width, height = _SIZE_PX
     dark = np.zeros((height, width, 3), np.uint8)
     bright = np.full_like(dark, 255)
@@ -136,8 +136,8 @@ def relative_latencies_s(
     """Return the latency of each output from the taps, s; none is negative.
 
     Args:
-        display_s: what is known of the picture itself: taps tell only differences.
-        tapped_s: medians by output; the first one is the picture.
+        display_s: known latency of the display: taps show only differences.
+        tapped_s: medians by output; the first one is the display.
     """
     reference_s = next(iter(tapped_s.values()))
     found = {name: display_s + at_s - reference_s for name, at_s in tapped_s.items()}

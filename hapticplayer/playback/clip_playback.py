@@ -22,7 +22,7 @@ from hapticplayer.playback.video_output import FrameSink, VideoOutput
 
 FIRST_SOUND_TIMEOUT_S = 3.0  # a sound server that wakes its device took 1.3 s
 SLOWEST, FASTEST = 0.5, 4.0  # of `set_speed`
-DAMAGED = Message("the clip is damaged: some of its pictures are missing or broken")
+DAMAGED = Message("the clip is damaged: some of its frames are missing or broken")
 
 
 class ClipPlayback:

@@ -1,8 +1,8 @@
 """Where the media is: led by what is being heard, else by the monotonic clock.
 
 The position never jumps except by a seek. Reports of the sound output bend the
-rate until the difference is gone; how far is clamped, so that nobody sees, hears
-or feels the correction.
+rate until the difference is gone; how far is clamped, so that the correction is not
+seen, heard or felt.
 """
 
 import enum

@@ -19,7 +19,7 @@ TRACK = "track"
 class ForcePlayer:
     """Holds a device of its own and plays one track on it; poll it at 10 Hz or more.
 
-    The media clock stands still until the device is ready and homed, so nobody misses
+    The media clock waits until the device is ready and homed, so that nothing is missed of
     the beginning; from then on it runs to the end of the track, whatever is felt.
 
     Args:
@@ -84,7 +84,7 @@ class ForcePlayer:
         self._processes.stop_force()
 
     def close(self) -> None:
-        """Bring the hand to rest and let go of the device."""
+        """Bring the hand to rest and release the device."""
         self._processes.stop_force()
         self._processes.close()
 

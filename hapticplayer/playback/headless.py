@@ -1,4 +1,4 @@
-"""Real-time playback without a window: the same engine, pictures to nobody."""
+"""Real-time playback without a window: the same engine without a display."""
 
 from hapticplayer.clock import Clock
 from hapticplayer.playback.phases import Phase

@@ -27,7 +27,7 @@ _REMEDY = Message("choose a log that `play --log` wrote")
 def with_log(source: Source, path: Path) -> Source:
     """Return the source with the force of a log as another feedback, which plays.
 
-    Where the log passes a time twice, because somebody sought, the last pass counts.
+    Where the log passes a time twice, after a seek, the last pass counts.
 
     Raises:
         InputError: when the log is none, or belongs to another clip.

@@ -57,7 +57,7 @@ def pats_sound(
 
 
 def _add(target: Samples, at: int, samples: Samples) -> None:
-    """Add samples that begin at a row; what lies outside is left out."""
+    """Add samples that begin at a row; what is outside is left out."""
     first, last = max(0, at), min(len(target), at + len(samples))
     if last > first:
         target[first:last] += samples[first - at : last - at]

@@ -233,7 +233,7 @@ class OutputKeeper:
         self._release()
 
     def rest(self) -> None:
-        """Join nothing: the sound begins anew, after a seek or a pause."""
+        """Join nothing: the sound restarts, after a seek or a pause."""
         self._is_joining, self._align_until_s, self._settled_s = False, 0.0, 0.0
 
     def is_settled(self, now_s: float) -> bool:

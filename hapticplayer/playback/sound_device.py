@@ -3,8 +3,9 @@
 Runs in a process of its own, so that neither a window that holds the interpreter nor
 PortAudio, which hangs where its server does, stops anything else. PortAudio's time of
 the DAC was measured to be exact within 0.1 ms, where counting what was handed to the
-server is 16 ms off; only after a standstill of the server is it wrong (see `DacClock`). The stream runs all the time and plays silence while paused:
-starting it again costs up to 260 ms and the first sound.
+server is 16 ms off; only after the server has stopped for a moment is it wrong (see `DacClock`).
+The stream always runs and plays silence while paused: restarting it costs up to 260 ms
+and the first sound.
 """
 
 import argparse
@@ -97,7 +98,7 @@ class DacClock:
                 self._line_s, self._agreed_s = offset_s, now_s
             return stated_s, 0.0
         expected_s = self._line_s + elapsed_s
-        if ran_dry:  # it begins anew, and the first time that it states was right
+        if ran_dry:  # it restarts, and the first time that it states is right
             self._line_s, self._agreed_s = offset_s, now_s
             return stated_s, max(0.0, stated_s - expected_s)
         if now_s >= expected_s:
@@ -207,7 +208,7 @@ def _sink_behind(name: str) -> str:
             text=True,
         )
     except (OSError, subprocess.SubprocessError):
-        return ""  # nobody is worse off: the latency is kept for the server's name
+        return ""  # the latency is kept by the server's name then
     return asked.stdout.strip()[:LONGEST_NAME]
 
 

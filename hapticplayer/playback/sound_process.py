@@ -18,7 +18,7 @@ class OutputState(enum.StrEnum):
 
     OPENING = "opening"
     OPEN = "open"
-    FAILED = "failed"  # there is none, but it goes on looking for one
+    FAILED = "failed"  # there is none, but it retries
     GONE = "gone"
 
 
@@ -38,7 +38,7 @@ class AudioOut(Protocol):
         ...
 
     def close(self) -> None:
-        """Stop and let go of the device."""
+        """Stop and release the device."""
         ...
 
 

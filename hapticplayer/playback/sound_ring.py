@@ -18,15 +18,15 @@ from hapticplayer.playback.sound_memory import CHANNELS, Cue, SoundBlock, block_
 
 RATE_HZ = 48_000
 AHEAD_S = 3.5  # a window that hangs for 2 s and more is not heard
-STANDING_AHEAD_S = 1.0  # decoded while nothing plays: most seeks go on to the next
+PAUSED_AHEAD_S = 1.0  # decoded while paused: most seeks are followed by another
 HISTORY_S = 0.5  # kept behind the reader, for a pause that was heard late
 
 
 class AudioRing:
     """Samples by media time between the decoder and the process that plays them.
 
-    At another speed the samples are stretched before they come here, and an index
-    counts samples of the stretched sound.
+    At another speed the samples are time-stretched before they are written, and an
+    index counts stretched samples.
 
     Attributes:
         rate_hz: of the samples.
@@ -51,7 +51,7 @@ class AudioRing:
         self._lock = threading.Lock()
 
     def close(self) -> None:
-        """Let go of the descriptor; the memory goes with its last user."""
+        """Close the descriptor; the memory is freed with its last user."""
         if self.descriptor >= 0:
             os.close(self.descriptor)
             self.descriptor = -1
@@ -81,7 +81,7 @@ class AudioRing:
         return self._cue.is_complete
 
     def load(self, epoch: int, media_s: float, speed: float = 1.0) -> int:
-        """Forget everything and stand still at a position.
+        """Drop all samples and stop at a position.
 
         Returns:
             The generation that new samples have to name.
@@ -95,7 +95,7 @@ class AudioRing:
             return self._generation
 
     def resume_from(self, epoch: int, media_s: float) -> bool:
-        """Stand at a position again without new samples, if they are still here."""
+        """Stop at a position without new samples, if they are still here."""
         index = self._index(media_s)
         with self._lock:
             cue = self._cue
@@ -106,7 +106,7 @@ class AudioRing:
             return True
 
     def follow(self, epoch: int) -> None:
-        """Report for another epoch from now on; the sound goes on."""
+        """Report for another epoch from now on; the sound continues."""
         self._say(epoch=epoch)
         self._tail = self._block.head
 
@@ -151,7 +151,7 @@ class AudioRing:
             first = self._index(media_s)
             late = min(len(samples), max(0, written - first))
             start = first + late
-            ahead_s = AHEAD_S if cue.is_playing else STANDING_AHEAD_S
+            ahead_s = AHEAD_S if cue.is_playing else PAUSED_AHEAD_S
             room = read + round(ahead_s * self.rate_hz) - start
             count = max(0, min(len(samples) - late, room))
             if count:
@@ -168,7 +168,7 @@ class AudioRing:
                 self._publish(is_complete=True)
 
     def buffered_s(self) -> float:
-        """Return how much sound lies ahead of the reader."""
+        """Return how much sound is ahead of the reader."""
         return max(0, self._cue.written - self._read()) / self.rate_hz
 
     def reports(self) -> list[AudioReport]:

@@ -40,7 +40,7 @@ class Source:
 
 
 def open_source(path: str | Path, force: str | Path | None = None) -> Source:
-    """Return what lies at a path: the folder of a sequence, or a video.
+    """Return what is at a path: the folder of a sequence, or a video.
 
     Args:
         path: folder or file; the description in a sequence's folder means the folder.

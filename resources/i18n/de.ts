@@ -3472,7 +3472,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>eine Zahl</translation>
     </message>
     <message>
-        <source>a picture has the shape {shape}, expected {expected} of uint8</source>
+        <source>a frame has the shape {shape}, expected {expected} of uint8</source>
         <translation>ein Bild hat die Form {shape}, erwartet wird {expected} aus uint8</translation>
     </message>
     <message>
@@ -4676,7 +4676,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>der Index nennt mehr Einträge, als es Bytes hat</translation>
     </message>
     <message>
-        <source>its pictures of {width} x {height} pixels are too large (up to 8192 x 4320 are shown)</source>
+        <source>its frames of {width} x {height} pixels are too large (up to 8192 x 4320 are shown)</source>
         <translation>die Bilder mit {width} x {height} Pixeln sind zu groß (bis 8192 x 4320 werden gezeigt)</translation>
     </message>
     <message>
@@ -4852,7 +4852,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>es wurde keine Reihenfolge gefunden, in der keine Sequenz zweimal hintereinander kommt</translation>
     </message>
     <message>
-        <source>none of its pictures can be decoded</source>
+        <source>none of its frames can be decoded</source>
         <translation>keines der Bilder lässt sich dekodieren</translation>
     </message>
     <message>
@@ -5216,7 +5216,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>Achsen des Chips</translation>
     </message>
     <message>
-        <source>the clip is damaged: some of its pictures are missing or broken</source>
+        <source>the clip is damaged: some of its frames are missing or broken</source>
         <translation>der Clip ist beschädigt: Einige seiner Bilder fehlen oder sind defekt</translation>
     </message>
     <message>
@@ -5476,7 +5476,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>das Gerät ({title}) wurde abgezogen; stecken Sie es an, und wählen Sie es noch einmal</translation>
     </message>
     <message>
-        <source>there are no pictures to write</source>
+        <source>there are no frames to write</source>
         <translation>es gibt keine Bilder zu schreiben</translation>
     </message>
     <message>

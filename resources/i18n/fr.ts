@@ -3472,7 +3472,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>un nombre</translation>
     </message>
     <message>
-        <source>a picture has the shape {shape}, expected {expected} of uint8</source>
+        <source>a frame has the shape {shape}, expected {expected} of uint8</source>
         <translation>une image a la forme {shape}, attendu&#xa0;: {expected} en uint8</translation>
     </message>
     <message>
@@ -4676,7 +4676,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>son index annonce plus d’échantillons qu’il n’a d’octets</translation>
     </message>
     <message>
-        <source>its pictures of {width} x {height} pixels are too large (up to 8192 x 4320 are shown)</source>
+        <source>its frames of {width} x {height} pixels are too large (up to 8192 x 4320 are shown)</source>
         <translation>ses images de {width} x {height} pixels sont trop grandes (jusqu’à 8192 x 4320 sont montrées)</translation>
     </message>
     <message>
@@ -4852,7 +4852,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>aucun ordre n’a été trouvé où aucune séquence ne passe deux fois de suite</translation>
     </message>
     <message>
-        <source>none of its pictures can be decoded</source>
+        <source>none of its frames can be decoded</source>
         <translation>aucune de ses images ne peut être décodée</translation>
     </message>
     <message>
@@ -5216,7 +5216,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>axes de la puce</translation>
     </message>
     <message>
-        <source>the clip is damaged: some of its pictures are missing or broken</source>
+        <source>the clip is damaged: some of its frames are missing or broken</source>
         <translation>la vidéo est endommagée&#xa0;: certaines de ses images manquent ou sont défectueuses</translation>
     </message>
     <message>
@@ -5476,7 +5476,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>l’appareil ({title}) a été débranché&#xa0;; rebranchez-le et choisissez-le de nouveau</translation>
     </message>
     <message>
-        <source>there are no pictures to write</source>
+        <source>there are no frames to write</source>
         <translation>il n’y a pas d’images à écrire</translation>
     </message>
     <message>

@@ -51,12 +51,12 @@ def test_failure_keeps_the_older_file(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("pictures", "sentence"),
     [
-        ([], "no pictures"),
+        ([], "no frames"),
         ([np.zeros((48, 64), np.uint8)], "shape"),
         ([np.zeros((47, 63, 3), np.uint8)], "cannot be written"),
     ],
 )
-def test_impossible_pictures_are_refused(
+def test_impossible_frames_are_refused(
     tmp_path: Path, pictures: list[np.ndarray], sentence: str
 ) -> None:
     with pytest.raises(MediaError, match=sentence):

@@ -266,9 +266,9 @@ def test_clip_without_a_decodable_picture_is_refused(
             content[entry.pos : entry.pos + entry.size] = b"\xff" * entry.size
     path = tmp_path / "noise.mp4"
     path.write_bytes(content)
-    with pytest.raises(MediaError, match="none of its pictures"):
+    with pytest.raises(MediaError, match="none of its frames"):
         VideoDecoder(path)
-    with pytest.raises(MediaError, match="none of its pictures"):
+    with pytest.raises(MediaError, match="none of its frames"):
         probe(path)
 
 

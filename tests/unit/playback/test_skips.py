@@ -130,7 +130,7 @@ def test_a_seek_within_decoded_sound_decodes_nothing(clip, counts, stage):
 def test_a_seek_to_the_end_of_decoded_sound_wakes_the_decoder(clip, stage, monkeypatch):
     """It looks for room five times a second, which would be waited for."""
     monkeypatch.setattr("hapticplayer.playback.feeders.ROOM_S", 1e6)
-    monkeypatch.setattr("hapticplayer.playback.sound_ring.STANDING_AHEAD_S", 0.5)
+    monkeypatch.setattr("hapticplayer.playback.sound_ring.PAUSED_AHEAD_S", 0.5)
     theatre = stage(clip)
     ring = theatre.player._clip.sound.ring
     for _ in range(1000):

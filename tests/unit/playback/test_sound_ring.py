@@ -5,7 +5,7 @@ import pytest
 
 from hapticplayer.clock import ManualClock
 from hapticplayer.playback.sound_memory import CHANNELS, SoundBlock, SoundReader
-from hapticplayer.playback.sound_ring import AHEAD_S, STANDING_AHEAD_S, AudioRing
+from hapticplayer.playback.sound_ring import AHEAD_S, PAUSED_AHEAD_S, AudioRing
 from hapticplayer.simulation.sound_output import SilentOutput
 
 RATE = 1000  # one sample is one millisecond: easy to read
@@ -97,7 +97,7 @@ def test_a_gap_in_the_sound_is_silence_at_the_right_place(ring):
 def test_a_full_ring_takes_what_fits(ring):
     """Less of it while nothing plays: most seeks go on to the next."""
     taken = ring.write(1, 5.0, ramp(5000, 9000))
-    assert taken == STANDING_AHEAD_S * RATE
+    assert taken == PAUSED_AHEAD_S * RATE
     ring.play()
     taken += ring.write(1, 5.0 + taken / RATE, ramp(5000 + taken, 9000))
     assert taken == AHEAD_S * RATE
