@@ -31,7 +31,7 @@ SOUGHT = (Cause.SEEK, Cause.PAUSED)
 
 
 class Person(QObject):
-    """Uses a window until told to stop; the demo is what it opens.
+    """Uses a window until it is stopped; the demo is what it opens.
 
     Attributes:
         done: how often each thing was done.

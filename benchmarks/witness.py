@@ -1,6 +1,6 @@
 """Independent witnesses of what the machine took from a measurement.
 
-A 1 kHz sleeper of the highest priority on each core tells when that core stood still;
+A 1 kHz sleeper of the highest priority on each core tells when that core stalled;
 the kernel's account of each thread tells which processes were ready and had no core.
 """
 
@@ -45,7 +45,7 @@ class Sentinel:
         return {"count": len(late_s), "longest_ms": 1e3 * max(late_s, default=0.0)}
 
     def stalled_s(self, begin_s: float, end_s: float) -> float:
-        """Return for how long the worst core stood still within a span, s."""
+        """Return for how long the worst core stalled within a span, s."""
 
         def common_s(stall: Stall) -> float:
             due_s, late_s = stall

@@ -1,12 +1,12 @@
-"""A picture of every page in every language, look and scale, without a screen.
+"""A picture of every page in every language, theme and scale, without a screen.
 
-    python -m tools.screenshots -o FOLDER [--languages en de] [--looks dark light]
+    python -m tools.screenshots -o FOLDER [--languages en de] [--themes dark light]
         [--scales 1 2 3] [--only player study] [--sheets] [--docs docs]
 
 Pages are shown as a person meets them: empty, at work, doubtful, wrong, and with names
 and questions that are too long. The screen has 1920 x 1080 pixels at 100 and at 200 %,
-3840 x 2160 at 300 %. `--sheets` puts the pictures of a group on sheets to be looked at,
-`--docs` writes those anew that the documentation shows.
+3840 x 2160 at 300 %. `--sheets` puts the pictures of a group on contact sheets,
+`--docs` writes those that the documentation shows.
 """
 
 import argparse
@@ -21,7 +21,7 @@ from pathlib import Path
 
 SCREENS = {1.0: (1920, 1080), 2.0: (1920, 1080), 3.0: (3840, 2160)}
 LARGEST = (3840, 2160)  # for other scales
-LANGUAGES, LOOKS = ("en", "fr", "de"), ("dark", "light", "contrast")
+LANGUAGES, THEMES = ("en", "fr", "de"), ("dark", "light", "contrast")
 GROUPS = ("player", "device", "library", "study")
 DOCS = {
     "player-playing": "screenshot.png",
@@ -32,7 +32,7 @@ DOCS = {
     "faults-told": "faults.png",
 }
 IN_DOCS, DOCS_PX, DOCS_COLOURS = "en-light-100", 960, 255
-SHEET_PX, WIDEST_PX, HIGHEST_PX = 1560, 776, 740  # of sheets to be looked at
+SHEET_PX, WIDEST_PX, HIGHEST_PX = 1560, 776, 740  # of contact sheets
 TEXT_PX, GAP_PX, LEAST_PX = 20, 6, 160
 
 
@@ -53,7 +53,7 @@ def _options() -> argparse.Namespace:
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("-o", "--output", type=Path, required=True)
     parser.add_argument("--languages", nargs="+", choices=LANGUAGES, default=LANGUAGES)
-    parser.add_argument("--looks", nargs="+", choices=LOOKS, default=LOOKS)
+    parser.add_argument("--themes", nargs="+", choices=THEMES, default=THEMES)
     parser.add_argument("--scales", nargs="+", type=float, default=list(SCREENS))
     parser.add_argument("--only", nargs="+", choices=GROUPS, default=GROUPS)
     parser.add_argument("--sheets", action="store_true", help="also put on sheets")
@@ -63,7 +63,7 @@ def _options() -> argparse.Namespace:
 
 def _in_process(options: argparse.Namespace, scale: float, group: str) -> int:
     command = [sys.executable, "-m", "tools.screenshots", "-o", options.output]
-    for name in ("languages", "looks"):
+    for name in ("languages", "themes"):
         command += [f"--{name}", *getattr(options, name)]
     command += ["--only", group, "--scales", str(scale)]
     command += [*(["--sheets"] if options.sheets else [])]
@@ -98,25 +98,25 @@ def _make(options: argparse.Namespace, folder: Path) -> None:
     material = make_material(folder / "material")
     source = open_source(material.demo)
     for language in options.languages:
-        for look in options.looks:
+        for theme in options.themes:
             settings = Settings(None)
             settings.keep(LANGUAGE, language)
-            settings.keep(LOOK, look)
+            settings.keep(LOOK, theme)
             dress(application, settings)
-            room = folder / f"{language}-{look}"
+            room = folder / f"{language}-{theme}"
             room.mkdir()
             stage = Stage(application, settings, source, material, room, language)
             for group in options.only:
                 made = []
                 for name, picture in makers[group](stage):
-                    at = f"{name}-{language}-{look}-{100 * scale:.0f}.png"
+                    at = f"{name}-{language}-{theme}-{100 * scale:.0f}.png"
                     made.append(options.output / at)
                     picture.save(str(made[-1]))
                     print(made[-1], flush=True)
                     if options.docs and name in DOCS and IN_DOCS in at:
                         _put_into_docs(made[-1], options.docs / DOCS[name])
                 if options.sheets:
-                    end = f"{language}-{look}-{100 * scale:.0f}"
+                    end = f"{language}-{theme}-{100 * scale:.0f}"
                     _put_on_sheets(made, options.output / "sheets", f"{group}-{end}")
     gc.collect()
     collector.end()

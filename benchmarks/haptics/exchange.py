@@ -1,6 +1,6 @@
 """Whether a tick waits for the Falcon: lateness, time in `exchange`, age of answers.
 
-A bare loop of 1 kHz, with the scheduling of the haptics process, runs in turns without
+A bare loop of 1 kHz, with the scheduling of the haptics process, runs alternating without
 a device, with the driver on a simulated Falcon at the chip's 1 ms latency timer, and
 with the event character. pyusb is the real one; chip, board and physics are a process
 of their own. A real Falcon takes no time of this machine, so the loop and its threads
@@ -46,7 +46,7 @@ def options(parser: argparse.ArgumentParser) -> None:
 
 
 def run(options: argparse.Namespace, report: Report) -> None:
-    """Run all kinds in turns."""
+    """Run all kinds alternating."""
     rounds = options.rounds or (1 if options.quick else 6)
     scheduling = acquire(None).value
     CpuLatencyRequest().set_active(is_active=True)  # as the loop does while it plays

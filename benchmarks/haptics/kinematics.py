@@ -147,7 +147,7 @@ def options(parser: argparse.ArgumentParser) -> None:
 
 
 def run(options: argparse.Namespace, report: Report) -> None:
-    """Time all methods in turns, and compare their positions."""
+    """Time all methods alternating, and compare their positions."""
     places = truth(options.ticks or (2000 if options.quick else 20_000))
     frames = [
         encode_reply(Reply(LEGS.counts(LEGS.inverse(place)), 0, 7)) for place in places

@@ -2,7 +2,7 @@
 
 One window plays a clip whose motion and force have 1000 samples a second, with the
 simulated device; its CPU time is taken with the plots, without the grip beside them, and
-with the plots hidden, in turns: the difference is what they cost.
+with the plots hidden, alternating: the difference is what they cost.
 """
 
 import argparse
@@ -52,7 +52,7 @@ def options(parser: argparse.ArgumentParser) -> None:
 
 
 def run(options: argparse.Namespace, report: Report) -> None:
-    """Play with each way of showing plots in turns, and paint the grip."""
+    """Play with each way of showing plots alternating."""
     rounds = options.rounds or (1 if options.quick else 3)
     seconds = options.seconds or (2.0 if options.quick else 6.0)
     opened = open_window(None)

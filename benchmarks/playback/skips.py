@@ -1,4 +1,4 @@
-"""What each skip saves: the same work with it and without, in turns.
+"""What each skip saves: the same work with it and without, alternating.
 
 CPU time of this process (all its threads) for each frame, tick, packet or seek. The
 muted run is a process tree of its own, sound process included. Tests hold what remains

@@ -16,83 +16,38 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QTimer, QUrl
-from PySide6.QtGui import QDropEvent, QWheelEvent
+from PySide6.QtCore import QPoint, QPointF, Qt, QTimer
+from PySide6.QtGui import QWheelEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDialog, QWidget
 
 from app.bridge.settings import choose_library
-from app.experimenter.analysis import AnalysisWindow
 from app.experimenter.study_editor import StudyEditor
 from app.player.remake import OpenWindow
 from app.player.window import PlayerWindow
-from app.plots.save_view import save_view
 from benchmarks.common import ROOT, Report
-from benchmarks.person import CONTROL, KEY, LEFT, NO_KEY, REARM_WAIT_S, Person, Steps
+from benchmarks.person import KEY, LEFT, NO_KEY, REARM_WAIT_S, Person, Steps
 from benchmarks.robustness.nuisance import stage
-from benchmarks.stage import player_command
 from benchmarks.window import Beats, open_window
-from hapticplayer.clock import SystemClock
 from hapticplayer.playback.source import open_source
 from hapticplayer.study.creation import create_study
-from hapticplayer.study.study_folder import open_study
 
 LIMIT_MS = 50.0
-SHOWN, PARTICIPANTS = 14, 15
+SHOWN = 14
 LONGEST_S = 900.0
-ANSWERED, DAMAGED = "answered", "damaged.mp4"
 NOTCH = 120  # of a wheel
 BEAT_MS = 5
 LONG_S, SILENT_S = 0.02, 0.03  # a gap that is kept; when its functions are noted
-TOUR = [
+TOUR = (
+    "watch", "open_menus", "seek_by_keys", "click_slider", "drag_slider", "pause",
+    "stop_and_rearm", "zoom_plots", "hide_plots", "hide_grip", "turn_grip",
+    "show_statistics", "drag_splitter", "resize", "maximise", "minimise", "fullscreen",
+    "change_feedback", "change_device", "set_up_device", "get_to_know",
+    "browse_sequences", "browse_videos", "type_import", "open_library", "show_keys",
+    "show_about", "rest_pointer", "open_again", "open_again", "import_video",
+    "edit_study", "use_light_theme", "use_german", "use_dark_theme", "open_again",
     "watch",
-    "open_menus",
-    "open_submenus",
-    "seek_by_keys",
-    "click_slider",
-    "drag_slider",
-    "hover_slider",
-    "step_and_loop",
-    "change_speed",
-    "change_volume",
-    "pause",
-    "stop_and_rearm",
-    "zoom_plots",
-    "save_plots",
-    "hide_plots",
-    "hide_grip",
-    "turn_grip",
-    "show_statistics",
-    "drag_splitter",
-    "resize",
-    "maximise",
-    "minimise",
-    "fullscreen",
-    "change_feedback",
-    "change_device",
-    "set_up_device",
-    "get_to_know",
-    "browse_sequences",
-    "browse_videos",
-    "browse_logs",
-    "type_import",
-    "open_library",
-    "show_keys",
-    "show_about",
-    "rest_pointer",
-    "open_again",
-    "open_damaged",
-    "drop_video",
-    "open_again",
-    "import_video",
-    "edit_study",
-    "analyse_study",
-    "use_light_theme",
-    "use_german",
-    "use_dark_theme",
-    "open_again",
-    "watch",
-]
+)  # fmt: skip
 
 
 def options(parser: argparse.ArgumentParser) -> None:
@@ -108,13 +63,6 @@ def run(options: argparse.Namespace, report: Report) -> None:
     steps = options.only or (TOUR[:12] if options.quick else TOUR)
     place = stage(is_offscreen=options.offscreen, has_sound=not options.no_sound)
     with place as (folder, environment):
-        study = ["study", "simulate", str(folder / ANSWERED)]
-        study += ["--participants", str(PARTICIPANTS)]
-        if "analyse_study" in steps:
-            answers = player_command(*study)
-            subprocess.run(
-                answers, env=environment, cwd=ROOT, check=True, capture_output=True
-            )
         command = [sys.executable, "-m", "benchmarks.playback.window", str(folder)]
         command += [str(int(not options.no_sound)), str(options.haste), *steps]
         subprocess.run(
@@ -148,10 +96,7 @@ def judge(seen: dict[str, Any], report: Report) -> None:
         for name, gap in longest[:SHOWN]
     ]
     report.table("Longest", ["step", "gap ms", "own ms", "in"], cells)
-    for text in seen["failed"]:
-        print(f"failed: {text}")
     report.target("gaps, p99.9 ms", rows[0][4], ("<=", LIMIT_MS))
-    report.target("steps that failed", len(seen["failed"]), ("<=", 0))
     report.figures |= {"columns": header, "rows": rows, "longest": cells}
 
 
@@ -168,14 +113,12 @@ class Tour(Person):
 
     Attributes:
         opened: holds the window; another theme or language makes a new one.
-        failed: what went wrong beside the window.
     """
 
     def __init__(self, opened: OpenWindow, folder: Path, haste: float) -> None:
         super().__init__(opened.window, folder, haste=haste)
         self.setParent(None)  # outlives the first window
         self.opened = opened
-        self.failed: list[str] = []
         self.left: Iterator[str] = iter(())
 
     @property
@@ -201,53 +144,6 @@ class Tour(Person):
         QApplication.exit(0)
         yield 1.0
 
-    def hover_slider(self) -> Steps:
-        """See previews along the slider."""
-        slider = self._window.transport.slider
-        for k in range(1, 20):
-            QTest.mouseMove(
-                slider, QPoint(slider.width() * k // 20, slider.height() // 2)
-            )
-            yield 0.15
-
-    def step_and_loop(self) -> Steps:
-        """Go frame by frame, and repeat a part."""
-        for key in (KEY.Key_Period, KEY.Key_Period, KEY.Key_Comma, KEY.Key_L):
-            self.key(key)
-            yield 0.2
-        self._window.player.play()
-        yield 0.5
-        self.key(KEY.Key_L)
-        yield 1.5
-        self.key(KEY.Key_L)
-
-    def change_speed(self) -> Steps:
-        """Play faster, slower, and as recorded."""
-        for key in (KEY.Key_BracketRight, KEY.Key_BracketLeft, KEY.Key_Backspace):
-            self.key(key)
-            yield self._haste
-
-    def change_volume(self) -> Steps:
-        """Turn the sound down, up, off and on."""
-        for key in (KEY.Key_9, KEY.Key_0, KEY.Key_M, KEY.Key_M):
-            self.key(key)
-            yield self._haste * 0.5
-
-    def open_submenus(self) -> Steps:
-        """Go through the submenus."""
-        bar = self._window.menuBar()
-        for entry in bar.actions():
-            QTest.mouseClick(bar, LEFT, NO_KEY, bar.actionGeometry(entry).center())
-            yield 0.2
-            for action in entry.menu().actions():
-                if action.menu() is not None:
-                    entry.menu().setActiveAction(action)
-                    QTest.keyClick(entry.menu(), KEY.Key_Right)
-                    yield 0.5
-                    action.menu().close()
-            entry.menu().close()
-            yield 0.1
-
     def zoom_plots(self) -> Steps:
         """Zoom and move both plots."""
         panel = self._window.plots.panel
@@ -259,22 +155,9 @@ class Tour(Person):
             QTest.mouseDClick(plot.viewport(), LEFT)
             yield 0.1
 
-    def save_plots(self) -> Steps:
-        """Save what a plot shows."""
-        for kind in ("png", "svg", "csv"):
-            path = self.folder / f"view.{kind}"
-            problem = save_view(self._window.plots.panel.force, path)
-            self.failed += [str(problem)] if problem else []
-            yield 0.3
-
     def show_statistics(self) -> Steps:
         """Read the statistics."""
         yield from self.twice(KEY.Key_I, 2.0)
-
-    def browse_logs(self) -> Steps:
-        """Look for a log, and open none."""
-        self.key(KEY.Key_L, modifier=CONTROL)
-        yield from self.browse()
 
     def open_library(self) -> Steps:
         """Look at the library."""
@@ -288,21 +171,6 @@ class Tour(Person):
         """Look at the demonstration of forces."""
         yield from self.dialog(self._window.commands.get_to_know.trigger, 2.0)
 
-    def open_damaged(self) -> Steps:
-        """Open half a clip."""
-        self._window.session.open_path(self.folder / DAMAGED)
-        yield from self.jobs()
-        yield 0.5
-
-    def drop_video(self) -> Steps:
-        """Drop a clip on the window."""
-        data = QMimeData()
-        data.setUrls([QUrl.fromLocalFile(str(self.video))])
-        event = QDropEvent(QPointF(9, 9), Qt.DropAction.CopyAction, data, LEFT, NO_KEY)
-        self._window.dropEvent(event)
-        yield from self.jobs()
-        yield 1.0
-
     def edit_study(self) -> Steps:
         """Look at a new study."""
         editor = StudyEditor(create_study(self.folder / "study"), self._window)
@@ -310,17 +178,6 @@ class Tour(Person):
         yield 1.0
         editor.reject()
         editor.deleteLater()
-
-    def analyse_study(self) -> Steps:
-        """Analyse a study that has answers."""
-        study = open_study(self.folder / ANSWERED)
-        report = AnalysisWindow(study, SystemClock(), self._window)
-        report.begin()
-        while report.page.is_busy:
-            yield 0.2
-        self.failed += filter(None, [report.messages.text()])
-        yield 1.0
-        report.close()
 
     def use_light_theme(self) -> Steps:
         """Choose the light theme."""
@@ -375,8 +232,6 @@ def _take_the_tour(
     tour = Tour(opened, folder, haste)
     tour.left = iter(steps)
     choose_library(window.settings, tour.sequence.parent)
-    whole = tour.video.read_bytes()
-    (folder / DAMAGED).write_bytes(whole[: len(whole) // 2])
     opened.begin()
     window.session.show_source(open_source(tour.sequence))
     player.play()
@@ -394,7 +249,7 @@ def _take_the_tour(
     timer.stop()
     tour.stop()
     beats.end()
-    seen = {"failed": tour.failed, "gaps_s": beats.gaps_s, "long_gaps": beats.long}
+    seen = {"gaps_s": beats.gaps_s, "long_gaps": beats.long}
     opened.end()
     (folder / "seen.json").write_text(json.dumps(seen))
     return 0 if is_whole else 1

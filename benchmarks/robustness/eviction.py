@@ -2,8 +2,8 @@
 
 The demo plays with the simulated device; every few seconds all pages that are files are
 taken from this control group (memory.force_empty or memory.reclaim; root only), as on a
-machine that is short of memory. The window locks its code as it always does, or not, in
-turns.
+machine that is short of memory. The window locks its code as it always does, or not,
+alternating.
 """
 
 import argparse
@@ -76,7 +76,7 @@ def options(parser: argparse.ArgumentParser) -> None:
 
 
 def run(options: argparse.Namespace, report: Report) -> None:
-    """Run both kinds of window in turns."""
+    """Run both kinds of window alternating."""
     rounds = options.rounds or (1 if options.quick else 3)
     kinds = {
         "locked": lambda: play(options, is_locked=True),

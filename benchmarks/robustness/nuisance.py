@@ -3,7 +3,7 @@
 The real window plays the demo with the simulated device, on a screen and a sound server
 of its own, while a scripted person uses everything there is. Every tick of the haptic
 loop is read; a reaction that no action explains is a nuisance. Each stands beside what
-the machine did at that time, watched from outside: cores that stood still, threads that
+the machine did at that time, watched from outside: cores that stalled, threads that
 were ready and had no core. Beside it the gaps between heartbeats of the window. With
 `--quick` 15 s in a hurry, without screen and sound; what load alone can cause is not
 judged then.
@@ -177,7 +177,7 @@ def judge(
     for one in found:
         at_s = one["monotonic_s"]
         if one["cause"] == "COMMAND_STALE":
-            at_s += STALE_S  # the tick has begun in time, and then stood still
+            at_s += STALE_S  # the tick has begun in time, and then stalled
         before_s, least_s = BEFORE[one["cause"].partition("_")[0]]
         one["machine_s"] = lost_s(at_s - before_s, at_s)
         one["is_explained"] = one["machine_s"] > least_s

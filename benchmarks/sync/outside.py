@@ -76,7 +76,7 @@ class Seen:
 
     Attributes:
         summary: of our player.
-        unseen: flashes that began while the watcher itself stood still.
+        unseen: flashes that began while the watcher itself stalled.
     """
 
     flashes: Floats
