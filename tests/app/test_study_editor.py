@@ -38,7 +38,7 @@ def test_what_is_edited_is_kept(editor):
     assert editor.result() == editor.DialogCode.Accepted
 
 
-def test_what_is_wrong_is_told_and_nothing_is_kept(editor):
+def test_what_is_wrong_is_reported_and_nothing_is_kept(editor):
     before = (editor.study.folder / "study.json").read_bytes()
     editor.texts["1", "text", "de"].setText(" ")
     editor.save()
@@ -50,11 +50,11 @@ def test_what_is_wrong_is_told_and_nothing_is_kept(editor):
 def test_the_player_offers_studies(window, tmp_path, monkeypatch):
     titles = [action.text() for action in window.menuBar().actions()]
     assert "&Study" in titles
-    told = []
-    monkeypatch.setattr(window.study_menu, "_report", told.append)
+    reported = []
+    monkeypatch.setattr(window.study_menu, "_report", reported.append)
     monkeypatch.setattr(window.study_menu, "_ask", lambda: tmp_path)
     window.study_menu.edit()
-    assert "study.json" in str(told[0])
+    assert "study.json" in str(reported[0])
 
 
 def test_the_next_dialog_begins_where_the_last_study_was(window, tmp_path, monkeypatch):
@@ -67,7 +67,7 @@ def test_the_next_dialog_begins_where_the_last_study_was(window, tmp_path, monke
     monkeypatch.setattr(QFileDialog, "getExistingDirectory", choose)
     monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *a: (choose(*a), ""))
     monkeypatch.setattr(QInputDialog, "getItem", lambda *_, **__: ("", False))
-    window.study_menu.edit()  # there is none: told, and nothing else
+    window.study_menu.edit()  # there is none: reported, and nothing else
     window.study_menu.new()
     assert asked == ["", str(tmp_path / "studies")]
     exported = tmp_path / "settings.json"

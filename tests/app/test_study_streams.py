@@ -1,4 +1,4 @@
-"""What other programs on the machine are told while somebody takes part."""
+"""What other programs on the machine are reported while somebody takes part."""
 
 import numpy as np
 import pytest
@@ -66,20 +66,22 @@ def test_a_trial_is_streamed_without_answers_and_codes(
     stored = session.study.session(code)
     session.close()
     texts, marked_s = pulled(inlets[MARKERS])
-    told = [text for (text,) in texts]
-    assert [t for t in told if t.startswith("trial-01")] == [
+    reported = [text for (text,) in texts]
+    assert [t for t in reported if t.startswith("trial-01")] == [
         "trial-01 page",
         f"trial-01 begin {condition}",
         "trial-01 end",
         "trial-01 questions",
     ]
-    everything = " ".join(told) + "".join(i.info().as_xml() for i in inlets.values())
+    everything = " ".join(reported) + "".join(
+        i.info().as_xml() for i in inlets.values()
+    )
     for secret in (code, "Anna", "answers", "female", str(list(ANSWERS))):
         assert secret not in everything.replace(FORCE, ""), secret
     assert any(key in everything for key in KEYS)
     begin_s, end_s = (
-        marked_s[told.index(text)]
-        for text in told
+        marked_s[reported.index(text)]
+        for text in reported
         if " begin " in text or text == "trial-01 end"
     )
     trial = next(r for r in stored.records.intact if r.kind == "trial").content

@@ -1,4 +1,4 @@
-"""Real disks that are full or read-only: nobody answers into the void."""
+"""Full and read-only disks: no answer is lost unnoticed."""
 
 import json
 import os
@@ -16,7 +16,7 @@ NAMESPACE = ["unshare", "--user", "--map-root-user", "--mount"]
 
 @pytest.fixture
 def on_its_own_disk(tmp_path):
-    """Run a scenario with a disk that nobody else sees."""
+    """Run a scenario with a disk of its own."""
     if shutil.which("unshare") is None:
         pytest.skip("unshare is not on this machine")
     disk = tmp_path / "disk"
@@ -41,19 +41,19 @@ def on_its_own_disk(tmp_path):
 
 
 def test_a_full_disk_stops_the_participant_and_no_answer_is_lost(on_its_own_disk):
-    told = on_its_own_disk("full")
-    assert told["kind"] == "problem"
-    assert "could not be saved (No space left on device)" in told["problem"]
-    assert told["halts"] > 0
-    assert 1 <= told["accepted"] < 12
-    assert told["kept"] == told["accepted"]
-    assert told["after"] != "problem"
-    assert told["kept_in_the_end"] == 12
+    reported = on_its_own_disk("full")
+    assert reported["kind"] == "problem"
+    assert "could not be saved (No space left on device)" in reported["problem"]
+    assert reported["halts"] > 0
+    assert 1 <= reported["accepted"] < 12
+    assert reported["kept"] == reported["accepted"]
+    assert reported["after"] != "problem"
+    assert reported["kept_in_the_end"] == 12
 
 
-def test_a_read_only_disk_is_told_before_anybody_answers(on_its_own_disk):
-    told = on_its_own_disk("read-only")
+def test_a_read_only_disk_is_reported_before_the_first_answer(on_its_own_disk):
+    reported = on_its_own_disk("read-only")
     for action in ("begin", "resume"):
-        assert "Read-only file system" in told[action]
-        assert "\n" not in told[action]
-    assert (told["kept"], told["sessions"]) == (1, 1)
+        assert "Read-only file system" in reported[action]
+        assert "\n" not in reported[action]
+    assert (reported["kept"], reported["sessions"]) == (1, 1)

@@ -20,9 +20,13 @@ def run(capsys):
 
     def call(*arguments):
         status = cli.main(["study", *map(str, arguments)])
-        told = capsys.readouterr()
-        is_json = "--json" in arguments and told.out
-        return status, json.loads(told.out) if is_json else told.out, told.err
+        reported = capsys.readouterr()
+        is_json = "--json" in arguments and reported.out
+        return (
+            status,
+            json.loads(reported.out) if is_json else reported.out,
+            reported.err,
+        )
 
     return call
 
@@ -42,11 +46,11 @@ def code(folder):
 
 
 def test_new_makes_a_study_and_says_what_is_missing(run, tmp_path):
-    status, report, told = run("new", tmp_path / "s", "--json")
+    status, report, reported = run("new", tmp_path / "s", "--json")
     assert status == 0
     assert report["conditions"] == 12
     assert report["missing"] == ["bike", "horse", "car-turning", "car-braking"]
-    assert "bike" in told
+    assert "bike" in reported
 
 
 @pytest.mark.parametrize(
@@ -57,10 +61,10 @@ def test_new_makes_a_study_and_says_what_is_missing(run, tmp_path):
         (["--sequence", "boat=/x"], 2),
     ],
 )
-def test_wrong_usage_is_told_and_makes_nothing(run, tmp_path, arguments, status):
-    found, _, told = run("new", tmp_path / "s", *arguments)
+def test_wrong_usage_is_reported_and_makes_nothing(run, tmp_path, arguments, status):
+    found, _, reported = run("new", tmp_path / "s", *arguments)
     assert found == status
-    assert told.startswith("hapticplayer: ")
+    assert reported.startswith("hapticplayer: ")
     assert not (tmp_path / "s").exists()
 
 
@@ -88,19 +92,19 @@ def test_dropping_and_deleting(run, folder, code):
     assert [s["state"] for s in report["sessions"]] == ["stopped"]
 
 
-def test_texts_are_reviewed_before_they_leave(run, folder, code, tmp_path):
+def test_texts_are_reviewed_before_export(run, folder, code, tmp_path):
     path = open_study(folder).session_folder(code) / "answers.jsonl"
     journal = Journal(path, SystemClock())
     journal.append("answers", step="post-test", values={"tiring": "no"})
     journal.close()
     _, report, _ = run("review", folder, "--json")
     assert report["unreviewed"] == [{"code": code, "question": "tiring", "text": "no"}]
-    _, _, told = run("export", folder, "-o", tmp_path / "a")
-    assert "1 text answers were left out" in told
+    _, _, reported = run("export", folder, "-o", tmp_path / "a")
+    assert "1 text answers were left out" in reported
     assert run("review", folder, "--pass", f"{code}:tiring")[0] == 0
-    _, report, told = run("export", folder, "-o", tmp_path / "b", "--json")
+    _, report, reported = run("export", folder, "-o", tmp_path / "b", "--json")
     assert "texts.csv" in report["files"]
-    assert "left out" not in told
+    assert "left out" not in reported
 
 
 def test_merging_tells_conflicts_by_status(run, folder, code, tmp_path):
@@ -116,12 +120,12 @@ def test_merging_tells_conflicts_by_status(run, folder, code, tmp_path):
 
 
 def test_running_needs_a_display(run, folder):
-    status, _, told = run("run", folder)
+    status, _, reported = run("run", folder)
     assert status == 2
-    assert "display" in told
+    assert "display" in reported
 
 
-def test_a_folder_that_is_no_study_is_one_sentence(run, tmp_path):
-    status, _, told = run("status", tmp_path)
+def test_a_folder_without_a_study_is_one_sentence(run, tmp_path):
+    status, _, reported = run("status", tmp_path)
     assert status == 1
-    assert told.count("\n") == 1
+    assert reported.count("\n") == 1

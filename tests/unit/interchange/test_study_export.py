@@ -88,7 +88,7 @@ def test_tidy_tables_hold_every_rating_and_explain_each_column(study, tmp_path):
     assert len(table(tmp_path / "out" / "trials.csv")) == 24
 
 
-def test_texts_that_nobody_reviewed_stay_at_home(study, tmp_path):
+def test_texts_without_a_review_are_not_exported(study, tmp_path):
     for form in ("csv", "bids", "xdf"):
         report = export_study(study, tmp_path / form, form)
         whole = b"".join(p.read_bytes() for p in (tmp_path / form).rglob("*.*"))

@@ -1,4 +1,4 @@
-"""A study in a folder, and a clock that only moves when told."""
+"""A study in a folder, and a manual clock."""
 
 import json
 from pathlib import Path
@@ -24,13 +24,13 @@ def study(tmp_path):
 
 @pytest.fixture
 def template() -> dict:
-    """The built-in definition as JSON, to be spoilt."""
+    """The built-in definition as JSON, to be changed."""
     return json.loads((TEMPLATES / "qoe2012.json").read_text(encoding="utf-8"))
 
 
 @pytest.fixture
 def scripted(manual_clock):
-    """Write a session nobody sat through, and return its code."""
+    """Write a simulated session, and return its code."""
 
     def write(study, rate=lambda _condition: VALUES) -> str:
         return write_scripted_session(

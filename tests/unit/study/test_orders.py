@@ -148,7 +148,7 @@ def test_orders_made_elsewhere_are_given_in_turn(template, study, manual_clock):
 
 
 @pytest.mark.parametrize(
-    ("line", "text", "told"),
+    ("line", "text", "reported"),
     [
         (1, "order,sequence,feedback", "columns"),
         (3, "1,2,boat,none", "boat/none"),
@@ -160,14 +160,14 @@ def test_orders_made_elsewhere_are_given_in_turn(template, study, manual_clock):
         (1, 'order,"position', "unexpected end"),
     ],
 )
-def test_a_wrong_line_of_a_list_is_named(study, tmp_path, line, text, told):
+def test_a_wrong_line_of_a_list_is_named(study, tmp_path, line, text, reported):
     path = tmp_path / "orders.csv"
     lines = write_orders(path, study.definition)
     lines[line - 1] = text
     path.write_text("\n".join(lines), encoding="utf-8")
     with pytest.raises(StudyError, match=r"orders\.csv, line") as refusal:
         read_orders(path, study.definition)
-    assert told in str(refusal.value)
+    assert reported in str(refusal.value)
 
 
 def test_codes_hold_no_words_and_are_read_however_they_are_typed():

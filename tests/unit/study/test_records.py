@@ -138,7 +138,7 @@ def refuse(*_args):
 
 
 @pytest.mark.parametrize("call", ["write", "fsync"])
-def test_a_full_disk_is_told_and_can_be_tried_again(
+def test_a_full_disk_is_reported_and_can_be_tried_again(
     path, manual_clock, monkeypatch, call
 ):
     journal = Journal(path, manual_clock)

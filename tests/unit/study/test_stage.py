@@ -1,4 +1,4 @@
-"""Trials on the real player: what was played is told, and what was wrong with it."""
+"""Trials on the real player: what was played is reported, and what was wrong with it."""
 
 from dataclasses import replace
 

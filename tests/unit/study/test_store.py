@@ -154,7 +154,7 @@ def test_a_deletion_that_was_interrupted_is_finished_once(study, scripted):
         assert code.encode() not in b"".join(tree(study.folder).values())
 
 
-def test_reports_that_still_name_a_deleted_participant_are_told(study, scripted):
+def test_files_that_name_a_deleted_participant_are_reported(study, scripted):
     code = scripted(study)
     (study.folder / "report.html").write_text(f"outlier: {code}")
     assert delete_participant(study, code) == ["report.html"]
@@ -179,7 +179,7 @@ def test_unreadable_files_are_named_relative_to_the_study(study, scripted):
     assert str(study.folder) not in remark
 
 
-def test_a_participant_who_sits_there_is_not_deleted(study, manual_clock):
+def test_a_participant_in_a_running_session_is_not_deleted(study, manual_clock):
     from hapticplayer.study.journal import Journal
 
     session = begin_session(study, "en", {}, manual_clock)
@@ -226,7 +226,7 @@ def test_texts_are_unreviewed_until_a_person_lets_them_pass(study, manual_clock)
     assert {a.question for a in found if a.reviewed} == {"label"}
 
 
-def test_who_left_early_and_who_never_was_there_is_told(study, scripted, manual_clock):
+def test_incomplete_and_simulated_sessions_are_reported(study, scripted, manual_clock):
     scripted(study)
     begin_session(study, "en", {}, manual_clock)
     left = begin_session(study, "en", {}, manual_clock)

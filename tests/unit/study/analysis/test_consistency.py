@@ -112,7 +112,7 @@ def test_criteria_are_recovered_for_shifts_and_gains():
     assert values["window"] == pytest.approx(5.0, rel=0.15)
 
 
-def test_shares_are_counted_and_what_is_missing_is_told():
+def test_shares_are_counted_and_what_is_missing_is_reported():
     answers = judged(4, people=10, clips=("bike",))
     holes = tuple(
         Judgement(j.participant, j.sequence, j.delay_s, 1.0, None, sound=True)
@@ -125,10 +125,10 @@ def test_shares_are_counted_and_what_is_missing_is_told():
     )
     found = analyse_consistency(holed, quick())
     at_zero = next(s for s in found.axes["delay_s"].shares[ALL] if s.delay_s == 0.0)
-    told = [
+    reported = [
         j.consistent for j in holes if j.delay_s == 0.0 and j.consistent is not None
     ]
-    assert (at_zero.yes, at_zero.asked) == (sum(told), 9)
+    assert (at_zero.yes, at_zero.asked) == (sum(reported), 9)
     assert found.missing == 8
     assert any("8 of 80 answers are missing" in text for text in warnings_of(found))
 
