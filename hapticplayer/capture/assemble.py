@@ -242,6 +242,7 @@ def clean(
 
 def _is_constant(time_s: Floats, accel: Reals, rate: Reals) -> bool:
     """Whether times are in order and every sample is like the first, about 1 g."""
+    from hapticplayer.motion.repair.timestamps import MIN_RATE_HZ
     from hapticplayer.motion.repair.units import PLAUSIBLE_NORM_MPS2
 
     low, high = PLAUSIBLE_NORM_MPS2
@@ -251,6 +252,7 @@ def _is_constant(time_s: Floats, accel: Reals, rate: Reals) -> bool:
         and low <= np.linalg.norm(accel[0]) <= high
         and np.isfinite(time_s).all()
         and (np.diff(time_s) > 0.0).all()
+        and np.median(np.diff(time_s)) <= 1.0 / MIN_RATE_HZ
         and np.isfinite(rate[0]).all()
         and (accel == accel[0]).all()
         and (rate == rate[0]).all()

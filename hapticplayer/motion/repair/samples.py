@@ -338,13 +338,13 @@ def _check_motion(
     line: Timeline, force: Floats, rate: Floats, repairs: list[Repair], source: str
 ) -> None:
     """Refuse stuck sensors and wrong units; report a gyroscope that reads zero."""
+    check_force_unit(line.time_s, force, source)
     if (force == force[0]).all() and (rate == rate[0]).all():
         raise InputError(
             "all samples are the same, so the sensor was stuck",
             where=source,
             remedy="give a recording of a sensor that worked",
         )
-    check_force_unit(line.time_s, force, source)
     check_rate_unit(line.time_s, force, rate, source)
     if not rate.any():
         what = Message("the angular rate is zero throughout, so no rotation is assumed")

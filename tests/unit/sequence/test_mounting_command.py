@@ -28,7 +28,7 @@ def test_an_import_asks_for_a_recorder_that_hung(tmp_path, tiny_clip, hanging, c
     target = tmp_path / "ride"
     assert run(tiny_clip, hanging, target) == 2
     words = capsys.readouterr().err
-    assert "gravity says that -z of the recorder was up" in words
+    assert "gravity shows that -z of the recorder was up" in words
     assert "--mounting upside-down" in words
     assert not target.exists()
 
@@ -41,7 +41,7 @@ def test_a_mounting_turns_the_motion_and_is_kept(
     sequence = open_sequence(tmp_path / "ride")
     made_of = sequence.description["provenance"]
     assert made_of["mounting"] == "-x,y,-z"
-    assert not any("gravity says" in note for note in made_of["notes"])
+    assert not any("gravity shows" in note for note in made_of["notes"])
     with np.load(tmp_path / "ride" / "imu.npz") as kept:
         np.testing.assert_allclose(
             kept["specific_force_mps2"], still_log.specific_force_mps2, atol=1e-6
