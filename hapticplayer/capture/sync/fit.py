@@ -21,8 +21,8 @@ from hapticplayer.model.arrays import Floats
 SOUND_LATE_S = 0.001
 """Mean delay of a detected onset in the sound."""
 
-_FREQUENCIES_HZ = np.array([14.0, 20.0, 27.0, 35.0, 45.0, 60.0, 80.0])
-_DECAYS_S = np.array([0.012, 0.025, 0.05])
+FREQUENCIES_HZ = np.array([14.0, 20.0, 27.0, 35.0, 45.0, 60.0, 80.0])
+DECAYS_S = np.array([0.012, 0.025, 0.05])
 _STEPS_PER_WINDOW = 16  # of the shifts, but at least 1 ms
 _BEFORE, _AFTER = 3, 7  # samples around a pat at 30 Hz
 _AFTER_S = 0.1
@@ -102,7 +102,7 @@ def _fitness(imu: ImuLog, whitener: Whitener, felt_s: Floats) -> Floats:
     last = min(len(imu), middle + after + margin)
     if last - first < _BEFORE + 2 or first < order:
         return np.zeros(len(felt_s))
-    waves = _waves(imu.time_s[first:last], felt_s, step_s)  # (S, form, n)
+    waves = window_means(imu.time_s[first:last], felt_s, step_s)  # (S, form, n)
     total = np.zeros(waves.shape[:2])
     for axis in range(3):
         accel = imu.specific_force_mps2[first - order : last, axis]
@@ -118,7 +118,7 @@ def _fitness(imu: ImuLog, whitener: Whitener, felt_s: Floats) -> Floats:
     return np.asarray(logsumexp(total, axis=1))
 
 
-def _waves(time_s: Floats, felt_s: Floats, window_s: float) -> Floats:
+def window_means(time_s: Floats, felt_s: Floats, window_s: float) -> Floats:
     """Return the windows' means of damped sines (S, forms, n)."""
     inner_s = (time_s[1:] + time_s[:-1]) / 2
     edges_s = np.concatenate(
@@ -126,7 +126,7 @@ def _waves(time_s: Floats, felt_s: Floats, window_s: float) -> Floats:
     )
     since_s = edges_s[None, None, :] - felt_s[:, None, None]
     hz, decay_s = (
-        grid.ravel()[None, :, None] for grid in np.meshgrid(_FREQUENCIES_HZ, _DECAYS_S)
+        grid.ravel()[None, :, None] for grid in np.meshgrid(FREQUENCIES_HZ, DECAYS_S)
     )
     integral = _integral(since_s, 2 * np.pi * hz, 1.0 / decay_s)
     return np.asarray(np.diff(integral, axis=-1) / np.diff(edges_s))

@@ -43,13 +43,13 @@ def check(path: Path, choices=None) -> None:
     np.testing.assert_allclose(imu.angular_rate_radps, RATE, atol=1e-5)
 
 
-def test_our_own_log_may_be_quoted(tmp_path: Path) -> None:
+def test_our_own_log_may_be_quoted(tmp_path):
     path = tmp_path / "log.csv"
     path.write_text(log(quote='"'))
     check(path)
 
 
-def test_empty_cells_between_quotes_are_holes(tmp_path: Path) -> None:
+def test_empty_cells_between_quotes_are_holes(tmp_path):
     path = tmp_path / "log.csv"
     lines = log(quote='"').splitlines()
     cells = lines[50].split(",")
@@ -64,9 +64,7 @@ def test_empty_cells_between_quotes_are_holes(tmp_path: Path) -> None:
     ("separator", "decimal", "quote"),
     [(",", ".", '"'), (";", ",", '"'), ("\t", ",", ""), (";", ".", "")],
 )
-def test_another_table_may_be_quoted(
-    tmp_path: Path, separator: str, decimal: str, quote: str
-) -> None:
+def test_another_table_may_be_quoted(tmp_path, separator, decimal, quote):
     path = tmp_path / "log.csv"
     head = "t,accX,accY,accZ,gyrX,gyrY,gyrZ"
     path.write_text(log(head, separator=separator, decimal=decimal, quote=quote))
@@ -75,16 +73,14 @@ def test_another_table_may_be_quoted(
     check(path, CHOICES)
 
 
-def test_commas_that_are_decimal_and_separate_are_not_guessed_at(
-    tmp_path: Path,
-) -> None:
+def test_commas_that_are_decimal_and_separate_are_not_guessed_at(tmp_path):
     path = tmp_path / "log.csv"
     path.write_text(log("t,a,b,c,d,e,f", decimal=",", quote='"'))
     with pytest.raises((InputError, UsageError)):
         read_recording(path, CHOICES)
 
 
-def test_columns_that_a_person_gives_win_over_our_own_header(tmp_path: Path) -> None:
+def test_columns_that_a_person_gives_win_over_our_own_header(tmp_path):
     path = tmp_path / "log.csv"
     lines = log().splitlines()
     path.write_text("\n".join([lines[0] + ",temp", *(f"{x},25" for x in lines[1:])]))
@@ -95,7 +91,7 @@ def test_columns_that_a_person_gives_win_over_our_own_header(tmp_path: Path) -> 
 
 
 @pytest.mark.parametrize("encoding", ["utf-16", "utf-16-le"])
-def test_text_in_utf_16_is_named(tmp_path: Path, encoding: str) -> None:
+def test_text_in_utf_16_is_named(tmp_path, encoding):
     path = tmp_path / "log.csv"
     path.write_bytes(("\ufeff" * (encoding != "utf-16") + log()).encode(encoding))
     with pytest.raises(InputError, match="UTF-16"):
@@ -104,7 +100,7 @@ def test_text_in_utf_16_is_named(tmp_path: Path, encoding: str) -> None:
 
 @pytest.mark.parametrize("quote", ["", '"'])
 @pytest.mark.parametrize("between", ["T", " "])
-def test_dates_are_named(tmp_path: Path, quote: str, between: str) -> None:
+def test_dates_are_named(tmp_path, quote, between):
     path = tmp_path / "log.csv"
     date = f"{quote}2024-05-01{between}12:00:00.000Z{quote}"
     rows = "".join(f"{date},0,0,9.8,0,0,0\n" for _ in range(50))
@@ -115,7 +111,7 @@ def test_dates_are_named(tmp_path: Path, quote: str, between: str) -> None:
         read_recording(path)
 
 
-def test_excel_workbooks_are_named(tmp_path: Path) -> None:
+def test_excel_workbooks_are_named(tmp_path):
     old, new = tmp_path / "log.xls", tmp_path / "log.xlsx"
     old.write_bytes(b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1" + bytes(4000))
     with zipfile.ZipFile(new, "w") as book:

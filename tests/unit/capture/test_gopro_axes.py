@@ -49,7 +49,7 @@ def hero9_rotation() -> tuple[ImuLog, Floats, Floats]:
     return read_recording(path).imu, time_s, unit @ FRAME_A_FROM_CAMERA.T
 
 
-def test_gravity_of_the_camera_agrees_with_these_axes_only() -> None:
+def test_gravity_of_the_camera_agrees_with_these_axes_only():
     """GRAV of a HERO9 in strong rotation, against the low-passed accelerometer.
 
     0.65 m/s2 RMS with a zero-phase low-pass of 0.5 Hz (the reference found 0.648);
@@ -79,7 +79,7 @@ def test_gravity_of_the_camera_agrees_with_these_axes_only() -> None:
     assert second > 1.0
 
 
-def test_gyro_turns_the_gravity_of_the_camera() -> None:
+def test_gyro_turns_the_gravity_of_the_camera():
     """d/dt of GRAV = -rate x GRAV: only the right axes of the gyro predict it."""
     imu, time_s, direction = hero9_rotation()
     angle = np.cumsum(imu.angular_rate_radps[1:] * np.diff(imu.time_s)[:, None], axis=0)
@@ -125,7 +125,7 @@ def shift_px(before: NDArray[np.complex128], after: NDArray[np.complex128],
     return float(dx), float(dy)
 
 
-def test_picture_moves_as_the_gyro_says() -> None:
+def test_picture_moves_as_the_gyro_says():
     """Frame A is x right, y front, z up, and not its half turn x left, y back.
 
     Turning left (rate about z > 0) moves the picture to the right; lifting the nose
@@ -183,7 +183,7 @@ STORED = {
 
 
 @pytest.mark.parametrize(("orin", "camera"), STORED)
-def test_each_camera_ends_in_frame_a(orin: str, camera: str) -> None:
+def test_each_camera_ends_in_frame_a(orin, camera):
     """Camera X is left and Y is back, so (1, 2, 3) is (-1, -2, 3) in frame A."""
     entry = stream(text("ORIN", orin)) if orin else stream(text("STNM", "ACCL"))
     rotation = frame_a_from_stored(entry, camera)
@@ -200,9 +200,7 @@ def test_each_camera_ends_in_frame_a(orin: str, camera: str) -> None:
         ("XzY", [[0, -1, 0], [1, 0, 0], [0, 0, 1]]),
     ],
 )
-def test_matrix_says_the_same_as_the_letters(
-    orin: str, matrix: list[list[float]]
-) -> None:
+def test_matrix_says_the_same_as_the_letters(orin, matrix):
     by_letters = frame_a_from_stored(stream(text("ORIN", orin)), "")
     by_matrix = frame_a_from_stored(
         stream(floats("MTRX", [np.ravel(matrix)]), text("ORIO", "ZXY")), ""
@@ -210,7 +208,7 @@ def test_matrix_says_the_same_as_the_letters(
     np.testing.assert_array_equal(by_letters, by_matrix)
 
 
-def test_unknown_camera_without_axes_is_noted() -> None:
+def test_unknown_camera_without_axes_is_noted():
     from hapticplayer.media.telemetry import TelemetryPacket
     from tests.unit.capture.conftest import device
 

@@ -1,7 +1,5 @@
 """Missing samples, compasses, and cameras without accelerations."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 
@@ -24,7 +22,7 @@ def packets(clean: Sampled) -> list[TelemetryPacket]:
     return [TelemetryPacket(t, 1.0, payload) for t, payload in gopro_payloads(clean)]
 
 
-def test_motion_in_closed_form_comes_back() -> None:
+def test_motion_in_closed_form_comes_back():
     telemetry = read_gopro(packets(sample(apart=True)))
     t = telemetry.imu.time_s
     assert telemetry.provenance["accelerometer_rate_hz"] == pytest.approx(
@@ -37,7 +35,7 @@ def test_motion_in_closed_form_comes_back() -> None:
     assert len(telemetry.notes) == 1  # how it was read
 
 
-def test_missing_accelerations_are_filled_and_marked() -> None:
+def test_missing_accelerations_are_filled_and_marked():
     clean = sample(apart=True)
     clean.force[500:505] = np.nan
     telemetry = read_gopro(packets(clean))
@@ -49,7 +47,7 @@ def test_missing_accelerations_are_filled_and_marked() -> None:
     assert any("were filled in" in note for note in telemetry.notes)
 
 
-def test_missing_rates_are_marked_where_they_were_missing() -> None:
+def test_missing_rates_are_marked_where_they_were_missing():
     """A tenth of a second of NaN in the faster gyro does not spread."""
     clean = sample(apart=True)
     lost = slice(700, 711)
@@ -85,7 +83,7 @@ def with_compass(components: int, orin: str) -> list[TelemetryPacket]:
 
 
 @pytest.mark.parametrize("components", [3, 4])
-def test_compass_is_turned_into_frame_a(components: int) -> None:
+def test_compass_is_turned_into_frame_a(components):
     imu = read_gopro(with_compass(components, "ZXY")).imu
     assert imu.magnetic_field_ut is not None
     error = np.abs(imu.magnetic_field_ut - true_field(imu.time_s))
@@ -93,28 +91,26 @@ def test_compass_is_turned_into_frame_a(components: int) -> None:
     assert error[inside].max() < 0.1
 
 
-def test_compass_without_axes_is_left_out_and_said() -> None:
+def test_compass_without_axes_is_left_out_and_said():
     telemetry = read_gopro(with_compass(3, ""))
     assert telemetry.imu.magnetic_field_ut is None
     assert any("compass is ignored" in note for note in telemetry.notes)
 
 
-def test_compass_of_the_fusion_is_left_out() -> None:
+def test_compass_of_the_fusion_is_left_out():
     recording = read_recording(recorded("gopro/fusion.bin"))
     assert recording.imu.magnetic_field_ut is None
     assert any("declare its axes" in note for note in recording.notes)
 
 
-def test_real_recordings_need_no_repair() -> None:
+def test_real_recordings_need_no_repair():
     for name in ("karma.mp4", "hero06.bin", "hero8_grass.gpmf", "hero9_rotation.gpmd"):
         recording = read_recording(recorded(f"gopro/{name}"))
         assert recording.imu.valid is None, name
         assert not any("filled" in note for note in recording.notes), name
 
 
-def test_dji_is_refused_with_the_reason(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_dji_is_refused_with_the_reason(tmp_path, monkeypatch):
     """No DJI clip is at hand: its data track is known by the name in its handler."""
     path = tmp_path / "dji.mp4"
     path.write_bytes(b"\0\0\0\x18ftypmp42" + bytes(300))
@@ -126,7 +122,7 @@ def test_dji_is_refused_with_the_reason(
     assert "--imu LOG" in str(caught.value)
 
 
-def test_orientations_without_accelerations_are_refused() -> None:
+def test_orientations_without_accelerations_are_refused():
     """What a DJI-like GPMF would be: quaternions only."""
     payload = device("Osmo", sensor("CORI", np.tile([1.0, 0, 0, 0], (30, 1))))
     with pytest.raises(TelemetryError, match="no accelerometer samples"):
@@ -135,7 +131,7 @@ def test_orientations_without_accelerations_are_refused() -> None:
         )
 
 
-def test_a_rate_in_degrees_is_not_believed() -> None:
+def test_a_rate_in_degrees_is_not_believed():
     """A damaged SCAL: the rate turns gravity 57 times too fast."""
     clean = sample(apart=True, seconds=40.0)
     clean.rate[:] = np.degrees(clean.rate)

@@ -37,25 +37,25 @@ def only(payload: bytes) -> Entry:
         ("d", ">d", -2.25),
     ],
 )
-def test_each_number_type_is_read(kind: str, code: str, value: float) -> None:
+def test_each_number_type_is_read(kind, code, value):
     raw = struct.pack(code, value) * 3
     entry = only(klv("DATA", kind, raw, len(raw) // 3))
     np.testing.assert_array_equal(numbers_of(entry), [[value]] * 3)
 
 
-def test_fixed_point_numbers_are_scaled() -> None:
+def test_fixed_point_numbers_are_scaled():
     entry = only(klv("DATA", "q", struct.pack(">i", 3 << 15), 4))
     assert numbers_of(entry).item() == 1.5
     entry = only(klv("DATA", "Q", struct.pack(">q", 5 << 31), 8))
     assert numbers_of(entry).item() == 2.5
 
 
-def test_structures_of_several_numbers_are_rows() -> None:
+def test_structures_of_several_numbers_are_rows():
     entry = only(shorts("ACCL", [[1, 2, 3], [4, 5, -6]]))
     np.testing.assert_array_equal(numbers_of(entry), [[1, 2, 3], [4, 5, -6]])
 
 
-def test_complex_type_keeps_its_numbers_and_skips_text() -> None:
+def test_complex_type_keeps_its_numbers_and_skips_text():
     raw = struct.pack(">I4s2fH", 7, b"SNOW", 0.5, 0.25, 9)
     entry = only(klv("SCEN", "?", raw * 2, len(raw)))
     np.testing.assert_array_equal(
@@ -64,24 +64,24 @@ def test_complex_type_keeps_its_numbers_and_skips_text() -> None:
 
 
 @pytest.mark.parametrize("complex_type", ["", "LLLLLLLLLL", "x", "L[999]", "[3]"])
-def test_complex_type_that_does_not_fit_gives_no_columns(complex_type: str) -> None:
+def test_complex_type_that_does_not_fit_gives_no_columns(complex_type):
     entry = only(klv("SCEN", "?", bytes(8), 8))
     assert numbers_of(entry, complex_type).shape == (1, 0)
 
 
 @pytest.mark.parametrize("kind", ["c", "F", "U", "G", "z", "\xff"])
-def test_text_and_unknown_types_have_no_numbers(kind: str) -> None:
+def test_text_and_unknown_types_have_no_numbers(kind):
     entry = only(klv("DATA", kind, bytes(32), 16))
     assert numbers_of(entry).shape == (2, 0)
 
 
-def test_padding_between_entries_is_skipped() -> None:
+def test_padding_between_entries_is_skipped():
     root = parse(text("STNM", "abcde") + text("SIUN", "m/s\xb2"))
     assert [text_of(entry) for entry in root.children] == ["abcde", "m/s²"]
     assert not root.is_cut
 
 
-def test_nesting_is_followed() -> None:
+def test_nesting_is_followed():
     root = parse(nested("DEVC", nested("STRM", shorts("ACCL", [[1, 2, 3]]))))
     stream = root.children[0].children[0]
     assert stream.key == "STRM"
@@ -89,13 +89,13 @@ def test_nesting_is_followed() -> None:
     assert stream.find("GYRO") is None
 
 
-def test_zeros_at_the_end_are_padding() -> None:
+def test_zeros_at_the_end_are_padding():
     root = parse(shorts("ACCL", [[1, 2, 3]]) + bytes(64))
     assert len(root.children) == 1
     assert not root.is_cut
 
 
-def test_length_beyond_the_parent_ends_it() -> None:
+def test_length_beyond_the_parent_ends_it():
     long = klv("GYRO", "s", bytes(600), 6)[:20]
     root = parse(nested("DEVC", shorts("ACCL", [[1, 2, 3]]), long))
     (devc,) = root.children
@@ -103,7 +103,7 @@ def test_length_beyond_the_parent_ends_it() -> None:
     assert devc.is_cut
 
 
-def test_endless_nesting_is_refused() -> None:
+def test_endless_nesting_is_refused():
     payload = b""
     for _ in range(50):
         payload = nested("DEVC", payload)
@@ -131,7 +131,7 @@ VALID = device(
 
 @given(st.binary(max_size=400))
 @settings(max_examples=300, deadline=None)
-def test_random_bytes_are_read_or_refused(payload: bytes) -> None:
+def test_random_bytes_are_read_or_refused(payload):
     with contextlib.suppress(TelemetryError):
         walk(parse(payload))
 
@@ -145,9 +145,7 @@ def test_random_bytes_are_read_or_refused(payload: bytes) -> None:
     st.integers(0, len(VALID)),
 )
 @settings(max_examples=400, deadline=None)
-def test_damaged_payloads_are_read_or_refused(
-    changes: list[tuple[int, int]], length: int
-) -> None:
+def test_damaged_payloads_are_read_or_refused(changes, length):
     payload = bytearray(VALID)
     for position, value in changes:
         payload[position] = value
@@ -174,9 +172,7 @@ def test_damaged_payloads_are_read_or_refused(
         ("c", "41414141", float("nan")),
     ],
 )
-def test_first_number_is_that_of_its_type(
-    kind: str, value: str, expected: float
-) -> None:
+def test_first_number_is_that_of_its_type(kind, value, expected):
     content = bytes.fromhex(value)
     one = only(klv("STMP", kind, content * 2, len(content)))
     assert first_number_of(one) == pytest.approx(expected, nan_ok=True)

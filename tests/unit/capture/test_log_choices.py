@@ -1,7 +1,6 @@
 """Tables that do not explain themselves: questions, answers, templates."""
 
 import json
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -14,18 +13,18 @@ from tests.faults.import_signal import sample, true_force
 
 
 @pytest.fixture
-def table(tmp_path: Path) -> Path:
+def table(tmp_path):
     return put(generic(sample()), tmp_path / "in")
 
 
-def test_an_unknown_table_asks_what_its_columns_are(table: Path) -> None:
+def test_an_unknown_table_asks_what_its_columns_are(table):
     with pytest.raises(UsageError, match="table of 8 columns") as caught:
         read_recording(table)
     assert "counter;t_us;Ax;Ay;Az;Gx;Gy;Gz" in str(caught.value)
     assert "--read-as columns=time,ax,ay,az,gx,gy,gz" in str(caught.value)
 
 
-def test_units_are_asked_for_all_at_once(table: Path) -> None:
+def test_units_are_asked_for_all_at_once(table):
     with pytest.raises(UsageError) as caught:
         read_recording(table, parse_choices(GENERIC[:1]))
     for key in ("time-unit=s|ms|us|ns", "accel-unit=m/s2|g", "rate-unit=rad/s|deg/s"):
@@ -43,14 +42,12 @@ def test_units_are_asked_for_all_at_once(table: Path) -> None:
         ("time,ax,ay,az,gx,gy,gz,mx", "names a part of mx, my, mz"),
     ],
 )
-def test_columns_that_do_not_fit_are_explained(
-    table: Path, columns: str, sentence: str
-) -> None:
+def test_columns_that_do_not_fit_are_explained(table, columns, sentence):
     with pytest.raises(UsageError, match=sentence):
         read_recording(table, parse_choices([f"columns={columns}"]))
 
 
-def test_a_template_reads_every_log_of_its_logger(table: Path, tmp_path: Path) -> None:
+def test_a_template_reads_every_log_of_its_logger(table, tmp_path):
     template = tmp_path / "mine.json"
     write_template(template, parse_choices(GENERIC))
     choices = parse_choices([f"template={template}"])
@@ -60,14 +57,14 @@ def test_a_template_reads_every_log_of_its_logger(table: Path, tmp_path: Path) -
     assert list(tmp_path.glob("*.part")) == []
 
 
-def test_a_word_beside_a_template_wins(tmp_path: Path) -> None:
+def test_a_word_beside_a_template_wins(tmp_path):
     template = tmp_path / "mine.json"
     write_template(template, LogChoices(accel_unit="g", axes="x,y,z"))
     choices = parse_choices(["accel-unit=m/s2", f"template={template}"])
     assert choices == LogChoices(accel_unit="m/s2", axes="x,y,z")
 
 
-def test_keys_of_earlier_versions_are_understood(tmp_path: Path) -> None:
+def test_keys_of_earlier_versions_are_understood(tmp_path):
     template = tmp_path / "mine.json"
     template.write_text('{"force-unit": "g"}')
     choices = parse_choices([f"template={template}", "force-sign=-"])
@@ -79,20 +76,20 @@ def test_keys_of_earlier_versions_are_understood(tmp_path: Path) -> None:
     ["", "[]", "{", '{"accel-unit": 3}', '{"colour": "red"}', "[" * 60_000,
      json.dumps({"axes": "x" * 70_000}), "null"],
 )  # fmt: skip
-def test_what_is_no_template_is_refused(tmp_path: Path, content: str) -> None:
+def test_what_is_no_template_is_refused(tmp_path, content):
     template = tmp_path / "mine.json"
     template.write_text(content)
     with pytest.raises(InputError, match=r"not a template|is empty"):
         parse_choices([f"template={template}"])
 
 
-def test_template_in_a_missing_folder_is_refused(tmp_path: Path) -> None:
+def test_template_in_a_missing_folder_is_refused(tmp_path):
     with pytest.raises(InputError, match="cannot be written"):
         write_template(tmp_path / "no" / "mine.json", LogChoices(axes="x,y,z"))
 
 
 @pytest.mark.parametrize("word", ["accel-unit", "colour=red", "=", "accel_sign=2"])
-def test_words_that_are_no_choice_are_refused(word: str) -> None:
+def test_words_that_are_no_choice_are_refused(word):
     with pytest.raises(UsageError):
         parse_choices([word])
 
@@ -102,20 +99,20 @@ def test_words_that_are_no_choice_are_refused(word: str) -> None:
     ["accel-unit=stone", "rate-unit=-1", "rate-unit=nan", "field-unit=0",
      "rate-hz=fast", "rate-hz=-5", "accel-sign=x"],
 )  # fmt: skip
-def test_values_that_make_no_sense_are_refused(tmp_path: Path, word: str) -> None:
+def test_values_that_make_no_sense_are_refused(tmp_path, word):
     key = "Razor-AHRS" if word.startswith("rate-hz") else "Ultimate IMU"
     path = put(FORMATS[key].write(sample()), tmp_path / "in")
     with pytest.raises(UsageError):
         read_recording(path, parse_choices([word]))
 
 
-def test_a_factor_is_a_unit(table: Path) -> None:
+def test_a_factor_is_a_unit(table):
     words = [*GENERIC[:2], "accel-unit=9.80665", "rate-unit=0.0174532925"]
     imu = read_recording(table, parse_choices(words)).imu
     assert np.abs(imu.specific_force_mps2 - true_force(imu.time_s)).max() < 0.06
 
 
-def test_sign_of_the_accelerometer_can_be_turned(tmp_path: Path) -> None:
+def test_sign_of_the_accelerometer_can_be_turned(tmp_path):
     """As MARS of iOS writes it: -1 g upwards; no rotation of axes could mend it."""
     clean = sample()
     clean.force[:] *= -1.0
@@ -126,7 +123,7 @@ def test_sign_of_the_accelerometer_can_be_turned(tmp_path: Path) -> None:
     assert np.abs(imu.specific_force_mps2 - true_force(imu.time_s)).max() < 0.06
 
 
-def test_a_rate_stands_in_for_times(tmp_path: Path) -> None:
+def test_a_rate_stands_in_for_times(tmp_path):
     clean = sample()
     rows = np.concatenate([clean.force, clean.rate], axis=1)
     path = tmp_path / "rows.csv"
@@ -138,7 +135,7 @@ def test_a_rate_stands_in_for_times(tmp_path: Path) -> None:
     assert np.abs(imu.specific_force_mps2 - true_force(imu.time_s)).max() < 0.06
 
 
-def test_rows_of_one_sensor_each_are_streams_of_their_own(tmp_path: Path) -> None:
+def test_rows_of_one_sensor_each_are_streams_of_their_own(tmp_path):
     """Interleaved rows with empty cells: by their own times, not row by row."""
     clean = sample(apart=True)
     rows = [
@@ -157,7 +154,7 @@ def test_rows_of_one_sensor_each_are_streams_of_their_own(tmp_path: Path) -> Non
     assert np.abs(imu.specific_force_mps2 - true_force(imu.time_s)).max() < 0.06
 
 
-def test_format_can_be_chosen_but_not_against_the_content(table: Path) -> None:
+def test_format_can_be_chosen_but_not_against_the_content(table):
     with pytest.raises(UsageError, match="is not a log of Gyroflow"):
         read_recording(table, parse_choices(["format=gcsv"]))
     with pytest.raises(UsageError, match="format 'xls' not found"):

@@ -1,7 +1,5 @@
 """The command line asks with exit status 2, and takes the answer."""
 
-from pathlib import Path
-
 import pytest
 
 from hapticplayer.cli import main
@@ -10,22 +8,18 @@ from tests.faults.import_signal import sample
 
 
 @pytest.fixture
-def table(tmp_path: Path) -> Path:
+def table(tmp_path):
     return put(generic(sample()), tmp_path / "in")
 
 
-def test_a_doubtful_log_ends_with_status_2_and_a_question(
-    table: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_a_doubtful_log_ends_with_status_2_and_a_question(table, capsys):
     assert main(["process", str(table)]) == 2
     said = capsys.readouterr().err.strip().splitlines()[-1]  # above: the progress
     assert said.startswith("hapticplayer: ")
     assert "--read-as columns=" in said
 
 
-def test_the_answer_is_taken_kept_and_used_again(
-    table: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_the_answer_is_taken_kept_and_used_again(table, tmp_path, capsys):
     template = tmp_path / "mine.json"
     answers = [word for answer in GENERIC for word in ("--read-as", answer)]
     first = ["process", str(table), *answers, "--save-template", str(template)]
@@ -35,17 +29,13 @@ def test_the_answer_is_taken_kept_and_used_again(
     assert main([*again, "--method", "lowpass"]) == 0
 
 
-def test_motion_without_gravity_is_not_processed_a_second_time(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_motion_without_gravity_is_not_processed_a_second_time(tmp_path, capsys):
     path = put(phyphox_linear(sample()), tmp_path / "in")
     assert main(["process", str(path)]) == 1
     assert "recorder has removed gravity" in capsys.readouterr().err
 
 
-def test_a_folder_of_a_phone_is_processed(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_a_folder_of_a_phone_is_processed(tmp_path, capsys):
     from tests.faults.import_formats import sensor_logger_android
 
     folder = put(sensor_logger_android(sample(apart=True)), tmp_path / "in")

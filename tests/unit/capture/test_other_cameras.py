@@ -3,7 +3,6 @@
 import os
 import sys
 import textwrap
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -44,7 +43,7 @@ LIBRARY = """
 
 
 @pytest.fixture
-def camera(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+def camera(tmp_path, monkeypatch):
     """A folder with a library on the child's path, and a video with a side-car."""
     library = tmp_path / "library"
     library.mkdir()
@@ -55,7 +54,7 @@ def camera(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return tmp_path / "clip.mp4"
 
 
-def test_video_becomes_a_log_in_si(camera: Path) -> None:
+def test_video_becomes_a_log_in_si(camera):
     camera.write_text("good")
     log = assemble(read_other_camera(camera, AXES), AXES, str(camera))
     assert log.camera == "Sony FX3"
@@ -64,7 +63,7 @@ def test_video_becomes_a_log_in_si(camera: Path) -> None:
     assert log.imu.angular_rate_radps[0, 0] == pytest.approx(np.radians(9.0))
 
 
-def test_axes_are_asked_for(camera: Path) -> None:
+def test_axes_are_asked_for(camera):
     camera.write_text("good")
     with pytest.raises(UsageError, match="telemetry does not declare its axes"):
         read_other_camera(camera, LogChoices())
@@ -81,16 +80,14 @@ def test_axes_are_asked_for(camera: Path) -> None:
         ("half", "only 50% of its samples are whole"),
     ],
 )
-def test_what_goes_wrong_in_the_library_is_one_sentence(
-    camera: Path, kind: str, reason: str
-) -> None:
+def test_what_goes_wrong_in_the_library_is_one_sentence(camera, kind, reason):
     camera.write_text(kind)
     with pytest.raises(TelemetryError, match=reason) as caught:
         read_other_camera(camera, AXES)
     assert "\n" not in str(caught.value)
 
 
-def test_library_that_hangs_is_ended(camera: Path) -> None:
+def test_library_that_hangs_is_ended(camera):
     camera.write_text("slow")
     with pytest.raises(TelemetryError, match=r"took telemetry-parser 2 s|it died"):
         read_other_camera(camera, AXES, time_limit_s=2.0)
@@ -104,16 +101,14 @@ def test_library_that_hangs_is_ended(camera: Path) -> None:
         'print(\'{"camera": "x", "model": ""}\')',
     ],
 )
-def test_answers_that_are_none_are_refused(camera: Path, script: str) -> None:
+def test_answers_that_are_none_are_refused(camera, script):
     camera.write_text("good")
     command = (sys.executable, "-c", f"import sys; sys.argv[1:1] = []; {script}")
     with pytest.raises(TelemetryError, match="answer nonsense"):
         read_other_camera(camera, AXES, command=command)
 
 
-def test_nothing_is_left_of_the_copy(
-    camera: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_nothing_is_left_of_the_copy(camera, tmp_path, monkeypatch):
     scratch = tmp_path / "scratch"
     scratch.mkdir()
     monkeypatch.setattr("tempfile.tempdir", str(scratch))

@@ -1,6 +1,5 @@
 import subprocess
 import sys
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -15,14 +14,14 @@ from tests.unit.capture.conftest import device, recorded, sensor
 
 
 @pytest.fixture(scope="module")
-def mute_clip(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def mute_clip(tmp_path_factory):
     path = tmp_path_factory.mktemp("clip") / "mute.mp4"
     pictures = [np.full((48, 64, 3), 9 * number, np.uint8) for number in range(20)]
     write_clip(path, pictures, frame_rate_hz=10.0)
     return path
 
 
-def test_gopro_video_is_recognised() -> None:
+def test_gopro_video_is_recognised():
     recording = read_recording(recorded("gopro/karma.mp4"))
     assert len(recording.imu) == 2397
     assert recording.camera == "Camera"
@@ -32,13 +31,13 @@ def test_gopro_video_is_recognised() -> None:
     assert recording.imu.source.endswith("karma.mp4")
 
 
-def test_raw_dump_is_recognised_whatever_its_name(tmp_path: Path) -> None:
+def test_raw_dump_is_recognised_whatever_its_name(tmp_path):
     path = tmp_path / "dump.csv"
     path.write_bytes(recorded("gopro/hero8_grass.gpmf").read_bytes())
     assert read_recording(path).camera == "HERO8 Black"
 
 
-def test_log_is_recognised_and_its_clock_is_open(tmp_path: Path) -> None:
+def test_log_is_recognised_and_its_clock_is_open(tmp_path):
     path = tmp_path / "log.txt"
     rows = [f"{n / 100},0,0,9.8{n % 3},0,0,0.0{n % 2}" for n in range(50)]
     path.write_text("\n".join(["time_s,ax,ay,az,gx,gy,gz", *rows]))
@@ -48,7 +47,7 @@ def test_log_is_recognised_and_its_clock_is_open(tmp_path: Path) -> None:
     assert recording.notes == ()
 
 
-def test_what_was_repaired_is_noted(tmp_path: Path) -> None:
+def test_what_was_repaired_is_noted(tmp_path):
     path = tmp_path / "log.csv"
     rows = [f"{n / 100},0,0,9.8{n % 3},0,0,0.0{n % 2}" for n in range(50)]
     rows[7] = "0.07,,,,0,0,0"
@@ -60,7 +59,7 @@ def test_what_was_repaired_is_noted(tmp_path: Path) -> None:
     assert "line 9" in recording.notes[0]
 
 
-def test_gap_is_noted(tmp_path: Path) -> None:
+def test_gap_is_noted(tmp_path):
     times_s = np.concatenate([np.arange(50), np.arange(80, 120)]) / 100
     path = tmp_path / "log.csv"
     rows = [f"{time_s},0,0,9.8,0,0,0" for time_s in times_s]
@@ -68,9 +67,7 @@ def test_gap_is_noted(tmp_path: Path) -> None:
     assert "one gap, the longest of 0.31 s at 0.49 s" in read_recording(path).notes[0]
 
 
-def test_synthetic_camera_file_is_read_with_its_times(
-    tmp_path: Path, mute_clip: Path
-) -> None:
+def test_synthetic_camera_file_is_read_with_its_times(tmp_path, mute_clip):
     streams = [
         sensor("ACCL", [[9.8, 0.0, 0.0]] * 200),
         sensor("GYRO", [[0.0] * 3] * 200),
@@ -85,7 +82,7 @@ def test_synthetic_camera_file_is_read_with_its_times(
     np.testing.assert_allclose(recording.imu.specific_force_mps2[:, 2], 9.8, rtol=1e-6)
 
 
-def test_video_without_motion_says_what_to_give(mute_clip: Path) -> None:
+def test_video_without_motion_says_what_to_give(mute_clip):
     with pytest.raises(TelemetryError) as caught:
         read_recording(mute_clip)
     assert str(caught.value) == (
@@ -105,9 +102,7 @@ def test_video_without_motion_says_what_to_give(mute_clip: Path) -> None:
         (np.random.default_rng(1).bytes(5000), MediaError),
     ],
 )
-def test_nonsense_is_refused_in_one_sentence(
-    tmp_path: Path, content: bytes, error: type[InputError]
-) -> None:
+def test_nonsense_is_refused_in_one_sentence(tmp_path, content, error):
     path = tmp_path / "nonsense.bin"
     path.write_bytes(content)
     with pytest.raises(error) as caught:
@@ -116,14 +111,14 @@ def test_nonsense_is_refused_in_one_sentence(
     assert "\n" not in str(caught.value)
 
 
-def test_text_is_recognised_when_a_character_is_cut(tmp_path: Path) -> None:
+def test_text_is_recognised_when_a_character_is_cut(tmp_path):
     path = tmp_path / "log.csv"
     path.write_text("x" * 4095 + "ü" * 10)
     with pytest.raises(InputError, match="the header is"):
         read_recording(path)
 
 
-def test_importing_the_room_loads_neither_pyav_nor_scipy() -> None:
+def test_importing_the_room_loads_neither_pyav_nor_scipy():
     code = (
         "import sys, hapticplayer.capture, hapticplayer.media;"
         "print([m for m in ('av', 'scipy') if m in sys.modules])"
@@ -134,7 +129,7 @@ def test_importing_the_room_loads_neither_pyav_nor_scipy() -> None:
     assert result.stdout.strip() == "[]"
 
 
-def test_units_and_axes_of_a_camera_are_said_and_checked(tmp_path: Path) -> None:
+def test_units_and_axes_of_a_camera_are_said_and_checked(tmp_path):
     """A HERO9 at rest shows 9.83 m/s2 here, by its own norm; one that shows 1.3 g lies."""
     real = read_recording(recorded("gopro/hero9_rotation.gpmd"))
     assert "9.83 m/s2 at rest" in real.notes[0]

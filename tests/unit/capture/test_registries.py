@@ -40,7 +40,7 @@ def by_guess(_inputs: SyncInput) -> Synchronisation:
 
 
 @pytest.fixture
-def lists(monkeypatch: pytest.MonkeyPatch) -> None:
+def lists(monkeypatch):
     monkeypatch.setattr(formats, "FORMATS", (*formats.FORMATS, FORMAT))
     monkeypatch.setattr(methods, "SYNC_METHODS", (*methods.SYNC_METHODS, METHOD))
 
@@ -54,9 +54,7 @@ def lists(monkeypatch: pytest.MonkeyPatch) -> None:
         ("process", ("dummy (Dummy logger)",)),
     ],
 )
-def test_help_shows_a_new_entry(
-    command: str, words: tuple[str, ...], capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_help_shows_a_new_entry(command, words, capsys):
     with pytest.raises(SystemExit):
         main([command, "--help"])
     shown = " ".join(capsys.readouterr().out.split())
@@ -64,7 +62,7 @@ def test_help_shows_a_new_entry(
 
 
 @pytest.mark.usefixtures("lists")
-def test_a_new_format_is_recognised_and_chosen(tmp_path: Path) -> None:
+def test_a_new_format_is_recognised_and_chosen(tmp_path):
     path = tmp_path / "log.txt"
     path.write_text("dummy\n")
     assert read_recording(path).camera == "dummy camera"
@@ -74,14 +72,14 @@ def test_a_new_format_is_recognised_and_chosen(tmp_path: Path) -> None:
 
 
 @pytest.mark.usefixtures("lists")
-def test_a_new_method_synchronises() -> None:
+def test_a_new_method_synchronises():
     found = synchronize(IMU, method="dummy")
     assert (found.method, found.clock_map.offset_s) == ("dummy", 7.0)
     with pytest.raises(UsageError, match="offset, dummy"):
         synchronize(IMU, method="nonsense")
 
 
-def test_documents_name_every_entry() -> None:
+def test_documents_name_every_entry():
     docs = Path(__file__).parents[3] / "docs"
     text = (docs / "formats.md").read_text()
     assert all(f"`{one.name}`" in text for one in formats.FORMATS)
@@ -89,6 +87,6 @@ def test_documents_name_every_entry() -> None:
     assert all(f"| `{one.name}` | {one.text}" in text for one in methods.SYNC_METHODS)
 
 
-def test_every_entry_has_its_function() -> None:
+def test_every_entry_has_its_function():
     assert all(isinstance(one.reader(), Reader) for one in formats.FORMATS)
     assert all(callable(one.function()) for one in methods.SYNC_METHODS)

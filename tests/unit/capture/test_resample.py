@@ -6,7 +6,7 @@ from hypothesis import strategies as st
 from hapticplayer.capture.streams import mean_rate
 
 
-def test_equal_times_change_nothing() -> None:
+def test_equal_times_change_nothing():
     rng = np.random.default_rng(1)
     time_s = np.cumsum(rng.uniform(0.004, 0.006, 200))
     rate = rng.normal(size=(200, 3))
@@ -15,7 +15,7 @@ def test_equal_times_change_nothing() -> None:
     np.testing.assert_allclose(mean, rate, atol=1e-9)
 
 
-def test_twice_the_rate_is_averaged_in_pairs() -> None:
+def test_twice_the_rate_is_averaged_in_pairs():
     rate = np.arange(40.0)[:, None]
     fast_s = np.arange(1, 41) * 0.0025
     rows, mean = mean_rate(fast_s[1::2], fast_s, rate)
@@ -25,7 +25,7 @@ def test_twice_the_rate_is_averaged_in_pairs() -> None:
 
 @given(seed=st.integers(0, 2**32 - 1), ratio=st.floats(0.3, 20.0))
 @settings(max_examples=50, deadline=None)
-def test_no_angle_is_lost(seed: int, ratio: float) -> None:
+def test_no_angle_is_lost(seed, ratio):
     """The angle over the covered span equals the integral of the samples there."""
     rng = np.random.default_rng(seed)
     time_s = np.cumsum(rng.uniform(0.5, 1.5, 400)) * 0.005
@@ -46,7 +46,7 @@ def test_no_angle_is_lost(seed: int, ratio: float) -> None:
     np.testing.assert_allclose(angle.sum(axis=0), expected, atol=1e-9)
 
 
-def test_times_outside_are_left_out() -> None:
+def test_times_outside_are_left_out():
     time_s = np.arange(100) * 0.01
     query_s = np.arange(-0.5, 1.5, 0.02)
     rows, _ = mean_rate(query_s, time_s, np.ones((100, 3)))

@@ -29,7 +29,7 @@ def write(path: Path, lines: list[str], newline: str = "\n") -> Path:
     return path
 
 
-def test_plain_log_is_read(tmp_path: Path) -> None:
+def test_plain_log_is_read(tmp_path):
     imu = read_imu(write(tmp_path / "log.csv", log_lines()))
     assert imu.time_s == pytest.approx(np.arange(20) / 100)
     np.testing.assert_array_equal(imu.specific_force_mps2[3], [0.1, 0.2, 9.8])
@@ -39,7 +39,7 @@ def test_plain_log_is_read(tmp_path: Path) -> None:
     assert imu.source.endswith("log.csv")
 
 
-def test_field_columns_are_read(tmp_path: Path) -> None:
+def test_field_columns_are_read(tmp_path):
     lines = [
         HEADER + ",mx,my,mz",
         *(f"0.0{t},0,0,9.8,0,0,0,20,-3,40" for t in range(3)),
@@ -51,16 +51,14 @@ def test_field_columns_are_read(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("newline", ["\n", "\r\n", "\n\n"])
 @pytest.mark.parametrize("start", ["", "\ufeff"])
-def test_spaces_marks_and_line_ends_are_tolerated(
-    tmp_path: Path, newline: str, start: str
-) -> None:
+def test_spaces_marks_and_line_ends_are_tolerated(tmp_path, newline, start):
     lines = [line.replace(",", " , ") for line in log_lines()]
     lines[0] = start + lines[0]
     imu = read_imu(write(tmp_path / "log.csv", [*lines, "", "  "], newline))
     assert len(imu) == 20
 
 
-def test_write_and_read_agree_to_nine_digits(tmp_path: Path) -> None:
+def test_write_and_read_agree_to_nine_digits(tmp_path):
     rng = np.random.default_rng(3)
     imu = ImuLog(
         time_s=np.cumsum(rng.uniform(0.004, 0.006, 500)) - 1.0,
@@ -77,7 +75,7 @@ def test_write_and_read_agree_to_nine_digits(tmp_path: Path) -> None:
     assert [entry.name for entry in tmp_path.iterdir()] == ["log.csv"]
 
 
-def test_folder_that_cannot_be_written_is_named(tmp_path: Path) -> None:
+def test_folder_that_cannot_be_written_is_named(tmp_path):
     imu = read_imu(write(tmp_path / "log.csv", log_lines()))
     with pytest.raises(InputError, match="cannot be written"):
         write_imu_csv(tmp_path / "missing" / "log.csv", imu)
@@ -154,7 +152,7 @@ FAULTS = {
 
 
 @pytest.mark.parametrize("name", FAULTS)
-def test_fault_is_named_with_its_place_and_a_remedy(tmp_path: Path, name: str) -> None:
+def test_fault_is_named_with_its_place_and_a_remedy(tmp_path, name):
     lines, sentence = FAULTS[name]
     path = write(tmp_path / "log.csv", lines)
     with pytest.raises(InputError, match=sentence) as caught:
@@ -172,9 +170,7 @@ def with_cell(line: str, column: int, cell: str) -> str:
 
 @pytest.mark.parametrize("cell", ["", "  ", "nan", "NaN", "inf", "-inf"])
 @pytest.mark.parametrize("column", [1, 3, 6])
-def test_a_missing_value_is_filled_marked_and_said(
-    tmp_path: Path, cell: str, column: int
-) -> None:
+def test_a_missing_value_is_filled_marked_and_said(tmp_path, cell, column):
     lines = noisy_lines()
     clean = read_imu(write(tmp_path / "clean.csv", lines))
     lines[60] = with_cell(lines[60], column, cell)
@@ -192,13 +188,13 @@ def test_a_missing_value_is_filled_marked_and_said(
     assert "first in line 62" in log.notes[0]  # the header and an empty line before it
 
 
-def test_a_clean_log_has_nothing_to_say(tmp_path: Path) -> None:
+def test_a_clean_log_has_nothing_to_say(tmp_path):
     log = read_recording(write(tmp_path / "log.csv", noisy_lines()))
     assert log.notes == ()
     assert log.imu.valid is None
 
 
-def test_a_missing_time_is_interpolated(tmp_path: Path) -> None:
+def test_a_missing_time_is_interpolated(tmp_path):
     lines = noisy_lines()
     lines[60] = with_cell(lines[60], 0, "")
     log = read_recording(write(tmp_path / "log.csv", lines))
@@ -208,7 +204,7 @@ def test_a_missing_time_is_interpolated(tmp_path: Path) -> None:
     )
 
 
-def test_swapped_and_repeated_rows_are_put_in_order(tmp_path: Path) -> None:
+def test_swapped_and_repeated_rows_are_put_in_order(tmp_path):
     lines = noisy_lines()
     clean = read_imu(write(tmp_path / "clean.csv", lines))
     lines[30], lines[31] = lines[31], lines[30]
@@ -225,7 +221,7 @@ def test_swapped_and_repeated_rows_are_put_in_order(tmp_path: Path) -> None:
     ]
 
 
-def test_a_gap_stays_a_gap(tmp_path: Path) -> None:
+def test_a_gap_stays_a_gap(tmp_path):
     lines = noisy_lines()
     del lines[101:151]
     log = read_recording(write(tmp_path / "log.csv", lines))
@@ -234,12 +230,12 @@ def test_a_gap_stays_a_gap(tmp_path: Path) -> None:
     assert "about 50 samples were never recorded" in log.notes[1]
 
 
-def test_a_log_without_any_noise_is_read_and_doubted(tmp_path: Path) -> None:
+def test_a_log_without_any_noise_is_read_and_doubted(tmp_path):
     log = read_recording(write(tmp_path / "log.csv", log_lines()))
     assert log.notes == ("all samples are the same: was the sensor stuck?",)
 
 
-def test_fault_is_found_behind_empty_lines(tmp_path: Path) -> None:
+def test_fault_is_found_behind_empty_lines(tmp_path):
     lines = log_lines()
     lines[5:5] = ["", "", ""]
     lines[12] = "x"
@@ -251,16 +247,14 @@ def test_fault_is_found_behind_empty_lines(tmp_path: Path) -> None:
     "content",
     [b"\xff\xfe\x00\x01", b"\x00" * 5000, b"time_s,ax\x00", b"\x89PNG\r\n\x1a\n\x00"],
 )
-def test_binary_content_is_refused(tmp_path: Path, content: bytes) -> None:
+def test_binary_content_is_refused(tmp_path, content):
     path = tmp_path / "log.csv"
     path.write_bytes(content)
     with pytest.raises(InputError, match=r"line 1|not a text file"):
         read_imu(path)
 
 
-def test_letters_behind_the_header_that_are_not_utf8_are_refused(
-    tmp_path: Path,
-) -> None:
+def test_letters_behind_the_header_that_are_not_utf8_are_refused(tmp_path):
     path = tmp_path / "log.csv"
     path.write_bytes("\n".join(log_lines()).encode() + b"\n\xff\xff")
     with pytest.raises(InputError, match="not a text file in UTF-8"):
@@ -274,13 +268,7 @@ def test_letters_behind_the_header_that_are_not_utf8_are_refused(
         ("csv_table.MAX_CSV_ROWS", 19, "has more than 19 rows"),
     ],
 )
-def test_limits_refuse_just_above(
-    tmp_path: Path,
-    monkeypatch: pytest.MonkeyPatch,
-    limit: str,
-    value: int,
-    sentence: str,
-) -> None:
+def test_limits_refuse_just_above(tmp_path, monkeypatch, limit, value, sentence):
     path = write(tmp_path / "log.csv", log_lines())
     monkeypatch.setattr(f"hapticplayer.capture.{limit}", value)
     with pytest.raises(InputError, match=sentence):
@@ -290,14 +278,14 @@ def test_limits_refuse_just_above(
     assert len(read_imu(path)) == 20
 
 
-def test_missing_file_and_folder_are_refused(tmp_path: Path) -> None:
+def test_missing_file_and_folder_are_refused(tmp_path):
     with pytest.raises(InputError, match="no such file"):
         read_imu(tmp_path / "none.csv")
     with pytest.raises(InputError, match="is a folder"):
         read_imu(tmp_path)
 
 
-def test_rough_ride_passes_the_unit_check(tmp_path: Path) -> None:
+def test_rough_ride_passes_the_unit_check(tmp_path):
     """GoPro in sport: peaks of 55 m/s2 and 11 rad/s are no unit error."""
     rng = np.random.default_rng(2)
     force = rng.normal((0.0, 0.0, 9.8), 12.0, (400, 3)).clip(-55, 55)
@@ -307,7 +295,7 @@ def test_rough_ride_passes_the_unit_check(tmp_path: Path) -> None:
     assert len(read_imu(path)) == 400
 
 
-def test_force_track_holds_each_value(tmp_path: Path) -> None:
+def test_force_track_holds_each_value(tmp_path):
     lines = ["time_s,fx_n,fy_n,fz_n", "0.5,1,0,0", "1.5,0,-2,0.25"]
     track = read_force_csv(write(tmp_path / "force.csv", lines))
     assert track.reconstruction is Reconstruction.HOLD
@@ -328,8 +316,6 @@ def test_force_track_holds_each_value(tmp_path: Path) -> None:
         (["time_s,fx_n,fy_n,fz_n", "0,1,0,1e39"], "beyond any device"),
     ],
 )
-def test_bad_force_track_is_refused(
-    tmp_path: Path, lines: list[str], sentence: str
-) -> None:
+def test_bad_force_track_is_refused(tmp_path, lines, sentence):
     with pytest.raises(InputError, match=sentence):
         read_force_csv(write(tmp_path / "force.csv", lines))

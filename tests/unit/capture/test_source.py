@@ -3,7 +3,6 @@
 import io
 import os
 import zipfile
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -16,7 +15,7 @@ from tests.faults.import_formats import FORMATS, put, zipped
 from tests.faults.import_signal import sample
 
 
-def test_a_zip_and_its_folder_are_the_same_recording(tmp_path: Path) -> None:
+def test_a_zip_and_its_folder_are_the_same_recording(tmp_path):
     files = FORMATS["OpenCamera Sensors"].write(sample(apart=True))
     folder = read_recording(put(files, tmp_path / "a")).imu
     zip_ = read_recording(put(files, tmp_path / "b", as_zip=True)).imu
@@ -24,7 +23,7 @@ def test_a_zip_and_its_folder_are_the_same_recording(tmp_path: Path) -> None:
     np.testing.assert_array_equal(folder.specific_force_mps2, zip_.specific_force_mps2)
 
 
-def test_folder_inside_the_zip_does_not_matter(tmp_path: Path) -> None:
+def test_folder_inside_the_zip_does_not_matter(tmp_path):
     files = FORMATS["Sensor Logger Android"].write(sample(apart=True))
     inside = {f"2026-01-01_ride/{name}": content for name, content in files.items()}
     inside["__MACOSX/._TotalAcceleration.csv"] = b"\0\1\2"
@@ -35,7 +34,7 @@ def test_folder_inside_the_zip_does_not_matter(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     "name", ["../evil.csv", "/etc/evil.csv", "a/../../evil.csv", "..\\evil.csv", "C:\\e.csv"]
 )  # fmt: skip
-def test_names_that_point_out_of_a_zip_are_refused(tmp_path: Path, name: str) -> None:
+def test_names_that_point_out_of_a_zip_are_refused(tmp_path, name):
     path = tmp_path / "evil.zip"
     path.write_bytes(zipped({"gyro_accel.csv": b"x", name: b"x"}))
     with pytest.raises(InputError, match="outside the zip"):
@@ -43,9 +42,7 @@ def test_names_that_point_out_of_a_zip_are_refused(tmp_path: Path, name: str) ->
     assert [file.name for file in tmp_path.iterdir()] == ["evil.zip"]
 
 
-def test_a_zip_that_swells_is_refused_before_it_fills_the_memory(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_zip_that_swells_is_refused_before_it_fills_the_memory(tmp_path, monkeypatch):
     """Whatever size it claims; here the claim itself is honest and too large."""
     monkeypatch.setattr(source, "MAX_CSV_BYTES", 1 << 20)
     files = FORMATS["MARS"].write(sample())
@@ -56,9 +53,7 @@ def test_a_zip_that_swells_is_refused_before_it_fills_the_memory(
         read_recording(path)
 
 
-def test_a_zip_that_lies_about_its_size_ends_at_the_limit(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_zip_that_lies_about_its_size_ends_at_the_limit(tmp_path, monkeypatch):
     monkeypatch.setattr(source, "MAX_CSV_BYTES", 1000)
     path = tmp_path / "log.csv"
     path.write_bytes(b"1\n" * 499)
@@ -69,9 +64,7 @@ def test_a_zip_that_lies_about_its_size_ends_at_the_limit(
             stream.read()
 
 
-def test_too_many_members_are_refused(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_too_many_members_are_refused(tmp_path, monkeypatch):
     monkeypatch.setattr(source, "MAX_MEMBERS", 5)
     files = {f"{number}.csv": b"x" for number in range(6)}
     for as_zip in (True, False):
@@ -80,7 +73,7 @@ def test_too_many_members_are_refused(
             read_recording(path)
 
 
-def test_links_and_pipes_in_a_folder_are_passed_over(tmp_path: Path) -> None:
+def test_links_and_pipes_in_a_folder_are_passed_over(tmp_path):
     outside = tmp_path / "outside.csv"
     outside.write_text("x")
     folder = put(FORMATS["MARS"].write(sample()), tmp_path / "in")
@@ -90,7 +83,7 @@ def test_links_and_pipes_in_a_folder_are_passed_over(tmp_path: Path) -> None:
     assert len(read_recording(folder).imu) == 1200
 
 
-def test_encrypted_and_broken_zips_are_refused(tmp_path: Path) -> None:
+def test_encrypted_and_broken_zips_are_refused(tmp_path):
     content = bytearray(zipped(FORMATS["MARS"].write(sample())))
     for at in range(len(content) - 4):  # the bit that says encrypted
         if content[at : at + 4] == b"PK\x01\x02":
@@ -108,9 +101,7 @@ def test_encrypted_and_broken_zips_are_refused(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     "files", [{}, {"readme.txt": b"hello"}, {"a.jpg": b"\xff\xd8"}]
 )
-def test_a_folder_without_a_log_says_so(
-    tmp_path: Path, files: dict[str, bytes]
-) -> None:
+def test_a_folder_without_a_log_says_so(tmp_path, files):
     folder = tmp_path / "in"
     folder.mkdir()
     for name, content in {**files, "other.md": b"# notes"}.items():
@@ -119,7 +110,7 @@ def test_a_folder_without_a_log_says_so(
         read_recording(folder)
 
 
-def test_a_zip_in_a_zip_is_not_opened(tmp_path: Path) -> None:
+def test_a_zip_in_a_zip_is_not_opened(tmp_path):
     inner = zipped(FORMATS["MARS"].write(sample()))
     path = tmp_path / "outer.zip"
     with zipfile.ZipFile(path, "w") as archive:
@@ -134,13 +125,13 @@ def rows(text: bytes, **shape: object) -> Numbers:
 
 
 @pytest.mark.parametrize("end", [b"\n", b"\r\n", b"\n\r"])
-def test_line_ends_of_all_kinds_are_read(end: bytes) -> None:
+def test_line_ends_of_all_kinds_are_read(end):
     held = rows(end.join([b"1,2,3", b"4,5,6", b"7,8,9", b""]))
     np.testing.assert_array_equal(held.values, [[1, 2, 3], [4, 5, 6], [7, 8, 9]])
     assert held.damaged == ()
 
 
-def test_chunks_join_without_losing_a_line(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_chunks_join_without_losing_a_line(monkeypatch):
     monkeypatch.setattr(csv_table, "CHUNK_BYTES", 7)
     text = b"".join(b"%d,%d,%d\n" % (k, 2 * k, -k) for k in range(200))
     held = rows(text)
@@ -148,7 +139,7 @@ def test_chunks_join_without_losing_a_line(monkeypatch: pytest.MonkeyPatch) -> N
     np.testing.assert_array_equal(held.values, expected)
 
 
-def test_empty_cells_are_nan_and_damaged_lines_are_counted() -> None:
+def test_empty_cells_are_nan_and_damaged_lines_are_counted():
     good = b"1,2,3\n" * 60
     held = rows(good + b"1,,3\n" + b"1,x,3\n" + b"1,2\n" + b"1,1_0,2\n" + good)
     assert len(held.values) == 121
@@ -157,7 +148,7 @@ def test_empty_cells_are_nan_and_damaged_lines_are_counted() -> None:
     assert "first: line 62" in held.notes[0]
 
 
-def test_rows_of_wrong_length_do_not_shift_into_each_other() -> None:
+def test_rows_of_wrong_length_do_not_shift_into_each_other():
     """Together they have the right number of cells."""
     good = b"1,2,3\n" * 60
     held = rows(good + b"1,2,3,4\n1,2\n" + good)
@@ -165,12 +156,12 @@ def test_rows_of_wrong_length_do_not_shift_into_each_other() -> None:
     assert held.damaged == (61, 62)
 
 
-def test_decimal_commas_and_exponents_are_numbers() -> None:
+def test_decimal_commas_and_exponents_are_numbers():
     held = rows(b"1,5E0;-2,5e-1;3\n4;5;6\n", separator=";", decimal=",")
     np.testing.assert_array_equal(held.values, [[1.5, -0.25, 3], [4, 5, 6]])
 
 
-def test_integers_beyond_float64_are_subtracted_exactly() -> None:
+def test_integers_beyond_float64_are_subtracted_exactly():
     base = 1_700_000_000_123_456_789
     text = b"".join(b"%d,1,2\n" % (base + k) for k in range(100))
     held = rows(text, integer=0)
@@ -188,12 +179,12 @@ def test_integers_beyond_float64_are_subtracted_exactly() -> None:
      (b"1,2,3\n" * 50 + b"oops\n" * 9, "9 damaged lines"),
      (b"7" * 5_000_000, "line 1: is longer than 4096 characters")],
 )  # fmt: skip
-def test_what_is_no_table_is_refused(text: bytes, sentence: str) -> None:
+def test_what_is_no_table_is_refused(text, sentence):
     with pytest.raises(InputError, match=sentence):
         rows(text)
 
 
-def test_more_rows_than_the_limit_are_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_more_rows_than_the_limit_are_refused(monkeypatch):
     monkeypatch.setattr(csv_table, "MAX_CSV_ROWS", 100)
     assert len(rows(b"1,2,3\n" * 100).values) == 100
     with pytest.raises(InputError, match="more than 100 rows"):

@@ -187,9 +187,9 @@ def test_a_log_of_few_samples_is_no_match_but_no_crash(rng, count):
 
 def test_means_of_damped_sines_are_those_of_quadrature():
     time_s = np.arange(6) / 30.0
-    waves = fit._waves(time_s, np.array([0.0571]), 1 / 30.0)[0]
-    hz, decay_s = fit._FREQUENCIES_HZ[2], fit._DECAYS_S[1]
-    form = 1 * len(fit._FREQUENCIES_HZ) + 2
+    waves = fit.window_means(time_s, np.array([0.0571]), 1 / 30.0)[0]
+    hz, decay_s = fit.FREQUENCIES_HZ[2], fit.DECAYS_S[1]
+    form = 1 * len(fit.FREQUENCIES_HZ) + 2
 
     def wave(t):
         since = t - 0.0571
