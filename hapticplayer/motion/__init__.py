@@ -13,21 +13,15 @@ from hapticplayer.motion.gravity import (
 from hapticplayer.motion.methods import DEFAULT_METHOD, METHODS
 from hapticplayer.motion.repair import Repaired, repair_samples
 from hapticplayer.motion.smoother import SmootherParameters
-from hapticplayer.motion.stillness import (
-    AccelerometerGain,
-    estimate_accelerometer_gain,
-)
 
 __all__ = [
     "DEFAULT_METHOD",
     "METHODS",
-    "AccelerometerGain",
     "EkfParameters",
     "GravityRemoval",
     "Repaired",
     "SmootherParameters",
     "analyse",
-    "estimate_accelerometer_gain",
     "estimate_orientation",
     "remove_gravity",
     "repair_samples",

@@ -1,4 +1,4 @@
-"""Which samples of a log are not to be trusted, and why."""
+"""Gaps, missing and clipped samples of a log."""
 
 from dataclasses import dataclass, field
 
@@ -20,9 +20,9 @@ Flags = NDArray[np.bool_]
 
 # A step longer than this many intervals is a gap.
 GAP_STEPS = 3.0
-# Straight lines bridge a hole of a few samples well; one of this length not at all.
+# Straight lines bridge a gap of a few samples; one of this length is unknown.
 _BRIDGED_S = 0.3
-# Of a clipped sample much is known: it goes on in the same direction.
+# Share of a clipped sample that counts as unknown: its direction is known.
 _CLIPPED_RATE_LOST = 0.3
 _CLIPPED_FORCE_DOUBT = 1.0
 
@@ -37,7 +37,7 @@ class Flaws:
         missing: (N,) samples that were filled in.
         force_clipped: (N,) on a rail of the accelerometer.
         rate_clipped: (N,) on a rail of the gyro.
-        flawless: whether there is nothing to be careful about.
+        flawless: whether there are none.
     """
 
     interval_s: float
@@ -54,7 +54,7 @@ class Flaws:
 
     @property
     def valid(self) -> Flags:
-        """Samples whose motion may be trusted: not missing, clipped or at a gap."""
+        """Samples that are not missing, clipped or at a gap."""
         if self.flawless:
             return np.ones(len(self.gap_s), np.bool_)
         flawed = self.missing | self.force_clipped | self.rate_clipped
@@ -65,7 +65,7 @@ class Flaws:
 
     @property
     def beyond_bridging(self) -> Flags:
-        """Samples after a gap that no straight line bridges, (N,)."""
+        """Samples after a gap that is too long for a straight line, (N,)."""
         return np.asarray(self.gap_s > _BRIDGED_S)
 
     @property
@@ -73,7 +73,7 @@ class Flaws:
         return np.asarray(self.gap_s * np.minimum(self.gap_s / _BRIDGED_S, 1.0) ** 2)
 
     def lost_s(self, step_s: Floats) -> Floats:
-        """Return for how long nothing is known about the rotation, (N,)."""
+        """Return the time in which the rotation is unknown, (N,)."""
         if self.flawless:
             return self.gap_s
         missing = _unbridged(self.missing, step_s)
@@ -82,7 +82,7 @@ class Flaws:
         return np.asarray(self._unbridged_gap_s + lost)
 
     def doubt_s(self, step_s: Floats) -> Floats:
-        """Return for how long the specific force is not to be trusted, (N,)."""
+        """Return the time in which the specific force is unknown, (N,)."""
         if self.flawless:
             return self.gap_s
         missing = _unbridged(self.missing, step_s)
@@ -122,7 +122,7 @@ def _clipped(values: Floats, sensor: SensorRange) -> Flags:
 
 
 def _unbridged(missing: Flags, step_s: Floats) -> Floats:
-    """Return how unknown filled-in samples are, 0 to 1, by the length of their hole."""
+    """Return how unknown filled-in samples are, 0 to 1, by the length of their gap."""
     out = np.zeros(len(missing))
     edges = np.flatnonzero(np.diff(missing, prepend=False, append=False))
     end_s = np.concatenate([[0.0], np.cumsum(step_s)])

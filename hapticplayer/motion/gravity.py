@@ -13,9 +13,14 @@ import numpy as np
 from hapticplayer.errors import InputError, UsageError
 from hapticplayer.model import STANDARD_GRAVITY_MPS2, ImuLog, MotionTrack
 from hapticplayer.model.arrays import Floats
-from hapticplayer.motion.estimate import Estimate
 from hapticplayer.motion.flaws import find_flaws
-from hapticplayer.motion.methods import DEFAULT_METHOD, METHODS, Parameters, Task
+from hapticplayer.motion.methods import (
+    DEFAULT_METHOD,
+    METHODS,
+    Estimate,
+    Parameters,
+    Task,
+)
 from hapticplayer.motion.stillness import (
     WINDOW_S,
     StillSpans,
@@ -29,7 +34,7 @@ MIN_SPAN_S = 1e-3
 
 @dataclass(frozen=True, slots=True, eq=False)
 class GravityRemoval:
-    """A motion track with what is known about how it came about.
+    """A motion track and how it was computed.
 
     Attributes:
         track: the gravity-free motion.
@@ -55,8 +60,8 @@ def estimate_orientation(
         imu: samples in frame A; see ImuLog.
         method: one of METHODS.
         parameters: of the method; None for its defaults.
-        heading: whether the heading is wanted, from the magnetometer; without, it
-            starts at an arbitrary angle and drifts, and nothing is spent on it.
+        heading: whether to use the magnetometer; without, the heading starts at an
+            arbitrary angle and drifts.
 
     Raises:
         UsageError: for a method that does not exist or knows no heading, and for
@@ -75,8 +80,8 @@ def remove_gravity(
 ) -> MotionTrack:
     """Return the gravity-free acceleration of a log, in frame A.
 
-    The accelerometer's gain is corrected where the recording stands still for at
-    least one second, else it is taken as 1.
+    The accelerometer's gain is corrected where the recording is still for at least
+    one second, else it is 1.
 
     Args:
         imu: samples in frame A; see ImuLog.
@@ -96,7 +101,7 @@ def analyse(
     *,
     parameters: Parameters | None = None,
 ) -> GravityRemoval:
-    """Remove gravity like `remove_gravity` and say what was found on the way.
+    """Remove gravity like `remove_gravity` and summarise how.
 
     The summary holds `method`, `accelerometer_gain` and where it comes from,
     `still_s`, `leak_at_rest_mps2` (RMS over still spans of what is left there, the
@@ -163,9 +168,9 @@ def _removed(task: Task, method: str) -> tuple[MotionTrack, Estimate]:
     estimate = _estimate(task, method)
     gain = task.gain
     if estimate.at_rest is not None and gain != 1.0:
-        # what only seemed to stand still has no say in the scale
+        # spans that are accelerated in the solution do not count for the scale
         gain = estimate_accelerometer_gain(task.imu, _at_rest(task, estimate)).gain
-    # in place: of ten hours, what costs is memory that nobody has touched before
+    # in place: fresh memory is what long recordings spend most time on
     gravity, sigma = estimate.vertical, estimate.sigma_rad
     gravity *= STANDARD_GRAVITY_MPS2
     acceleration = gain * task.imu.specific_force_mps2

@@ -11,10 +11,10 @@ from hapticplayer.model.arrays import Floats
 # Below this the interval of a sample is as good as its time stamp.
 MAX_JITTER = 0.01
 MAX_GRID_GROWTH = 20.0
-# A longer hole says nothing of what came in it, however long it was.
-HOLE_S = 60.0
+# Beyond a longer gap the attitude is unknown, however long it was.
+MAX_GAP_S = 60.0
 _CLOSED_S = 1.0
-# Fewer samples are no piece of their own.
+# A piece has so many samples at least.
 _FEWEST = 50
 
 
@@ -75,29 +75,29 @@ def even(
 
 
 def pieces(imu: ImuLog) -> list[slice]:
-    """Return the samples between holes of more than a minute.
+    """Return the samples between gaps of more than a minute.
 
-    After one a filter may as well start anew: it knows nothing of the attitude. What
-    is too short to start on stays with the piece before.
+    After one a filter restarts, because the attitude is unknown. What is too short to
+    start on stays with the piece before.
     """
     edges = [0]
-    holes = np.flatnonzero(np.diff(imu.time_s) > HOLE_S) + 1
-    for hole, after in itertools.pairwise([*holes.tolist(), len(imu)]):
-        if min(hole - edges[-1], after - hole) >= _FEWEST:
-            edges.append(hole)
+    gaps = np.flatnonzero(np.diff(imu.time_s) > MAX_GAP_S) + 1
+    for gap, after in itertools.pairwise([*gaps.tolist(), len(imu)]):
+        if min(gap - edges[-1], after - gap) >= _FEWEST:
+            edges.append(gap)
     return [slice(*ends) for ends in itertools.pairwise([*edges, len(imu)])]
 
 
-def with_holes_closed(imu: ImuLog) -> ImuLog:
-    """Return the log with holes of more than a minute shortened to a second.
+def with_gaps_closed(imu: ImuLog) -> ImuLog:
+    """Return the log with gaps of more than a minute shortened to a second.
 
-    Or a grid over hours of nothing would have to be coarse.
+    A grid over hours without samples would have to be coarse.
     """
     steps = np.diff(imu.time_s)
-    hole = steps > HOLE_S
-    if not hole.any():
+    gap = steps > MAX_GAP_S
+    if not gap.any():
         return imu
-    steps[hole] = _CLOSED_S
+    steps[gap] = _CLOSED_S
     return replace(imu, time_s=imu.time_s[0] + np.append(0.0, np.cumsum(steps)))
 
 

@@ -1,18 +1,18 @@
 """The orientation estimators by name."""
 
 import functools
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any, TypeVar
 
 import numpy as np
+from numpy.typing import NDArray
 
 from hapticplayer.errors import UsageError
 from hapticplayer.model import ImuLog, Sampling
 from hapticplayer.model import quaternions as quat
 from hapticplayer.model.arrays import Floats
 from hapticplayer.motion import ekf, grid, lowpass
-from hapticplayer.motion.estimate import Estimate
 from hapticplayer.motion.flaws import Flaws
 from hapticplayer.motion.smoother import (
     InertialSamples,
@@ -30,14 +30,38 @@ _SMOOTHER, _EKF = SmootherParameters(), ekf.EkfParameters()
 
 
 @dataclass(frozen=True, slots=True, eq=False)
+class Estimate:
+    """The orientation at the times of a log, by one of the methods.
+
+    Attributes:
+        quaternion_wxyz: (N, 4) unit, sensor to earth; for averaged samples in the
+            middle of their windows.
+        vertical: (N, 3) the earth's up direction in the sensor frame; for averaged
+            samples its mean over the window, which is shorter than 1 while it turns.
+        sigma_rad: (N,) RMS of the angle between estimated and true vertical, or None
+            where the method has none.
+        at_rest: (N,) still samples that the estimate confirms, or None where the
+            method does not check.
+        found: returns parameters and calibration for the provenance: plain numbers,
+            lists and texts.
+    """
+
+    quaternion_wxyz: Floats
+    vertical: Floats
+    sigma_rad: Floats | None = None
+    at_rest: NDArray[np.bool_] | None = None
+    found: Callable[[], Mapping[str, Any]] = dict
+
+
+@dataclass(frozen=True, slots=True, eq=False)
 class Task:
     """What a method is given.
 
     Attributes:
-        imu: the log, its specific force put right by `gain`.
-        gain: of the accelerometer.
-        still: where it stands still.
-        flaws: what is wrong with it.
+        imu: the log.
+        gain: of the accelerometer; the specific force is to be multiplied with it.
+        still: where the recording is still.
+        flaws: gaps, missing and clipped samples.
         parameters: of the method, or None for its defaults.
         heading: whether the heading is wanted, from the magnetometer.
         sigma: whether the uncertainty is.
@@ -53,7 +77,7 @@ class Task:
 
     @property
     def specific_force_mps2(self) -> Floats:
-        """The specific force with the right scale, (N, 3)."""
+        """The specific force times the gain, (N, 3)."""
         if self.gain == 1.0:
             return self.imu.specific_force_mps2
         return self.gain * self.imu.specific_force_mps2
@@ -84,7 +108,7 @@ def smoother(task: Task) -> Estimate:
 
 
 def _found(done: SmoothedRecording, is_chosen: bool) -> dict[str, Any]:
-    """Return what the smoother found, for people."""
+    """Return calibration and time constant of the smoother, for people."""
     vehicle_weight = float(done.mean("vehicle_weight"))
     return {
         "time_constant_s": [round(value, 2) for value in done.time_constant_s],
@@ -127,7 +151,7 @@ def _samples(task: Task) -> InertialSamples:
 
 
 def _piecewise(method: Method) -> Method:
-    """Return a method that starts anew after each hole of more than a minute."""
+    """Return a method that restarts after each gap of more than a minute."""
 
     @functools.wraps(method)
     def run(task: Task) -> Estimate:
@@ -249,10 +273,10 @@ DEFAULT_METHOD = "smoother"
 
 
 def _even(task: Task) -> tuple[Task, grid.EvenLog]:
-    """Return the task without long holes, and its log on an even grid."""
+    """Return the task without long gaps, and its log on an even grid."""
     if task.heading and task.imu.magnetic_field_ut is None:
         raise UsageError("the recording has no magnetometer to find the heading with")
-    task = replace(task, imu=grid.with_holes_closed(task.imu))
+    task = replace(task, imu=grid.with_gaps_closed(task.imu))
     even = grid.even(task.imu, task.specific_force_mps2, with_field=task.heading)
     return task, even
 

@@ -1,4 +1,4 @@
-"""Where a recording stands still, and what the sensors read there.
+"""Still spans of a recording, and what the sensors read there.
 
 Accelerometers of action cameras are uncalibrated: norms at rest between 9.8 and
 10.8 m/s^2 were measured. A scale error of 1 % leaves 0.1 m/s^2 of gravity in
@@ -18,11 +18,11 @@ from hapticplayer.motion import rotations as rot
 from hapticplayer.motion.medians import median
 
 WINDOW_S = 1.0
-# A tripod or a table stays below these, a hand or a rolling wheel does not
+# A tripod or a table stays below these, hands and rolling wheels do not
 # (ADXL345: noise 0.1 m/s^2 per sample and axis; held cameras: above 0.03 rad/s).
-MAX_FORCE_STD_MPS2 = 0.2
-MAX_RATE_STD_RADPS = 0.02
-MAX_RATE_MEAN_RADPS = 0.2  # allows a gyro bias of 11 deg/s
+STILL_ACCEL_STD_LIMIT_MPS2 = 0.2
+STILL_RATE_STD_LIMIT_RADPS = 0.02
+STILL_RATE_LIMIT_RADPS = 0.2  # allows a gyro bias of 11 deg/s
 # Beyond this the norm is no scale error but a wrong unit or constant motion.
 GAIN_RANGE = (0.85, 1.15)
 _BINS = 4  # to a window
@@ -35,7 +35,7 @@ class AccelerometerGain:
     Attributes:
         gain: multiply the specific force with it.
         still_s: total time of the still spans it comes from; 0 when assumed.
-        reason: for provenance, in words.
+        reason: for the provenance, in words.
     """
 
     gain: float
@@ -45,11 +45,11 @@ class AccelerometerGain:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class StillSpans:
-    """Where a log of N samples stands still, in B bins of a quarter of a second.
+    """Where a log of N samples is still, in B bins of a quarter of a second.
 
     Attributes:
-        per_bin: samples of a bin; what is left at the end belongs to none.
-        bins: (B,) True for bins inside a window of 1 s that stands still.
+        per_bin: samples of a bin; the remainder at the end belongs to none.
+        bins: (B,) True for bins inside a still window of 1 s.
         force_mps2: (3, B) mean of each bin; 0 where the whole log is in motion.
         rate_radps: (3, B) the same.
         bin_s: length of a bin.
@@ -97,20 +97,20 @@ def find_still(imu: ImuLog, interval_s: float | None = None) -> StillSpans:
         return none
     used = count * per_bin
     turning = _spread(imu.angular_rate_radps[:used], count)
-    calm = turning[1] < _BINS * MAX_RATE_STD_RADPS**2
+    calm = turning[1] < _BINS * STILL_RATE_STD_LIMIT_RADPS**2
     if not _may_be_still(calm):
         return none
     pushed = _spread(imu.specific_force_mps2[:used], count)
-    if not _may_be_still(calm & (pushed[1] < _BINS * MAX_FORCE_STD_MPS2**2)):
+    if not _may_be_still(calm & (pushed[1] < _BINS * STILL_ACCEL_STD_LIMIT_MPS2**2)):
         return none
     both = zip(turning, pushed, strict=True)
     norm, deviation = _windows(*(np.stack(pair) for pair in both))
     ends_s = imu.time_s[per_bin - 1 : used : per_bin]
     span_s = ends_s[_BINS - 1 :] - imu.time_s[:used:per_bin][: count - _BINS + 1]
     starts = np.flatnonzero(
-        (deviation[1] < MAX_FORCE_STD_MPS2)
-        & (deviation[0] < MAX_RATE_STD_RADPS)
-        & (norm[0] < MAX_RATE_MEAN_RADPS)
+        (deviation[1] < STILL_ACCEL_STD_LIMIT_MPS2)
+        & (deviation[0] < STILL_RATE_STD_LIMIT_RADPS)
+        & (norm[0] < STILL_RATE_LIMIT_RADPS)
         & (norm[1] > 0.5 * STANDARD_GRAVITY_MPS2)
         & (span_s < 1.5 * WINDOW_S)  # a gap inside is no evidence of rest
     )

@@ -9,10 +9,10 @@ from hapticplayer.errors import InputError, UsageError
 from hapticplayer.model import STANDARD_GRAVITY_MPS2, ImuLog, Sampling
 from hapticplayer.motion import (
     METHODS,
-    estimate_accelerometer_gain,
     estimate_orientation,
     remove_gravity,
 )
+from hapticplayer.motion.stillness import estimate_accelerometer_gain
 
 
 def rms(vectors):

@@ -8,7 +8,7 @@ import pytest
 from hapticplayer.model import STANDARD_GRAVITY_MPS2 as G
 from hapticplayer.model import ImuLog
 from hapticplayer.motion import METHODS, analyse, remove_gravity
-from hapticplayer.motion.grid import even, pieces, with_holes_closed
+from hapticplayer.motion.grid import even, pieces, with_gaps_closed
 from tests.unit.motion.smoother.conftest import TIME_S, WOBBLE, rms
 
 COUNT = len(TIME_S)
@@ -23,13 +23,13 @@ def with_a_hole(log: ImuLog) -> ImuLog:
 
 def test_an_even_log_stays_as_it_is():
     log = WOBBLE.instant(TIME_S)
-    assert with_holes_closed(log) is log
+    assert with_gaps_closed(log) is log
     assert even(log, log.specific_force_mps2).time_s is log.time_s
 
 
 def test_a_hole_of_hours_is_closed_and_nothing_else_moves():
     log = WOBBLE.instant(TIME_S)
-    closed = with_holes_closed(with_a_hole(log))
+    closed = with_gaps_closed(with_a_hole(log))
     steps = np.diff(closed.time_s)
     assert steps[COUNT // 2 - 1] == pytest.approx(1.0)
     steps[COUNT // 2 - 1] = 0.01
@@ -43,7 +43,7 @@ def test_holes_that_can_be_waited_for_stay():
     log = WOBBLE.instant(TIME_S)
     time_s = log.time_s + 30.0 * (np.arange(COUNT) >= COUNT // 2)
     held = dataclasses.replace(log, time_s=time_s)
-    assert with_holes_closed(held) is held
+    assert with_gaps_closed(held) is held
 
 
 @pytest.mark.parametrize("method", METHODS)

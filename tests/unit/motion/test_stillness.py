@@ -9,9 +9,9 @@ from hapticplayer.model import STANDARD_GRAVITY_MPS2 as G
 from hapticplayer.model import ImuLog
 from hapticplayer.motion import analyse
 from hapticplayer.motion.stillness import (
-    MAX_FORCE_STD_MPS2,
-    MAX_RATE_MEAN_RADPS,
-    MAX_RATE_STD_RADPS,
+    STILL_ACCEL_STD_LIMIT_MPS2,
+    STILL_RATE_LIMIT_RADPS,
+    STILL_RATE_STD_LIMIT_RADPS,
     estimate_accelerometer_gain,
     find_still,
 )
@@ -50,9 +50,9 @@ def looped(log, per_bin):
         part = slice(first, first + width)
         force, rate = log.specific_force_mps2[part], log.angular_rate_radps[part]
         still[part] |= bool(
-            np.sqrt(force.var(axis=0).sum()) < MAX_FORCE_STD_MPS2
-            and np.sqrt(rate.var(axis=0).sum()) < MAX_RATE_STD_RADPS
-            and np.linalg.norm(rate.mean(axis=0)) < MAX_RATE_MEAN_RADPS
+            np.sqrt(force.var(axis=0).sum()) < STILL_ACCEL_STD_LIMIT_MPS2
+            and np.sqrt(rate.var(axis=0).sum()) < STILL_RATE_STD_LIMIT_RADPS
+            and np.linalg.norm(rate.mean(axis=0)) < STILL_RATE_LIMIT_RADPS
             and np.linalg.norm(force.mean(axis=0)) > 0.5 * G
         )
     return still
@@ -76,10 +76,10 @@ def test_every_window_is_judged_as_in_a_plain_loop(rng):
     # noise whose size wanders about the thresholds
     count = 12_000
     steps = np.repeat(rng.uniform(-1.0, 1.0, (3, 30)), count // 30, axis=1)
-    force_std = MAX_FORCE_STD_MPS2 * 2.0 ** steps[0]
-    rate_std = MAX_RATE_STD_RADPS * 2.0 ** steps[1]
+    force_std = STILL_ACCEL_STD_LIMIT_MPS2 * 2.0 ** steps[0]
+    rate_std = STILL_RATE_STD_LIMIT_RADPS * 2.0 ** steps[1]
     log = resting(count, rng, force_std=force_std[:, None], rate_std=rate_std[:, None])
-    turning = MAX_RATE_MEAN_RADPS * 2.0 ** (steps[2] - 0.7)
+    turning = STILL_RATE_LIMIT_RADPS * 2.0 ** (steps[2] - 0.7)
     rate = log.angular_rate_radps + np.outer(turning, [0.6, 0.0, 0.8])
     log = dataclasses.replace(log, angular_rate_radps=rate)
     found = find_still(log)
@@ -216,7 +216,7 @@ def test_a_log_that_moves_throughout_keeps_its_scale(swing):
 @pytest.mark.parametrize("shaken_s", [[], [0, 4], [0, 3.2], [0.3, 1.6, 2.7, 3.9]])
 def test_what_is_skipped_in_motion_changes_nothing(monkeypatch, shaken_s):
     rng = np.random.default_rng(5)
-    log = resting(800, rng, rate_std=0.8 * MAX_RATE_STD_RADPS)
+    log = resting(800, rng, rate_std=0.8 * STILL_RATE_STD_LIMIT_RADPS)
     moving = np.zeros(len(log), np.bool_)
     for first_s, last_s in zip(shaken_s[::2], shaken_s[1::2], strict=True):
         moving |= (log.time_s >= first_s) & (log.time_s < last_s)

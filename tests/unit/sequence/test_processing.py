@@ -225,7 +225,6 @@ def test_the_gain_is_estimated_once(tmp_path, tiny_clip, recording, monkeypatch)
     monkeypatch.setattr(
         motion, "analyse", lambda *a, **o: calls.append(a) or analyse(*a, **o)
     )
-    monkeypatch.setattr(motion, "estimate_accelerometer_gain", None)
     monkeypatch.setattr(motion, "remove_gravity", None)
     write_sequence(tiny_clip, recording, tmp_path / "ride")
     assert len(calls) == 1
