@@ -19,12 +19,15 @@ import xml.etree.ElementTree as ET
 from collections.abc import Iterator
 from pathlib import Path
 
+from app.player import commands
+
 ROOT = Path(__file__).resolve().parents[1]
 LANGUAGES = ("de", "fr")
 CONTEXT = "engine"
 ONLY_ON_A_TERMINAL = ("cli/", "console/", "doctor.py")
 VALUES = (  # that become messages, or parts of them, only when the program runs
     *("relaxed", "normal", "firm", "simulated camera"),
+    *("fifo", "slice", "starting", "gone"),
     *("complete", "ended", "failed", "ready", "stopped"),
 )
 FROM_SYSTEM = (
@@ -40,8 +43,10 @@ def main() -> int:
     sources = sorted(str(path) for path in (ROOT / "app").rglob("*.py"))
     with tempfile.TemporaryDirectory() as folder:
         of_engine = Path(folder, "engine.py")
+        found = [(CONTEXT, text) for text in templates()]
+        found += [(commands.CONTEXT, one.text) for one in commands.COMMANDS]
         of_engine.write_text(
-            "".join(f"translate({CONTEXT!r}, {json.dumps(t)})\n" for t in templates()),
+            "".join(f"translate({c!r}, {json.dumps(text)})\n" for c, text in found),
             encoding="utf-8",
         )
         for code in LANGUAGES:

@@ -33,7 +33,7 @@ from app.widgets.layout import (
 )
 from app.widgets.messages import JobBar, MessageBar
 from hapticplayer.clock import Clock
-from hapticplayer.errors import message_of
+from hapticplayer.errors import Message, message_of
 from hapticplayer.study.answers import Answers, read_answers
 from hapticplayer.study.study_folder import Study
 
@@ -68,7 +68,7 @@ def made_report(answers: Answers, *, progress: Progress) -> Report:
     found = analyse_study(
         answers, progress=lambda fraction, step: progress(_ANALYSED * fraction, step)
     )
-    progress(_ANALYSED, "drawing the figures")
+    progress(_ANALYSED, Message("drawing the figures"))
     parts = parts_of(found)
     pictures = {name: image(figure) for name, figure in parts.draw().items()}
     html = body(parts.blocks, lambda name: SCHEME + name)
@@ -183,7 +183,7 @@ class AnalysisPage(QWidget):
         column_of(*parts, spacing=8, margins=(12, 10, 12, 12), of=self)
 
     def _work(self, progress: Progress) -> Report:
-        progress(0.0, "reading the answers")
+        progress(0.0, Message("reading the answers"))
         answers = self._read()
         return in_child(made_report, answers, progress=progress)
 

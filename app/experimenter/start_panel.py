@@ -14,14 +14,14 @@ from PySide6.QtWidgets import (
 )
 
 from app.bridge.languages import NAMES, translated
-from app.player.health import cause_text, device_name
+from app.player.health import cause_text
 from app.widgets import theme
 from app.widgets.buttons import set_role, text_button
 from app.widgets.layout import STRETCH, fill_page, indent, paragraph, row_of
 from app.widgets.texts import local, titled
 from hapticplayer.haptics.contract import Cause
 from hapticplayer.study.orders import Balance
-from hapticplayer.study.preflight import DEVICE, DISK, SCHEDULING, SCREEN, SessionCheck
+from hapticplayer.study.preflight import SessionCheck
 
 translate = QCoreApplication.translate
 
@@ -32,7 +32,6 @@ _SAME = {  # for a moment or for good: in the same words
     "clock_stale": "heartbeat_lost",
     "command_stale": "tick_lost",
 }
-_FREE, _SCREENS = " MB free", ", screens: "
 
 
 def _only_in_trials() -> dict[str, str]:
@@ -78,45 +77,6 @@ def reason_text(reason: str) -> str:
         "no_ticks": translate("SessionWords", "the device said nothing"),
         "record_incomplete": translate("SessionWords", "the record has gaps"),
     }.get(reason, reason)
-
-
-def found_text(check: SessionCheck) -> str:
-    """Return what a check has found."""
-    found = check.found
-    if check.name == DEVICE and ", " in found:
-        name, _, state = found.rpartition(", ")
-        return f"{device_name(name)}, {_words().get(state, state)}"
-    if check.name == SCREEN and _SCREENS in found:
-        size, _, count = found.partition(_SCREENS)
-        text = translate("SessionWords", "{size}; screens in all: {n}")
-        return text.format(size=size.replace(" x ", " \u00d7 "), n=count)
-    if check.name == DISK and found.endswith(_FREE):
-        text = translate("SessionWords", "{n} GB free")
-        return text.format(n=local(f"{float(found.removesuffix(_FREE)) / 1e3:.1f}"))
-    if check.name == SCHEDULING and not found:
-        return "\u2013"
-    return _words().get(found) or translated(found)
-
-
-def _words() -> dict[str, str]:
-    return {
-        "heard": translate("StartPanel", "heard"),
-        "not confirmed": translate("StartPanel", "not confirmed"),
-        "none": translate("StartPanel", "none"),
-        "no device": translate("StartPanel", "no device"),
-        "no data from the device yet": translate(
-            "StartPanel", "no data from the device yet"
-        ),
-        "yes": translate("StartPanel", "yes"),
-        "not yet": translate("StartPanel", "not yet"),
-        "starting": translate("Health", "starting"),
-        "ready": translate("SessionWords", "ready"),
-        "failed": translate("Health", "failed"),
-        "gone": translate("Health", "gone"),
-        "fifo": translate("Health", "FIFO"),
-        "slice": translate("Health", "slice"),
-        "normal": translate("Health", "normal"),
-    }
 
 
 _WIDEST_PX = 420
@@ -217,7 +177,7 @@ class StartPanel(QWidget):
             colour = theme.GOOD if check.is_good else theme.BAD
             lines.append(
                 f"<span style='color:{colour}'>{sign}</span> "
-                f"{titled(names[check.name], escape(found_text(check)))}"
+                f"{titled(names[check.name], escape(local(translated(check.found))))}"
             )
         text = "<br>".join(lines)
         if text != self.checks.text():

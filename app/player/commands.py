@@ -13,6 +13,9 @@ translate = QCoreApplication.translate
 KEYS = "keys"
 """Name of the table in the settings."""
 
+CONTEXT = "Actions"
+"""Of the commands among the translations."""
+
 MOST_KEYS = 8
 
 
@@ -21,6 +24,7 @@ class Command(NamedTuple):
 
     Attributes:
         name: of the action and in the settings.
+        text: in English; "&" marks the letter in the menu.
         menu: file, playback, view or help.
         group: commands of one group lie together in the menu.
         keys: at first.
@@ -30,6 +34,7 @@ class Command(NamedTuple):
     """
 
     name: str
+    text: str
     menu: str
     group: int
     keys: tuple[str, ...] = ()
@@ -39,91 +44,56 @@ class Command(NamedTuple):
 
 
 COMMANDS = (
-    Command("open_sequence", "file", 0, ("Ctrl+O",)),
-    Command("open_video", "file", 0, ("Ctrl+Shift+O",)),
-    Command("import_recording", "file", 0, ("Ctrl+I",)),
-    Command("library", "file", 0, ("Ctrl+B",)),
-    Command("open_demo", "file", 1, ("Ctrl+D",)),
-    Command("open_log", "file", 1, ("Ctrl+L",), needs_clip=True),
-    Command("export_settings", "file", 2),
-    Command("import_settings", "file", 2),
-    Command("quit", "file", 3, ("Ctrl+Q", "Q")),
-    Command("play", "playback", 0, ("Space",), needs_clip=True),
-    Command("back", "playback", 0, ("Left",), needs_clip=True),
-    Command("forward", "playback", 0, ("Right",), needs_clip=True),
-    Command("far_back", "playback", 0, ("Down",), needs_clip=True),
-    Command("far_forward", "playback", 0, ("Up",), needs_clip=True),
-    Command("to_start", "playback", 0, ("Home",), needs_clip=True),
-    Command("to_end", "playback", 0, ("End",), needs_clip=True),
-    Command("step_forward", "playback", 1, (".",), needs_clip=True),
-    Command("step_back", "playback", 1, (",",), needs_clip=True),
-    Command("loop", "playback", 1, ("L",), needs_clip=True),
-    Command("slower", "playback", 2, ("[",), needs_clip=True),
-    Command("faster", "playback", 2, ("]",), needs_clip=True),
-    Command("normal_speed", "playback", 2, ("Backspace",), needs_clip=True),
-    Command("quieter", "playback", 3, ("9", "/")),
-    Command("louder", "playback", 3, ("0", "*")),
-    Command("mute", "playback", 3, ("M",), is_checkable=True),
-    Command("stop", "playback", 4, ("Esc",), is_fixed=True),
-    Command("rearm", "playback", 4, ("Ctrl+R",)),
-    Command("set_up_device", "playback", 5),
-    Command("get_to_know", "playback", 5, ("Ctrl+K",)),
-    Command("latencies", "playback", 5),
-    Command("plots", "view", 0, ("P",), is_checkable=True),
-    Command("grip", "view", 0, ("G",), is_checkable=True),
-    Command("sync_plot", "view", 0, ("S",), is_checkable=True),
-    Command("statistics", "view", 0, ("I",), is_checkable=True),
-    Command("faults", "view", 0),
-    Command("fullscreen", "view", 1, ("F", "F11"), needs_clip=True),
-    Command("shortcuts", "help", 0, ("?", "F1")),
-    Command("about", "help", 0),
+    Command("open_sequence", "&Open sequence\u2026", "file", 0, ("Ctrl+O",)),
+    Command("open_video", "Open &video\u2026", "file", 0, ("Ctrl+Shift+O",)),
+    Command("import_recording", "&Import a recording\u2026", "file", 0, ("Ctrl+I",)),
+    Command("library", "Li&brary\u2026", "file", 0, ("Ctrl+B",)),
+    Command("open_demo", "Open the &demo", "file", 1, ("Ctrl+D",)),
+    Command("open_log", "Play a &log\u2026", "file", 1, ("Ctrl+L",), needs_clip=True),
+    Command("export_settings", "E&xport the settings\u2026", "file", 2),
+    Command("import_settings", "I&mport settings\u2026", "file", 2),
+    Command("quit", "&Quit", "file", 3, ("Ctrl+Q", "Q")),
+    Command("play", "&Play or pause", "playback", 0, ("Space",), needs_clip=True),
+    Command("back", "5 s &back", "playback", 0, ("Left",), needs_clip=True),
+    Command("forward", "5 s &forward", "playback", 0, ("Right",), needs_clip=True),
+    Command("far_back", "1 min back", "playback", 0, ("Down",), needs_clip=True),
+    Command("far_forward", "1 min forward", "playback", 0, ("Up",), needs_clip=True),
+    Command("to_start", "To the b&eginning", "playback", 0, ("Home",), needs_clip=True),
+    Command("to_end", "To the e&nd", "playback", 0, ("End",), needs_clip=True),
+    Command("step_forward", "Next picture", "playback", 1, (".",), needs_clip=True),
+    Command("step_back", "Previous picture", "playback", 1, (",",), needs_clip=True),
+    Command(
+        "loop", "&Loop: from here, to here, off", "playback", 1, ("L",), needs_clip=True
+    ),
+    Command("slower", "Slower", "playback", 2, ("[",), needs_clip=True),
+    Command("faster", "Faster", "playback", 2, ("]",), needs_clip=True),
+    Command(
+        "normal_speed", "Normal speed", "playback", 2, ("Backspace",), needs_clip=True
+    ),
+    Command("quieter", "Quieter", "playback", 3, ("9", "/")),
+    Command("louder", "Louder", "playback", 3, ("0", "*")),
+    Command("mute", "&Mute", "playback", 3, ("M",), is_checkable=True),
+    Command("stop", "&Stop the force", "playback", 4, ("Esc",), is_fixed=True),
+    Command("rearm", "&Re-arm the force", "playback", 4, ("Ctrl+R",)),
+    Command("set_up_device", "Set up the &device\u2026", "playback", 5),
+    Command("get_to_know", "Get to &know the forces\u2026", "playback", 5, ("Ctrl+K",)),
+    Command("latencies", "Measure l&atencies\u2026", "playback", 5),
+    Command("plots", "Live &plots", "view", 0, ("P",), is_checkable=True),
+    Command("grip", "Simulated &grip", "view", 0, ("G",), is_checkable=True),
+    Command("sync_plot", "S&ync plot", "view", 0, ("S",), is_checkable=True),
+    Command("statistics", "&Statistics", "view", 0, ("I",), is_checkable=True),
+    Command("faults", "Fa&ults of the simulated device\u2026", "view", 0),
+    Command("fullscreen", "&Fullscreen", "view", 1, ("F", "F11"), needs_clip=True),
+    Command("shortcuts", "&Keyboard\u2026", "help", 0, ("?", "F1")),
+    Command("about", "&About", "help", 0),
 )
 
 BY_NAME = {command.name: command for command in COMMANDS}
 
 
-def texts() -> dict[str, str]:
-    """Return what the commands are called; "&" marks the letter in the menu."""
-    return {
-        "open_sequence": translate("Actions", "&Open sequence\u2026"),
-        "open_video": translate("Actions", "Open &video\u2026"),
-        "import_recording": translate("Actions", "&Import a recording\u2026"),
-        "library": translate("Actions", "Li&brary\u2026"),
-        "open_demo": translate("Actions", "Open the &demo"),
-        "open_log": translate("Actions", "Play a &log\u2026"),
-        "export_settings": translate("Actions", "E&xport the settings\u2026"),
-        "import_settings": translate("Actions", "I&mport settings\u2026"),
-        "quit": translate("Actions", "&Quit"),
-        "play": translate("Actions", "&Play or pause"),
-        "back": translate("Actions", "5 s &back"),
-        "forward": translate("Actions", "5 s &forward"),
-        "far_back": translate("Actions", "1 min back"),
-        "far_forward": translate("Actions", "1 min forward"),
-        "to_start": translate("Actions", "To the b&eginning"),
-        "to_end": translate("Actions", "To the e&nd"),
-        "step_forward": translate("Actions", "Next picture"),
-        "step_back": translate("Actions", "Previous picture"),
-        "loop": translate("Actions", "&Loop: from here, to here, off"),
-        "slower": translate("Actions", "Slower"),
-        "faster": translate("Actions", "Faster"),
-        "normal_speed": translate("Actions", "Normal speed"),
-        "quieter": translate("Actions", "Quieter"),
-        "louder": translate("Actions", "Louder"),
-        "mute": translate("Actions", "&Mute"),
-        "stop": translate("Actions", "&Stop the force"),
-        "rearm": translate("Actions", "&Re-arm the force"),
-        "set_up_device": translate("Actions", "Set up the &device\u2026"),
-        "get_to_know": translate("Actions", "Get to &know the forces\u2026"),
-        "latencies": translate("Actions", "Measure l&atencies\u2026"),
-        "plots": translate("Actions", "Live &plots"),
-        "grip": translate("Actions", "Simulated &grip"),
-        "sync_plot": translate("Actions", "S&ync plot"),
-        "statistics": translate("Actions", "&Statistics"),
-        "faults": translate("Actions", "Fa&ults of the simulated device\u2026"),
-        "fullscreen": translate("Actions", "&Fullscreen"),
-        "shortcuts": translate("Actions", "&Keyboard\u2026"),
-        "about": translate("Actions", "&About"),
-    }
+def text_of(command: Command) -> str:
+    """Return what a command is called in the window's language."""
+    return translate(CONTEXT, command.text)
 
 
 def keys_of(command: Command, chosen: dict[str, Any]) -> list[QKeySequence]:
@@ -169,9 +139,8 @@ class Actions:
         self._settings = settings
         self.by_name: dict[str, QAction] = {}
         self.menus: dict[str, QMenu] = {}
-        named = texts()
         for command in COMMANDS:
-            action = QAction(named[command.name], window)
+            action = QAction(text_of(command), window)
             action.setCheckable(command.is_checkable)
             window.addAction(action)
             self.by_name[command.name] = action

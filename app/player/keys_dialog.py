@@ -21,7 +21,7 @@ from app.player.commands import (
     Command,
     keys_of,
     owner_of,
-    texts,
+    text_of,
 )
 from app.widgets.buttons import text_button
 from app.widgets.layout import (
@@ -174,7 +174,7 @@ class KeysDialog(QDialog):
 
 def plain(command: Command) -> str:
     """Return what a command is called where it is not in a menu."""
-    return texts()[command.name].replace("&", "").rstrip("\u2026")
+    return text_of(command).replace("&", "").rstrip("\u2026")
 
 
 def key_text(key: QKeySequence) -> str:

@@ -6,6 +6,7 @@ import re
 from PySide6.QtCore import QCoreApplication, QDateTime, QLocale, Qt
 
 from app.bridge.jobs import JobState
+from app.bridge.languages import translated
 
 translate = QCoreApplication.translate
 
@@ -29,39 +30,7 @@ def quoted(text: str) -> str:
 
 def job_text(state: JobState) -> str:
     """Return what runs and which step it is at."""
-    return titled(state.title, step_text(state.step)) if state.step else state.title
-
-
-def step_text(step: str) -> str:
-    """Return a step in the window's language; a name behind it stays as it is."""
-    words = _steps()
-    for begin in sorted(words, key=len, reverse=True):
-        if step == begin or step.startswith(f"{begin} "):
-            return words[begin] + step[len(begin) :]
-    return step
-
-
-def _steps() -> dict[str, str]:
-    return {
-        "riding": translate("Texts", "riding"),
-        "drawing the ride": translate("Texts", "drawing the ride"),
-        "adding telemetry": translate("Texts", "adding telemetry"),
-        "writing the logs": translate("Texts", "writing the logs"),
-        "listening": translate("Texts", "listening"),
-        "reading": translate("Texts", "reading"),
-        "synchronising": translate("Texts", "synchronising"),
-        "removing gravity": translate("Texts", "removing gravity"),
-        "predicting excursions": translate("Texts", "predicting excursions"),
-        "rendering the force": translate("Texts", "rendering the force"),
-        "copying the clip": translate("Texts", "copying the clip"),
-        "computing checksums": translate("Texts", "computing checksums"),
-        "reading the answers": translate("Texts", "reading the answers"),
-        "analysing": translate("Texts", "analysing"),
-        "drawing": translate("Texts", "drawing"),
-        "writing": translate("Texts", "writing"),
-        "writing the numbers": translate("Texts", "writing the numbers"),
-        "done": translate("Texts", "done"),
-    }
+    return titled(state.title, translated(state.step)) if state.step else state.title
 
 
 _POINT = re.compile(r"(?<=\d)\.(?=\d)")

@@ -10,6 +10,7 @@ from typing import Any, BinaryIO, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from hapticplayer.errors import Message
 from hapticplayer.haptics.record_reader import RecordReader
 from hapticplayer.sequence.files import Progress
 
@@ -64,7 +65,7 @@ def write_csv(
         if "monotonic_s" in (reader.dtype.names or ()):
             ends_s = ticks["monotonic_s"][[0, -1]].tolist()
             times_s = [times_s[0] if times_s else ends_s[0], ends_s[1]]
-        progress(reader.done, "converting")
+        progress(reader.done, Message("converting"))
     duration_s = times_s[1] - times_s[0] if times_s else 0.0
     return {
         "ticks": count,

@@ -15,7 +15,7 @@ from hapticplayer.capture.choices import LogChoices
 from hapticplayer.capture.mounting import ask_for_mounting, mounted
 from hapticplayer.capture.recording import Recording, find_gaps, refuse_gravity_free
 from hapticplayer.clock import utc_now_iso
-from hapticplayer.errors import InputError
+from hapticplayer.errors import InputError, Message
 from hapticplayer.media.clip_info import ClipInfo, probe
 from hapticplayer.model import (
     Feedback,
@@ -85,7 +85,7 @@ def build_sequence(
     """
     video, target = Path(video), Path(target)
     files.refuse_existing(target)
-    progress(0.0, f"reading {video.name}")
+    progress(0.0, Message("reading {name}", name=video.name))
     clip = probe(video)
     choices = choices or Choices()
     source = video if imu_log is None else Path(imu_log)
@@ -93,7 +93,7 @@ def build_sequence(
     refuse_gravity_free(recording)
     if not choices.mounting and not (choices.log and choices.log.axes):
         ask_for_mounting(recording.imu, source.name)
-    progress(0.02, "synchronising")
+    progress(0.02, Message("synchronising"))
     recording = synchronized(clip, recording, choices.sync)
     recording = _mounted(recording, choices.mounting)
     return write_sequence(clip, recording, target, choices=choices, progress=progress)
@@ -133,22 +133,23 @@ def write_sequence(
         InputError: when motion and clip do not overlap, or writing fails.
     """
     choices = choices or Choices()
-    progress(0.05, "removing gravity")
+    progress(0.05, Message("removing gravity"))
     processed = process_motion(recording.imu, choices.processing)
     track = _mapped(processed.track, recording)
     _check_overlap(track, clip)
     with files.written_aside(target) as folder:
         clip_name = "clip" + clip.path.suffix.lower()
         _copy_clip(clip.path, folder / clip_name, progress)
-        progress(0.7, "rendering the force")
+        progress(0.7, Message("rendering the force"))
         clip_hash = files.sha256_of(
-            folder / clip_name, lambda f: progress(0.7 + 0.2 * f, "computing checksums")
+            folder / clip_name,
+            lambda f: progress(0.7 + 0.2 * f, Message("computing checksums")),
         )
         tracks = _render(track, choices, clip_hash)
         excursions = _predict(tracks, clip, progress)
         _write_arrays(folder, recording.imu, track, tracks, extras or {})
         listed = _checksums(folder, {clip_name: clip_hash})
-        progress(0.95, "writing")
+        progress(0.95, Message("writing"))
         notes = [
             *recording.notes,
             *notes_on_motion(processed.imu, processed.summary),
@@ -179,7 +180,7 @@ def write_sequence(
             },
         }
         files.write_json(folder / store.DESCRIPTION, description)
-        progress(1.0, "done")
+        progress(1.0, Message("done"))
     return target
 
 
@@ -214,7 +215,9 @@ def _copy_clip(source: Path, target: Path, progress: files.Progress) -> None:
             free_mb=free >> 20,
         )
     files.copy_file(
-        source, target, lambda f: progress(0.2 + _COPY_SHARE * f, "copying the clip")
+        source,
+        target,
+        lambda f: progress(0.2 + _COPY_SHARE * f, Message("copying the clip")),
     )
 
 
@@ -241,7 +244,7 @@ def _predict(
     for number, (name, force) in enumerate(tracks.items()):
 
         def report(done: float, begin: float = 0.9 + share * number) -> None:
-            progress(begin + share * done, "predicting excursions")
+            progress(begin + share * done, Message("predicting excursions"))
 
         found[name] = predict(force, clip.duration_s, report)
     return found

@@ -15,7 +15,7 @@ import numpy as np
 
 from hapticplayer import rendering
 from hapticplayer.capture.si_csv import read_force_csv
-from hapticplayer.errors import SequenceError, UsageError
+from hapticplayer.errors import Message, SequenceError, UsageError
 from hapticplayer.model import ForceTrack
 from hapticplayer.sequence import files, store
 from hapticplayer.sequence.excursion import predict
@@ -225,7 +225,9 @@ def _replace_tracks(
 def _reporter(
     progress: files.Progress, number: int, count: int
 ) -> Callable[[float], None]:
-    return lambda done: progress((number + done) / count, "predicting excursions")
+    return lambda done: progress(
+        (number + done) / count, Message("predicting excursions")
+    )
 
 
 def _put(

@@ -210,7 +210,9 @@ def _predicted(track: MotionTrack, progress: files.Progress) -> dict[str, Any]:
     from_start = dataclasses.replace(track, time_s=track.time_s - track.time_s[0])
     force = rendering.render_force(from_start)
     return predict(
-        force, force.end_s, lambda done: progress(done, "predicting excursions")
+        force,
+        force.end_s,
+        lambda done: progress(done, Message("predicting excursions")),
     )
 
 

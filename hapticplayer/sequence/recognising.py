@@ -13,7 +13,7 @@ from hapticplayer.capture.mounting import mean_up
 from hapticplayer.capture.recording import Recording, find_gaps, refuse_gravity_free
 from hapticplayer.capture.sync.methods import AUTO
 from hapticplayer.capture.sync.result import Synchronisation
-from hapticplayer.errors import InputError, UsageError, message_of
+from hapticplayer.errors import InputError, Message, UsageError, message_of
 from hapticplayer.media.clip_info import ClipInfo, camera_of, probe
 from hapticplayer.sequence import files
 from hapticplayer.sequence.synchronizing import SyncChoices, find_sync
@@ -94,7 +94,7 @@ def recognise(
     progress(0.1, (log or video).name)
     recording = read_recording(log or video, choices)
     refuse_gravity_free(recording)
-    progress(0.5, "listening")
+    progress(0.5, Message("listening"))
     found, problem, sound = _sync(clip, recording, method)
     imu = recording.imu
     progress(1.0, "")

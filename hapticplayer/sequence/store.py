@@ -105,7 +105,7 @@ def verify_sequence(
     sequence = open_sequence(folder)
     listed = sequence.description["files"]
     for number, (name, entry) in enumerate(listed.items()):
-        progress(number / len(listed), f"checking {name}")
+        progress(number / len(listed), Message("checking {name}", name=name))
         _check_file(folder, name, entry, with_checksum=True)
 
 

@@ -4,7 +4,7 @@ import shutil
 from pathlib import Path
 
 from hapticplayer import __version__
-from hapticplayer.errors import SequenceError
+from hapticplayer.errors import Message, SequenceError
 from hapticplayer.media.clip_info import probe
 from hapticplayer.sequence import files
 from hapticplayer.sequence.build import Choices, write_sequence
@@ -31,7 +31,7 @@ def write_simulated_sequence(
     with files.scratch_beside(target) as scratch:
         path = scratch / f"{scenario}.mp4"
         write_simulated_clip(
-            recorded, path, lambda f: progress(0.8 * f, "drawing the ride")
+            recorded, path, lambda f: progress(0.8 * f, Message("drawing the ride"))
         )
         return write_sequence(
             probe(path),

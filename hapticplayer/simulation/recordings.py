@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import Any
 
 from hapticplayer.capture.si_csv import write_imu_csv
-from hapticplayer.errors import UsageError
+from hapticplayer.errors import Message, UsageError
 from hapticplayer.sequence import files
 from hapticplayer.simulation.rides.board import EARTH_FIELD_UT, PAPER
 from hapticplayer.simulation.rides.catalogue import RIDES
@@ -57,17 +57,19 @@ def write_simulated_recording(
             known=", ".join(RIDES),
         )
     with files.written_aside(target) as aside:
-        progress(0.0, "riding")
+        progress(0.0, Message("riding"))
         recorded = simulate(scenario, seed)
         assert recorded.board is not None
         clip = aside / CLIP
         write_simulated_clip(
-            recorded, clip, lambda f: progress(0.02 + 0.93 * f, "drawing the ride")
+            recorded,
+            clip,
+            lambda f: progress(0.02 + 0.93 * f, Message("drawing the ride")),
         )
         if with_gopro:
-            progress(0.95, "adding telemetry")
+            progress(0.95, Message("adding telemetry"))
             write_gopro_clip(recorded, clip, aside / GOPRO)
-        progress(0.97, "writing the logs")
+        progress(0.97, Message("writing the logs"))
         write_imu_csv(aside / LOG, recorded.board.imu)
         files.write_arrays(aside / TRUTH, **recorded.truth_arrays())
         files.write_json(aside / ABOUT, describe(recorded))

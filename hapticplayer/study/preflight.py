@@ -6,7 +6,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from hapticplayer.devices import NO_DEVICE
+from hapticplayer.devices import NO_DEVICE, find_device
+from hapticplayer.errors import Message, message_of
 from hapticplayer.haptics.contract import Cause
 from hapticplayer.haptics.processes import Health
 from hapticplayer.playback.player import Player
@@ -38,7 +39,7 @@ class SessionCheck:
 
     name: str
     is_good: bool
-    found: str
+    found: Message
 
 
 def run_checks(
@@ -68,16 +69,19 @@ def run_checks(
         SessionCheck(
             SOUND,
             is_sound_heard or not checks.sound,
-            "heard" if is_sound_heard else "not confirmed",
+            Message("heard") if is_sound_heard else Message("not confirmed"),
         ),
         SessionCheck(
-            VOLUME, volume_percent > 0 or not checks.sound, f"{volume_percent} %"
+            VOLUME,
+            volume_percent > 0 or not checks.sound,
+            Message("{percent} %", percent=volume_percent),
         ),
         SessionCheck(
             SCREEN,
             bool(screen.get("refresh_hz", 0) >= 30),
-            "{width_px} x {height_px}, {refresh_hz:.0f} Hz, screens: {screens}".format(
-                **screen
+            Message(
+                "{width_px} x {height_px}, {refresh_hz:.0f} Hz, screens: {screens}",
+                **screen,
             ),
         ),
         _disk(checks, folder),
@@ -86,7 +90,7 @@ def run_checks(
 
 def checks_as_json(checks: tuple[SessionCheck, ...]) -> list[dict[str, Any]]:
     """Return the checks as they are stored."""
-    return [{"check": c.name, "ok": c.is_good, "found": c.found} for c in checks]
+    return [{"check": c.name, "ok": c.is_good, "found": str(c.found)} for c in checks]
 
 
 def volume_in_checks(checks: object) -> int | None:
@@ -103,31 +107,42 @@ def volume_in_checks(checks: object) -> int | None:
 
 def _device(now: Snapshot, checks: Checks) -> SessionCheck:
     if now.device == NO_DEVICE:
-        return SessionCheck(DEVICE, not checks.device, "none")
+        return SessionCheck(DEVICE, not checks.device, Message("none"))
     is_real = SIMULATED not in now.device or not checks.device
     is_good = is_real and now.device_health is Health.READY
-    return SessionCheck(DEVICE, is_good, f"{now.device}, {now.device_health}")
+    found = Message(
+        "{device}, {state}",
+        device=find_device(now.device).label,
+        state=Message(now.device_health),
+    )
+    return SessionCheck(DEVICE, is_good, found)
 
 
 def _homed(now: Snapshot, checks: Checks) -> SessionCheck:
     if now.device == NO_DEVICE:
-        return SessionCheck(HOMED, not checks.device, "no device")
+        return SessionCheck(HOMED, not checks.device, Message("no device"))
     if now.tick is None:
-        return SessionCheck(HOMED, False, "no data from the device yet")
+        return SessionCheck(HOMED, False, Message("no data from the device yet"))
     is_homed = now.cause is not Cause.NOT_HOMED
-    return SessionCheck(HOMED, is_homed, "yes" if is_homed else "not yet")
+    return SessionCheck(
+        HOMED, is_homed, Message("yes") if is_homed else Message("not yet")
+    )
 
 
 def _scheduling(now: Snapshot, checks: Checks) -> SessionCheck:
     if now.device == NO_DEVICE:
-        return SessionCheck(SCHEDULING, not checks.device, "no device")
-    found = now.scheduling
-    return SessionCheck(SCHEDULING, found in checks.scheduling, found)
+        return SessionCheck(SCHEDULING, not checks.device, Message("no device"))
+    is_good = now.scheduling in checks.scheduling
+    return SessionCheck(SCHEDULING, is_good, Message(now.scheduling or "\u2013"))
 
 
 def _disk(checks: Checks, folder: Path) -> SessionCheck:
     try:
-        free_mb = shutil.disk_usage(folder).free / 1e6
+        free_gb = shutil.disk_usage(folder).free / 1e9
     except OSError as problem:
-        return SessionCheck(DISK, False, problem.strerror or "unreadable")
-    return SessionCheck(DISK, free_mb >= checks.disk_free_mb, f"{free_mb:.0f} MB free")
+        return SessionCheck(DISK, False, message_of(problem))
+    return SessionCheck(
+        DISK,
+        1e3 * free_gb >= checks.disk_free_mb,
+        Message("{free_gb:.1f} GB free", free_gb=free_gb),
+    )

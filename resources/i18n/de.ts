@@ -832,7 +832,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     <name>Health</name>
     <message>
         <source>none</source>
-        <translation>keins</translation>
+        <translation>keines</translation>
     </message>
     <message>
         <source>starting</source>
@@ -920,7 +920,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     </message>
     <message>
         <source>slice</source>
-        <translation>Scheibe</translation>
+        <translation>slice</translation>
     </message>
     <message>
         <source>normal</source>
@@ -2335,18 +2335,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <source>the record has gaps</source>
         <translation>die Aufzeichnung hat Lücken</translation>
     </message>
-    <message>
-        <source>{size}; screens in all: {n}</source>
-        <translation>{size}; Bildschirme insgesamt: {n}</translation>
-    </message>
-    <message>
-        <source>{n} GB free</source>
-        <translation>{n} GB frei</translation>
-    </message>
-    <message>
-        <source>ready</source>
-        <translation>bereit</translation>
-    </message>
 </context>
 <context>
     <name>SetupPage</name>
@@ -2595,34 +2583,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     <message>
         <source>Disk</source>
         <translation>Datenträger</translation>
-    </message>
-    <message>
-        <source>heard</source>
-        <translation>gehört</translation>
-    </message>
-    <message>
-        <source>not confirmed</source>
-        <translation>nicht bestätigt</translation>
-    </message>
-    <message>
-        <source>none</source>
-        <translation>keines</translation>
-    </message>
-    <message>
-        <source>no device</source>
-        <translation>kein Gerät</translation>
-    </message>
-    <message>
-        <source>no data from the device yet</source>
-        <translation>noch keine Daten vom Gerät</translation>
-    </message>
-    <message>
-        <source>yes</source>
-        <translation>ja</translation>
-    </message>
-    <message>
-        <source>not yet</source>
-        <translation>noch nicht</translation>
     </message>
 </context>
 <context>
@@ -2980,78 +2940,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <source>{title}: {text}</source>
         <translation>{title}: {text}</translation>
     </message>
-    <message>
-        <source>riding</source>
-        <translation>Fahrt</translation>
-    </message>
-    <message>
-        <source>drawing the ride</source>
-        <translation>die Fahrt wird gezeichnet</translation>
-    </message>
-    <message>
-        <source>adding telemetry</source>
-        <translation>Telemetrie</translation>
-    </message>
-    <message>
-        <source>writing the logs</source>
-        <translation>Protokolle werden geschrieben</translation>
-    </message>
-    <message>
-        <source>listening</source>
-        <translation>Ton wird angehört</translation>
-    </message>
-    <message>
-        <source>reading</source>
-        <translation>gelesen wird</translation>
-    </message>
-    <message>
-        <source>synchronising</source>
-        <translation>wird synchronisiert</translation>
-    </message>
-    <message>
-        <source>removing gravity</source>
-        <translation>Schwerkraft wird entfernt</translation>
-    </message>
-    <message>
-        <source>predicting excursions</source>
-        <translation>Ausschläge werden vorhergesagt</translation>
-    </message>
-    <message>
-        <source>rendering the force</source>
-        <translation>Kraft wird berechnet</translation>
-    </message>
-    <message>
-        <source>copying the clip</source>
-        <translation>Clip wird kopiert</translation>
-    </message>
-    <message>
-        <source>computing checksums</source>
-        <translation>Prüfsummen</translation>
-    </message>
-    <message>
-        <source>reading the answers</source>
-        <translation>Antworten werden gelesen</translation>
-    </message>
-    <message>
-        <source>analysing</source>
-        <translation>ausgewertet wird</translation>
-    </message>
-    <message>
-        <source>drawing</source>
-        <translation>gezeichnet wird</translation>
-    </message>
-    <message>
-        <source>writing</source>
-        <translation>geschrieben wird</translation>
-    </message>
-    <message>
-        <source>writing the numbers</source>
-        <translation>Zahlen werden geschrieben</translation>
-    </message>
-    <message>
-        <source>done</source>
-        <translation>fertig</translation>
-    </message>
 </context>
 <context>
     <name>Transport</name>
@@ -3246,6 +3134,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     <message>
         <source>1 damaged line was skipped (line {line})</source>
         <translation>1 Zeile ist beschädigt und wurde weggelassen (die erste: Zeile {line})</translation>
+    </message>
+    <message>
+        <source>--largest must be between 3 and {most}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>--studies must be between {least} and {most}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Broken pipe</source>
@@ -3472,24 +3368,12 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>eine Zahl</translation>
     </message>
     <message>
-        <source>a frame has the shape {shape}, expected {expected} of uint8</source>
-        <translation>ein Bild hat die Form {shape}, erwartet wird {expected} aus uint8</translation>
-    </message>
-    <message>
-        <source>a pilot study must have at least five complete participants</source>
-        <translation>eine Pilotstudie braucht mindestens fünf vollständige Teilnehmer</translation>
-    </message>
-    <message>
         <source>a sensor of {rate_hz:g} Hz averaged to {log_hz:g} Hz; give rates above 0, the second not above the first</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>a sound of {rate_hz} Hz is too coarse; give 8000 or more</source>
         <translation>ein Ton mit {rate_hz} Hz ist zu grob; geben Sie 8000 oder mehr an</translation>
-    </message>
-    <message>
-        <source>skipping a step needs a reason</source>
-        <translation>ein Schritt wird nur mit einem Grund übersprungen</translation>
     </message>
     <message>
         <source>a text</source>
@@ -3532,10 +3416,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>alle Werte sind gleich: Hing der Sensor fest?</translation>
     </message>
     <message>
-        <source>alpha and power must be between 0 and 1</source>
-        <translation>Alpha und Teststärke müssen zwischen 0 und 1 liegen</translation>
-    </message>
-    <message>
         <source>already exists</source>
         <translation>existiert schon</translation>
     </message>
@@ -3568,14 +3448,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>wie telemetry-parser sie liefert</translation>
     </message>
     <message>
-        <source>asks about feedbacks before the first trial</source>
-        <translation>fragt nach Feedbacks, bevor eines gefühlt wurde</translation>
-    </message>
-    <message>
-        <source>has no question after a clip</source>
-        <translation>fragt nichts nach einem Clip</translation>
-    </message>
-    <message>
         <source>at the beginning</source>
         <translation>am Anfang</translation>
     </message>
@@ -3600,10 +3472,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>axes={axes} oder was sonst rechts, vorn, oben war</translation>
     </message>
     <message>
-        <source>start a new session</source>
-        <translation>beginnen Sie eine neue</translation>
-    </message>
-    <message>
         <source>begin the file with {header}</source>
         <translation>beginnen Sie die Datei mit {header}</translation>
     </message>
@@ -3614,10 +3482,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     <message>
         <source>belongs to the clip {found!r}, not to {expected!r}</source>
         <translation>gehört zum Clip {found!r}, nicht zu {expected!r}</translation>
-    </message>
-    <message>
-        <source>restore the old sequence, or stop this session</source>
-        <translation>bringen Sie die alte zurück, oder beenden Sie diese Sitzung</translation>
     </message>
     <message>
         <source>bring the streams to common times by interpolation first</source>
@@ -3793,7 +3657,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     </message>
     <message>
         <source>copy the study&apos;s folder to the other machine, then run it there</source>
-        <translation>kopieren Sie den Ordner der Studie auf den anderen Rechner und führen Sie sie dort durch</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>correct it</source>
@@ -3828,10 +3692,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>beschreibt keine Sequenz</translation>
     </message>
     <message>
-        <source>is not the definition of a study</source>
-        <translation>beschreibt keine Studie</translation>
-    </message>
-    <message>
         <source>device {name!r}: this version has no driver for it; use {known}</source>
         <translation>Gerät {name!r}: Diese Version hat keinen Treiber dafür; nehmen Sie {known}</translation>
     </message>
@@ -3842,18 +3702,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     <message>
         <source>drop one video and at most one log; import further ones after it</source>
         <translation>legen Sie ein Video und höchstens ein Protokoll ab; importieren Sie weitere danach</translation>
-    </message>
-    <message>
-        <source>remove the constraint</source>
-        <translation>lassen Sie die Einschränkung weg</translation>
-    </message>
-    <message>
-        <source>remove the constraint or add sequences</source>
-        <translation>lassen Sie die Einschränkung weg, oder fügen Sie Sequenzen hinzu</translation>
-    </message>
-    <message>
-        <source>remove the constraint or choose random or latin-square</source>
-        <translation>lassen Sie die Einschränkung weg, oder wählen Sie random oder latin-square</translation>
     </message>
     <message>
         <source>ended</source>
@@ -3978,14 +3826,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     <message>
         <source>free some space, or choose a folder that you may write to</source>
         <translation>machen Sie Platz frei, oder wählen Sie einen Ordner, in den Sie schreiben dürfen</translation>
-    </message>
-    <message>
-        <source>--largest must be between 3 and {most}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>--studies must be between {least} and {most}</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>from {lowest_hz:.1f} to {highest_hz:.1f} Hz</source>
@@ -4156,14 +3996,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>hat einen beschädigten Kopf: keine Zeile t,gx,gy,gz,ax,ay,az</translation>
     </message>
     <message>
-        <source>must be one of the choices</source>
-        <translation>hat eine Antwort, die nicht angeboten wurde</translation>
-    </message>
-    <message>
-        <source>has a different number of columns</source>
-        <translation>hat eine andere Zahl von Spalten</translation>
-    </message>
-    <message>
         <source>has changed since it was written (its checksum differs)</source>
         <translation>hat sich geändert, seit es geschrieben wurde (die Prüfsumme ist eine andere)</translation>
     </message>
@@ -4177,7 +4009,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     </message>
     <message>
         <source>has no answers yet</source>
-        <translation>hat noch keine Antworten</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>has no force ({reason})</source>
@@ -4190,10 +4022,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     <message>
         <source>has only {rate_hz:.1f} samples per second, too few for pats</source>
         <translation>hat nur {rate_hz:.1f} Werte je Sekunde, in denen sich Klopfen nicht zeigt</translation>
-    </message>
-    <message>
-        <source>unknown entry {name!r}</source>
-        <translation>hat den unbekannten Eintrag {name!r}</translation>
     </message>
     <message>
         <source>has the unknown name {unknown!r}</source>
@@ -4300,10 +4128,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>enthält kein {name}</translation>
     </message>
     <message>
-        <source>has records of version {found}, this program reads {version}</source>
-        <translation>enthält Aufzeichnungen der Version {found}, dieses Programm liest {version}</translation>
-    </message>
-    <message>
         <source>holds several recordings ({first}, {second})</source>
         <translation>enthält mehrere Aufnahmen ({first}, {second})</translation>
     </message>
@@ -4368,10 +4192,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>ist beschädigt ({reason})</translation>
     </message>
     <message>
-        <source>is damaged or missing, and the definition of the study has changed</source>
-        <translation>ist beschädigt oder fehlt, und die Definition der Studie ist inzwischen eine andere</translation>
-    </message>
-    <message>
         <source>is empty (0 bytes)</source>
         <translation>ist leer (0 Bytes)</translation>
     </message>
@@ -4400,36 +4220,16 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>ist kein JSON-Objekt</translation>
     </message>
     <message>
-        <source>is not UTF-8 text</source>
-        <translation>ist kein Text in UTF-8</translation>
-    </message>
-    <message>
         <source>is no log</source>
         <translation>ist kein Protokoll</translation>
-    </message>
-    <message>
-        <source>is not a question of this page</source>
-        <translation>ist keine Frage dieser Seite</translation>
-    </message>
-    <message>
-        <source>is not a session</source>
-        <translation>ist keine Sitzung</translation>
     </message>
     <message>
         <source>is not a template for logs ({reason})</source>
         <translation>ist keine Vorlage für ein Protokoll ({reason})</translation>
     </message>
     <message>
-        <source>is not valid JSON ({reason})</source>
-        <translation>ist kein gültiges JSON ({reason})</translation>
-    </message>
-    <message>
         <source>is no video</source>
         <translation>ist kein Video</translation>
-    </message>
-    <message>
-        <source>must be a yes-no question</source>
-        <translation>ist keine Ja-Nein-Frage</translation>
     </message>
     <message>
         <source>is not a file</source>
@@ -4476,10 +4276,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>ist von einer {name}, deren Achsen ihre Telemetrie nicht nennt</translation>
     </message>
     <message>
-        <source>was written by another version of the program</source>
-        <translation>ist von einer anderen Version des Programms</translation>
-    </message>
-    <message>
         <source>is open in another window</source>
         <translation>ist in einem anderen Fenster geöffnet</translation>
     </message>
@@ -4489,7 +4285,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     </message>
     <message>
         <source>is the study {found}, not {expected}</source>
-        <translation>ist die Studie {found}, nicht {expected}</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>is too large</source>
@@ -4500,28 +4296,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{value!r} is not allowed</source>
-        <translation>ist {value!r}</translation>
-    </message>
-    <message>
         <source>it cannot be decoded any further</source>
         <translation>es kann nicht weiter dekodiert werden</translation>
-    </message>
-    <message>
-        <source>a Williams design contains every pair of neighbours, also of one sequence</source>
-        <translation>ein Williams-Plan enthält jedes Paar von Nachbarn, auch aus einer Sequenz</translation>
-    </message>
-    <message>
-        <source>a whole number</source>
-        <translation>eine ganze Zahl</translation>
-    </message>
-    <message>
-        <source>clipped samples: {force} of the accelerometer ({force_marked} of them not reconstructed, marked as not valid), {rate} of the gyro ({rate_marked})</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>is not a valid key</source>
-        <translation>ist kein gültiger Schlüssel</translation>
     </message>
     <message>
         <source>it cannot be probed</source>
@@ -4676,10 +4452,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>der Index nennt mehr Einträge, als es Bytes hat</translation>
     </message>
     <message>
-        <source>its frames of {width} x {height} pixels are too large (up to 8192 x 4320 are shown)</source>
-        <translation>die Bilder mit {width} x {height} Pixeln sind zu groß (bis 8192 x 4320 werden gezeigt)</translation>
-    </message>
-    <message>
         <source>its sound cannot be resampled</source>
         <translation>der Ton kann nicht umgerechnet werden</translation>
     </message>
@@ -4728,14 +4500,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>{key} ist {value!r}, keine Zahl über null</translation>
     </message>
     <message>
-        <source>allowed: {known}</source>
-        <translation>bekannt sind {known}</translation>
-    </message>
-    <message>
-        <source>missing entry {name!r}</source>
-        <translation>der Eintrag {name!r} fehlt</translation>
-    </message>
-    <message>
         <source>lacks the object sound_late_s</source>
         <translation>das Objekt sound_late_s fehlt</translation>
     </message>
@@ -4776,10 +4540,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>Magnetfeld in {unit}</translation>
     </message>
     <message>
-        <source>must have 2 to {most} conditions, has {count}</source>
-        <translation>ergibt {count} Bedingungen; 2 bis {most} gehen</translation>
-    </message>
-    <message>
         <source>mapping axes</source>
         <translation>Achsen der Abbildung</translation>
     </message>
@@ -4808,14 +4568,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>nennt {count} Spalten, die Tabelle hat {total} ({shown})</translation>
     </message>
     <message>
-        <source>must have 1 to {most} characters</source>
-        <translation>braucht 1 bis {most} Zeichen</translation>
-    </message>
-    <message>
-        <source>must be a number from {least} to {most}</source>
-        <translation>braucht eine Zahl von {least} bis {most}</translation>
-    </message>
-    <message>
         <source>needs {needed_mb} MB and only {free_mb} MB are free</source>
         <translation>braucht {needed_mb} MB, und nur {free_mb} MB sind frei</translation>
     </message>
@@ -4836,24 +4588,12 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>kein Falcon {serial!r} ist angesteckt; es gibt: {known}</translation>
     </message>
     <message>
-        <source>a factor must not be named {name!r}, the name of the sum of all factors</source>
-        <translation>kein Faktor darf {name!r} heißen, wie die Summe aller</translation>
-    </message>
-    <message>
         <source>no game pad is plugged in; connect a DualSense or DualShock 4 by USB cable</source>
         <translation>kein Gamepad ist angesteckt; schließen Sie einen DualSense oder DualShock 4 mit USB-Kabel an</translation>
     </message>
     <message>
         <source>no leg reaches ({x:.1f}, {y:.1f}, {z:.1f}) mm</source>
         <translation>kein Bein erreicht ({x:.1f}, {y:.1f}, {z:.1f}) mm</translation>
-    </message>
-    <message>
-        <source>found no order in which no sequence is played twice in a row</source>
-        <translation>es wurde keine Reihenfolge gefunden, in der keine Sequenz zweimal hintereinander kommt</translation>
-    </message>
-    <message>
-        <source>none of its frames can be decoded</source>
-        <translation>keines der Bilder lässt sich dekodieren</translation>
     </message>
     <message>
         <source>none of its streams can be decoded, because its headers are damaged</source>
@@ -4880,16 +4620,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>Versatz {offset_s} s mit Rate {rate} ist keine Zuordnung der Uhren; geben Sie endliche Zahlen und eine positive Rate an</translation>
     </message>
     <message>
-        <source>comparing needs two feedbacks or more</source>
-        <translation>ein einziges Feedback kann mit nichts verglichen werden</translation>
-    </message>
-    <message>
         <source>one gap</source>
         <translation>eine Lücke</translation>
-    </message>
-    <message>
-        <source>a single sequence always follows itself</source>
-        <translation>eine einzige Sequenz folgt zwangsläufig sich selbst</translation>
     </message>
     <message>
         <source>only {count} of {total} rows hold both specific force and angular rate</source>
@@ -5016,10 +4748,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>packen Sie es in MP4 um, damit die Dauer darin steht</translation>
     </message>
     <message>
-        <source>rename one of them</source>
-        <translation>benennen Sie einen um</translation>
-    </message>
-    <message>
         <source>repeat the one before and were left out</source>
         <translation>wiederholen die vorige und wurden weggelassen</translation>
     </message>
@@ -5033,7 +4761,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     </message>
     <message>
         <source>run a participant</source>
-        <translation>führen Sie eine Sitzung durch</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>run a participant first</source>
@@ -5058,10 +4786,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     <message>
         <source>session {code} is {state}</source>
         <translation>Sitzung {code} ist {state}</translation>
-    </message>
-    <message>
-        <source>session {code}: {key} was left out; it is not in the definition</source>
-        <translation>Sitzung {code}: {key} wurde weggelassen, die Definition enthält sie nicht mehr</translation>
     </message>
     <message>
         <source>set up</source>
@@ -5216,16 +4940,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>Achsen des Chips</translation>
     </message>
     <message>
-        <source>the clip is damaged: some of its frames are missing or broken</source>
-        <translation>der Clip ist beschädigt: Einige seiner Bilder fehlen oder sind defekt</translation>
-    </message>
-    <message>
         <source>the columns are in another order</source>
         <translation>die Spalten stehen in anderer Reihenfolge</translation>
-    </message>
-    <message>
-        <source>the columns must be {columns}</source>
-        <translation>die Spalten müssen {columns} sein</translation>
     </message>
     <message>
         <source>the computer stood still time and again; close other programs, measure again</source>
@@ -5234,10 +4950,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     <message>
         <source>the cutoff</source>
         <translation>die Grenzfrequenz</translation>
-    </message>
-    <message>
-        <source>duplicate entry {twice!r}</source>
-        <translation>der Eintrag {twice!r} steht zweimal in einem Objekt</translation>
     </message>
     <message>
         <source>the experiment was paused; its clock skips the pause</source>
@@ -5306,10 +5018,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     <message>
         <source>the installed device {name!r} cannot be loaded: {reason}; update or uninstall its package</source>
         <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>duplicate key {key!r}</source>
-        <translation>der Schlüssel {key!r} steht zweimal da</translation>
     </message>
     <message>
         <source>the largest angular rate is {largest:.3g} rad/s</source>
@@ -5456,10 +5164,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>die spezifische Kraft ist in Ruhe {norm:.3g} m/s2, wenn sie in {accel_unit} gelesen wird, aber die Schwerkraft ist 9.81</translation>
     </message>
     <message>
-        <source>condition {key} is not in the study</source>
-        <translation>die Studie hat keine Bedingung {key}</translation>
-    </message>
-    <message>
         <source>the time {fault} ({time_s} s after {last_s} s)</source>
         <translation>die Zeit {fault} ({time_s} s nach {last_s} s)</translation>
     </message>
@@ -5476,10 +5180,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>das Gerät ({title}) wurde abgezogen; stecken Sie es an, und wählen Sie es noch einmal</translation>
     </message>
     <message>
-        <source>there are no frames to write</source>
-        <translation>es gibt keine Bilder zu schreiben</translation>
-    </message>
-    <message>
         <source>a track {name!r} exists; choose another name</source>
         <translation>eine Spur {name!r} gibt es schon; wählen Sie einen anderen Namen</translation>
     </message>
@@ -5492,16 +5192,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>es gibt das Format {name!r} nicht; wählen Sie eines von {known}</translation>
     </message>
     <message>
-        <source>unknown format {name!r}; choose one of {known}</source>
-        <translation>unbekanntes Format {name!r}; wählen Sie eines von {known}</translation>
-    </message>
-    <message>
         <source>there is no header, the file begins with numbers</source>
         <translation>es gibt keinen Kopf, die Datei beginnt mit Zahlen</translation>
-    </message>
-    <message>
-        <source>there is no judgement to analyse</source>
-        <translation>es gibt kein Urteil, das sich auswerten ließe</translation>
     </message>
     <message>
         <source>there is no measure {measure!r}; there is {known}</source>
@@ -5520,20 +5212,12 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>es gibt keine Befestigung {text!r}; wählen Sie eine von {known}, oder geben Sie rechts, vorn und oben der Person in den Achsen des Recorders an, etwa --mounting=-x,y,-z</translation>
     </message>
     <message>
-        <source>no participant {code}</source>
-        <translation>es gibt keine teilnehmende Person {code}</translation>
-    </message>
-    <message>
         <source>there is no scene {scene!r}; choose one of {known}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>there is no sensor {sensor!r}; choose one of {known}</source>
         <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>unknown sequence {key!r}; choose one of {known}</source>
-        <translation>es gibt keine Sequenz {key!r}; es gibt {known}</translation>
     </message>
     <message>
         <source>the clip has no sound, which pats need</source>
@@ -5552,10 +5236,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>diese Datei gibt es nicht</translation>
     </message>
     <message>
-        <source>unknown template {name!r}; choose one of {known}</source>
-        <translation>es gibt keine Vorlage {name!r}; es gibt {known}</translation>
-    </message>
-    <message>
         <source>track {name!r} not found</source>
         <translation>es gibt keine Spur {name!r}</translation>
     </message>
@@ -5570,10 +5250,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     <message>
         <source>this is no firmware for the Falcon: {reason}; choose the file nvent_firmware.bin of a libnifalcon source archive</source>
         <translation>das ist keine Firmware für den Falcon: {reason}; wählen Sie die Datei nvent_firmware.bin eines Quellarchivs von libnifalcon</translation>
-    </message>
-    <message>
-        <source>the current page is {page}, not {expected}</source>
-        <translation>dies ist die Seite {page}, nicht {expected}</translation>
     </message>
     <message>
         <source>this method takes no parameters</source>
@@ -5752,10 +5428,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>{device} ist ein echtes Gerät und nimmt keine Fehler an</translation>
     </message>
     <message>
-        <source>{early} of {count} sessions have answers but were not completed</source>
-        <translation>{early} von {count} Sitzungen haben Antworten und kein Ende</translation>
-    </message>
-    <message>
         <source>{file}, line 1</source>
         <translation>{file}, Zeile 1</translation>
     </message>
@@ -5766,10 +5438,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     <message>
         <source>{file}: columns={columns} {fault}</source>
         <translation>{file}: columns={columns} {fault}</translation>
-    </message>
-    <message>
-        <source>{file}: is damaged; the definition of the study was used</source>
-        <translation>{file}: ist beschädigt; die Definition der Studie wurde verwendet</translation>
     </message>
     <message>
         <source>{file}: is not a table of numbers; choose another log</source>
@@ -5812,8 +5480,188 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>{name!r} ist kein Falcon; nehmen Sie falcon oder falcon:SERIAL</translation>
     </message>
     <message>
+        <source>a Williams design contains every pair of neighbours, also of one sequence</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a factor must not be named {name!r}, the name of the sum of all factors</source>
+        <translation>kein Faktor darf {name!r} heißen, wie die Summe aller</translation>
+    </message>
+    <message>
+        <source>a frame has the shape {shape}, expected {expected} of uint8</source>
+        <translation>ein Bild hat die Form {shape}, erwartet wird {expected} aus uint8</translation>
+    </message>
+    <message>
+        <source>a pilot study must have at least five complete participants</source>
+        <translation>eine Pilotstudie braucht mindestens fünf vollständige Teilnehmer</translation>
+    </message>
+    <message>
+        <source>a single sequence always follows itself</source>
+        <translation>eine einzige Sequenz folgt zwangsläufig sich selbst</translation>
+    </message>
+    <message>
+        <source>a whole number</source>
+        <translation>eine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>adding telemetry</source>
+        <translation>Telemetrie</translation>
+    </message>
+    <message>
+        <source>allowed: {known}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>alpha and power must be between 0 and 1</source>
+        <translation>Alpha und Teststärke müssen zwischen 0 und 1 liegen</translation>
+    </message>
+    <message>
+        <source>analysing {measure}</source>
+        <translation>{measure} wird ausgewertet</translation>
+    </message>
+    <message>
+        <source>asks about feedbacks before the first trial</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>checking {name}</source>
+        <translation>{name} wird geprüft</translation>
+    </message>
+    <message>
+        <source>clipped samples: {force} of the accelerometer ({force_marked} of them not reconstructed, marked as not valid), {rate} of the gyro ({rate_marked})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>comparing needs two feedbacks or more</source>
+        <translation>ein einziges Feedback kann mit nichts verglichen werden</translation>
+    </message>
+    <message>
+        <source>computing checksums</source>
+        <translation>Prüfsummen</translation>
+    </message>
+    <message>
+        <source>condition {key} is not in the study</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>converting</source>
+        <translation>wird umgewandelt</translation>
+    </message>
+    <message>
+        <source>copying the clip</source>
+        <translation>Clip wird kopiert</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>fertig</translation>
+    </message>
+    <message>
+        <source>drawing the figures</source>
+        <translation>Abbildungen werden gezeichnet</translation>
+    </message>
+    <message>
+        <source>drawing the ride</source>
+        <translation>die Fahrt wird gezeichnet</translation>
+    </message>
+    <message>
+        <source>drawing {name}</source>
+        <translation>{name} wird gezeichnet</translation>
+    </message>
+    <message>
+        <source>duplicate entry {twice!r}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>duplicate key {key!r}</source>
+        <translation>der Schlüssel {key!r} steht zweimal da</translation>
+    </message>
+    <message>
+        <source>fifo</source>
+        <translation>FIFO</translation>
+    </message>
+    <message>
+        <source>fitting {axis}</source>
+        <translation>{axis} wird angepasst</translation>
+    </message>
+    <message>
+        <source>found no order in which no sequence is played twice in a row</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>gone</source>
+        <translation>beendet</translation>
+    </message>
+    <message>
+        <source>has a different number of columns</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>has no question after a clip</source>
+        <translation>fragt nichts nach einem Clip</translation>
+    </message>
+    <message>
+        <source>has records of version {found}, this program reads {version}</source>
+        <translation>enthält Aufzeichnungen der Version {found}, dieses Programm liest {version}</translation>
+    </message>
+    <message>
+        <source>heard</source>
+        <translation>gehört</translation>
+    </message>
+    <message>
+        <source>is damaged or missing, and the definition of the study has changed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is not UTF-8 text</source>
+        <translation>ist kein Text in UTF-8</translation>
+    </message>
+    <message>
+        <source>is not a question of this page</source>
+        <translation>ist keine Frage dieser Seite</translation>
+    </message>
+    <message>
+        <source>is not a session</source>
+        <translation>ist keine Sitzung</translation>
+    </message>
+    <message>
+        <source>is not a valid key</source>
+        <translation>ist kein gültiger Schlüssel</translation>
+    </message>
+    <message>
+        <source>is not the definition of a study</source>
+        <translation>beschreibt keine Studie</translation>
+    </message>
+    <message>
+        <source>is not valid JSON ({reason})</source>
+        <translation>ist kein gültiges JSON ({reason})</translation>
+    </message>
+    <message>
+        <source>its frames of {width} x {height} pixels are too large (up to 8192 x 4320 are shown)</source>
+        <translation>die Bilder mit {width} x {height} Pixeln sind zu groß (bis 8192 x 4320 werden gezeigt)</translation>
+    </message>
+    <message>
         <source>its pixel format cannot be converted</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>listening</source>
+        <translation>Ton wird angehört</translation>
+    </message>
+    <message>
+        <source>missing entry {name!r}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>must be a number from {least} to {most}</source>
+        <translation>braucht eine Zahl von {least} bis {most}</translation>
+    </message>
+    <message>
+        <source>must be a yes-no question</source>
+        <translation>ist keine Ja-Nein-Frage</translation>
+    </message>
+    <message>
+        <source>must be one of the choices</source>
+        <translation>hat eine Antwort, die nicht angeboten wurde</translation>
     </message>
     <message>
         <source>must be {kind} {limit}</source>
@@ -5824,12 +5672,132 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>muss {wanted} sein, nicht {kind}</translation>
     </message>
     <message>
+        <source>must have 1 to {most} characters</source>
+        <translation>braucht 1 bis {most} Zeichen</translation>
+    </message>
+    <message>
+        <source>must have 2 to {most} conditions, has {count}</source>
+        <translation>ergibt {count} Bedingungen; 2 bis {most} gehen</translation>
+    </message>
+    <message>
+        <source>no data from the device yet</source>
+        <translation>noch keine Daten vom Gerät</translation>
+    </message>
+    <message>
+        <source>no device</source>
+        <translation>kein Gerät</translation>
+    </message>
+    <message>
+        <source>no participant {code}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keines</translation>
+    </message>
+    <message>
+        <source>none of its frames can be decoded</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not confirmed</source>
+        <translation>nicht bestätigt</translation>
+    </message>
+    <message>
+        <source>not yet</source>
+        <translation>noch nicht</translation>
+    </message>
+    <message>
         <source>nothing is recorded: {reason}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>predicting excursions</source>
+        <translation>Ausschläge werden vorhergesagt</translation>
+    </message>
+    <message>
+        <source>reading the answers</source>
+        <translation>Antworten werden gelesen</translation>
+    </message>
+    <message>
+        <source>reading {name}</source>
+        <translation>{name} wird gelesen</translation>
+    </message>
+    <message>
+        <source>remove the constraint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>remove the constraint or add sequences</source>
+        <translation>lassen Sie die Einschränkung weg, oder fügen Sie Sequenzen hinzu</translation>
+    </message>
+    <message>
+        <source>remove the constraint or choose random or latin-square</source>
+        <translation>lassen Sie die Einschränkung weg, oder wählen Sie random oder latin-square</translation>
+    </message>
+    <message>
+        <source>removing gravity</source>
+        <translation>Schwerkraft wird entfernt</translation>
+    </message>
+    <message>
+        <source>rename one of them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rendering the force</source>
+        <translation>Kraft wird berechnet</translation>
+    </message>
+    <message>
+        <source>restore the old sequence, or stop this session</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>riding</source>
+        <translation>Fahrt</translation>
+    </message>
+    <message>
+        <source>session {code}: {key} was left out; it is not in the definition</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>simulated {begin} of {studies} studies</source>
+        <translation>{begin} von {studies} Studien simuliert</translation>
+    </message>
+    <message>
+        <source>skipping a step needs a reason</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>slice</source>
+        <translation>slice</translation>
+    </message>
+    <message>
         <source>spikes removed from {force} accelerometer, {rate} gyro, {field} magnetometer samples; {kept} samples stood out and were left as motion</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>start a new session</source>
+        <translation>beginnen Sie eine neue</translation>
+    </message>
+    <message>
+        <source>starting</source>
+        <translation>startet</translation>
+    </message>
+    <message>
+        <source>synchronising</source>
+        <translation>wird synchronisiert</translation>
+    </message>
+    <message>
+        <source>the clip is damaged: some of its frames are missing or broken</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the columns must be {columns}</source>
+        <translation>die Spalten müssen {columns} sein</translation>
+    </message>
+    <message>
+        <source>the current page is {page}, not {expected}</source>
+        <translation>dies ist die Seite {page}, nicht {expected}</translation>
     </message>
     <message>
         <source>the guard could not be started: {reason}</source>
@@ -5860,12 +5828,76 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>there are no frames to write</source>
+        <translation>es gibt keine Bilder zu schreiben</translation>
+    </message>
+    <message>
         <source>there are no participants</source>
         <translation>es gibt keine Teilnehmer</translation>
     </message>
     <message>
+        <source>there is no judgement to analyse</source>
+        <translation>es gibt kein Urteil, das sich auswerten ließe</translation>
+    </message>
+    <message>
+        <source>unknown entry {name!r}</source>
+        <translation>hat den unbekannten Eintrag {name!r}</translation>
+    </message>
+    <message>
+        <source>unknown format {name!r}; choose one of {known}</source>
+        <translation>unbekanntes Format {name!r}; wählen Sie eines von {known}</translation>
+    </message>
+    <message>
+        <source>unknown sequence {key!r}; choose one of {known}</source>
+        <translation>es gibt keine Sequenz {key!r}; es gibt {known}</translation>
+    </message>
+    <message>
+        <source>unknown template {name!r}; choose one of {known}</source>
+        <translation>es gibt keine Vorlage {name!r}; es gibt {known}</translation>
+    </message>
+    <message>
+        <source>was written by another version of the program</source>
+        <translation>ist von einer anderen Version des Programms</translation>
+    </message>
+    <message>
+        <source>writing</source>
+        <translation>wird geschrieben</translation>
+    </message>
+    <message>
+        <source>writing the logs</source>
+        <translation>Protokolle werden geschrieben</translation>
+    </message>
+    <message>
+        <source>writing the numbers</source>
+        <translation>Zahlen werden geschrieben</translation>
+    </message>
+    <message>
+        <source>writing {file}</source>
+        <translation>{file} wird geschrieben</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>{device}, {state}</source>
+        <translation>{device}, {state}</translation>
+    </message>
+    <message>
+        <source>{early} of {count} sessions have answers but were not completed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{empty} of {count} sessions have no answers</source>
         <translation>{empty} von {count} Sitzungen haben keine Antworten</translation>
+    </message>
+    <message>
+        <source>{file}: is damaged; the definition of the study was used</source>
+        <translation>{file}: ist beschädigt; die Definition der Studie wurde verwendet</translation>
+    </message>
+    <message>
+        <source>{free_gb:.1f} GB free</source>
+        <translation>{free_gb:.1f} GB frei</translation>
     </message>
     <message>
         <source>{name!r} is not a plain file name</source>
@@ -5964,6 +5996,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>{path}: {reason}</translation>
     </message>
     <message>
+        <source>{percent} %</source>
+        <translation>{percent} %</translation>
+    </message>
+    <message>
         <source>{place} was left out, as its time is more than an hour apart</source>
         <translation>{place} wurde weggelassen, da ihre Zeit mehr als eine Stunde abliegt</translation>
     </message>
@@ -5973,15 +6009,27 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     </message>
     <message>
         <source>{reason}; the copy in the journal was used</source>
-        <translation>{reason}; die Kopie bei den Antworten wurde verwendet</translation>
-    </message>
-    <message>
-        <source>{scenario!r} is no ride; choose one of {known}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{scripted} of {count} sessions are simulated</source>
         <translation>{scripted} von {count} Sitzungen sind simuliert: Niemand saß dort</translation>
+    </message>
+    <message>
+        <source>{value!r} is not allowed</source>
+        <translation>ist {value!r}</translation>
+    </message>
+    <message>
+        <source>{width_px} x {height_px}, {refresh_hz:.0f} Hz, screens: {screens}</source>
+        <translation>{width_px} × {height_px}, {refresh_hz:.0f} Hz; Bildschirme: {screens}</translation>
+    </message>
+    <message>
+        <source>{width} x {height} pixels are too large for a frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{scenario!r} is no ride; choose one of {known}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{share:.1%} of the force samples reach the force limit</source>
@@ -6000,16 +6048,12 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>{source}: einwandfrei, aber keine der bekannten Firmware-Dateien ({known}; SHA-256 {sha256}...); sie würde die Motoren betreiben: Sagen Sie, dass Sie das wollen (--accept-unknown)</translation>
     </message>
     <message>
-        <source>{text!r} is not a participant&apos;s code</source>
-        <translation>{text!r} ist kein Code einer teilnehmenden Person</translation>
-    </message>
-    <message>
-        <source>{width} x {height} pixels are too large for a frame</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>{text!r} is not a number</source>
         <translation>{text!r} ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>{text!r} is not a participant&apos;s code</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{text} is not a finite number</source>

@@ -844,7 +844,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>gone</source>
-        <translation>terminé</translation>
+        <translation>disparu</translation>
     </message>
     <message>
         <source>pull the grip out, then push it in</source>
@@ -920,7 +920,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>slice</source>
-        <translation>tranche</translation>
+        <translation>slice</translation>
     </message>
     <message>
         <source>normal</source>
@@ -2335,18 +2335,6 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <source>the record has gaps</source>
         <translation>l’enregistrement a des lacunes</translation>
     </message>
-    <message>
-        <source>{size}; screens in all: {n}</source>
-        <translation>{size}&#xa0;; écrans en tout&#xa0;: {n}</translation>
-    </message>
-    <message>
-        <source>{n} GB free</source>
-        <translation>{n} Go libres</translation>
-    </message>
-    <message>
-        <source>ready</source>
-        <translation>prêt</translation>
-    </message>
 </context>
 <context>
     <name>SetupPage</name>
@@ -2595,34 +2583,6 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     <message>
         <source>Disk</source>
         <translation>Disque</translation>
-    </message>
-    <message>
-        <source>heard</source>
-        <translation>entendu</translation>
-    </message>
-    <message>
-        <source>not confirmed</source>
-        <translation>non confirmé</translation>
-    </message>
-    <message>
-        <source>none</source>
-        <translation>aucun</translation>
-    </message>
-    <message>
-        <source>no device</source>
-        <translation>pas d’appareil</translation>
-    </message>
-    <message>
-        <source>no data from the device yet</source>
-        <translation>pas encore de données de l&apos;appareil</translation>
-    </message>
-    <message>
-        <source>yes</source>
-        <translation>oui</translation>
-    </message>
-    <message>
-        <source>not yet</source>
-        <translation>pas encore</translation>
     </message>
 </context>
 <context>
@@ -2980,78 +2940,6 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <source>{title}: {text}</source>
         <translation>{title}&#xa0;: {text}</translation>
     </message>
-    <message>
-        <source>riding</source>
-        <translation>parcours</translation>
-    </message>
-    <message>
-        <source>drawing the ride</source>
-        <translation>dessin du parcours</translation>
-    </message>
-    <message>
-        <source>adding telemetry</source>
-        <translation>ajout de la télémétrie</translation>
-    </message>
-    <message>
-        <source>writing the logs</source>
-        <translation>écriture des journaux</translation>
-    </message>
-    <message>
-        <source>listening</source>
-        <translation>écoute du son</translation>
-    </message>
-    <message>
-        <source>reading</source>
-        <translation>lecture de</translation>
-    </message>
-    <message>
-        <source>synchronising</source>
-        <translation>synchronisation</translation>
-    </message>
-    <message>
-        <source>removing gravity</source>
-        <translation>retrait de la pesanteur</translation>
-    </message>
-    <message>
-        <source>predicting excursions</source>
-        <translation>prévision des excursions</translation>
-    </message>
-    <message>
-        <source>rendering the force</source>
-        <translation>calcul de la force</translation>
-    </message>
-    <message>
-        <source>copying the clip</source>
-        <translation>copie du clip</translation>
-    </message>
-    <message>
-        <source>computing checksums</source>
-        <translation>sommes de contrôle</translation>
-    </message>
-    <message>
-        <source>reading the answers</source>
-        <translation>lecture des réponses</translation>
-    </message>
-    <message>
-        <source>analysing</source>
-        <translation>analyse de</translation>
-    </message>
-    <message>
-        <source>drawing</source>
-        <translation>dessin de</translation>
-    </message>
-    <message>
-        <source>writing</source>
-        <translation>écriture</translation>
-    </message>
-    <message>
-        <source>writing the numbers</source>
-        <translation>écriture des nombres</translation>
-    </message>
-    <message>
-        <source>done</source>
-        <translation>terminé</translation>
-    </message>
 </context>
 <context>
     <name>Transport</name>
@@ -3246,6 +3134,14 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     <message>
         <source>1 damaged line was skipped (line {line})</source>
         <translation>1 ligne est endommagée et a été omise (la première&#xa0;: ligne {line})</translation>
+    </message>
+    <message>
+        <source>--largest must be between 3 and {most}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>--studies must be between {least} and {most}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Broken pipe</source>
@@ -3472,24 +3368,12 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>un nombre</translation>
     </message>
     <message>
-        <source>a frame has the shape {shape}, expected {expected} of uint8</source>
-        <translation>une image a la forme {shape}, attendu&#xa0;: {expected} en uint8</translation>
-    </message>
-    <message>
-        <source>a pilot study must have at least five complete participants</source>
-        <translation>une étude pilote doit avoir au moins cinq participants complets</translation>
-    </message>
-    <message>
         <source>a sensor of {rate_hz:g} Hz averaged to {log_hz:g} Hz; give rates above 0, the second not above the first</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>a sound of {rate_hz} Hz is too coarse; give 8000 or more</source>
         <translation>un son de {rate_hz} Hz est trop grossier&#xa0;; donnez 8000 ou plus</translation>
-    </message>
-    <message>
-        <source>skipping a step needs a reason</source>
-        <translation>une étape n’est omise qu’avec une raison</translation>
     </message>
     <message>
         <source>a text</source>
@@ -3532,10 +3416,6 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>toutes les mesures sont égales&#xa0;: le capteur était-il bloqué&#xa0;?</translation>
     </message>
     <message>
-        <source>alpha and power must be between 0 and 1</source>
-        <translation>alpha et la puissance doivent être entre 0 et 1</translation>
-    </message>
-    <message>
         <source>already exists</source>
         <translation>existe déjà</translation>
     </message>
@@ -3568,14 +3448,6 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>tels que telemetry-parser les donne</translation>
     </message>
     <message>
-        <source>asks about feedbacks before the first trial</source>
-        <translation>interroge sur des retours avant qu’un seul ait été senti</translation>
-    </message>
-    <message>
-        <source>has no question after a clip</source>
-        <translation>ne demande rien après une vidéo</translation>
-    </message>
-    <message>
         <source>at the beginning</source>
         <translation>au début</translation>
     </message>
@@ -3600,10 +3472,6 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>axes={axes} ou ce qui était autrement droite, avant, haut</translation>
     </message>
     <message>
-        <source>start a new session</source>
-        <translation>commencez-en une nouvelle</translation>
-    </message>
-    <message>
         <source>begin the file with {header}</source>
         <translation>commencez le fichier par {header}</translation>
     </message>
@@ -3614,10 +3482,6 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     <message>
         <source>belongs to the clip {found!r}, not to {expected!r}</source>
         <translation>appartient à la vidéo {found!r}, pas à {expected!r}</translation>
-    </message>
-    <message>
-        <source>restore the old sequence, or stop this session</source>
-        <translation>remettez l’ancienne, ou arrêtez cette séance</translation>
     </message>
     <message>
         <source>bring the streams to common times by interpolation first</source>
@@ -3793,7 +3657,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>copy the study&apos;s folder to the other machine, then run it there</source>
-        <translation>copiez le dossier de l&apos;étude sur l&apos;autre machine, puis lancez-la là</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>correct it</source>
@@ -3828,10 +3692,6 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>ne décrit pas de séquence</translation>
     </message>
     <message>
-        <source>is not the definition of a study</source>
-        <translation>ne décrit pas d’étude</translation>
-    </message>
-    <message>
         <source>device {name!r}: this version has no driver for it; use {known}</source>
         <translation>appareil {name!r}&#xa0;: cette version n’a pas de pilote pour lui&#xa0;; prenez {known}</translation>
     </message>
@@ -3842,18 +3702,6 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     <message>
         <source>drop one video and at most one log; import further ones after it</source>
         <translation>déposez une vidéo et au plus un journal&#xa0;; importez les autres ensuite</translation>
-    </message>
-    <message>
-        <source>remove the constraint</source>
-        <translation>abandonnez la contrainte</translation>
-    </message>
-    <message>
-        <source>remove the constraint or add sequences</source>
-        <translation>abandonnez la contrainte ou ajoutez des séquences</translation>
-    </message>
-    <message>
-        <source>remove the constraint or choose random or latin-square</source>
-        <translation>abandonnez la contrainte ou choisissez random ou latin-square</translation>
     </message>
     <message>
         <source>ended</source>
@@ -3978,14 +3826,6 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     <message>
         <source>free some space, or choose a folder that you may write to</source>
         <translation>libérez de la place, ou choisissez un dossier où vous pouvez écrire</translation>
-    </message>
-    <message>
-        <source>--largest must be between 3 and {most}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>--studies must be between {least} and {most}</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>from {lowest_hz:.1f} to {highest_hz:.1f} Hz</source>
@@ -4156,14 +3996,6 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>a un en-tête endommagé&#xa0;: pas de ligne t,gx,gy,gz,ax,ay,az</translation>
     </message>
     <message>
-        <source>must be one of the choices</source>
-        <translation>a une réponse qui n’était pas proposée</translation>
-    </message>
-    <message>
-        <source>has a different number of columns</source>
-        <translation>a un autre nombre de colonnes</translation>
-    </message>
-    <message>
         <source>has changed since it was written (its checksum differs)</source>
         <translation>a changé depuis son écriture (sa somme de contrôle diffère)</translation>
     </message>
@@ -4177,7 +4009,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>has no answers yet</source>
-        <translation>n&apos;a pas encore de réponse</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>has no force ({reason})</source>
@@ -4190,10 +4022,6 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     <message>
         <source>has only {rate_hz:.1f} samples per second, too few for pats</source>
         <translation>n’a que {rate_hz:.1f} mesures par seconde, où des tapes ne se voient pas</translation>
-    </message>
-    <message>
-        <source>unknown entry {name!r}</source>
-        <translation>a l’entrée inconnue {name!r}</translation>
     </message>
     <message>
         <source>has the unknown name {unknown!r}</source>
@@ -4300,10 +4128,6 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>ne contient pas {name}</translation>
     </message>
     <message>
-        <source>has records of version {found}, this program reads {version}</source>
-        <translation>contient des données de la version {found}, ce programme lit {version}</translation>
-    </message>
-    <message>
         <source>holds several recordings ({first}, {second})</source>
         <translation>contient plusieurs enregistrements ({first}, {second})</translation>
     </message>
@@ -4368,10 +4192,6 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>est endommagé ({reason})</translation>
     </message>
     <message>
-        <source>is damaged or missing, and the definition of the study has changed</source>
-        <translation>est endommagé ou manque, et la définition de l’étude est maintenant une autre</translation>
-    </message>
-    <message>
         <source>is empty (0 bytes)</source>
         <translation>est vide (0 octet)</translation>
     </message>
@@ -4400,36 +4220,16 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>n’est pas un objet JSON</translation>
     </message>
     <message>
-        <source>is not UTF-8 text</source>
-        <translation>n’est pas du texte en UTF-8</translation>
-    </message>
-    <message>
         <source>is no log</source>
         <translation>n’est pas un journal</translation>
-    </message>
-    <message>
-        <source>is not a question of this page</source>
-        <translation>n’est pas une question de cette page</translation>
-    </message>
-    <message>
-        <source>is not a session</source>
-        <translation>n’est pas une séance</translation>
     </message>
     <message>
         <source>is not a template for logs ({reason})</source>
         <translation>n’est pas un modèle de journal ({reason})</translation>
     </message>
     <message>
-        <source>is not valid JSON ({reason})</source>
-        <translation>n’est pas du JSON valable ({reason})</translation>
-    </message>
-    <message>
         <source>is no video</source>
         <translation>n’est pas une vidéo</translation>
-    </message>
-    <message>
-        <source>must be a yes-no question</source>
-        <translation>n’est pas une question à répondre par oui ou non</translation>
     </message>
     <message>
         <source>is not a file</source>
@@ -4476,10 +4276,6 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>est d’une {name}, dont la télémétrie ne dit pas les axes</translation>
     </message>
     <message>
-        <source>was written by another version of the program</source>
-        <translation>est d’une autre version du programme</translation>
-    </message>
-    <message>
         <source>is open in another window</source>
         <translation>est ouverte dans une autre fenêtre</translation>
     </message>
@@ -4489,7 +4285,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>is the study {found}, not {expected}</source>
-        <translation>est l&apos;étude {found}, et non {expected}</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>is too large</source>
@@ -4500,28 +4296,8 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{value!r} is not allowed</source>
-        <translation>est {value!r}</translation>
-    </message>
-    <message>
         <source>it cannot be decoded any further</source>
         <translation>la suite ne peut pas être décodée</translation>
-    </message>
-    <message>
-        <source>a Williams design contains every pair of neighbours, also of one sequence</source>
-        <translation>un plan de Williams contient chaque paire de voisins, aussi d&apos;une même séquence</translation>
-    </message>
-    <message>
-        <source>a whole number</source>
-        <translation>un nombre entier</translation>
-    </message>
-    <message>
-        <source>clipped samples: {force} of the accelerometer ({force_marked} of them not reconstructed, marked as not valid), {rate} of the gyro ({rate_marked})</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>is not a valid key</source>
-        <translation>n&apos;est pas une clé valide</translation>
     </message>
     <message>
         <source>it cannot be probed</source>
@@ -4676,10 +4452,6 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>son index annonce plus d’échantillons qu’il n’a d’octets</translation>
     </message>
     <message>
-        <source>its frames of {width} x {height} pixels are too large (up to 8192 x 4320 are shown)</source>
-        <translation>ses images de {width} x {height} pixels sont trop grandes (jusqu’à 8192 x 4320 sont montrées)</translation>
-    </message>
-    <message>
         <source>its sound cannot be resampled</source>
         <translation>son son ne peut pas être rééchantillonné</translation>
     </message>
@@ -4728,14 +4500,6 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>son {key} est {value!r}, pas un nombre supérieur à zéro</translation>
     </message>
     <message>
-        <source>allowed: {known}</source>
-        <translation>sont connus&#xa0;: {known}</translation>
-    </message>
-    <message>
-        <source>missing entry {name!r}</source>
-        <translation>l’entrée {name!r} manque</translation>
-    </message>
-    <message>
         <source>lacks the object sound_late_s</source>
         <translation>l’objet sound_late_s manque</translation>
     </message>
@@ -4776,10 +4540,6 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>champ magnétique en {unit}</translation>
     </message>
     <message>
-        <source>must have 2 to {most} conditions, has {count}</source>
-        <translation>donne {count} conditions&#xa0;; de 2 à {most} sont possibles</translation>
-    </message>
-    <message>
         <source>mapping axes</source>
         <translation>axes de la correspondance</translation>
     </message>
@@ -4808,14 +4568,6 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>nomme {count} colonnes, le tableau en a {total} ({shown})</translation>
     </message>
     <message>
-        <source>must have 1 to {most} characters</source>
-        <translation>demande de 1 à {most} caractères</translation>
-    </message>
-    <message>
-        <source>must be a number from {least} to {most}</source>
-        <translation>demande un nombre de {least} à {most}</translation>
-    </message>
-    <message>
         <source>needs {needed_mb} MB and only {free_mb} MB are free</source>
         <translation>demande {needed_mb} Mo, et seulement {free_mb} Mo sont libres</translation>
     </message>
@@ -4836,24 +4588,12 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>aucun Falcon {serial!r} n’est branché&#xa0;; il y a&#xa0;: {known}</translation>
     </message>
     <message>
-        <source>a factor must not be named {name!r}, the name of the sum of all factors</source>
-        <translation>aucun facteur ne peut s’appeler {name!r}, le nom de leur somme</translation>
-    </message>
-    <message>
         <source>no game pad is plugged in; connect a DualSense or DualShock 4 by USB cable</source>
         <translation>aucune manette n’est branchée&#xa0;; branchez une DualSense ou une DualShock 4 par câble USB</translation>
     </message>
     <message>
         <source>no leg reaches ({x:.1f}, {y:.1f}, {z:.1f}) mm</source>
         <translation>aucune jambe n’atteint ({x:.1f}, {y:.1f}, {z:.1f}) mm</translation>
-    </message>
-    <message>
-        <source>found no order in which no sequence is played twice in a row</source>
-        <translation>aucun ordre n’a été trouvé où aucune séquence ne passe deux fois de suite</translation>
-    </message>
-    <message>
-        <source>none of its frames can be decoded</source>
-        <translation>aucune de ses images ne peut être décodée</translation>
     </message>
     <message>
         <source>none of its streams can be decoded, because its headers are damaged</source>
@@ -4880,16 +4620,8 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>le décalage {offset_s} s avec la cadence {rate} ne met pas les horloges en correspondance&#xa0;; donnez des nombres finis et une cadence positive</translation>
     </message>
     <message>
-        <source>comparing needs two feedbacks or more</source>
-        <translation>un seul retour ne peut être comparé à rien</translation>
-    </message>
-    <message>
         <source>one gap</source>
         <translation>une lacune</translation>
-    </message>
-    <message>
-        <source>a single sequence always follows itself</source>
-        <translation>une seule séquence ne peut que se suivre elle-même</translation>
     </message>
     <message>
         <source>only {count} of {total} rows hold both specific force and angular rate</source>
@@ -5016,10 +4748,6 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>remettez-la en MP4 pour que sa durée soit inscrite</translation>
     </message>
     <message>
-        <source>rename one of them</source>
-        <translation>renommez l’une d’elles</translation>
-    </message>
-    <message>
         <source>repeat the one before and were left out</source>
         <translation>répètent la précédente et ont été omises</translation>
     </message>
@@ -5033,7 +4761,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>run a participant</source>
-        <translation>faites passer un participant</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>run a participant first</source>
@@ -5058,10 +4786,6 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     <message>
         <source>session {code} is {state}</source>
         <translation>la séance {code} est {state}</translation>
-    </message>
-    <message>
-        <source>session {code}: {key} was left out; it is not in the definition</source>
-        <translation>séance {code}&#xa0;: {key} a été omis, la définition ne l’a plus</translation>
     </message>
     <message>
         <source>set up</source>
@@ -5216,16 +4940,8 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>axes de la puce</translation>
     </message>
     <message>
-        <source>the clip is damaged: some of its frames are missing or broken</source>
-        <translation>la vidéo est endommagée&#xa0;: certaines de ses images manquent ou sont défectueuses</translation>
-    </message>
-    <message>
         <source>the columns are in another order</source>
         <translation>les colonnes sont dans un autre ordre</translation>
-    </message>
-    <message>
-        <source>the columns must be {columns}</source>
-        <translation>les colonnes doivent être {columns}</translation>
     </message>
     <message>
         <source>the computer stood still time and again; close other programs, measure again</source>
@@ -5234,10 +4950,6 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     <message>
         <source>the cutoff</source>
         <translation>la fréquence de coupure</translation>
-    </message>
-    <message>
-        <source>duplicate entry {twice!r}</source>
-        <translation>l’entrée {twice!r} figure deux fois dans un objet</translation>
     </message>
     <message>
         <source>the experiment was paused; its clock skips the pause</source>
@@ -5306,10 +5018,6 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     <message>
         <source>the installed device {name!r} cannot be loaded: {reason}; update or uninstall its package</source>
         <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>duplicate key {key!r}</source>
-        <translation>la clé {key!r} figure deux fois</translation>
     </message>
     <message>
         <source>the largest angular rate is {largest:.3g} rad/s</source>
@@ -5456,10 +5164,6 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>la force spécifique est de {norm:.3g} m/s2 au repos quand elle est lue en {accel_unit}, mais la pesanteur est de 9.81</translation>
     </message>
     <message>
-        <source>condition {key} is not in the study</source>
-        <translation>l’étude n’a pas de condition {key}</translation>
-    </message>
-    <message>
         <source>the time {fault} ({time_s} s after {last_s} s)</source>
         <translation>le temps {fault} ({time_s} s après {last_s} s)</translation>
     </message>
@@ -5476,10 +5180,6 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>l’appareil ({title}) a été débranché&#xa0;; rebranchez-le et choisissez-le de nouveau</translation>
     </message>
     <message>
-        <source>there are no frames to write</source>
-        <translation>il n’y a pas d’images à écrire</translation>
-    </message>
-    <message>
         <source>a track {name!r} exists; choose another name</source>
         <translation>il y a déjà une piste {name!r}&#xa0;; choisissez un autre nom</translation>
     </message>
@@ -5492,16 +5192,8 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>il n’y a pas de format {name!r}&#xa0;; choisissez parmi {known}</translation>
     </message>
     <message>
-        <source>unknown format {name!r}; choose one of {known}</source>
-        <translation>format inconnu {name!r} ; choisissez parmi {known}</translation>
-    </message>
-    <message>
         <source>there is no header, the file begins with numbers</source>
         <translation>il n’y a pas d’en-tête, le fichier commence par des nombres</translation>
-    </message>
-    <message>
-        <source>there is no judgement to analyse</source>
-        <translation>il n’y a pas de jugement à analyser</translation>
     </message>
     <message>
         <source>there is no measure {measure!r}; there is {known}</source>
@@ -5520,20 +5212,12 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>il n’y a pas de fixation {text!r}&#xa0;; choisissez parmi {known}, ou donnez la droite, l’avant et le haut de la personne dans les axes de l’enregistreur, par exemple --mounting=-x,y,-z</translation>
     </message>
     <message>
-        <source>no participant {code}</source>
-        <translation>il n’y a pas de participant {code}</translation>
-    </message>
-    <message>
         <source>there is no scene {scene!r}; choose one of {known}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>there is no sensor {sensor!r}; choose one of {known}</source>
         <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>unknown sequence {key!r}; choose one of {known}</source>
-        <translation>il n’y a pas de séquence {key!r}&#xa0;; il y a {known}</translation>
     </message>
     <message>
         <source>the clip has no sound, which pats need</source>
@@ -5552,10 +5236,6 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>ce fichier n’existe pas</translation>
     </message>
     <message>
-        <source>unknown template {name!r}; choose one of {known}</source>
-        <translation>il n’y a pas de modèle {name!r}&#xa0;; il y a {known}</translation>
-    </message>
-    <message>
         <source>track {name!r} not found</source>
         <translation>il n’y a pas de piste {name!r}</translation>
     </message>
@@ -5570,10 +5250,6 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     <message>
         <source>this is no firmware for the Falcon: {reason}; choose the file nvent_firmware.bin of a libnifalcon source archive</source>
         <translation>ce n’est pas un micrologiciel pour le Falcon&#xa0;: {reason}&#xa0;; choisissez le fichier nvent_firmware.bin d’une archive des sources de libnifalcon</translation>
-    </message>
-    <message>
-        <source>the current page is {page}, not {expected}</source>
-        <translation>c’est la page {page}, pas {expected}</translation>
     </message>
     <message>
         <source>this method takes no parameters</source>
@@ -5752,10 +5428,6 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>{device} est un vrai appareil et n’accepte pas de pannes</translation>
     </message>
     <message>
-        <source>{early} of {count} sessions have answers but were not completed</source>
-        <translation>{early} séances sur {count} ont des réponses et pas de fin</translation>
-    </message>
-    <message>
         <source>{file}, line 1</source>
         <translation>{file}, ligne 1</translation>
     </message>
@@ -5766,10 +5438,6 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     <message>
         <source>{file}: columns={columns} {fault}</source>
         <translation>{file}&#xa0;: columns={columns} {fault}</translation>
-    </message>
-    <message>
-        <source>{file}: is damaged; the definition of the study was used</source>
-        <translation>{file}&#xa0;: est endommagé&#xa0;; la définition de l’étude a été utilisée</translation>
     </message>
     <message>
         <source>{file}: is not a table of numbers; choose another log</source>
@@ -5812,8 +5480,188 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>{name!r} n’est pas un Falcon&#xa0;; prenez falcon, ou falcon:SERIAL</translation>
     </message>
     <message>
+        <source>a Williams design contains every pair of neighbours, also of one sequence</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a factor must not be named {name!r}, the name of the sum of all factors</source>
+        <translation>aucun facteur ne peut s’appeler {name!r}, le nom de leur somme</translation>
+    </message>
+    <message>
+        <source>a frame has the shape {shape}, expected {expected} of uint8</source>
+        <translation>une image a la forme {shape}, attendu&#xa0;: {expected} en uint8</translation>
+    </message>
+    <message>
+        <source>a pilot study must have at least five complete participants</source>
+        <translation>une étude pilote doit avoir au moins cinq participants complets</translation>
+    </message>
+    <message>
+        <source>a single sequence always follows itself</source>
+        <translation>une seule séquence ne peut que se suivre elle-même</translation>
+    </message>
+    <message>
+        <source>a whole number</source>
+        <translation>un nombre entier</translation>
+    </message>
+    <message>
+        <source>adding telemetry</source>
+        <translation>ajout de la télémétrie</translation>
+    </message>
+    <message>
+        <source>allowed: {known}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>alpha and power must be between 0 and 1</source>
+        <translation>alpha et la puissance doivent être entre 0 et 1</translation>
+    </message>
+    <message>
+        <source>analysing {measure}</source>
+        <translation>analyse de {measure}</translation>
+    </message>
+    <message>
+        <source>asks about feedbacks before the first trial</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>checking {name}</source>
+        <translation>vérification de {name}</translation>
+    </message>
+    <message>
+        <source>clipped samples: {force} of the accelerometer ({force_marked} of them not reconstructed, marked as not valid), {rate} of the gyro ({rate_marked})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>comparing needs two feedbacks or more</source>
+        <translation>un seul retour ne peut être comparé à rien</translation>
+    </message>
+    <message>
+        <source>computing checksums</source>
+        <translation>sommes de contrôle</translation>
+    </message>
+    <message>
+        <source>condition {key} is not in the study</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>converting</source>
+        <translation>conversion</translation>
+    </message>
+    <message>
+        <source>copying the clip</source>
+        <translation>copie du clip</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>terminé</translation>
+    </message>
+    <message>
+        <source>drawing the figures</source>
+        <translation>dessin des figures</translation>
+    </message>
+    <message>
+        <source>drawing the ride</source>
+        <translation>dessin du parcours</translation>
+    </message>
+    <message>
+        <source>drawing {name}</source>
+        <translation>dessin de {name}</translation>
+    </message>
+    <message>
+        <source>duplicate entry {twice!r}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>duplicate key {key!r}</source>
+        <translation>la clé {key!r} figure deux fois</translation>
+    </message>
+    <message>
+        <source>fifo</source>
+        <translation>FIFO</translation>
+    </message>
+    <message>
+        <source>fitting {axis}</source>
+        <translation>ajustement de {axis}</translation>
+    </message>
+    <message>
+        <source>found no order in which no sequence is played twice in a row</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>gone</source>
+        <translation>disparu</translation>
+    </message>
+    <message>
+        <source>has a different number of columns</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>has no question after a clip</source>
+        <translation>ne demande rien après une vidéo</translation>
+    </message>
+    <message>
+        <source>has records of version {found}, this program reads {version}</source>
+        <translation>contient des données de la version {found}, ce programme lit {version}</translation>
+    </message>
+    <message>
+        <source>heard</source>
+        <translation>entendu</translation>
+    </message>
+    <message>
+        <source>is damaged or missing, and the definition of the study has changed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is not UTF-8 text</source>
+        <translation>n’est pas du texte en UTF-8</translation>
+    </message>
+    <message>
+        <source>is not a question of this page</source>
+        <translation>n’est pas une question de cette page</translation>
+    </message>
+    <message>
+        <source>is not a session</source>
+        <translation>n’est pas une séance</translation>
+    </message>
+    <message>
+        <source>is not a valid key</source>
+        <translation>n&apos;est pas une clé valide</translation>
+    </message>
+    <message>
+        <source>is not the definition of a study</source>
+        <translation>ne décrit pas d’étude</translation>
+    </message>
+    <message>
+        <source>is not valid JSON ({reason})</source>
+        <translation>n’est pas du JSON valable ({reason})</translation>
+    </message>
+    <message>
+        <source>its frames of {width} x {height} pixels are too large (up to 8192 x 4320 are shown)</source>
+        <translation>ses images de {width} x {height} pixels sont trop grandes (jusqu’à 8192 x 4320 sont montrées)</translation>
+    </message>
+    <message>
         <source>its pixel format cannot be converted</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>listening</source>
+        <translation>écoute du son</translation>
+    </message>
+    <message>
+        <source>missing entry {name!r}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>must be a number from {least} to {most}</source>
+        <translation>demande un nombre de {least} à {most}</translation>
+    </message>
+    <message>
+        <source>must be a yes-no question</source>
+        <translation>n’est pas une question à répondre par oui ou non</translation>
+    </message>
+    <message>
+        <source>must be one of the choices</source>
+        <translation>a une réponse qui n’était pas proposée</translation>
     </message>
     <message>
         <source>must be {kind} {limit}</source>
@@ -5824,12 +5672,132 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>doit être {wanted}, et non {kind}</translation>
     </message>
     <message>
+        <source>must have 1 to {most} characters</source>
+        <translation>demande de 1 à {most} caractères</translation>
+    </message>
+    <message>
+        <source>must have 2 to {most} conditions, has {count}</source>
+        <translation>donne {count} conditions&#xa0;; de 2 à {most} sont possibles</translation>
+    </message>
+    <message>
+        <source>no data from the device yet</source>
+        <translation>pas encore de données de l’appareil</translation>
+    </message>
+    <message>
+        <source>no device</source>
+        <translation>aucun appareil</translation>
+    </message>
+    <message>
+        <source>no participant {code}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>aucun</translation>
+    </message>
+    <message>
+        <source>none of its frames can be decoded</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not confirmed</source>
+        <translation>non confirmé</translation>
+    </message>
+    <message>
+        <source>not yet</source>
+        <translation>pas encore</translation>
+    </message>
+    <message>
         <source>nothing is recorded: {reason}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>predicting excursions</source>
+        <translation>prévision des excursions</translation>
+    </message>
+    <message>
+        <source>reading the answers</source>
+        <translation>lecture des réponses</translation>
+    </message>
+    <message>
+        <source>reading {name}</source>
+        <translation>lecture de {name}</translation>
+    </message>
+    <message>
+        <source>remove the constraint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>remove the constraint or add sequences</source>
+        <translation>abandonnez la contrainte ou ajoutez des séquences</translation>
+    </message>
+    <message>
+        <source>remove the constraint or choose random or latin-square</source>
+        <translation>abandonnez la contrainte ou choisissez random ou latin-square</translation>
+    </message>
+    <message>
+        <source>removing gravity</source>
+        <translation>retrait de la pesanteur</translation>
+    </message>
+    <message>
+        <source>rename one of them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rendering the force</source>
+        <translation>calcul de la force</translation>
+    </message>
+    <message>
+        <source>restore the old sequence, or stop this session</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>riding</source>
+        <translation>parcours</translation>
+    </message>
+    <message>
+        <source>session {code}: {key} was left out; it is not in the definition</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>simulated {begin} of {studies} studies</source>
+        <translation>{begin} études simulées sur {studies}</translation>
+    </message>
+    <message>
+        <source>skipping a step needs a reason</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>slice</source>
+        <translation>slice</translation>
+    </message>
+    <message>
         <source>spikes removed from {force} accelerometer, {rate} gyro, {field} magnetometer samples; {kept} samples stood out and were left as motion</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>start a new session</source>
+        <translation>commencez-en une nouvelle</translation>
+    </message>
+    <message>
+        <source>starting</source>
+        <translation>démarrage</translation>
+    </message>
+    <message>
+        <source>synchronising</source>
+        <translation>synchronisation</translation>
+    </message>
+    <message>
+        <source>the clip is damaged: some of its frames are missing or broken</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the columns must be {columns}</source>
+        <translation>les colonnes doivent être {columns}</translation>
+    </message>
+    <message>
+        <source>the current page is {page}, not {expected}</source>
+        <translation>c’est la page {page}, pas {expected}</translation>
     </message>
     <message>
         <source>the guard could not be started: {reason}</source>
@@ -5860,12 +5828,76 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>there are no frames to write</source>
+        <translation>il n’y a pas d’images à écrire</translation>
+    </message>
+    <message>
         <source>there are no participants</source>
         <translation>il n&apos;y a aucun participant</translation>
     </message>
     <message>
+        <source>there is no judgement to analyse</source>
+        <translation>il n’y a pas de jugement à analyser</translation>
+    </message>
+    <message>
+        <source>unknown entry {name!r}</source>
+        <translation>a l’entrée inconnue {name!r}</translation>
+    </message>
+    <message>
+        <source>unknown format {name!r}; choose one of {known}</source>
+        <translation>format inconnu {name!r} ; choisissez parmi {known}</translation>
+    </message>
+    <message>
+        <source>unknown sequence {key!r}; choose one of {known}</source>
+        <translation>il n’y a pas de séquence {key!r}&#xa0;; il y a {known}</translation>
+    </message>
+    <message>
+        <source>unknown template {name!r}; choose one of {known}</source>
+        <translation>il n’y a pas de modèle {name!r}&#xa0;; il y a {known}</translation>
+    </message>
+    <message>
+        <source>was written by another version of the program</source>
+        <translation>est d’une autre version du programme</translation>
+    </message>
+    <message>
+        <source>writing</source>
+        <translation>écriture</translation>
+    </message>
+    <message>
+        <source>writing the logs</source>
+        <translation>écriture des journaux</translation>
+    </message>
+    <message>
+        <source>writing the numbers</source>
+        <translation>écriture des nombres</translation>
+    </message>
+    <message>
+        <source>writing {file}</source>
+        <translation>écriture de {file}</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>oui</translation>
+    </message>
+    <message>
+        <source>{device}, {state}</source>
+        <translation>{device}, {state}</translation>
+    </message>
+    <message>
+        <source>{early} of {count} sessions have answers but were not completed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{empty} of {count} sessions have no answers</source>
         <translation>{empty} sessions sur {count} n&apos;ont aucune réponse</translation>
+    </message>
+    <message>
+        <source>{file}: is damaged; the definition of the study was used</source>
+        <translation>{file}&#xa0;: est endommagé&#xa0;; la définition de l’étude a été utilisée</translation>
+    </message>
+    <message>
+        <source>{free_gb:.1f} GB free</source>
+        <translation>{free_gb:.1f} Go libres</translation>
     </message>
     <message>
         <source>{name!r} is not a plain file name</source>
@@ -5964,6 +5996,10 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>{path}&#xa0;: {reason}</translation>
     </message>
     <message>
+        <source>{percent} %</source>
+        <translation>{percent}&#xa0;%</translation>
+    </message>
+    <message>
         <source>{place} was left out, as its time is more than an hour apart</source>
         <translation>la {place} a été omise, car son temps est à plus d’une heure des autres</translation>
     </message>
@@ -5973,15 +6009,27 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>{reason}; the copy in the journal was used</source>
-        <translation>{reason}&#xa0;; la copie parmi les réponses a été utilisée</translation>
-    </message>
-    <message>
-        <source>{scenario!r} is no ride; choose one of {known}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{scripted} of {count} sessions are simulated</source>
         <translation>{scripted} séances sur {count} sont simulées&#xa0;: personne n’y était</translation>
+    </message>
+    <message>
+        <source>{value!r} is not allowed</source>
+        <translation>est {value!r}</translation>
+    </message>
+    <message>
+        <source>{width_px} x {height_px}, {refresh_hz:.0f} Hz, screens: {screens}</source>
+        <translation>{width_px} × {height_px}, {refresh_hz:.0f} Hz&#xa0;; écrans&#xa0;: {screens}</translation>
+    </message>
+    <message>
+        <source>{width} x {height} pixels are too large for a frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{scenario!r} is no ride; choose one of {known}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{share:.1%} of the force samples reach the force limit</source>
@@ -6000,16 +6048,12 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>{source}&#xa0;: en bon état, mais aucun des micrologiciels connus ({known}&#xa0;; SHA-256 {sha256}...)&#xa0;; il ferait tourner les moteurs&#xa0;: dites que vous le voulez (--accept-unknown)</translation>
     </message>
     <message>
-        <source>{text!r} is not a participant&apos;s code</source>
-        <translation>{text!r} n’est pas le code d’un participant</translation>
-    </message>
-    <message>
-        <source>{width} x {height} pixels are too large for a frame</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>{text!r} is not a number</source>
         <translation>{text!r} n’est pas un nombre</translation>
+    </message>
+    <message>
+        <source>{text!r} is not a participant&apos;s code</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{text} is not a finite number</source>

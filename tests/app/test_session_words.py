@@ -3,10 +3,9 @@
 import pytest
 
 from app.bridge import languages
-from app.experimenter.start_panel import found_text, reason_text
+from app.experimenter.start_panel import reason_text
 from app.player.remake import dress
 from hapticplayer.haptics.contract import Cause
-from hapticplayer.study.preflight import SessionCheck
 
 REASONS = [
     "paused",
@@ -61,23 +60,3 @@ def test_every_fault_is_told_in_words(spoken, language):
     assert [code for code, text in told.items() if f"({code})" in text] == (
         ["unplugged"] if language == "en" else []
     )
-
-
-def test_checks_are_told_in_german(spoken):
-    spoken("de")
-    found = {
-        "device": "simulated, starting",
-        "homed": "not yet",
-        "scheduling": "normal",
-        "screen": "1920 x 1080, 60 Hz, screens: 1",
-        "disk": "72094 MB free",
-    }
-    told = {
-        name: found_text(SessionCheck(name, False, what))
-        for name, what in found.items()
-    }
-    assert told["disk"] == "72,1 GB frei"
-    assert told["screen"] == "1920 \u00d7 1080, 60 Hz; Bildschirme insgesamt: 1"
-    assert not {"starting", "not yet"} & {
-        w for t in told.values() for w in t.split(", ")
-    }

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from hapticplayer import __version__
+from hapticplayer.errors import Message
 from hapticplayer.study.analysis.aligned_ranks import ALIGNED_RANKS
 from hapticplayer.study.analysis.describing import Resampling, Summary, summarize
 from hapticplayer.study.analysis.friedman import CONOVER, FRIEDMAN, NEMENYI
@@ -125,7 +126,10 @@ def analyse(
     measures: dict[str, MeasureAnalysis] = {}
     found: dict[str, dict[str, Any]] = {name: {} for name in STATISTICS}
     for number, measure in enumerate(scores.measures):
-        progress(number / len(scores.measures), f"analysing {measure}")
+        progress(
+            number / len(scores.measures),
+            Message("analysing {measure}", measure=measure),
+        )
         measures[measure] = described = _described(scores, measure, options)
         for name, statistic in STATISTICS.items():
             one = statistic.compute(described.sample, options.resampling)

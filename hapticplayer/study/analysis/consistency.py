@@ -13,7 +13,7 @@ from typing import Literal
 import numpy as np
 from scipy import stats
 
-from hapticplayer.errors import InputError
+from hapticplayer.errors import InputError, Message
 from hapticplayer.model.arrays import Floats
 from hapticplayer.study.analysis.analysis import AnalysisOptions, Progress
 from hapticplayer.study.analysis.describing import CONFIDENCE
@@ -136,7 +136,7 @@ def analyse_consistency(
         raise InputError("there is no judgement to analyse")
     axes: dict[Axis, AxisAnalysis] = {}
     for place, axis in enumerate(_AXES):
-        progress(place / 2.0, f"fitting {axis}")
+        progress(place / 2.0, Message("fitting {axis}", axis=axis))
         on_axis = [one for one in counted if _is_on(one, axis)]
         if len({getattr(one, axis) for one in on_axis}) > 1:
             axes[axis] = _axis(axis, on_axis, answers, options)

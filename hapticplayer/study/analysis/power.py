@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from scipy import stats
 
-from hapticplayer.errors import UsageError
+from hapticplayer.errors import Message, UsageError
 from hapticplayer.model.arrays import Floats
 from hapticplayer.study.analysis.friedman import chi_squares
 from hapticplayer.study.analysis.scores import Sample
@@ -120,7 +120,14 @@ def find_power(
     hits = np.zeros((len(pairs) + 2, len(sizes)))
     rng = np.random.default_rng(goal.seed)
     for begin in range(0, goal.studies, _BLOCK):
-        progress(begin / goal.studies, f"simulated {begin} of {goal.studies} studies")
+        progress(
+            begin / goal.studies,
+            Message(
+                "simulated {begin} of {studies} studies",
+                begin=begin,
+                studies=goal.studies,
+            ),
+        )
         count = min(_BLOCK, goal.studies - begin)
         values = draw(count, goal.largest, rng)
         for place, size in enumerate(sizes):

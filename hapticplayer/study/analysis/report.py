@@ -7,6 +7,7 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from hapticplayer.errors import Message
 from hapticplayer.sequence import files
 from hapticplayer.study import private
 from hapticplayer.study.analysis import consistency_report, contents, figures
@@ -103,7 +104,7 @@ def write_report(
     parts = parts_of(analysis)
     with files.written_aside(target, private.FOLDER_MODE) as aside:
         for place, (name, figure) in enumerate(parts.draw().items()):
-            progress(0.2 + 0.2 * place, f"drawing {name}")
+            progress(0.2 + 0.2 * place, Message("drawing {name}", name=name))
             for suffix in figures.FORMATS:
                 content = figures.image(figure, suffix)
                 (aside / f"{name}{suffix}").write_bytes(content)
@@ -111,11 +112,11 @@ def write_report(
             {path.stem: path.read_bytes() for path in sorted(aside.glob(pattern))}
             for pattern in ("*.svg", "*.png")
         )
-        progress(0.6, "writing report.html")
+        progress(0.6, Message("writing {file}", file="report.html"))
         _write_text(aside / "report.html", page(title, parts.blocks, svgs))
-        progress(0.7, "writing report.pdf")
+        progress(0.7, Message("writing {file}", file="report.pdf"))
         write_pdf(aside / "report.pdf", title, parts.blocks, pngs)
-        progress(0.9, "writing the numbers")
+        progress(0.9, Message("writing the numbers"))
         files.write_json(aside / "numbers.json", parts.numbers)
         for name, rows in parts.tables.items():
             out = io.StringIO()
