@@ -15,7 +15,7 @@ from hapticplayer.study.creation import create_study
 from hapticplayer.study.pages import PageKind
 from hapticplayer.study.study_folder import begin_session, open_study
 from tests.unit.study.conftest import VALUES
-from tests.unit.study.test_runner import Sitting
+from tests.unit.study.test_runner import RunningSession
 
 MOST_TRIALS = 12
 SIZE = "256k"
@@ -41,16 +41,16 @@ def fill(disk: Path) -> Path:
     return filler
 
 
-def sit_until_stopped(sitting: Sitting) -> int:
+def answer_until_stopped(running: RunningSession) -> int:
     """Answer trial after trial; return how many answers were accepted."""
     for accepted in range(MOST_TRIALS):
-        sitting.runner.proceed()
-        if sitting.kind is PageKind.PLAYING:
-            sitting.stage.ended = True
-            sitting.runner.poll()
-        if sitting.kind is PageKind.QUESTIONS:
-            sitting.runner.answer(VALUES)
-        if sitting.kind is PageKind.PROBLEM:
+        running.runner.proceed()
+        if running.kind is PageKind.PLAYING:
+            running.stage.ended = True
+            running.runner.poll()
+        if running.kind is PageKind.QUESTIONS:
+            running.runner.answer(VALUES)
+        if running.kind is PageKind.PROBLEM:
             return accepted
     return MOST_TRIALS
 
@@ -59,43 +59,43 @@ def full(disk: Path) -> dict:
     """Fill the disk in the middle of a session, then make room again."""
     mount(disk, f"size={SIZE}")
     study = create_study(disk / "study")
-    sitting = Sitting(study, ManualClock())
-    sitting.to_trials()
-    sitting.trial()
+    running = RunningSession(study, ManualClock())
+    running.to_trials()
+    running.trial()
     filler = fill(disk)
-    accepted = 1 + sit_until_stopped(sitting)
+    accepted = 1 + answer_until_stopped(running)
     told = {
-        "kind": sitting.kind.value,
-        "problem": sitting.runner.problem,
+        "kind": running.kind.value,
+        "problem": running.runner.problem,
         "accepted": accepted,
-        "kept": count(sitting),
-        "halts": sitting.stage.halts,
+        "kept": count(running),
+        "halts": running.stage.halts,
     }
     filler.unlink()
-    sitting.runner.retry()
-    told["after"] = sitting.kind.value
-    sitting.runner.stage.rearm()
-    while sitting.kind is not PageKind.THANKS:
-        finish(sitting)
-    return {**told, "kept_in_the_end": count(sitting)}
+    running.runner.retry()
+    told["after"] = running.kind.value
+    running.runner.stage.rearm()
+    while running.kind is not PageKind.THANKS:
+        finish(running)
+    return {**told, "kept_in_the_end": count(running)}
 
 
-def finish(sitting: Sitting) -> None:
+def finish(running: RunningSession) -> None:
     """Do what the page asks for."""
-    if sitting.kind is PageKind.READY:
-        sitting.runner.proceed()
-    elif sitting.kind is PageKind.PLAYING:
-        sitting.stage.ended = True
-        sitting.runner.poll()
-    elif sitting.runner.condition is not None:
-        sitting.runner.answer(VALUES)
+    if running.kind is PageKind.READY:
+        running.runner.proceed()
+    elif running.kind is PageKind.PLAYING:
+        running.stage.ended = True
+        running.runner.poll()
+    elif running.runner.condition is not None:
+        running.runner.answer(VALUES)
     else:
-        sitting.runner.answer({"tiring": "no"})
+        running.runner.answer({"tiring": "no"})
 
 
-def count(sitting: Sitting) -> int:
+def count(running: RunningSession) -> int:
     """Return for how many trials answers are on the disk, read anew."""
-    intact = sitting.records().intact
+    intact = running.records().intact
     steps = {r.content["step"] for r in intact if r.kind == "answers"}
     return sum(step.startswith("trial-") for step in steps)
 
@@ -104,15 +104,15 @@ def read_only(disk: Path) -> dict:
     """Begin a session, and go on with one, where nothing may be written."""
     mount(disk, f"size={SIZE}")
     study = create_study(disk / "study")
-    sitting = Sitting(study, ManualClock())
-    sitting.to_trials()
-    sitting.trial()
-    sitting.runner.close()
+    running = RunningSession(study, ManualClock())
+    running.to_trials()
+    running.trial()
+    running.runner.close()
     mount(disk, "remount,ro")
     study = open_study(disk / "study")
     attempts = {
         "begin": lambda: begin_session(study, "en", {}, ManualClock()),
-        "resume": lambda: Sitting(study, ManualClock(), sitting.code),
+        "resume": lambda: RunningSession(study, ManualClock(), running.code),
     }
     told = {}
     for name, attempt in attempts.items():
@@ -120,7 +120,7 @@ def read_only(disk: Path) -> dict:
             attempt()
         except StudyError as problem:
             told[name] = str(problem)
-    return {**told, "kept": count(sitting), "sessions": len(study.codes())}
+    return {**told, "kept": count(running), "sessions": len(study.codes())}
 
 
 if __name__ == "__main__":

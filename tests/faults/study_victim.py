@@ -15,16 +15,16 @@ from hapticplayer.clock import SystemClock
 from hapticplayer.study.pages import PageKind
 from hapticplayer.study.study_folder import open_study
 from tests.unit.study.conftest import SHEET, VALUES
-from tests.unit.study.test_runner import Sitting
+from tests.unit.study.test_runner import RunningSession
 
 
 def say(text: str) -> None:
     os.write(1, f"{text}\n".encode())
 
 
-def answer(sitting: Sitting) -> None:
+def answer(running: RunningSession) -> None:
     """Answer a page with values that tell which it is."""
-    page, runner = sitting.runner.page, sitting.runner
+    page, runner = running.runner.page, running.runner
     if runner.condition is not None:
         values = {**VALUES, "comfort": 1 + page.position % 5}
     else:
@@ -38,22 +38,22 @@ def answer(sitting: Sitting) -> None:
 
 def run(folder: Path, code: str, answers: int, delay_s: float) -> None:
     """Run or resume a session. The default action of SIGALRM ends a process at once."""
-    sitting, given = Sitting(open_study(folder), SystemClock(), code), 0
-    say(f"code {sitting.code}")
-    while sitting.kind is not PageKind.THANKS:
+    running, given = RunningSession(open_study(folder), SystemClock(), code), 0
+    say(f"code {running.code}")
+    while running.kind is not PageKind.THANKS:
         if given >= answers and not signal.getitimer(signal.ITIMER_REAL)[0]:
             signal.setitimer(signal.ITIMER_REAL, delay_s)
-        if sitting.kind is PageKind.CONSENT:
-            sitting.runner.consent(given=True)
-        elif sitting.kind is PageKind.QUESTIONS:
-            answer(sitting)
+        if running.kind is PageKind.CONSENT:
+            running.runner.consent(given=True)
+        elif running.kind is PageKind.QUESTIONS:
+            answer(running)
             given += 1
-        elif sitting.kind is PageKind.PLAYING:
-            sitting.stage.ended = True
-            sitting.runner.poll()
+        elif running.kind is PageKind.PLAYING:
+            running.stage.ended = True
+            running.runner.poll()
         else:
-            sitting.runner.stage.rearm()
-            sitting.runner.proceed()
+            running.runner.stage.rearm()
+            running.runner.proceed()
     say("end")
 
 
