@@ -14,6 +14,7 @@ from hapticplayer.media.clip_info import probe
 from hapticplayer.media.encode import write_clip
 from hapticplayer.model import STANDARD_GRAVITY_MPS2, ClockMap, ImuLog
 from hapticplayer.model import quaternions as quat
+from hapticplayer.playback.player import ClipPlayback, Player
 from hapticplayer.sequence.build import Choices, write_sequence
 
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
@@ -41,6 +42,11 @@ def shared_data() -> Path:
     if not SHARED_DATA.is_dir():
         pytest.skip("the real recordings (../shared/data) are not on this machine")
     return SHARED_DATA
+
+
+def clip_of(player: Player) -> ClipPlayback:
+    """Return what a player keeps to itself: the one place that looks inside."""
+    return player._clip
 
 
 @pytest.fixture

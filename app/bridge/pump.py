@@ -75,22 +75,23 @@ class Pump(QObject):
         self._last_gap_s = float("-inf")
         self._due_s = float("-inf")
         self._is_running = False
-        self._timer = QTimer(self)
-        self._timer.setSingleShot(True)
-        self._timer.setTimerType(Qt.TimerType.PreciseTimer)
-        self._timer.timeout.connect(self._beat)
+        self.timer = QTimer(self)
+        self.timer.setSingleShot(True)
+        self.timer.setTimerType(Qt.TimerType.PreciseTimer)
+        self.timer.timeout.connect(self.beat)
 
     def start(self) -> None:
         """Begin to call."""
         self._is_running = True
-        self._timer.start(0)
+        self.timer.start(0)
 
     def stop(self) -> None:
         """Call no more."""
         self._is_running = False
-        self._timer.stop()
+        self.timer.stop()
 
-    def _beat(self) -> None:
+    def beat(self) -> None:
+        """Poll the player if it is due, and come back when it is again."""
         if self._due_s - self._clock.now_s() <= NAP_S:
             self._clock.sleep_until(self._due_s)
         next_s = self._clock.now_s()
@@ -100,7 +101,7 @@ class Pump(QObject):
         finally:
             self._due_s = next_s
             if self._is_running:
-                self._timer.start(delay_ms(next_s - self._clock.now_s()))
+                self.timer.start(delay_ms(next_s - self._clock.now_s()))
 
     def _fill_gap(self, next_s: float) -> None:
         now_s = self._clock.now_s()

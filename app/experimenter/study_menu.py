@@ -109,7 +109,7 @@ class StudyMenu(QObject):
     ) -> None:
         super().__init__(window)
         self._window, self._clock = window, clock
-        self._report, self._release, self._settings = report, release, settings
+        self.report, self._release, self._settings = report, release, settings
         self.process = StudyProcess(self)
         self.process.ended.connect(self._on_ended)
         menu = QMenu(translate("StudyMenu", "&Study"), window)
@@ -147,7 +147,7 @@ class StudyMenu(QObject):
 
     def edit(self) -> None:
         """Ask for a study, and open the editor."""
-        folder = self._ask()
+        folder = self.ask_folder()
         if folder:
             self._try(lambda: self._open_editor(folder))
 
@@ -161,7 +161,7 @@ class StudyMenu(QObject):
 
     def run(self) -> None:
         """Run a participant in a program of its own: nothing else shares its time."""
-        folder = None if self.process.is_running else self._ask()
+        folder = None if self.process.is_running else self.ask_folder()
         if folder is not None:
             self._try(lambda: self._start(folder))
 
@@ -182,11 +182,11 @@ class StudyMenu(QObject):
     def _on_ended(self, problem: str) -> None:
         self.running.emit(False)
         if problem:
-            self._report(StudyError(problem))
+            self.report(StudyError(problem))
 
     def analyse(self) -> None:
         """Ask for a study, and show its report."""
-        folder = self._ask()
+        folder = self.ask_folder()
         if folder:
             self._try(lambda: self._open_report(folder))
 
@@ -211,7 +211,8 @@ class StudyMenu(QObject):
         for report in self._window.findChildren(QMainWindow):
             report.close()
 
-    def _ask(self) -> Path | None:
+    def ask_folder(self) -> Path | None:
+        """Return the folder of a study that a person chose."""
         folder = QFileDialog.getExistingDirectory(
             self._window,
             translate("StudyMenu", "Folder of a study"),
@@ -225,4 +226,4 @@ class StudyMenu(QObject):
         try:
             action()
         except HapticPlayerError as problem:
-            self._report(problem)
+            self.report(problem)

@@ -35,16 +35,16 @@ class ParticipantWindow(QWidget):
         self.content: TextPage | QuestionsPage | None = None
         self._leaving: TextPage | QuestionsPage | None = None
         self._runner: SessionRunner | None = None
-        self._shown = -1
+        self.shown_number = -1
         self._kind = PageKind.READY
         self._drafts: dict[str, dict[str, Any]] = {}
         self._may_close = False
-        self._stack = QStackedWidget()
-        self._stack.addWidget(surface)
-        column_of(self._stack, of=self)
-        self._guard = QTimer(self)
-        self._guard.setSingleShot(True)
-        self._guard.setInterval(GUARD_MS)
+        self.pages = QStackedWidget()
+        self.pages.addWidget(surface)
+        column_of(self.pages, of=self)
+        self.guard = QTimer(self)
+        self.guard.setSingleShot(True)
+        self.guard.setInterval(GUARD_MS)
         self._escape = EscapeEverywhere(lambda: self.halt("escape"), self)
         self._escape.install()
         application = QGuiApplication.instance()
@@ -53,7 +53,7 @@ class ParticipantWindow(QWidget):
 
     def follow(self, runner: SessionRunner) -> None:
         """Show this session from now on."""
-        self._runner, self._shown = runner, -1
+        self._runner, self.shown_number = runner, -1
         self._drafts = {}
         self.refresh()
 
@@ -62,14 +62,14 @@ class ParticipantWindow(QWidget):
         if self._runner is None:
             return
         page = self._runner.page
-        if page.number == self._shown:
+        if page.number == self.shown_number:
             return
         self._keep_draft()
-        self._shown, self._kind = page.number, page.kind
+        self.shown_number, self._kind = page.number, page.kind
         if page.kind is PageKind.PLAYING:
             self._show_clip()
         else:
-            self._show_page(page)
+            self.show_page(page)
 
     def _keep_draft(self) -> None:
         if isinstance(self.content, QuestionsPage):
@@ -77,19 +77,20 @@ class ParticipantWindow(QWidget):
 
     def _show_clip(self) -> None:
         self._drop_content()
-        self._stack.setCurrentWidget(self.surface)
+        self.pages.setCurrentWidget(self.surface)
         self.setCursor(Qt.CursorShape.BlankCursor)
         self.surface.setFocus()
 
-    def _show_page(self, page: Page) -> None:
+    def show_page(self, page: Page) -> None:
+        """Show a page in place of the one before."""
         self.unsetCursor()
         made = self._make(page)
         self._drop_content()
         self.content = made
         made.setObjectName(page.step)
-        self._stack.addWidget(made)
-        self._stack.setCurrentWidget(made)
-        self._guard.start()
+        self.pages.addWidget(made)
+        self.pages.setCurrentWidget(made)
+        self.guard.start()
         made.focus()
 
     def _drop_content(self) -> None:
@@ -99,7 +100,7 @@ class ParticipantWindow(QWidget):
         """
         if self.content is not None:
             self._leaving = self.content
-            self._stack.removeWidget(self.content)
+            self.pages.removeWidget(self.content)
             self.content.hide()
             self.content.deleteLater()
             self.content = None
@@ -140,7 +141,7 @@ class ParticipantWindow(QWidget):
         runner, page = self._runner, self.content
         if runner is None or not isinstance(page, QuestionsPage):
             return
-        if self._guard.isActive():
+        if self.guard.isActive():
             return
         try:
             runner.answer(page.values())
@@ -152,7 +153,7 @@ class ParticipantWindow(QWidget):
         self.refresh()
 
     def _do(self, action: Callable[[], None]) -> None:
-        if not self._guard.isActive():
+        if not self.guard.isActive():
             action()
             self.refresh()
 

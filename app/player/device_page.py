@@ -85,7 +85,7 @@ class DevicePage(QDialog):
     ) -> None:
         super().__init__(parent)
         self._clock, self._device = clock, device
-        self._player: ForcePlayer | None = None
+        self.force_player: ForcePlayer | None = None
         self._unhomed_polls = 0
         self._track, self._steps = demonstration(find_device(device).capabilities)
         self.sign, self.text = QLabel(), paragraph(is_centred=True, lines=4)
@@ -112,14 +112,14 @@ class DevicePage(QDialog):
     @property
     def is_running(self) -> bool:
         """Whether a device is held."""
-        return self._player is not None
+        return self.force_player is not None
 
     def begin(self) -> None:
         """Take the device and begin."""
-        if self._player is not None:
+        if self.force_player is not None:
             return
         try:
-            self._player = ForcePlayer(self._clock, self._device, self._track)
+            self.force_player = ForcePlayer(self._clock, self._device, self._track)
         except HapticPlayerError as problem:
             self._show_end(translated(message_of(problem)))
             return
@@ -129,8 +129,8 @@ class DevicePage(QDialog):
 
     def stop(self) -> None:
         """Take the force away and let go of the device."""
-        if self._player is not None:
-            self._player.stop()
+        if self.force_player is not None:
+            self.force_player.stop()
             self._end(self.tr("Stopped."))
 
     def reject(self) -> None:
@@ -155,7 +155,7 @@ class DevicePage(QDialog):
         fill_page(self, self.sign, self.text, self.progress, buttons)
 
     def _poll(self) -> None:
-        player = self._player
+        player = self.force_player
         if player is None:
             return
         player.poll()
@@ -196,7 +196,7 @@ class DevicePage(QDialog):
 
     def _end(self, text: str) -> None:
         self._timer.stop()
-        player, self._player = self._player, None
+        player, self.force_player = self.force_player, None
         if player is not None:
             player.close()
         self._show_end(text)

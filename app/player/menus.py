@@ -97,16 +97,16 @@ class ChoiceMenu(QObject):
         choose: Callable[[str], None],
     ) -> None:
         super().__init__(menu)
-        self._menu = menu
+        self.menu = menu
         self._entries, self._chosen, self._choose = entries, chosen, choose
         menu.aboutToShow.connect(self.fill)
 
     def fill(self) -> None:
         """Find the entries."""
-        self._menu.clear()
-        group = QActionGroup(self._menu)
+        self.menu.clear()
+        group = QActionGroup(self.menu)
         for value, text in self._entries():
-            action = self._menu.addAction(shortened(text))
+            action = self.menu.addAction(shortened(text))
             action.setCheckable(True)
             action.setChecked(value == self._chosen())
             action.setData(value)
@@ -121,22 +121,22 @@ class RecentMenu(QObject):
         self, menu: QMenu, history: History, open_path: Callable[[Path], None]
     ) -> None:
         super().__init__(menu)
-        self._menu, self._history, self._open = menu, history, open_path
+        self.menu, self._history, self._open = menu, history, open_path
         menu.aboutToShow.connect(self.fill)
 
     def fill(self) -> None:
         """List the paths."""
-        self._menu.clear()
+        self.menu.clear()
         for path in self._history.recent():
-            action = self._menu.addAction(shortened(path.name or str(path)))
+            action = self.menu.addAction(shortened(path.name or str(path)))
             action.setToolTip(str(path))
             action.setEnabled(path.exists())
             action.triggered.connect(lambda _=False, path=path: self._open(path))
-        self._menu.addSeparator()
-        clear = QAction(self.tr("Forget all"), self._menu)
+        self.menu.addSeparator()
+        clear = QAction(self.tr("Forget all"), self.menu)
         clear.setEnabled(bool(self._history.recent()))
         clear.triggered.connect(self._history.forget)
-        self._menu.addAction(clear)
+        self.menu.addAction(clear)
 
 
 def screen_names() -> list[tuple[str, str]]:

@@ -107,7 +107,7 @@ class SetupPage(QDialog):
 
     def choose_firmware(self) -> None:
         """Ask for the firmware's file."""
-        ask_for_firmware(self, self.begin, self._on_no_firmware)
+        ask_for_firmware(self, self.begin, self.on_no_firmware)
 
     def freeze(self, progress: Progress) -> None:
         """Show this from now on, for a picture in a book."""
@@ -225,7 +225,8 @@ class SetupPage(QDialog):
     def _on_trouble(self, problem: BaseException) -> None:
         self._progress, self._trouble, self._ways = None, trouble(problem), Ways()
 
-    def _on_no_firmware(self, why: str) -> None:
+    def on_no_firmware(self, why: str) -> None:
+        """Say why a file is no firmware."""
         self._trouble = Trouble(self.tr("That file cannot be used"), why, False)
 
     def _on_plugged(self) -> None:

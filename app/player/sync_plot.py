@@ -90,7 +90,7 @@ class SyncPlot(QWidget):
             painter.fillRect(self.rect(), QColor(theme.PANEL))
             painter.setPen(QColor(theme.BORDER))
             painter.drawLine(0, 0, self.width(), 0)
-            area = self._area()
+            area = self.plot_area()
             self._draw_band(painter, area)
             traces = (self.picture, self.sound)
             for trace, colour in zip(traces, _colours(), strict=True):
@@ -103,7 +103,7 @@ class SyncPlot(QWidget):
             (self.tr("Force \u2212 sound"), self.sound),
         ]
 
-    def _area(self) -> QRectF:
+    def plot_area(self) -> QRectF:
         """Return where the points go: beside the numbers, under the legend."""
         metrics = self.fontMetrics()
         left_px = metrics.horizontalAdvance("\u221288 ms") + 2 * _EDGE_PX
@@ -112,18 +112,19 @@ class SyncPlot(QWidget):
         return QRectF(left_px, top_px, width_px, self.height() - top_px - 2 * _EDGE_PX)
 
     @staticmethod
-    def _y(area: QRectF, later_ms: float) -> float:
+    def height_of(area: QRectF, later_ms: float) -> float:
+        """Return where a difference lies, px."""
         share = (later_ms - LOWEST_MS) / (HIGHEST_MS - LOWEST_MS)
         return area.bottom() - share * area.height()
 
     def _draw_band(self, painter: QPainter, area: QRectF) -> None:
-        top, bottom = self._y(area, LATE_MS), self._y(area, EARLY_MS)
+        top, bottom = self.height_of(area, LATE_MS), self.height_of(area, EARLY_MS)
         band = QColor(theme.GOOD)
         band.setAlpha(_BAND_ALPHA)
         painter.fillRect(QRectF(area.left(), top, area.width(), bottom - top), band)
         high_px = self.fontMetrics().height()
         for mark_ms in _MARKS_MS:
-            y = self._y(area, mark_ms)
+            y = self.height_of(area, mark_ms)
             painter.setPen(QColor(theme.ZERO if mark_ms == 0.0 else theme.GRID))
             painter.drawLine(QPointF(area.left(), y), QPointF(area.right(), y))
             painter.setPen(QColor(theme.DIM))
@@ -140,7 +141,7 @@ class SyncPlot(QWidget):
         across = area.right() - np.clip(trace.ages_s, 0, SPAN_S) / SPAN_S * area.width()
         held_ms = np.clip(trace.later_ms, LOWEST_MS, HIGHEST_MS)
         points = zip(across.tolist(), held_ms.tolist(), strict=True)
-        painter.drawPoints([QPointF(x, self._y(area, ms)) for x, ms in points])
+        painter.drawPoints([QPointF(x, self.height_of(area, ms)) for x, ms in points])
 
     def _draw_legend(self, painter: QPainter, area: QRectF) -> None:
         metrics, x = self.fontMetrics(), area.left()

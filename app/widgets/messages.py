@@ -43,13 +43,13 @@ class MessageBar(QFrame):
         # a long path must neither widen the window nor be cut off
         self._text.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Minimum)
         self._text.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
-        self._close = text_button(self.tr("Close"), self.tr("Hide this message"))
-        self._close.clicked.connect(self.hide)
+        self.close_button = text_button(self.tr("Close"), self.tr("Hide this message"))
+        self.close_button.clicked.connect(self.hide)
         self.copy = text_button(
             self.tr("Copy"), self.tr("Copy it, in English too, to report")
         )
         self.copy.clicked.connect(self._copy)
-        parts = (self._sign, (self._text, 1), self.copy, self._close)
+        parts = (self._sign, (self._text, 1), self.copy, self.close_button)
         row_of(*parts, margins=(12, 6, 8, 6), of=self)
         self.hide()
 
@@ -106,16 +106,16 @@ class JobBar(QFrame):
             f"border: 0; border-bottom: 1px solid {theme.BORDER}; }}"
         )
         self._since_s: float | None = None
-        self._label = ElidedLabel()
+        self.text_label = ElidedLabel()
         self._bar = QProgressBar()
         self._bar.setRange(0, _PARTS)
         self._bar.setFormat(PERCENT)
         self._bar.setFixedWidth(240)
-        self._cancel = text_button(
+        self.cancel_button = text_button(
             self.tr("Cancel"), self.tr("Stop this work; nothing is left behind")
         )
-        self._cancel.clicked.connect(self._on_cancel)
-        parts = ((self._label, 1), self._bar, self._cancel)
+        self.cancel_button.clicked.connect(self._on_cancel)
+        parts = ((self.text_label, 1), self._bar, self.cancel_button)
         row_of(*parts, spacing=12, margins=(12, 6, 8, 6), of=self)
         self.hide()
 
@@ -128,20 +128,20 @@ class JobBar(QFrame):
         """
         if state is None:
             self._since_s = None
-            self._cancel.setEnabled(True)
+            self.cancel_button.setEnabled(True)
             self.hide()
             return
         if self._since_s is None:
             self._since_s = now_s
         text = job_text(state)
-        self._label.set_text(text)
+        self.text_label.set_text(text)
         self._bar.setValue(round(_PARTS * min(1.0, max(0.0, state.fraction))))
         self._bar.setAccessibleName(text)
         if self.isHidden() and now_s - self._since_s >= _AT_ONCE_S:
             self.show()
 
     def _on_cancel(self) -> None:
-        self._cancel.setEnabled(False)
+        self.cancel_button.setEnabled(False)
         self.cancelled.emit()
 
 

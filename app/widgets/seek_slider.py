@@ -42,8 +42,8 @@ class SeekSlider(QSlider):
         self.setSingleStep(_STEP_MS)
         self.setPageStep(_PAGE_MS)
         self._painted_px = -1
-        self._heat: QImage | None = None
-        self._marks_s: tuple[float, ...] = ()
+        self.heat: QImage | None = None
+        self.marks_s: tuple[float, ...] = ()
         self.setMouseTracking(True)
 
     def set_duration(self, duration_s: float) -> None:
@@ -53,13 +53,13 @@ class SeekSlider(QSlider):
 
     def set_heat(self, heat: QImage | None) -> None:
         """Show a strip under the bar, one row of pixels over the whole clip."""
-        self._heat = heat
+        self.heat = heat
         self.update()
 
     def set_marks(self, marks_s: tuple[float, ...]) -> None:
         """Show where a loop begins and ends."""
-        if marks_s != self._marks_s:
-            self._marks_s = marks_s
+        if marks_s != self.marks_s:
+            self.marks_s = marks_s
             self.update()
 
     def follow(self, media_s: float) -> None:
@@ -155,9 +155,9 @@ class SeekSlider(QSlider):
     def _paint_extras(self, painter: QPainter) -> None:
         """Draw the strip under the groove, and the marks of a loop through both."""
         span_px, bottom = self.width() - 2 * _HANDLE_PX, self.height() - 1.0
-        if self._heat is not None:
+        if self.heat is not None:
             strip = QRectF(_HANDLE_PX, bottom - _HEAT_PX, span_px, _HEAT_PX)
-            painter.drawImage(strip, self._heat)
+            painter.drawImage(strip, self.heat)
         painter.setBrush(QColor(theme.WARN))
-        for mark_s in self._marks_s:
+        for mark_s in self.marks_s:
             painter.drawRect(QRectF(self.x_of(mark_s) - 1, 2, _MARK_PX, bottom - 2))

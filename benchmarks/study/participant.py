@@ -56,8 +56,8 @@ class Participant:
             self.timer.stop()
             QTimer.singleShot(0, self.session.close)
             QTimer.singleShot(50, make_application().quit)
-        elif window._shown == page.number and window.content is not None:  # noqa: SLF001
-            window._guard.stop()  # noqa: SLF001 - a person would wait for it
+        elif window.shown_number == page.number and window.content is not None:
+            window.guard.stop()  # a person would wait for it
             self.press(page.kind, page.number)
 
     def press(self, kind: PageKind, number: int) -> None:

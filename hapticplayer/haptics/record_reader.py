@@ -33,9 +33,9 @@ MAX_WHOLE_BYTES = 4 << 30
 
 # What searching behind a damaged place may cost; beyond it the rest is given up.
 _MAX_DAMAGED = 1000
-_MAX_SEARCH_BYTES = 256 << 20
+MAX_SEARCH_BYTES = 256 << 20
 _FALSE_HEAD_BYTES = 4096  # as much as looking at one costs
-_CHUNK_BYTES = 1 << 20
+CHUNK_BYTES = 1 << 20
 
 
 class Record(NamedTuple):
@@ -174,7 +174,7 @@ class RecordReader:
     def _read_frame(self) -> Frame | None:
         """Return the frame here and step over it, or None if there is none intact."""
         head = self._read(self._at, FRAME_BYTES)
-        if not _is_frame_head(head):
+        if not is_frame_head(head):
             return None
         _, count, first, lost, checksum = FRAME.unpack_from(head)
         missing = first - self._next
@@ -199,13 +199,13 @@ class RecordReader:
     def _find_frame(self) -> bool:
         """Go to the next place that begins like a frame; False if there is none."""
         at = self._at + 1
-        while self._damaged < _MAX_DAMAGED and self._searched_bytes < _MAX_SEARCH_BYTES:
-            chunk = self._read(at, _CHUNK_BYTES)
+        while self._damaged < _MAX_DAMAGED and self._searched_bytes < MAX_SEARCH_BYTES:
+            chunk = self._read(at, CHUNK_BYTES)
             found = self._find_head(chunk)
             if found >= 0:
                 self._at = at + found
                 return True
-            if len(chunk) < _CHUNK_BYTES:
+            if len(chunk) < CHUNK_BYTES:
                 return False
             at += len(chunk) - FRAME_BYTES + 1  # a head may lie across the border
         return False
@@ -213,8 +213,8 @@ class RecordReader:
     def _find_head(self, chunk: bytes) -> int:
         found = chunk.find(MARKER)
         last = len(chunk) - FRAME_BYTES
-        while 0 <= found <= last and self._searched_bytes < _MAX_SEARCH_BYTES:
-            if _is_frame_head(chunk[found : found + FRAME_BYTES]):
+        while 0 <= found <= last and self._searched_bytes < MAX_SEARCH_BYTES:
+            if is_frame_head(chunk[found : found + FRAME_BYTES]):
                 self._searched_bytes += found
                 return found
             self._searched_bytes += _FALSE_HEAD_BYTES
@@ -296,7 +296,8 @@ def _open(path: Path) -> BinaryIO:
     return os.fdopen(descriptor, "rb")
 
 
-def _is_frame_head(head: bytes) -> bool:
+def is_frame_head(head: bytes) -> bool:
+    """Return whether a frame could begin with these bytes."""
     return (
         len(head) == FRAME_BYTES
         and head.startswith(MARKER)

@@ -53,7 +53,7 @@ def sit(application, qtbot, wait_for):
         made.append(session)
         session.show(windowed=True)
         session.participant.resize(*size)
-        session.participant._guard.setInterval(0)
+        session.participant.guard.setInterval(0)
         qtbot.waitExposed(session.participant)
         session.begin_session(begin.get("code", ""), begin.get("language", "en"))
         return session
@@ -81,7 +81,7 @@ class Person:
         return self.session.runner
 
     def key(self, code):
-        self.wait_for(lambda: not self.session.participant._guard.isActive())
+        self.wait_for(lambda: not self.session.participant.guard.isActive())
         window = self.session.participant
         target = window.focusWidget() or window
         QTest.keyClick(target, code)
@@ -89,7 +89,7 @@ class Person:
     def wait_page(self, kind, step=None):
         def is_there():
             page = self.runner.page
-            shown = self.session.participant._shown == page.number
+            shown = self.session.participant.shown_number == page.number
             return shown and page.kind is kind and step in (None, page.step)
 
         self.wait_for(is_there)

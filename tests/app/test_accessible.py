@@ -104,7 +104,7 @@ def test_participant_pages_work_by_keyboard_and_by_finger(
         (PageKind.QUESTIONS, "post-test"),
         (PageKind.PAUSED, "trial-01"),
     ):
-        window._show_page(maker.page(kind, step, 99))
+        window.show_page(maker.page(kind, step, 99))
         qtbot.wait(20)  # the letters take their size
         check_keyboard(person.page, qtbot)
         for control in faces.controls(person.page):
@@ -146,7 +146,7 @@ def test_every_text_of_a_participant_is_whole(make_study, sit, language, qtbot):
     for room in ROOMS:
         window.resize(*room)
         for kind, step in PARTICIPANTS_PAGES:
-            window._show_page(maker.page(kind, step, 99))
+            window.show_page(maker.page(kind, step, 99))
             texts = cut_off_at_rest(window.content, qtbot)
             found += [f"{room} {step} {kind}: {text}" for text in texts]
     assert found == []
@@ -155,7 +155,7 @@ def test_every_text_of_a_participant_is_whole(make_study, sit, language, qtbot):
 def test_an_age_is_answered_by_finger_alone(make_study, sit, wait_for, qtbot):
     session = sit(make_study(), size=(1024, 768))
     window, maker = session.participant, session.runner.maker
-    window._show_page(maker.page(PageKind.QUESTIONS, "sheet", 99))
+    window.show_page(maker.page(PageKind.QUESTIONS, "sheet", 99))
     age = window.content.rows[0]
     down, up = age.findChildren(QPushButton)
     for _ in range(3):
@@ -167,7 +167,7 @@ def test_an_age_is_answered_by_finger_alone(make_study, sit, wait_for, qtbot):
 def test_the_question_that_is_not_answered_comes_into_sight(make_study, sit, qtbot):
     session = sit(make_study(), size=(1024, 600))
     window, maker = session.participant, session.runner.maker
-    window._show_page(maker.page(PageKind.QUESTIONS, "post-test", 99))
+    window.show_page(maker.page(PageKind.QUESTIONS, "post-test", 99))
     qtbot.wait(20)
     page = window.content
     page.show_problem(page.rows[-1].asked.name, "Please answer this question.")

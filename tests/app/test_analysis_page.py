@@ -57,7 +57,7 @@ def test_the_menu_of_the_window_opens_the_report_of_a_study(
 ):
     arguments = ["study", "simulate", str(tmp_path / "s"), "--participants", "6"]
     assert cli.main([*arguments, "--seed", "1"], None) == 0
-    monkeypatch.setattr(window.study_menu, "_ask", lambda: tmp_path / "s")
+    monkeypatch.setattr(window.study_menu, "ask_folder", lambda: tmp_path / "s")
     window.study_menu.analyse()
     (report,) = window.findChildren(AnalysisWindow)
     wait_for(lambda: not report.page.is_busy)
@@ -77,7 +77,7 @@ def test_a_study_that_nobody_took_part_in_says_so_in_its_window(
     window, tmp_path, monkeypatch, wait_for
 ):
     study = create_study(tmp_path / "s")
-    monkeypatch.setattr(window.study_menu, "_ask", lambda: study.folder)
+    monkeypatch.setattr(window.study_menu, "ask_folder", lambda: study.folder)
     window.study_menu.analyse()
     (report,) = window.findChildren(AnalysisWindow)
     wait_for(report.messages.isVisible)

@@ -41,7 +41,7 @@ def test_the_pump_calls_until_it_is_stopped(qapp, wait_for):
     pump.start()
     wait_for(lambda: len(calls) > 5)
     pump.stop()
-    assert not pump._timer.isActive()
+    assert not pump.timer.isActive()
 
 
 def test_the_pump_survives_an_error_in_a_poll(qapp, wait_for, qtbot):
@@ -62,20 +62,20 @@ def test_the_pump_survives_an_error_in_a_poll(qapp, wait_for, qtbot):
 def test_the_gap_is_used_when_nothing_is_due_soon(qapp):
     clock, gaps = ManualClock(), []
     pump = Pump(lambda: clock.now_s() + 0.02, clock, lambda: gaps.append(1))
-    pump._beat()
+    pump.beat()
     assert len(gaps) == 1
 
 
 def test_a_picture_that_is_due_soon_comes_before_the_gap(qapp):
     clock, gaps = ManualClock(), []
     pump = Pump(lambda: clock.now_s() + 0.004, clock, lambda: gaps.append(1))
-    pump._beat()  # the first gap is overdue
-    pump._beat()
+    pump.beat()  # the first gap is overdue
+    pump.beat()
     clock.advance(0.004)
-    pump._beat()
+    pump.beat()
     assert len(gaps) == 1
     clock.advance(0.2)
-    pump._beat()
+    pump.beat()
     assert len(gaps) == 2
 
 
@@ -87,9 +87,9 @@ def test_the_rest_of_the_wait_is_slept_away(qapp):
         return clock.now_s() + 0.0105
 
     pump = Pump(poll, clock, lambda: None)
-    pump._beat()
+    pump.beat()
     clock.advance(0.0098)
-    pump._beat()
+    pump.beat()
     assert polled[1] - polled[0] == pytest.approx(0.0105)
 
 

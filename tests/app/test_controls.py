@@ -14,6 +14,7 @@ from app.player.menus import History
 from app.player.seek_preview import HEIGHT_PX, heat_image, heat_of
 from hapticplayer.model import ForceTrack
 from hapticplayer.playback.phases import Phase
+from tests.conftest import clip_of
 
 
 def key(window, code) -> None:
@@ -36,7 +37,7 @@ def test_brackets_change_the_speed_and_backspace_resets_it(playing):
 
 
 def test_a_start_without_sound_is_not_remembered(playing, settings):
-    controls, ring = playing.extras.controls, playing.player._clip.sound.ring
+    controls, ring = playing.extras.controls, clip_of(playing.player).sound.ring
     controls.begin_muted()
     assert ring.gain == 0.0
     assert playing.transport.mute.accessibleName() == "Sound on"
@@ -46,7 +47,7 @@ def test_a_start_without_sound_is_not_remembered(playing, settings):
 
 
 def test_volume_and_mute_are_heard_shown_and_remembered(playing, settings):
-    ring = playing.player._clip.sound.ring
+    ring = clip_of(playing.player).sound.ring
     key(playing, Qt.Key.Key_9)
     assert playing.transport.volume.value() == 95
     assert ring.gain == pytest.approx(0.95**3)
@@ -64,24 +65,24 @@ def test_the_loop_key_marks_a_then_b_then_forgets(playing):
     playing.player.pause()
     playing.player.seek(0.4)
     key(playing, Qt.Key.Key_L)
-    assert playing.transport.slider._marks_s == pytest.approx((0.4,))
+    assert playing.transport.slider.marks_s == pytest.approx((0.4,))
     playing.player.seek(1.2)
     key(playing, Qt.Key.Key_L)
     assert playing.player.snapshot().loop_s == pytest.approx((0.4, 1.2))
-    assert playing.transport.slider._marks_s == pytest.approx((0.4, 1.2))
+    assert playing.transport.slider.marks_s == pytest.approx((0.4, 1.2))
     key(playing, Qt.Key.Key_L)
     assert playing.player.snapshot().loop_s is None
-    assert playing.transport.slider._marks_s == ()
+    assert playing.transport.slider.marks_s == ()
 
 
 def test_the_dot_shows_the_next_picture(playing, wait_for):
     playing.player.pause()
     playing.player.seek(1.0)
-    wait_for(lambda: abs(playing.player._clip.video.frame_s - 1.0) < 0.02)
-    wait_for(lambda: not playing.player._clip.video.is_previewing)
-    wait_for(lambda: playing.player._clip.video.feeder.peek() is not None)
+    wait_for(lambda: abs(clip_of(playing.player).video.frame_s - 1.0) < 0.02)
+    wait_for(lambda: not clip_of(playing.player).video.is_previewing)
+    wait_for(lambda: clip_of(playing.player).video.feeder.peek() is not None)
     key(playing, Qt.Key.Key_Period)
-    assert playing.player._clip.video.frame_s == pytest.approx(1.04, abs=1e-6)
+    assert clip_of(playing.player).video.frame_s == pytest.approx(1.04, abs=1e-6)
     assert playing.player.snapshot().phase is Phase.PAUSED
 
 
@@ -108,11 +109,11 @@ def test_the_statistics_show_and_hide(playing, wait_for):
 
 def test_the_force_under_the_seek_bar_follows_the_feedback(playing):
     slider = playing.transport.slider
-    assert slider._heat is not None
+    assert slider.heat is not None
     playing.session.choose_feedback("none")
-    assert slider._heat is None
+    assert slider.heat is None
     playing.session.choose_feedback("realistic")
-    assert slider._heat is not None
+    assert slider.heat is not None
 
 
 def test_the_strip_holds_every_peak():
@@ -162,8 +163,8 @@ def test_what_was_opened_is_listed_and_goes_on_where_it_was_left(
     second = make_window()
     menu = second.extras.menus.recent
     menu.fill()
-    assert menu._menu.actions()[0].text() == sequence.name
-    menu._menu.actions()[0].trigger()
+    assert menu.menu.actions()[0].text() == sequence.name
+    menu.menu.actions()[0].trigger()
     wait_for(lambda: second.player.snapshot().phase is Phase.PLAYING)
     assert second.player.snapshot().media_s >= 1.0
     assert "Home" in second.extras.toast.text()
@@ -196,7 +197,7 @@ def test_the_chosen_output_is_asked_for_and_remembered(window, settings, monkeyp
     assert settings.text("sound_output") == "Headphones"
     menu = window.extras.menus.outputs
     menu.fill()
-    checked = [a.text() for a in menu._menu.actions() if a.isChecked()]
+    checked = [a.text() for a in menu.menu.actions() if a.isChecked()]
     assert checked == ["Headphones"]
 
 
@@ -209,7 +210,7 @@ def test_outputs_are_looked_for_beside_the_window(window, monkeypatch, wait_for)
 
     monkeypatch.setattr("app.player.controls.in_child", found)
     window.commands.menus["playback"].aboutToShow.emit()
-    menu = window.extras.menus.outputs._menu
+    menu = window.extras.menus.outputs.menu
     wait_for(lambda: [action.data() for action in menu.actions()] == ["", *names])
     assert threading.main_thread() not in looked_in
 
@@ -218,7 +219,7 @@ def test_the_chosen_screen_is_remembered(window, settings):
     menu = window.extras.menus.screens
     menu.fill()
     name = window.screen().name()
-    next(a for a in menu._menu.actions() if a.data() == name).trigger()
+    next(a for a in menu.menu.actions() if a.data() == name).trigger()
     assert window.fullscreen.screen_name == name
     assert settings.text("fullscreen_screen") == name
 

@@ -34,7 +34,7 @@ def test_each_force_is_announced_while_it_is_made(page, wait_for, monkeypatch):
     wait_for(lambda: "right" in page.text.text())
     assert page.sign.text() == "\u2192"
     assert "1.1 N" in page.text.text()
-    player, poll, ticks = page._player, page._player.poll, []
+    player, poll, ticks = page.force_player, page.force_player.poll, []
 
     def noted_poll():
         ticks.append(poll())
@@ -53,7 +53,7 @@ def test_each_force_is_announced_while_it_is_made(page, wait_for, monkeypatch):
 def test_it_is_stopped_at_once_and_lets_go_of_the_device(page, wait_for, way):
     page.start_button.click()
     wait_for(lambda: "right" in page.text.text())
-    player = page._player
+    player = page.force_player
     if way == "stop":
         page.stop_button.click()
         assert page.text.text() == "Stopped."
@@ -83,10 +83,10 @@ def test_a_falcon_that_is_not_homed_leads_to_the_homing_page(
     wanted = []
     page.homing_wanted.connect(lambda: wanted.append(page.is_running))
     page.begin()
-    wait_for(lambda: page._player.mode.name == "FOLLOWING")
+    wait_for(lambda: page.force_player.mode.name == "FOLLOWING")
     assert not wanted  # the first answers, which know nothing yet, do not count
-    monkeypatch.setattr(page._player, "poll", lambda: None)
-    page._player.cause = Cause.NOT_HOMED
+    monkeypatch.setattr(page.force_player, "poll", lambda: None)
+    page.force_player.cause = Cause.NOT_HOMED
     wait_for(lambda: bool(wanted))
     assert wanted == [False]
 

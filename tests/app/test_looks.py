@@ -56,7 +56,7 @@ def test_another_language_keeps_clip_and_place(shown, wait_for):
     player, before = shown.window.player, shown.window
     menu = shown.window.looks.languages
     menu.fill()
-    next(a for a in menu._menu.actions() if a.data() == "de").trigger()
+    next(a for a in menu.menu.actions() if a.data() == "de").trigger()
     wait_for(lambda: not shown.is_remaking)
     assert shown.window is not before
     assert shown.window.player is player
@@ -81,7 +81,7 @@ def test_a_session_is_watched_by_the_window_that_takes_the_place(
     before.looks.changed.emit()
     wait_for(lambda: not shown.is_remaking)
     after = shown.window
-    monkeypatch.setattr(after.study_menu, "_report", told.append)
+    monkeypatch.setattr(after.study_menu, "report", told.append)
     assert after is not before
     assert after.study_menu.process.is_running
     gate.write_text("hapticplayer: it was the cable\n")

@@ -8,6 +8,7 @@ from sitting import Person
 
 from hapticplayer.study.pages import PageKind
 from hapticplayer.study.preflight import volume_in_checks
+from tests.conftest import clip_of
 
 
 def play(session, wait_for) -> Person:
@@ -56,7 +57,7 @@ def test_the_volume_is_kept_for_the_next_participant(make_study, sit, wait_for):
     study = make_study()
     first = sit(study)
     first.start_panel.volume.setValue(65)
-    assert first.player._clip.sound.ring.gain == 0.65**3
+    assert clip_of(first.player).sound.ring.gain == 0.65**3
     first.begin_session("", "en")
     assert "65 %" in first.control.volume.text()
     assert not first.start_panel.volume.isVisible()
@@ -70,7 +71,7 @@ def test_the_volume_is_kept_for_the_next_participant(make_study, sit, wait_for):
     assert volume_in_checks(kept[-1]) == 65
     second = sit(study)
     assert second.start_panel.volume.value() == 65
-    assert second.player._clip.sound.ring.gain == 0.65**3
+    assert clip_of(second.player).sound.ring.gain == 0.65**3
 
 
 def test_a_note_is_shown_with_its_time_and_kept_with_its_own(make_study, sit, wait_for):

@@ -32,7 +32,7 @@ def test_twelve_conditions_by_keys_alone(make_study, sit, wait_for):
     person.wait_page(PageKind.QUESTIONS, "post-test")
     rows = {row.asked.name: row for row in person.page.rows}
     QTest.keyClicks(rows["tiring"].box, "no 1 2 3")
-    wait_for(lambda: not session.participant._guard.isActive())
+    wait_for(lambda: not session.participant.guard.isActive())
     person.page.next.click()
     person.wait_page(PageKind.THANKS)
     answers = read_answers(session.study.folder)
@@ -58,7 +58,7 @@ def test_by_mouse_alone(make_study, sit, wait_for, qtbot):
     person = Person(session, wait_for)
 
     def click(button):
-        wait_for(lambda: not session.participant._guard.isActive())
+        wait_for(lambda: not session.participant.guard.isActive())
         qtbot.mouseClick(button, Qt.MouseButton.LeftButton)
 
     click(person.page.buttons["agree"])
@@ -127,7 +127,7 @@ def test_somebody_may_leave_and_keeps_what_was_given(make_study, sit, wait_for):
     person.wait_page(PageKind.READY, "trial-02")
     QTest.keyClick(session.participant.windowHandle(), Qt.Key.Key_Escape)
     person.wait_page(PageKind.PAUSED)
-    wait_for(lambda: not session.participant._guard.isActive())
+    wait_for(lambda: not session.participant.guard.isActive())
     person.page.buttons["leave"].click()
     person.wait_page(PageKind.STOPPED)
     stored = session.study.session(person.runner.plan.code)
@@ -258,7 +258,7 @@ def test_nothing_is_cut_off_in_any_language(make_study, sit, wait_for, qapp, siz
     for language, (kind, step) in itertools.product(["en", "fr", "de"], steps):
         plan = msgspec.structs.replace(runner.plan, language=language)
         maker = runner.maker = PageMaker(runner.definition, plan)
-        window._show_page(maker.page(kind, step, 99))
+        window.show_page(maker.page(kind, step, 99))
         content = window.content
         for _ in range(10):  # letters that are still too large are made smaller
             qapp.processEvents()
@@ -282,7 +282,7 @@ def test_nothing_is_cut_off_in_any_language(make_study, sit, wait_for, qapp, siz
 def test_a_page_has_its_height_before_it_is_painted_again(make_study, sit):
     session = sit(make_study(), size=(1280, 720))
     window, maker = session.participant, session.runner.maker
-    window._show_page(maker.page(PageKind.QUESTIONS, "post-test", 99))
+    window.show_page(maker.page(PageKind.QUESTIONS, "post-test", 99))
     page = window.content
     page._on_settled()
     assert page.needed_px(page.viewport().width()) > page.viewport().height()
@@ -298,7 +298,7 @@ def test_a_very_long_question_can_be_scrolled_to(make_study, sit, wait_for):
         factor["text"] = dict.fromkeys(content["languages"], "How was it really? " * 40)
     session = sit(change_definition(study, content), size=(800, 480))
     window = session.participant
-    window._show_page(session.runner.maker.page(PageKind.QUESTIONS, "trial-01", 99))
+    window.show_page(session.runner.maker.page(PageKind.QUESTIONS, "trial-01", 99))
     page = window.content
     assert isinstance(page, QuestionsPage)
     page.next.setFocus()
@@ -317,7 +317,7 @@ def test_pages_hold_no_secret_in_any_widget(make_study, sit, wait_for):
         (PageKind.QUESTIONS, "trial-01"),
         (PageKind.QUESTIONS, "post-test"),
     ):
-        window._show_page(session.runner.maker.page(kind, step, 99))
+        window.show_page(session.runner.maker.page(kind, step, 99))
         assert isinstance(window.content, TextPage | QuestionsPage)
         told = [window.windowTitle(), window.surface.accessibleName()]
         for kind_of_widget in (QLabel, QPushButton):

@@ -133,10 +133,10 @@ def test_missing_firmware_is_given_in_the_window(make_page, wait_for, tmp_path):
     file = tmp_path / "image.bin"
     file.write_bytes(synthetic_image().data)
     page.findChild(QFileDialog).close()
-    offer_firmware(page, file, page.begin, page._on_no_firmware)
+    offer_firmware(page, file, page.begin, page.on_no_firmware)
     assert "Novint" in answer(page, wait_for, yes=False)
     assert not (tmp_path / "data").exists()
-    offer_firmware(page, file, page.begin, page._on_no_firmware)
+    offer_firmware(page, file, page.begin, page.on_no_firmware)
     answer(page, wait_for)
     assert "none of the firmware files that are known" in answer(page, wait_for)
     wait_for(lambda: page.picture.view.arrow == 1)
@@ -148,7 +148,7 @@ def test_a_file_that_is_no_firmware_is_refused_and_said(make_page, wait_for, tmp
     wait_for(lambda: "needs its firmware" in page.title.text())
     file = tmp_path / "image.bin"
     file.write_bytes(b"no firmware at all")
-    offer_firmware(page, file, page.begin, page._on_no_firmware)
+    offer_firmware(page, file, page.begin, page.on_no_firmware)
     answer(page, wait_for)
     wait_for(lambda: "cannot be used" in page.title.text())
     assert "08AA" in page.text.text()

@@ -76,8 +76,8 @@ def test_media_keys_find_no_player_while_a_session_runs(
     program.chmod(0o700)
     monkeypatch.setattr("app.experimenter.study_menu.sys.executable", str(program))
     told = []
-    monkeypatch.setattr(window.study_menu, "_report", told.append)
-    monkeypatch.setattr(window.study_menu, "_ask", lambda: study.folder)
+    monkeypatch.setattr(window.study_menu, "report", told.append)
+    monkeypatch.setattr(window.study_menu, "ask_folder", lambda: study.folder)
     window.study_menu.run()
     assert window.study_menu.process.is_running
     assert not is_there(NAME).value()
@@ -97,7 +97,7 @@ def test_a_session_takes_the_device_of_the_window(
     program.write_text(f'#!/bin/sh\necho "$@" > {seen}\n')
     program.chmod(0o700)
     monkeypatch.setattr("app.experimenter.study_menu.sys.executable", str(program))
-    monkeypatch.setattr(window.study_menu, "_ask", lambda: study.folder)
+    monkeypatch.setattr(window.study_menu, "ask_folder", lambda: study.folder)
     window.study_menu.run()
     assert window.player.snapshot().device == "none"
     wait_for(lambda: not window.study_menu.process.is_running)
@@ -126,8 +126,8 @@ def test_a_study_without_clips_is_refused_before_any_change(
     window, tmp_path, monkeypatch
 ):
     study, told = create_study(tmp_path / "empty"), []
-    monkeypatch.setattr(window.study_menu, "_report", told.append)
-    monkeypatch.setattr(window.study_menu, "_ask", lambda: study.folder)
+    monkeypatch.setattr(window.study_menu, "report", told.append)
+    monkeypatch.setattr(window.study_menu, "ask_folder", lambda: study.folder)
     window.session.choose_device("simulated")
     window.study_menu.run()
     assert "'bike' has no folder with a sequence" in str(told[0])
@@ -209,7 +209,7 @@ def test_no_page_of_a_session_tells_a_condition_or_a_file(
     for _ in range(3):
         person.trial()
     person.wait_page(PageKind.QUESTIONS, "post-test")
-    wait_for(lambda: not session.participant._guard.isActive())
+    wait_for(lambda: not session.participant.guard.isActive())
     person.page.next.click()
     person.wait_page(PageKind.THANKS)
     unseen = {PageKind.PROBLEM, PageKind.STOPPED}

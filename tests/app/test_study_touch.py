@@ -14,7 +14,7 @@ def test_by_touch_alone(make_study, sit, wait_for, qapp):
     device = QTest.createTouchDevice()
 
     def tap(widget):
-        wait_for(lambda: not window._guard.isActive())
+        wait_for(lambda: not window.guard.isActive())
         window.content.ensureWidgetVisible(widget)
         middle = QPoint(widget.width() // 2, widget.height() // 2)
         handle, at = window.windowHandle(), widget.mapTo(window, middle)

@@ -71,18 +71,18 @@ def test_a_trace_holds_times_and_differences_of_the_last_events():
 
 def test_points_lie_where_the_differences_are(plot, qtbot):
     shown(plot, qtbot).follow(NOW_S, traces_of(measured(20.0), measured(-10.0)))
-    image, area = plot.grab().toImage(), plot._area()
+    image, area = plot.grab().toImage(), plot.plot_area()
     for later_ms, colour in zip((20.0, -10.0), theme.AXIS_COLOURS, strict=False):
         # at the newest end, and not at a time before anything was measured
-        y = round(plot._y(area, later_ms))
+        y = round(plot.height_of(area, later_ms))
         assert near(image, round(area.right()) - 2, y, colour)
         assert not near(image, round(area.left()) + 5, y, colour)
-    assert plot._y(area, LATE_MS) > area.top()
+    assert plot.height_of(area, LATE_MS) > area.top()
 
 
 def test_what_lies_beyond_is_held_on_the_edge(plot, qtbot):
     shown(plot, qtbot).follow(NOW_S, traces_of(measured(400.0), SyncMeter()))
-    image, area = plot.grab().toImage(), plot._area()
+    image, area = plot.grab().toImage(), plot.plot_area()
     place = round(area.right()) - 2, round(area.top())
     assert near(image, *place, theme.AXIS_COLOURS[0])
 

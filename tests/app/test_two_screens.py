@@ -65,7 +65,7 @@ def test_fullscreen_goes_to_the_screen_that_was_chosen_and_back(playing, wait_fo
     before = playing.geometry()
     menu = playing.extras.menus.screens
     menu.fill()
-    choices = {action.data(): action for action in menu._menu.actions()}
+    choices = {action.data(): action for action in menu.menu.actions()}
     assert {"", "left", "right"} == set(choices)
     choices["right"].trigger()
     assert playing.settings.text(SCREEN) == "right"
@@ -88,7 +88,7 @@ def test_a_screen_that_is_gone_leaves_the_window_where_it_is(playing, wait_for):
 def session(make_study, application):
     study = make_study()
     made = StudySession(study, load_material(study), "none", SystemClock(), audio=None)
-    made.participant._guard.setInterval(0)
+    made.participant.guard.setInterval(0)
     made.show(windowed=False)
     yield made
     made.close()
@@ -108,7 +108,7 @@ def test_the_participants_screen_shows_only_the_clip(session, wait_for):
     person.key(Qt.Key.Key_Enter)
     person.wait_page(PageKind.PLAYING)
     assert participant.cursor().shape() == Qt.CursorShape.BlankCursor
-    assert participant._stack.currentWidget() is session.surface
+    assert participant.pages.currentWidget() is session.surface
     wait_for(lambda: session.surface.size() == theirs.geometry().size())
     wait_for(lambda: session.control.mirror._is_clip)
     assert session.control.mirror.screen() is mine

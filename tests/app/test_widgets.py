@@ -79,7 +79,7 @@ def test_a_message_breaks_a_long_path_into_lines(qtbot):
     bar.show_text(text)
     assert bar.text() == text
     assert bar.minimumSizeHint().width() < 400
-    bar._close.click()
+    bar.close_button.click()
     assert bar.text() == ""
 
 
@@ -98,13 +98,13 @@ def test_a_long_job_shows_its_step_and_can_be_cancelled(qtbot):
     bar.show_state(JobState("Import", 0.0, ""), 10.0)
     bar.show_state(JobState("Import", 0.5, "copying the clip"), 11.0)
     assert not bar.isHidden()
-    assert bar._label.text() == "Import: copying the clip"
+    assert bar.text_label.text() == "Import: copying the clip"
     with qtbot.waitSignal(bar.cancelled):
-        bar._cancel.click()
-    assert not bar._cancel.isEnabled()
+        bar.cancel_button.click()
+    assert not bar.cancel_button.isEnabled()
     bar.show_state(None, 12.0)
     assert bar.isHidden()
-    assert bar._cancel.isEnabled()
+    assert bar.cancel_button.isEnabled()
 
 
 def test_enter_presses_a_focused_button(qtbot):

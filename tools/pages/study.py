@@ -99,7 +99,7 @@ def _pages(stage: Stage, session: StudySession, pages, more: str) -> Pictures:
     plan = replace(runner.plan, language=stage.language)
     runner.maker = maker = PageMaker(runner.definition, plan)
     for step, kind in pages:
-        window._show_page(maker.page(PageKind(kind), step, 99))
+        window.show_page(maker.page(PageKind(kind), step, 99))
         yield f"study-{step}-{kind}{more}", stage.picture(window, 150)
         if kind == "questions" and isinstance(window.content, QuestionsPage):
             row = window.content.rows[0]

@@ -198,7 +198,7 @@ def test_what_follows_the_end_is_told(read, whole):
 
 
 def test_a_marker_across_the_border_of_two_chunks_is_found(read, ticks, monkeypatch):
-    monkeypatch.setattr(record_reader, "_CHUNK_BYTES", 64)
+    monkeypatch.setattr(record_reader, "CHUNK_BYTES", 64)
     whole, starts = in_frames(ticks)
     frame = whole[starts[1] :]
     for gap in range(1, 150):
@@ -262,9 +262,9 @@ def test_endless_false_frames_are_given_up(read):
 
 def test_endless_markers_are_given_up(read, monkeypatch):
     looks = []
-    is_head = record_reader._is_frame_head
+    is_head = record_reader.is_frame_head
     monkeypatch.setattr(
-        record_reader, "_is_frame_head", lambda head: looks.append(1) or is_head(head)
+        record_reader, "is_frame_head", lambda head: looks.append(1) or is_head(head)
     )
     record = read(encode_header({}) + MARKER * 500_000)
     assert len(record.ticks) == 0
@@ -326,7 +326,7 @@ def test_what_is_no_plain_file_is_refused_without_waiting(tmp_path):
 
 
 def test_a_huge_sparse_file_takes_little_memory_and_time(tmp_path, ticks, monkeypatch):
-    monkeypatch.setattr(record_reader, "_MAX_SEARCH_BYTES", 8 << 20)
+    monkeypatch.setattr(record_reader, "MAX_SEARCH_BYTES", 8 << 20)
     path = tmp_path / "record"
     whole, starts = in_frames(ticks)
     path.write_bytes(whole[: starts[-2]])

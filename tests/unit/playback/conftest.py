@@ -12,6 +12,7 @@ from hapticplayer.playback.player import Player
 from hapticplayer.playback.sound_ring import AudioRing
 from hapticplayer.playback.source import Source
 from hapticplayer.simulation.sound_output import SilentOutput
+from tests.conftest import clip_of
 
 RATE_HZ = 25
 SECONDS = 3.0
@@ -105,14 +106,14 @@ class Theatre:
 
     def settle(self):
         """Wait until the decoders have nothing left to do."""
-        feeder = self.player._clip.video.feeder
+        feeder = clip_of(self.player).video.feeder
         with feeder._wake:
             assert feeder._wake.wait_for(
                 lambda: feeder._target is None and not feeder._has_work(), timeout=30
             )
-        sound = self.player._clip.sound.feeder
+        sound = clip_of(self.player).sound.feeder
         while sound is not None and not sound.is_at_end:
-            if self.player._clip.sound.ring.buffered_s() > 0.5:
+            if clip_of(self.player).sound.ring.buffered_s() > 0.5:
                 break
             with sound._wake:
                 sound._wake.wait(0.01)

@@ -12,6 +12,7 @@ from hapticplayer.media.frames import FrameConverter
 from hapticplayer.playback import sound
 from hapticplayer.playback.clock import Source
 from hapticplayer.playback.phases import Phase
+from tests.conftest import clip_of
 from tests.unit.playback.conftest import Theatre
 
 FRAME_S = 1 / 25
@@ -178,7 +179,7 @@ def test_a_clip_that_breaks_ends_with_a_sentence(theatre, monkeypatch):
 
     theatre.player.play()
     theatre.run(0.3)
-    decoder = theatre.player._clip.video.feeder._decoder
+    decoder = clip_of(theatre.player).video.feeder._decoder
 
     def broken():
         raise MediaError("is damaged", where="short.mp4")
@@ -206,10 +207,10 @@ def test_a_seek_in_a_clip_that_has_broken_does_not_wait_for_ever(theatre, monkey
     def broken():
         raise MediaError("is damaged", where="short.mp4")
 
-    monkeypatch.setattr(player._clip.video.feeder._decoder, "next_frame", broken)
-    player._clip.video.feeder.request(99, 2.0)
-    player._clip.video.feeder.join(20)
-    assert player._clip.video.feeder.problem is not None
+    monkeypatch.setattr(clip_of(player).video.feeder._decoder, "next_frame", broken)
+    clip_of(player).video.feeder.request(99, 2.0)
+    clip_of(player).video.feeder.join(20)
+    assert clip_of(player).video.feeder.problem is not None
     player.seek(1.0)
     player.play()
     reading = threading.Event()
@@ -233,17 +234,17 @@ def test_a_sound_output_that_was_lost_comes_back_without_a_jump(theatre, monkeyp
     epoch, first.is_alive = player.snapshot().epoch, False
     offsets = []
     pause = SystemClock()  # for the thread that opens the new output
-    while theatre.out is first or player._clip.media.source is not Source.AUDIO:
+    while theatre.out is first or clip_of(player).media.source is not Source.AUDIO:
         theatre.run(theatre.STEP_S)
         offsets.append(player.snapshot().media_s - theatre.clock.now_s())
         pause.sleep_until(pause.now_s() + 0.001)
         assert player.snapshot().phase is Phase.PLAYING, "the clip was over before"
     theatre.run(0.3)
-    assert player._clip.media.source is Source.AUDIO
+    assert clip_of(player).media.source is Source.AUDIO
     assert player.snapshot().epoch == epoch, "the force was interrupted"
     offsets.append(player.snapshot().media_s - theatre.clock.now_s())
     assert max(offsets) - min(offsets) < 0.001
-    assert abs(player._clip.media.error_s) < 0.001
+    assert abs(clip_of(player).media.error_s) < 0.001
 
 
 def test_when_the_picture_stops_the_force_does_until_it_is_back(theatre, monkeypatch):
@@ -255,7 +256,7 @@ def test_when_the_picture_stops_the_force_does_until_it_is_back(theatre, monkeyp
     player.play()
     theatre.run(0.5)
     assert set(tracks()) == {"realistic"}
-    feeder = player._clip.video.feeder
+    feeder = clip_of(player).video.feeder
     with monkeypatch.context() as stall:
         stall.setattr(feeder, "_has_work", lambda: False)
         theatre.run(2 * FRAME_S + 0.15)  # so much is queued at least, 5 at most

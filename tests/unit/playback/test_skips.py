@@ -10,6 +10,7 @@ from hapticplayer.media.audio import AudioDecoder
 from hapticplayer.media.frames import FrameConverter
 from hapticplayer.media.video import VideoDecoder
 from hapticplayer.playback.feeders import VideoFeeder
+from tests.conftest import clip_of
 from tests.unit.playback.conftest import Theatre
 
 
@@ -114,7 +115,7 @@ def test_a_seek_within_decoded_sound_decodes_nothing(clip, counts, stage):
     theatre.player.seek(heard_s + 0.4)
     theatre.run(0.5)
     assert counts.take()["AudioDecoder.seek"] == 0
-    assert theatre.player._clip.media.error_s == pytest.approx(0.0, abs=1e-4)
+    assert clip_of(theatre.player).media.error_s == pytest.approx(0.0, abs=1e-4)
     assert theatre.player.snapshot().media_s == pytest.approx(
         heard_s + 0.4 + 0.38, abs=0.02
     )
@@ -132,7 +133,7 @@ def test_a_seek_to_the_end_of_decoded_sound_wakes_the_decoder(clip, stage, monke
     monkeypatch.setattr("hapticplayer.playback.feeders.ROOM_S", 1e6)
     monkeypatch.setattr("hapticplayer.playback.sound_ring.PAUSED_AHEAD_S", 0.5)
     theatre = stage(clip)
-    ring = theatre.player._clip.sound.ring
+    ring = clip_of(theatre.player).sound.ring
     for _ in range(1000):
         if ring.buffered_s() >= 0.5:
             break
@@ -149,7 +150,7 @@ def test_samples_after_a_small_seek_equal_those_after_a_full_one(clip, stage):
     played = []
     for is_kept in (True, False):
         theatre = stage(clip)
-        ring = theatre.player._clip.sound.ring
+        ring = clip_of(theatre.player).sound.ring
         if not is_kept:
             ring.resume_from = lambda _epoch, _media_s: False
         theatre.player.play()
@@ -178,7 +179,7 @@ def test_muted_without_a_window_decodes_no_sound(clip, counts, stage):
         theatre.player.play()
         theatre.run(1.5)
         shown = dict.fromkeys(one[1:] for one in theatre.sink.shown)
-        feeder = theatre.player._clip.sound.feeder
+        feeder = clip_of(theatre.player).sound.feeder
         theatre.player.close()  # its threads would count for the next one
         found.append((feeder, counts.take(), list(shown)))
     (_, heard, loud_shown), (no_feeder, silent, muted_shown) = found

@@ -9,6 +9,7 @@ from hapticplayer.media.tempo import TempoFilter
 from hapticplayer.playback.phases import Phase
 from hapticplayer.playback.sound_ring import AudioRing
 from hapticplayer.simulation.sound_output import SilentOutput
+from tests.conftest import clip_of
 
 FRAME_S, RATE_HZ = 1 / 25, 48_000
 
@@ -82,9 +83,9 @@ def test_at_another_speed_pictures_and_sound_agree(theatre, speed):
     slope, _ = np.polyfit(shown[:, 0], shown[:, 1], 1)
     assert slope == pytest.approx(speed, rel=0.02)
     assert theatre.player.snapshot().clock == "audio"
-    assert theatre.player._clip.media.error_s == pytest.approx(0.0, abs=0.002)
+    assert clip_of(theatre.player).media.error_s == pytest.approx(0.0, abs=0.002)
     assert theatre.player.snapshot().frames_dropped == 0
-    assert theatre.player._clip.sound.ring.underrun_samples == 0
+    assert clip_of(theatre.player).sound.ring.underrun_samples == 0
 
 
 def test_a_change_of_speed_while_it_plays_stays_where_it_is(theatre):
