@@ -30,7 +30,7 @@ def main(argv: list[str] | None = None) -> int:
     parser.add_argument("--scheduling", choices=[s.value for s in Scheduling])
     options = parser.parse_args(argv)
     if options.faults and not find_device(options.device).faults:
-        parser.error("a real device takes no faults")
+        parser.error("a real device does not accept injected faults")
 
     # Ctrl-C and a hang-up reach the whole group: the player decides, its alarm reports
     # them at once, and if it dies of them, the closed line does.

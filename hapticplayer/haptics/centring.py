@@ -2,10 +2,10 @@
 
 In the inner part of the workspace there is nothing. Beyond `from_m` a pull p(r) to the
 middle grows with the square of the way, with stiffness K(r) = p'(r) rising evenly from
-0; beyond `full_m` it goes on in a straight line. Nothing adapts in time: its strength
+0; beyond `full_m` it continues in a straight line. Nothing adapts in time: its strength
 depends on where the grip is and how it moves, and the force track is never filtered.
 
-The damper is a look ahead: spring and fade (`limiter.faded`) are taken where the grip
+The damper is a prediction: spring and fade (`limiter.faded`) are taken where the grip
 will be after `ahead_s` at its present speed. To first order that is a damper of
 b(r) = K(r) ahead_s, hence none inside and most on the way out near the edge, and there
 is no place and no speed at which the pull turns outward. It belongs to the fade too,
@@ -38,7 +38,7 @@ class Centring(NamedTuple):
             stays below 0.8 of the workspace under 4.5 N.
         from_m: radius below which there is no pull.
         full_m: radius from which the stiffness stays what it is.
-        ahead_s: how far spring and fade look ahead.
+        ahead_s: prediction time of spring and fade.
     """
 
     pull_n: float = 3.0

@@ -1,4 +1,4 @@
-"""What the loop knows of the hand, from the answers of the device."""
+"""The state of the hand, from the answers of the device."""
 
 import math
 from typing import NamedTuple
@@ -6,11 +6,11 @@ from typing import NamedTuple
 from hapticplayer.haptics.limiter import ZERO, Limits, is_finite
 from hapticplayer.model.device import DeviceReading, Vector
 
-# Nobody's hand is this fast (200 counts of the encoder in a millisecond): such a
-# sample is a fault of the transmission.
+# No hand is this fast (200 encoder counts in a millisecond): such a sample is a
+# transmission error.
 JUMP_MPS = 5.0
 # Further out, in radii of the workspace, no grip can be.
-NOWHERE = 5.0
+FARTHEST = 5.0
 # The damper needs a speed that is quieter than steps of the encoder (30 to 60 um).
 SMOOTHING_S = 0.004
 
@@ -42,15 +42,15 @@ class Hand(NamedTuple):
 def observe(hand: Hand, reading: DeviceReading | None, limits: Limits) -> Hand:
     """Return what is known after one exchange.
 
-    An answer that repeats the last one (nothing new came) changes nothing; one that
-    leaps, or comes from nowhere, counts as malformed and is dropped.
+    A repeated answer changes nothing; one that jumps, or lies far outside the
+    workspace, counts as malformed and is dropped.
     """
     if reading is None or reading.replied_s <= hand.replied_s:
         bad = reading.malformed if reading is not None else 0
         return hand._replace(pressed=0, malformed=max(bad, hand.malformed))
     position_m, buttons, is_homed, replied_s, malformed = reading
     x, y, z = position_m
-    if math.hypot(x, y, z) > NOWHERE * limits.workspace_m:
+    if math.hypot(x, y, z) > FARTHEST * limits.workspace_m:
         return hand._replace(pressed=0, malformed=hand.malformed + 1)
     (old_x, old_y, old_z), velocity, last_s, fast_samples, _, _, held, _ = hand
     speed_mps = 0.0
@@ -81,7 +81,7 @@ def observe(hand: Hand, reading: DeviceReading | None, limits: Limits) -> Hand:
 
 def _smoothed(old: Vector, new: Vector, elapsed_s: float) -> Vector:
     if not is_finite(new):
-        return ZERO  # the position itself is looked at by the contract
+        return ZERO  # the contract checks the position itself
     share = elapsed_s / SMOOTHING_S
     if not share < 1.0:
         share = 1.0

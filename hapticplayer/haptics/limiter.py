@@ -1,7 +1,7 @@
 """The last stage before the wire; it knows nothing of the player.
 
-What may leave is bounded in magnitude, in change, by where the grip is, by how warm
-the motors are, and by how old the command is. Limits: safety contract, docs/safety.md.
+A command is bounded in magnitude and in change, by the position of the grip, by the
+heat of the motors, and by its age. Limits: safety contract, docs/safety.md.
 """
 
 import math
@@ -11,7 +11,7 @@ from hapticplayer.model.device import DeviceCapabilities, Vector
 
 PERIOD_S = 0.001
 ZERO: Vector = (0.0, 0.0, 0.0)
-# Spent before the force is close to the continuous one, so that it sinks gently.
+# Share of the continuous force from which the cap sinks, so that it sinks gently.
 _WARM_SHARE = 0.8
 
 
@@ -22,7 +22,7 @@ class Limits:
     Attributes:
         force_cap_n: magnitude of the force.
         late_cap_n: the same while the loop misses too many periods.
-        continuous_n: RMS over `heat_time_s` that the motors bear for ever.
+        continuous_n: RMS over `heat_time_s` that the motors can bear for any time.
         heat_time_s: time constant of that RMS.
         content_slew_n: change per tick while the track is followed.
         stop_slew_n: change per tick on the way to zero: 5 N in 20 ms.
@@ -122,7 +122,7 @@ def faded(force_n: Vector, position_m: Vector, limits: Limits) -> Vector:
         return force_n
     fx, fy, fz = force_n
     outward = (fx * x + fy * y + fz * z) / radius_m
-    if not 0.0 < outward < math.inf:  # what is not finite is the next stage's affair
+    if not 0.0 < outward < math.inf:  # the next stage handles what is not finite
         return force_n
     past = (radius_m - begin_m) / (limits.fade_to * limits.workspace_m - begin_m)
     away = outward * min(1.0, past) / radius_m
@@ -153,10 +153,10 @@ def warmed(heat_n2: float, force_n: Vector, elapsed_s: float, limits: Limits) ->
 
 
 def cap_when_warm(heat_n2: float, limits: Limits) -> float:
-    """Return the force cap, N, for motors that have worked so much.
+    """Return the force cap, N, for the present heat of the motors.
 
     It sinks from the peak to the continuous force while the mean square rises from
-    0.64 of its limit to the limit, and so never lets it pass.
+    0.64 of its limit to the limit, which it cannot pass therefore.
     """
     full = limits.continuous_n * limits.continuous_n
     left = (full - heat_n2) / (full * (1.0 - _WARM_SHARE * _WARM_SHARE))

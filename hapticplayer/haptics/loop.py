@@ -53,7 +53,7 @@ class MissedPeriods:
 
 @dataclass
 class Loop:
-    """Owner of the device and of all that one tick hands to the next.
+    """Owner of the device, and of the state from tick to tick.
 
     `tick` is public so that tests drive it on a virtual clock.
     """
@@ -84,7 +84,7 @@ class Loop:
 
     @property
     def is_over(self) -> bool:
-        """Whether nobody is left who could want a force."""
+        """Whether the player has quit or is gone."""
         return self._is_asked_to_quit or not self._is_player_alive
 
     def run(self) -> None:
@@ -106,10 +106,10 @@ class Loop:
                 last_ticks -= 1
 
     def tick(self, now_s: float, late_s: float = 0.0, missed: int = 0) -> None:
-        """Do one period: listen, decide, exchange, record."""
-        self._listen()
+        """Do one period: receive, decide, exchange, record."""
+        self._receive()
         clock_count, heartbeat_s, guard_s = self.block.signs()
-        self._look_at_the_clock(clock_count)
+        self._read_clock(clock_count)
         before = self.state
         self.state = state = step(
             Situation(
@@ -147,7 +147,7 @@ class Loop:
         )
 
     def _exchange(self, force_n: Vector, now_s: float) -> None:
-        """Send the command, unless it has grown old on the way here."""
+        """Send the command, unless it has become too old meanwhile."""
         age_s = self.clock.now_s() - now_s
         self._is_stale = is_stale = age_s > self.limits.command_age_s
         if is_stale:
@@ -187,25 +187,25 @@ class Loop:
             hand.buttons,
         )
 
-    def _look_at_the_clock(self, count: int) -> None:
+    def _read_clock(self, count: int) -> None:
         if count == self._clock_count and self._track is not None:
             return
         sample = self.block.read_clock()
-        if sample is not None:  # else go on with the last good one until it expires
+        if sample is not None:  # else keep the last good one until it expires
             self._playback, track_id = sample
             self._track = self._tracks.get(track_id)
             self._clock_count = count
 
-    def _listen(self) -> None:
+    def _receive(self) -> None:
         message = self.line.receive()
         if message is not None:
-            self._obey(message)
+            self._handle(message)
         if self.line.is_alarmed:
             self._request = Request.STOP
 
-    def _obey(self, message: Received) -> None:
+    def _handle(self, message: Received) -> None:
         if message.word is Word.TRACK:
-            self._load(int(message.text), message.descriptor)
+            self._load_track(int(message.text), message.descriptor)
         elif message.word is Word.FORGET:
             self._tracks.pop(int(message.text), None)
         elif message.word is Word.STOP:
@@ -219,15 +219,16 @@ class Loop:
 
     def _inject(self, _text: str) -> None:
         self.line.send(
-            Word.FAILED, Message("faults are refused: this loop is not for them")
+            Word.FAILED, Message("this haptic loop does not accept injected faults")
         )
 
-    def _load(self, track_id: int, descriptor: int) -> None:
+    def _load_track(self, track_id: int, descriptor: int) -> None:
         try:
             self._tracks[track_id] = map_track(descriptor)
         except (ValueError, OSError) as problem:
             self.line.send(
-                Word.FAILED, Message("force track refused: {reason}", reason=problem)
+                Word.FAILED,
+                Message("the force track was rejected: {reason}", reason=problem),
             )
         finally:
             close_descriptor(descriptor)

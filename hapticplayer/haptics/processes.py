@@ -1,4 +1,4 @@
-"""The one owner of the processes beside the player; the player's side of the loop."""
+"""The owner of the haptics processes: the player's side of the loop."""
 
 import contextlib
 import enum
@@ -96,7 +96,8 @@ class HapticsProcesses:
             entry = find_device(device)
             if takes_faults and not entry.faults:
                 raise UsageError(
-                    "{device} is a real device and takes no faults", device=device
+                    "{device} is a real device and does not accept injected faults",
+                    device=device,
                 )
             self._patience_s = entry.patience_s
             self._recording = Recording(record, descriptor) if record else None
@@ -156,7 +157,7 @@ class HapticsProcesses:
 
     @property
     def record_problem(self) -> str:
-        """Why the record is not complete, "" while all is well."""
+        """Why the recording is incomplete, "" while all is well."""
         return self._recording.problem if self._recording else ""
 
     def wait_ready(self) -> None:
@@ -164,7 +165,7 @@ class HapticsProcesses:
 
         Raises:
             DeviceError: with the device's own reason.
-            HapticsError: when the loop died or said nothing in time.
+            HapticsError: when the loop died or was not ready in time.
         """
         if self.device == NO_DEVICE:
             return
@@ -177,19 +178,19 @@ class HapticsProcesses:
             raise DeviceError(self.problem)
         if self.health is not Health.READY:
             raise HapticsError(
-                "the haptics process did not become ready; try again, "
-                "and run 'hapticplayer doctor' if it stays so"
+                "the haptics process did not become ready in time; try again, and run "
+                "'hapticplayer doctor' if it fails again"
             )
 
     def poll(self) -> Health:
-        """Read what the loop has said since, and return the health."""
+        """Read the messages of the loop since, and return the health."""
         while self._read_line():
             pass
         self._note_guard()
         return self.health
 
     def _note_guard(self) -> None:
-        """Without a guard that watches, nothing is ready."""
+        """Nothing is ready without a guard."""
         if self.health is Health.STARTING and self._is_loop_ready:
             if self._block.guard_s() > 0.0:
                 self.health = Health.READY
@@ -199,13 +200,13 @@ class HapticsProcesses:
             and self._processes["guard"].poll() is not None
         ):
             self.problem = Message(
-                "the guard of the haptics process has ended, so there is no force; "
+                "the guard of the haptics process has ended, so the force is off; "
                 "choose the device again"
             )
             self.health = Health.FAILED
 
     def beat(self) -> None:
-        """Tell the loop that the main thread is alive; call it at least at 10 Hz."""
+        """Report that the main thread is alive; call it at least at 10 Hz."""
         self._block.beat(self._clock.now_s())
 
     def load(self, tracks: Mapping[str, ForceTrack]) -> None:
@@ -223,10 +224,10 @@ class HapticsProcesses:
             self._next_track_id += 1
 
     def publish(self, clock: PlaybackClock, track: str) -> None:
-        """Say where the media is and which track belongs to it; "" for none.
+        """Publish the media position and the name of the track; "" for no track.
 
-        Nothing is said before the loop is ready: until it is known to be, a simulated
-        device has no priority, and would be late under the first force.
+        Nothing is published before the loop is ready: until then a simulated device has
+        no priority, and would be late under the first force.
         """
         if self.health is Health.READY:
             self._block.write_clock(clock, self._track_ids.get(track, 0))
@@ -253,7 +254,8 @@ class HapticsProcesses:
         """
         if self._device_faults is None:
             raise UsageError(
-                "faults are only for simulated devices that were chosen with them"
+                "faults can only be injected into a simulated device that was opened "
+                "for it"
             )
         now_s = self._clock.now_s()
         if not self._device_faults.inject(fault):
@@ -266,7 +268,7 @@ class HapticsProcesses:
         return records, lost
 
     def close(self) -> None:
-        """Bring the force to zero, let go of the device and end all processes."""
+        """Ramp the force to zero, release the device and end all processes."""
         self._send(Word.QUIT)
         self._wait_for_end()
         if self._line is not None:

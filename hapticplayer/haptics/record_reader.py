@@ -1,4 +1,4 @@
-"""Reads records: untrusted, perhaps cut off, perhaps damaged, perhaps still growing."""
+"""Reads records, which may be damaged, truncated, or still being written."""
 
 import json
 import os
@@ -12,7 +12,7 @@ from typing import Any, BinaryIO, NamedTuple, Self
 import numpy as np
 from numpy.typing import NDArray
 
-from hapticplayer.errors import InputError
+from hapticplayer.errors import InputError, Message, joined
 from hapticplayer.haptics.records import (
     CRC,
     FRAME,
@@ -28,6 +28,7 @@ from hapticplayer.haptics.records import (
     dtype_described,
 )
 
+_REMEDY = Message("use a file that 'hapticplayer play --record' has written")
 MAX_WHOLE_BYTES = 4 << 30
 """More is not read into memory at once; `RecordReader` has no such limit."""
 
@@ -46,14 +47,14 @@ class Record(NamedTuple):
         header: provenance, see docs/formats.md.
         lost: ticks of the loop that are missing, overrun or damaged.
         is_complete: whether the recording came to its end and nothing is damaged.
-        remark: one sentence about what is not as it should be, "" if all is well.
+        notice: one sentence about what is not as it should be, "" if all is well.
     """
 
     ticks: NDArray[Any]
     header: dict[str, Any]
     lost: int
     is_complete: bool
-    remark: str
+    notice: str
 
 
 class Frame(NamedTuple):
@@ -67,7 +68,7 @@ def read_record(path: Path) -> Record:
     """Read all ticks that are intact.
 
     Raises:
-        InputError: when it is no record, its header is damaged, or it is too large
+        InputError: when it is not a record, its header is damaged, or it is too large
             to be read at once.
     """
     with RecordReader(path) as reader:
@@ -89,7 +90,7 @@ def read_record(path: Path) -> Record:
             reader.header,
             reader.lost,
             reader.is_complete,
-            reader.remark,
+            reader.notice,
         )
 
 
@@ -103,10 +104,10 @@ class RecordReader:
         dtype: of the ticks.
         size_bytes: of the file when it was opened.
         done: share of the file that has been read, 0 to 1.
-        lost, is_complete, remark: as in `Record`, once all frames have been read.
+        lost, is_complete, notice: as in `Record`, once all frames have been read.
 
     Raises:
-        InputError: when it is no record, or its header is damaged.
+        InputError: when it is not a record, or its header is damaged.
     """
 
     def __init__(self, path: Path) -> None:
@@ -144,17 +145,27 @@ class RecordReader:
         return self._at / self.size_bytes
 
     @property
-    def remark(self) -> str:
-        """One sentence about what is not as it should be, "" if all is well."""
-        remarks = []
+    def notice(self) -> str:
+        """One sentence about what is wrong, "" for nothing."""
+        notices = []
         if not self._is_ended:
-            remarks.append("the recording has no end: it was cut off, or goes on")
+            notices.append(
+                Message(
+                    "the recording has no end: it was truncated, "
+                    "or is still being written"
+                )
+            )
         elif not self.is_complete and not self._damaged:
-            remarks.append("something follows the end of the record")
+            notices.append(Message("there is data after the end of the recording"))
         if self._damaged:
-            ticks = self.lost - self._overrun
-            remarks.append(f"damaged places: {self._damaged}, with {ticks} ticks")
-        return "; ".join(remarks)
+            notices.append(
+                Message(
+                    "damaged places: {places}, with {ticks} ticks",
+                    places=self._damaged,
+                    ticks=self.lost - self._overrun,
+                )
+            )
+        return joined("; ", notices) if notices else ""
 
     def frames(self) -> Iterator[Frame]:
         """Yield all frames that are intact, in order.
@@ -207,7 +218,7 @@ class RecordReader:
                 return True
             if len(chunk) < CHUNK_BYTES:
                 return False
-            at += len(chunk) - FRAME_BYTES + 1  # a head may lie across the border
+            at += len(chunk) - FRAME_BYTES + 1  # a head may span two chunks
         return False
 
     def _find_head(self, chunk: bytes) -> int:
@@ -225,11 +236,11 @@ class RecordReader:
     def _read_header(self) -> tuple[dict[str, Any], int]:
         prefix = self._read(0, PREFIX.size)
         if not prefix:
-            raise self._refusal("is empty")
+            raise self._refusal(Message("is empty"))
         if not MAGIC.startswith(prefix[: len(MAGIC)]):
-            raise self._refusal("is no record of a haptic loop")
+            raise self._refusal(Message("is not a recording of a haptic loop"))
         if len(prefix) < PREFIX.size:
-            raise self._refusal("is cut off in its header")
+            raise self._refusal(Message("is truncated in its header"))
         _, version, length = PREFIX.unpack(prefix)
         if version != VERSION:
             raise InputError(
@@ -240,59 +251,58 @@ class RecordReader:
                 version=VERSION,
             )
         if length > MAX_HEADER_BYTES:
-            raise self._refusal("is damaged in its header")
+            raise self._refusal(Message("is damaged in its header"))
         text = self._read(PREFIX.size, length)
         checksum = self._read(PREFIX.size + length, CRC.size)
         if len(checksum) < CRC.size:
-            raise self._refusal("is cut off in its header")
+            raise self._refusal(Message("is truncated in its header"))
         if CRC.unpack(checksum)[0] != zlib.crc32(prefix + text):
-            raise self._refusal("is damaged in its header")
+            raise self._refusal(Message("is damaged in its header"))
         return self._parse(text), PREFIX.size + length + CRC.size
 
     def _parse(self, text: bytes) -> dict[str, Any]:
         try:
             header = json.loads(text)
-            # what cannot be told again (NaN, infinity, too deep) is refused, too
+            # what cannot be written again (NaN, infinity, too deep) is rejected, too
             json.dumps([[[[header]]]], allow_nan=False)
         except (ValueError, RecursionError) as problem:
-            raise self._refusal("has a header that is not valid") from problem
+            raise self._refusal(Message("has an invalid header")) from problem
         if not isinstance(header, dict):
-            raise self._refusal("has a header that is not valid")
+            raise self._refusal(Message("has an invalid header"))
         return header
 
     def _read_dtype(self) -> np.dtype[Any]:
         try:
             return dtype_described(self.header.get("dtype"))
         except ValueError as problem:
-            raise self._refusal(f"has a header that is not valid: {problem}") from None
+            raise self._refusal(
+                Message("has an invalid header: {reason}", reason=problem)
+            ) from None
 
     def _read(self, at: int, size_bytes: int) -> bytes:
         try:
             self._file.seek(at)
             return self._file.read(max(0, min(size_bytes, self.size_bytes - at)))
         except OSError as problem:
-            raise self._refusal(f"cannot be read ({problem.strerror})") from problem
+            raise self._refusal(
+                Message("cannot be read ({reason})", reason=problem)
+            ) from problem
 
-    def _refusal(self, what: str) -> InputError:
-        return InputError(
-            what,
-            where=str(self._path),
-            remedy="give a file that 'hapticplayer play --record' has written",
-        )
+    def _refusal(self, what: Message) -> InputError:
+        return InputError(what, where=str(self._path), remedy=_REMEDY)
 
 
 def _open(path: Path) -> BinaryIO:
-    """Open a plain file; anything else might block for ever."""
-    remedy = "give a file that 'hapticplayer play --record' has written"
+    """Open a regular file; anything else might block."""
     try:
         descriptor = os.open(path, os.O_RDONLY | os.O_NONBLOCK | os.O_CLOEXEC)
     except (OSError, ValueError) as problem:
         raise InputError(
-            "cannot be read ({reason})", where=str(path), remedy=remedy, reason=problem
+            "cannot be read ({reason})", where=str(path), remedy=_REMEDY, reason=problem
         ) from problem
     if not stat.S_ISREG(os.fstat(descriptor).st_mode):
         os.close(descriptor)
-        raise InputError("is not a plain file", where=str(path), remedy=remedy)
+        raise InputError("is not a regular file", where=str(path), remedy=_REMEDY)
     return os.fdopen(descriptor, "rb")
 
 

@@ -29,7 +29,7 @@ from hapticplayer.haptics.spawn import Process, run_module
 
 READ_PERIOD_S = 0.05
 SYNC_PERIOD_S = 1.0
-NICENESS = 5  # the ring waits 32 s for us; the loop waits for nobody
+NICENESS = 5  # the ring holds 32 s, and the loop never waits
 _NO_TICKS = np.empty(0, dtype=TICK)
 
 
@@ -62,11 +62,11 @@ class Recording:
 
     @property
     def problem(self) -> str:
-        """Why the record is not complete, "" while all is well; never waits."""
+        """Why the recording is incomplete, "" while all is well; never waits."""
         status = self.process.poll() if self.process else None
         if status and not self._problem:
             self._problem = _REASONS.get(status) or Message(
-                "the record is not complete: its process ended with status {status}",
+                "the recording is incomplete: its process ended with status {status}",
                 status=status,
             )
         return self._problem
@@ -98,7 +98,9 @@ class Recording:
                     start_new_session=True,  # signals to the player's group spare it
                 )
             except OSError as problem:
-                self._problem = Message("nothing is recorded: {reason}", reason=problem)
+                self._problem = Message(
+                    "nothing is being recorded: {reason}", reason=problem
+                )
 
     def finish(self, timeout_s: float = 5.0) -> None:
         """Wait, after the loop has ended, until all is written."""
@@ -107,7 +109,7 @@ class Recording:
                 self.process.wait(timeout_s)
             except subprocess.TimeoutExpired:
                 self._problem = Message(
-                    "the record is not complete: the disk is too slow"
+                    "the recording is incomplete: the disk is too slow"
                 )
         elif not self._problem:  # the loop was never ready: there is no record
             self._path.unlink(missing_ok=True)
@@ -177,10 +179,12 @@ class Status(enum.IntEnum):
 
 _REASONS: dict[int, Message] = {
     Status.FULL: Message(
-        "the record is not complete: the disk is full, or the file as large as it may be"
+        "the recording is incomplete: the disk is full, or the file has reached its size limit"
     ),
-    Status.REMOVED: Message("the record is not complete: its file was removed"),
-    Status.FAILED: Message("the record is not complete: its file could not be written"),
+    Status.REMOVED: Message("the recording is incomplete: its file was removed"),
+    Status.FAILED: Message(
+        "the recording is incomplete: its file could not be written"
+    ),
 }
 _STATUS_OF = {
     errno.ENOSPC: Status.FULL,

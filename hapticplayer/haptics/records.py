@@ -37,7 +37,7 @@ FRAME = struct.Struct("<4sIQQI")  # marker, ticks, first, lost before, CRC of ti
 CRC = struct.Struct("<I")
 FRAME_BYTES = FRAME.size + CRC.size
 MAX_NUMBER = 1 << 53
-_REMEDY = "choose another file"
+_REMEDY = Message("choose another file")
 _MAX_FIELDS, _MAX_ITEMS = 64, 16
 _TYPES = {f"<{kind}" for kind in ("f4", "f8", "u2", "u4", "u8", "i2", "i4", "i8")}
 _TYPES |= {"|u1", "|i1"}
@@ -59,7 +59,7 @@ def encode_frame(first: int, lost: int, ticks: NDArray[Any]) -> bytes:
 
     Args:
         first: number of its first tick since the loop began.
-        lost: ticks right before it that nobody has.
+        lost: ticks right before it that are missing.
         ticks: TICK, at most MAX_FRAME_TICKS.
     """
     payload = ticks.tobytes()

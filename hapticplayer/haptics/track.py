@@ -27,7 +27,7 @@ class LoadedTrack:
     def __init__(self, block: mmap.mmap) -> None:
         rows, spans, is_hold = _HEADER.unpack_from(block, 0)
         if not 1 <= rows <= MAX_ROWS or len(block) != _size(rows, spans):
-            raise ValueError("the force track does not fit its block")
+            raise ValueError("it does not match its shared memory")
         view = memoryview(block)
         times_at, spans_at = _HEADER.size, _HEADER.size + 8 * rows
         force_at = spans_at + 16 * spans
@@ -36,7 +36,7 @@ class LoadedTrack:
         self._force_n = view[force_at:].cast("f")
         self._is_hold = bool(is_hold)
         self._last = rows - 1
-        self._row = 0  # where the last look ended: the next one is near
+        self._row = 0  # of the last call: the next one is near
         self.end_s = math.inf if is_hold else self._time_s[self._last]
 
     @property
@@ -100,11 +100,11 @@ def map_track(descriptor: int) -> LoadedTrack:
     """
     size = os.fstat(descriptor).st_size
     if size < _HEADER.size:
-        raise ValueError("the force track does not fit its block")
+        raise ValueError("it does not match its shared memory")
     block = mmap.mmap(descriptor, size, prot=mmap.PROT_READ)
     track = LoadedTrack(block)
     if not track.is_finite:
-        raise ValueError("the force track holds a number that is not finite")
+        raise ValueError("it contains NaN or infinity")
     return track
 
 

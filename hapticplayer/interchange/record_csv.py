@@ -71,7 +71,7 @@ def write_csv(
         "ticks": count,
         "lost": reader.lost,
         "is_complete": reader.is_complete,
-        "remark": reader.remark,
+        "remark": reader.notice,
         "duration_s": round(duration_s, 6) if np.isfinite(duration_s) else None,
         "columns": [TICK_COLUMN, *[column.name for column in columns]],
         "header": {k: v for k, v in reader.header.items() if k != "dtype"},

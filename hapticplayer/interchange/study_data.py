@@ -87,7 +87,7 @@ def tick_chunks(path: Path, remarks: list[str]) -> Iterator[NDArray[Any]]:
                 return
             for frame in reader.frames():
                 yield frame.ticks
-            if reader.remark:
-                remarks.append(f"{name}: {reader.remark}")
+            if reader.notice:
+                remarks.append(f"{name}: {reader.notice}")
     except InputError as problem:
         remarks.append(f"{name}: {problem.what}")

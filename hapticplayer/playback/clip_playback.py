@@ -109,13 +109,13 @@ class ClipPlayback:
         self.sound.close()
 
     def seek(self, media_s: float) -> None:
-        """Go to a position and go on as before."""
+        """Go to a position; keep playing if the clip plays."""
         duration_s = self.source.clip.duration_s if self.source else 0.0
         if self.handle(Event.SEEK, min(max(0.0, media_s), duration_s)):
             self._reporter.event("seek", to_s=self.media_s)
 
     def step(self, frames: int) -> None:
-        """Stand one frame farther (+1) or one frame back (-1)."""
+        """Pause one frame later (+1) or earlier (-1)."""
         if self.source is None:
             return
         if self.handle(Event.PAUSE):
@@ -263,7 +263,7 @@ class ClipPlayback:
             self._note_latency()
             if happened == "sound_lost":
                 self._reporter.notify(
-                    Message("the sound was lost; picture and force go on")
+                    Message("the sound output was lost; video and force continue")
                 )
             self.handle(Event.OUTPUT_CHANGED)
 

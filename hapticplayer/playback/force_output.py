@@ -1,6 +1,6 @@
 """The haptic side of the player: the processes of one device after the other.
 
-What they did is read from their ring, compared with picture and sound, and logged.
+Their ticks are read, compared with frames and sound, and logged.
 """
 
 import threading
@@ -44,7 +44,7 @@ class ForceOutput:
     Attributes:
         processes: of the device.
         history: the last ticks.
-        video, audio: how much later the force came than picture and sound.
+        video, audio: how much later the force came than frame and sound.
     """
 
     def __init__(
@@ -74,7 +74,7 @@ class ForceOutput:
     def use(
         self, device: str, record: Path | None = None, *, takes_faults: bool = False
     ) -> None:
-        """Let go of the device and take another one; see `HapticsProcesses`."""
+        """Release the device and open another one; see `HapticsProcesses`."""
         self._release()
         if is_hardware(device):
             self.wait_released(hardware_only=True)
@@ -82,7 +82,7 @@ class ForceOutput:
         self.load(self._tracks)
 
     def _release(self) -> None:
-        """Close the device beside the caller: the hand is brought to rest meanwhile."""
+        """Close the device in a thread of its own: the force ramps down meanwhile."""
         processes = self.processes
         thread = threading.Thread(target=processes.close, name="device-releaser")
         self._releasing = [row for row in self._releasing if row[1].is_alive()]
@@ -90,7 +90,7 @@ class ForceOutput:
         thread.start()
 
     def wait_released(self, *, hardware_only: bool = False) -> None:
-        """Return when all former devices, or all hardware, can be taken by others."""
+        """Wait until all former devices, or all hardware, can be opened by others."""
         for device, thread in self._releasing:
             if not hardware_only or is_hardware(device):
                 thread.join()
@@ -111,7 +111,8 @@ class ForceOutput:
             return ""
         if self.processes.health is Health.GONE:
             return Message(
-                "the haptics process has ended, so there is no force any more"
+                "the haptics process has ended, so the force is off; "
+                "choose the device again"
             )
         return self.processes.problem
 
@@ -128,7 +129,7 @@ class ForceOutput:
             self._reporter.notify(self.problem)
 
     def close(self) -> None:
-        """Bring the hand to rest, end all processes and read the last ticks."""
+        """Ramp the force to zero, end all processes and read the last ticks."""
         self._is_closed = True
         self.processes.close()
         self.wait_released()
@@ -138,7 +139,7 @@ class ForceOutput:
     # --- what is measured -----------------------------------------------------
 
     def restart_meters(self) -> None:
-        """Measure the force against picture and sound from here on."""
+        """Measure the force against frames and sound from here on."""
         self.video, self.audio = SyncMeter(), SyncMeter()
 
     def measurements(self, audio_underrun_s: float) -> Measurements:
@@ -155,7 +156,7 @@ class ForceOutput:
         )
 
     def traces(self) -> SyncTraces:
-        """Return the last differences between force, picture and sound."""
+        """Return the last differences between force, frames and sound."""
         return SyncTraces(self.video.trace(), self.audio.trace())
 
     def summary(self) -> dict[str, Any]:
@@ -191,7 +192,7 @@ class ForceOutput:
             self._log_sync()
 
     def _compare(self, what: str, meter: SyncMeter) -> None:
-        """Measure how much later the force came, and report when that can be felt."""
+        """Measure how much later the force came, and report what can be felt."""
         if not meter.is_waiting:
             return
         alarm = self._alarms[what]

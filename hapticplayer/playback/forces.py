@@ -1,4 +1,4 @@
-"""Plays a force track by itself, without a clip: demonstrations and tests of a device."""
+"""Plays a force track without a clip: demonstrations and tests of a device."""
 
 from typing import Any
 
@@ -17,15 +17,15 @@ TRACK = "track"
 
 
 class ForcePlayer:
-    """Holds a device of its own and plays one track on it; poll it at 10 Hz or more.
+    """Opens a device and plays one track on it; poll it at 10 Hz or more.
 
-    The media clock waits until the device is ready and homed, so that nothing is missed of
-    the beginning; from then on it runs to the end of the track, whatever is felt.
+    The media clock is paused until the device is ready and homed; from then on it runs
+    to the end of the track.
 
     Args:
         clock: of the machine.
         device: name of the device.
-        track: what to play; it has to have an end.
+        track: what to play; it must have an end.
 
     Raises:
         DeviceError: when this version has no driver for the device.
@@ -65,7 +65,7 @@ class ForcePlayer:
         return is_dead or self.media_s >= self.end_s or self.mode is Mode.TRIPPED
 
     def poll(self) -> NDArray[Any]:
-        """Beat, move on, and return the ticks since the last call (see TICK)."""
+        """Beat, advance, and return the ticks since the last call (see TICK)."""
         processes, now_s = self._processes, self._clock.now_s()
         processes.beat()
         if processes.poll() is Health.READY:
@@ -80,16 +80,16 @@ class ForcePlayer:
         return ticks
 
     def stop(self) -> None:
-        """Take the force away at once."""
+        """Set the force to zero at once."""
         self._processes.stop_force()
 
     def close(self) -> None:
-        """Bring the hand to rest and release the device."""
+        """Ramp the force to zero and release the device."""
         self._processes.stop_force()
         self._processes.close()
 
     def _publish(self, now_s: float) -> None:
-        if self._begin_s is None and self._is_waited_for():
+        if self._begin_s is None and self._is_waiting():
             self._begin_s = now_s
             self._epoch += 1
         begin_s, rate = self._begin_s, 1.0
@@ -99,15 +99,15 @@ class ForcePlayer:
         clock = PlaybackClock(self._epoch, begin_s, 0.0, rate, now_s + VALID_S)
         self._processes.publish(clock, TRACK)
 
-    def _is_waited_for(self) -> bool:
-        """Whether the loop only waits for the clip to begin."""
+    def _is_waiting(self) -> bool:
+        """Whether the loop is ready, and paused."""
         return self.cause is Cause.PAUSED
 
 
 def moved_along(ticks: NDArray[Any]) -> float:
-    """Return how well the grip goes where it is pushed: cosine, -1 to 1; 0 if nowhere.
+    """Return how well the grip follows the force: cosine, -1 to 1; 0 if it does not move.
 
-    Of force and of the way from the mean position, over ticks with a force.
+    Between force and displacement from the mean position, over ticks with a force.
     """
     pushed = ticks[np.linalg.norm(ticks["force_n"], axis=1) > 0.0]
     if not len(pushed):

@@ -1,4 +1,4 @@
-"""The playback log: JSON lines that prove what was shown, heard and felt, and when.
+"""The playback log: JSON lines of what was shown, heard and felt, and when.
 
 Times are seconds of CLOCK_MONOTONIC. A thread of its own formats and writes; the
 callers only put records into a queue.
@@ -72,7 +72,7 @@ class PlaybackLog:
             self._note(problem)
 
     def _note(self, problem: OSError) -> None:
-        self.problem = Message("the log is not complete ({reason})", reason=problem)
+        self.problem = Message("the log is incomplete ({reason})", reason=problem)
 
     def _run(self) -> None:
         while (item := self._queue.get()) is not None:

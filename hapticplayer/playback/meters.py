@@ -1,4 +1,4 @@
-"""What is measured while playing: lateness of the loop, force against picture and sound."""
+"""Measurements of playback: lateness of the loop, force against frames and sound."""
 
 import math
 import statistics
@@ -15,36 +15,36 @@ from hapticplayer.model import LoopStats, SyncStats
 
 HISTORY_TICKS = 12_000
 STATS_TICKS = 10_000
-TRACE_EVENTS = 1800  # 30 s of pictures at 60 Hz
+TRACE_EVENTS = 1800  # 30 s of frames at 60 Hz
 _LATEST_US, _LATENESS_STEP_US = 20_000.0, 1.0
 _FARTHEST_MS, _DIFFERENCE_STEP_MS = 200.0, 0.02
 # People do not notice a touch that comes up to 50 ms after what they see, but notice
 # one that comes 15 ms before it (Di Luca & Mahnan 2019).
 EARLY_MS, LATE_MS = -15.0, 50.0
 BACK_MS = 5.0  # so far inside the limits an alarm ends
-LEAST_EVENTS = 12  # half a second of pictures or of notes of the sound
+LEAST_EVENTS = 12  # half a second of frames or of reports of the sound
 _ALARMS = {
-    ("picture", True): (
-        "the force comes {ms:.0f} ms before the picture: "
-        "the computer may be too busy; close other programs"
+    ("picture", True): Message(
+        "the force is {ms:.0f} ms ahead of the video: "
+        "the computer may be overloaded; close other programs"
     ),
-    ("picture", False): (
-        "the force comes {ms:.0f} ms after the picture: "
-        "the computer may be too busy; close other programs"
+    ("picture", False): Message(
+        "the force is {ms:.0f} ms behind the video: "
+        "the computer may be overloaded; close other programs"
     ),
-    ("sound", True): (
-        "the force comes {ms:.0f} ms before the sound: "
-        "the computer may be too busy; close other programs"
+    ("sound", True): Message(
+        "the force is {ms:.0f} ms ahead of the sound: "
+        "the computer may be overloaded; close other programs"
     ),
-    ("sound", False): (
-        "the force comes {ms:.0f} ms after the sound: "
-        "the computer may be too busy; close other programs"
+    ("sound", False): Message(
+        "the force is {ms:.0f} ms behind the sound: "
+        "the computer may be overloaded; close other programs"
     ),
 }
 """By what the force is compared with, and whether it is early."""
 
 
-class Tally:
+class Histogram:
     """Counts values in even steps; those beyond the limits in the first and last one.
 
     A percentile is the mean of the values in its step (nearest rank): off by less than
@@ -92,7 +92,7 @@ class TickHistory:
     def __init__(self) -> None:
         # as plain bytes: numpy copies records field by field, a hundred times slower
         self._rows = np.empty(0, (np.void, TICK.itemsize))
-        self._lateness_us = Tally(0.0, _LATEST_US, _LATENESS_STEP_US)
+        self._lateness_us = Histogram(0.0, _LATEST_US, _LATENESS_STEP_US)
         self._missed = 0
         self.lost = 0
 
@@ -138,16 +138,16 @@ class TickHistory:
 
 
 class SyncMeter:
-    """How much later the force of a moment comes than its picture or its sound.
+    """How much later the force of a moment comes than its frame or its sound.
 
-    An event (a picture shown, a sound heard) at monotonic time t belongs to media
+    An event (a frame shown, a sound heard) at monotonic time t belongs to media
     time m. The loop's own record says which media time m_h it played at t; the
     force that belongs to m is m - m_h later than the event.
     """
 
     def __init__(self) -> None:
         self._pending: list[tuple[float, float]] = []
-        self._total_ms = Tally(-_FARTHEST_MS, _FARTHEST_MS, _DIFFERENCE_STEP_MS)
+        self._total_ms = Histogram(-_FARTHEST_MS, _FARTHEST_MS, _DIFFERENCE_STEP_MS)
         self._recent_ms: deque[float] = deque(maxlen=600)
         self._trace: deque[tuple[float, float]] = deque(maxlen=TRACE_EVENTS)
 
@@ -201,7 +201,7 @@ class SyncMeter:
         return np.array(self._trace).reshape(-1, 2)
 
     def recent(self) -> SyncStats | None:
-        """Return the last 600 events (20 s of pictures at 30 Hz)."""
+        """Return the last 600 events (20 s of frames at 30 Hz)."""
         return _sync_stats(np.array(self._recent_ms))
 
     def total(self) -> SyncStats | None:

@@ -67,7 +67,7 @@ class Player:
         self._force = ForceOutput(clock, self._reporter, device, scheduling, make)
         self._clip.set_device(device)
         self._logged_audio_s = float("-inf")
-        self._is_blind = False
+        self._was_stalled = False
 
     # --- commands: the clip ---------------------------------------------------
 
@@ -87,7 +87,7 @@ class Player:
             self._reporter.event("play")
 
     def pause(self) -> None:
-        """Stand still; the force ramps to zero."""
+        """Pause; the force ramps to zero."""
         if self._clip.handle(Event.PAUSE):
             self._reporter.event("pause")
 
@@ -96,11 +96,11 @@ class Player:
         (self.pause if self._clip.is_playing else self.play)()
 
     def seek(self, media_s: float) -> None:
-        """Go to a position and go on as before."""
+        """Go to a position; keep playing if the clip plays."""
         self._clip.seek(media_s)
 
     def step(self, frames: int) -> None:
-        """Stand still one frame farther (+1) or one frame back (-1)."""
+        """Pause one frame later (+1) or earlier (-1)."""
         self._clip.step(frames)
 
     def set_speed(self, speed: float) -> None:
@@ -118,7 +118,7 @@ class Player:
     # --- commands: outputs ----------------------------------------------------
 
     def set_sink(self, sink: FrameSink) -> None:
-        """Show the frames somewhere else, at a standstill the present one too."""
+        """Show the frames somewhere else; while paused the present one, too."""
         self._clip.video.sink = sink
         self._clip.refresh()
 
@@ -148,7 +148,7 @@ class Player:
     def set_device(
         self, name: str, record: Path | None = None, *, takes_faults: bool = False
     ) -> None:
-        """Let go of the device and take another one, recording its ticks if asked.
+        """Release the device and open another one, recording its ticks if wanted.
 
         Waits for the old one only where both are hardware.
 
@@ -167,22 +167,22 @@ class Player:
 
         Raises:
             DeviceError: with the device's own reason.
-            HapticsError: when the loop died or said nothing in time.
+            HapticsError: when the loop died or was not ready in time.
         """
         self._force.processes.wait_ready()
 
     def wait_released(self) -> None:
-        """Wait until other programs can have the hardware that was let go of."""
+        """Wait until other programs can open the hardware that was released."""
         self._force.wait_released(hardware_only=True)
 
     def stop_force(self) -> None:
-        """Take the force away at once and stand still; `rearm` brings it back."""
+        """Set the force to zero at once and pause; `rearm` brings it back."""
         self._force.processes.stop_force()
         self._reporter.event("stop")
         self.pause()
 
     def rearm(self) -> None:
-        """Let the force come back after a stop."""
+        """Let the force fade in again after a stop."""
         self._force.processes.rearm()
         self._reporter.event("rearm")
 
@@ -198,11 +198,11 @@ class Player:
         self._reporter.event("latency", **asdict(self._clip.latency))
 
     def restart_meters(self) -> None:
-        """Measure the force against picture and sound from here on."""
+        """Measure the force against frames and sound from here on."""
         self._force.restart_meters()
 
     def close(self) -> None:
-        """Bring the hand to rest, end all threads and finish the log."""
+        """Ramp the force to zero, end all threads and finish the log."""
         self._force.processes.stop_force()  # before anything that takes its time
         self._clip.close()
         self._force.close()
@@ -259,7 +259,7 @@ class Player:
         return self._force.history.since(monotonic_s)
 
     def sync_traces(self) -> SyncTraces:
-        """Return the last differences between force, picture and sound."""
+        """Return the last differences between force, frames and sound."""
         return self._force.traces()
 
     def summary(self) -> dict[str, Any]:
@@ -289,11 +289,11 @@ class Player:
         return min(next_s, now_s + POLL_S)
 
     def _has_stalled(self, now_s: float) -> bool:
-        """Whether the decoder does not keep up: nobody shall feel what nobody sees."""
+        """Whether the decoder does not keep up: no force without its frame."""
         is_playing = self._clip.phase is Phase.PLAYING
         has_stalled = self._clip.video.has_stalled(now_s, is_playing=is_playing)
-        if has_stalled is not self._is_blind:
-            self._is_blind = has_stalled
+        if has_stalled is not self._was_stalled:
+            self._was_stalled = has_stalled
             self._reporter.event("picture_stopped" if has_stalled else "picture_back")
         return has_stalled
 

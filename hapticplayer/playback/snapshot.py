@@ -1,4 +1,4 @@
-"""What a front end shows of the player: values, taken when asked for."""
+"""What a front end shows of the player: frozen values."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
@@ -37,12 +37,12 @@ class Snapshot:
         takes_faults: whether the device accepts injected faults.
         loop_pid: process id of the haptic loop.
         scheduling: class of the haptic loop, "" without a device.
-        record_problem: why the record of the ticks is not complete.
+        record_problem: why the recording of the ticks is incomplete.
         mode, cause: of the newest tick.
         tick: the newest tick, see `TICK`; None before the first.
         problem: what is wrong with the clip, "" for nothing.
         notices: sentences for people so far, in order.
-        log_problem: why the log is not complete, once it is closed.
+        log_problem: why the log is incomplete, once it is closed.
     """
 
     phase: Phase = Phase.EMPTY

@@ -193,7 +193,7 @@ def test_a_log_on_a_full_disk_is_told(demo):
     done = hapticplayer(
         "play", demo, "--headless", "--duration", 1, "--log", "/dev/full"
     )
-    assert "log is not complete" in refused(done)
+    assert "log is incomplete" in refused(done)
 
 
 # --- what is refused --------------------------------------------------------

@@ -110,7 +110,7 @@ def test_a_record_that_a_crash_cut_off_is_converted_with_a_note(tmp_path):
     done = hapticplayer("export", path, "-o", tmp_path / "ride.csv")
     assert done.returncode == 0
     assert "note:" in done.stderr
-    assert "cut off" in done.stderr
+    assert "truncated" in done.stderr
     assert len(rows_of(tmp_path / "ride.csv")) == 450
 
 

@@ -52,10 +52,10 @@ class FaultyLoop(Loop):
         self._pending.discard(fault)
         return True
 
-    def _look_at_the_clock(self, count: int) -> None:
+    def _read_clock(self, count: int) -> None:
         if self._sound is not None:
             self._track, self._sound = self._sound, None
-        super()._look_at_the_clock(count)
+        super()._read_clock(count)
         if self._track is not None and self._is_due(Fault.FORCE_NAN):
             self._sound, self._track = self._track, _Poisoned()  # type: ignore[assignment]
 

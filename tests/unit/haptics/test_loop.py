@@ -145,7 +145,7 @@ def test_an_invalid_track_is_refused_and_the_loop_continues(rig):
     rig.tick(2)
     message = rig.player.receive()
     assert message.word is Word.FAILED
-    assert "does not fit" in message.text
+    assert "does not match" in message.text
 
 
 def test_missed_periods_are_skipped_and_counted_never_caught_up():

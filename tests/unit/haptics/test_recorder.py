@@ -179,7 +179,7 @@ def test_a_torn_write_is_taken_back(tmp_path, ring, monkeypatch):
         writer.append(0, 0, ring.block.read_ticks(0)[0])
     os.close(descriptor)
     assert path.stat().st_size == size
-    assert read_record(path).remark.startswith("the recording has no end")
+    assert read_record(path).notice.startswith("the recording has no end")
 
 
 # --- as a process -----------------------------------------------------------
@@ -265,7 +265,7 @@ def test_a_full_disk_ends_it_with_a_reason_and_a_whole_record(start, ring, capfd
     record = read_record(path)
     assert len(record.ticks) >= 100
     assert numbers(record) == list(range(len(record.ticks)))
-    assert "damaged" not in record.remark
+    assert "damaged" not in record.notice
     assert len(capfd.readouterr().err.splitlines()) == 1
 
 

@@ -98,7 +98,7 @@ def test_every_bit_comes_back(tmp_path, ticks):
     assert record.ticks.dtype == TICK
     assert record.is_complete
     assert record.lost == 0
-    assert record.remark == ""
+    assert record.notice == ""
     assert record.header["device"] == "simulated"
     assert record.header["modes"]["4"] == "tripped"
     assert record.header["started_utc"].endswith("+00:00")
@@ -110,7 +110,7 @@ def test_lost_ticks_are_told(read, ticks):
     record = read(data)
     assert record.lost == 10 + 6 + 3
     assert record.is_complete
-    assert record.remark == ""
+    assert record.notice == ""
 
 
 def test_a_record_with_other_fields_is_read_by_its_header(read):
@@ -135,7 +135,7 @@ def test_a_record_that_still_grows_is_read_as_far_as_it_is(tmp_path, ticks):
     os.close(descriptor)
     assert numbers == [0]
     assert not reader.is_complete
-    assert "no end" in reader.remark
+    assert "no end" in reader.notice
 
 
 # --- what is cut off --------------------------------------------------------
@@ -153,7 +153,7 @@ def test_cut_off_anywhere_it_gives_what_is_whole_before(read, ticks):
         kept = sum(n for n, end in zip(COUNTS, ends, strict=True) if end <= length)
         assert record.ticks.tobytes() == ticks[:kept].tobytes()
         assert not record.is_complete
-        assert "no end" in record.remark
+        assert "no end" in record.notice
 
 
 def test_a_tail_of_zeros_after_a_loss_of_power_is_recognised(read, ticks):
@@ -184,17 +184,17 @@ def test_a_flipped_bit_costs_its_frame_and_is_told(read, ticks, rng):
         expected = without.get(part - 1, ticks)  # the last part is the end
         assert record.ticks.tobytes() == expected.tobytes()
         assert not record.is_complete
-        assert record.remark
+        assert record.notice
         if part <= len(COUNTS):
             assert record.lost == COUNTS[part - 1]
-            assert "damaged places: 1" in record.remark
+            assert "damaged places: 1" in record.notice
 
 
 def test_what_follows_the_end_is_told(read, whole):
     record = read(whole + b"x")
     assert len(record.ticks) == sum(COUNTS)
     assert not record.is_complete
-    assert "follows" in record.remark
+    assert "after the end" in record.notice
 
 
 def test_a_marker_across_the_border_of_two_chunks_is_found(read, ticks, monkeypatch):
@@ -257,7 +257,7 @@ def test_ticks_that_go_back_in_time_are_left_out(read, ticks):
 def test_endless_false_frames_are_given_up(read):
     record = read(encode_header({}) + frame_head(1, 0, 0) * 20_000)
     assert len(record.ticks) == 0
-    assert "damaged places: 1000" in record.remark
+    assert "damaged places: 1000" in record.notice
 
 
 def test_endless_markers_are_given_up(read, monkeypatch):
@@ -268,7 +268,7 @@ def test_endless_markers_are_given_up(read, monkeypatch):
     )
     record = read(encode_header({}) + MARKER * 500_000)
     assert len(record.ticks) == 0
-    assert "no end" in record.remark
+    assert "no end" in record.notice
     assert len(looks) < 70_000
 
 
@@ -314,7 +314,7 @@ def test_another_version_is_told_apart(read):
 
 @pytest.mark.parametrize("data", [b"", b"time_s,ax\n1,2\n", b"\x89PNG\r\n\x1a\n" * 9])
 def test_other_files_are_refused(read, data):
-    with pytest.raises(InputError, match=r"is empty|is no record"):
+    with pytest.raises(InputError, match=r"is empty|is not a recording"):
         read(data)
 
 

@@ -35,8 +35,8 @@ def test_a_few_outliers_are_no_alarm():
 
 
 def test_it_says_by_how_much_and_where():
-    assert fed(-20.0).sentence().startswith("the force comes 20 ms before the picture")
-    assert fed(70.0).sentence().startswith("the force comes 70 ms after the picture")
+    assert fed(-20.0).sentence().startswith("the force is 20 ms ahead of the video")
+    assert fed(70.0).sentence().startswith("the force is 70 ms behind the video")
 
 
 @given(st.lists(st.floats(-300.0, 300.0), max_size=60))
