@@ -26,7 +26,8 @@ if TYPE_CHECKING:
 STANDARD_GRAVITY_MPS2 = 9.80665
 """|g| of equation 1 (3rd CGPM, 1901); local gravity is within 0.3 % of it."""
 
-_MODULES = ("device", "force", "imu", "mapping", "motion", "timing")
+_MODULES = ("device", "timing", "force", "imu", "mapping", "motion")
+"""Searched in this order: the first two load no numpy, which loop and guard do without."""
 
 __all__ = [
     "M_AD",
