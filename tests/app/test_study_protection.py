@@ -49,7 +49,7 @@ def test_notifications_are_held_back_during_a_session(
     assert bus.registerService(NOTIFICATIONS)
     monkeypatch.setattr(
         "app.participant.application.IdleInhibitor",
-        lambda _own, services: IdleInhibitor(address, services=services),
+        lambda services: IdleInhibitor(address, services),
     )
     session = sit(make_study())
     wait_for(lambda: NOTIFICATIONS in session.undisturbed.held_by)
@@ -63,9 +63,9 @@ def test_notifications_are_held_back_during_a_session(
 
 
 def test_media_keys_find_no_player_while_a_session_runs(
-    window, bus, tmp_path, monkeypatch, wait_for, make_study
+    window, bus, address, tmp_path, monkeypatch, wait_for, make_study
 ):
-    window.desktop.mpris = Mpris(window.player, window.raise_, window.close, bus)
+    window.desktop.mpris = Mpris(window.player, window.raise_, window.close, address)
     window.desktop.begin()
     is_there = bus.interface().isServiceRegistered
     assert is_there(NAME).value()
