@@ -1,4 +1,4 @@
-"""What may happen to a recording's files, and what must hold whatever happens."""
+"""Damage to the files of a recording, and what must hold in every case."""
 
 from dataclasses import dataclass
 from pathlib import Path

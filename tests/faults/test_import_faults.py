@@ -57,7 +57,7 @@ def test_a_gap_stays_a_gap_and_nothing_is_made_up_in_it(key, tmp_path):
 
 
 @pytest.mark.parametrize("key", [k for k in TIMED if k != "GoPro, raw"])
-def test_repeated_times_are_repaired_and_said(key, tmp_path):
+def test_repeated_times_are_repaired_with_a_note(key, tmp_path):
     verdict = with_one(key, "duplicate", tmp_path / "in")
     assert verdict.recording is not None
     said = ("share the time", "repeat the one", "carry the time")

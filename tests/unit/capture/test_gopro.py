@@ -127,7 +127,7 @@ def synthetic(
     return packets
 
 
-def test_stamps_place_the_samples_relative_to_the_first_picture():
+def test_stamps_are_relative_to_the_first_frame():
     stamps = 500_000 - 12_000 + 1_000_000 * np.arange(5)
     packets = synthetic([200] * 5, stamps=stamps, frame0_us=500_000)
     imu = read_gopro(packets).imu
@@ -188,7 +188,7 @@ def test_lost_samples_leave_a_gap():
     assert np.sum(steps_s > 0.006) == 1
 
 
-def test_senseless_totals_are_not_believed():
+def test_implausible_totals_are_ignored():
     totals = [200, 100, 2_000_000_000, 5]
     plain = read_gopro(synthetic([200] * 4)).imu
     np.testing.assert_array_equal(
@@ -201,10 +201,10 @@ def test_senseless_totals_are_not_believed():
     [
         [0, 1_000_000, 900_000, 3_000_000],  # backwards
         [0, 2_000_000, 4_000_000, 6_000_000],  # another pace
-        [9_000_000, 10_000_000, 11_000_000, 12_000_000],  # far from the pictures
+        [9_000_000, 10_000_000, 11_000_000, 12_000_000],  # far from the frames
     ],
 )
-def test_stamps_that_contradict_the_video_are_not_believed(stamps):
+def test_stamps_that_contradict_the_video_are_ignored(stamps):
     packets = synthetic([200] * 4, stamps=np.array(stamps))
     telemetry = read_gopro(packets)
     assert "does not timestamp" in telemetry.notes[1]

@@ -79,7 +79,7 @@ def test_gravity_of_the_camera_agrees_with_these_axes_only():
     assert second > 1.0
 
 
-def test_gyro_turns_the_gravity_of_the_camera():
+def test_gyro_rotates_the_gravity_of_the_camera():
     """d/dt of GRAV = -rate x GRAV: only the right axes of the gyro predict it."""
     imu, time_s, direction = hero9_rotation()
     angle = np.cumsum(imu.angular_rate_radps[1:] * np.diff(imu.time_s)[:, None], axis=0)
@@ -125,7 +125,7 @@ def shift_px(before: NDArray[np.complex128], after: NDArray[np.complex128],
     return float(dx), float(dy)
 
 
-def test_picture_moves_as_the_gyro_says():
+def test_image_moves_with_the_gyro():
     """Frame A is x right, y front, z up, and not its half turn x left, y back.
 
     Turning left (rate about z > 0) moves the picture to the right; lifting the nose
@@ -200,7 +200,7 @@ def test_each_camera_ends_in_frame_a(orin, camera):
         ("XzY", [[0, -1, 0], [1, 0, 0], [0, 0, 1]]),
     ],
 )
-def test_matrix_says_the_same_as_the_letters(orin, matrix):
+def test_matrix_and_letters_agree(orin, matrix):
     by_letters = frame_a_from_stored(stream(text("ORIN", orin)), "")
     by_matrix = frame_a_from_stored(
         stream(floats("MTRX", [np.ravel(matrix)]), text("ORIO", "ZXY")), ""

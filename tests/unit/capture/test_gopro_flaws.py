@@ -83,7 +83,7 @@ def with_compass(components: int, orin: str) -> list[TelemetryPacket]:
 
 
 @pytest.mark.parametrize("components", [3, 4])
-def test_compass_is_turned_into_frame_a(components):
+def test_compass_is_rotated_into_frame_a(components):
     imu = read_gopro(with_compass(components, "ZXY")).imu
     assert imu.magnetic_field_ut is not None
     error = np.abs(imu.magnetic_field_ut - true_field(imu.time_s))
@@ -91,13 +91,13 @@ def test_compass_is_turned_into_frame_a(components):
     assert error[inside].max() < 0.1
 
 
-def test_compass_without_axes_is_left_out_and_said():
+def test_compass_without_axes_is_ignored_with_a_note():
     telemetry = read_gopro(with_compass(3, ""))
     assert telemetry.imu.magnetic_field_ut is None
     assert any("compass is ignored" in note for note in telemetry.notes)
 
 
-def test_compass_of_the_fusion_is_left_out():
+def test_compass_of_the_fusion_is_ignored():
     recording = read_recording(recorded("gopro/fusion.bin"))
     assert recording.imu.magnetic_field_ut is None
     assert any("declare its axes" in note for note in recording.notes)
@@ -131,7 +131,7 @@ def test_orientations_without_accelerations_are_refused():
         )
 
 
-def test_a_rate_in_degrees_is_not_believed():
+def test_a_rate_in_degrees_is_rejected():
     """A damaged SCAL: the rate turns gravity 57 times too fast."""
     clean = sample(apart=True, seconds=40.0)
     clean.rate[:] = np.degrees(clean.rate)

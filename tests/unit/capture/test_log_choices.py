@@ -112,7 +112,7 @@ def test_a_factor_is_a_unit(table):
     assert np.abs(imu.specific_force_mps2 - true_force(imu.time_s)).max() < 0.06
 
 
-def test_sign_of_the_accelerometer_can_be_turned(tmp_path):
+def test_sign_of_the_accelerometer_can_be_negated(tmp_path):
     """As MARS of iOS writes it: -1 g upwards; no rotation of axes could mend it."""
     clean = sample()
     clean.force[:] *= -1.0

@@ -114,14 +114,14 @@ def test_sensors_are_not_paired_by_their_place(tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("key", "first_picture_s"),
+    ("key", "first_frame_s"),
     [("MARS", 0.75), ("EuRoC", 0.5), ("OpenCamera Sensors", 0.25)],
 )
-def test_times_of_the_pictures_fix_the_clock(tmp_path, key, first_picture_s):
+def test_times_of_the_frames_fix_the_clock(tmp_path, key, first_frame_s):
     one = FORMATS[key]
     path = put(one.write(sample(apart=one.apart)), tmp_path / "in", as_zip=True)
     clock = read(one, path).clock_map
-    assert clock.offset_s == pytest.approx(-first_picture_s, abs=1e-9)
+    assert clock.offset_s == pytest.approx(-first_frame_s, abs=1e-9)
     assert clock.confidence == 1.0
 
 
@@ -196,7 +196,7 @@ def test_axes_that_are_none_are_refused(tmp_path, axes, sentence):
         read_recording(path, parse_choices([f"axes={axes}"]))
 
 
-def test_axes_that_were_chosen_are_doubted_but_used(tmp_path):
+def test_chosen_axes_are_used_with_a_note(tmp_path):
     path = put(FORMATS["MARS"].write(sample()), tmp_path / "in")
     recording = read_recording(path, parse_choices(["axes=x,-y,-z"]))
     assert any("gravity shows that z was up" in note for note in recording.notes)
@@ -211,7 +211,7 @@ def test_android_is_read_with_gravity_and_not_without(tmp_path):
     assert recording.provenance["norm_at_rest_mps2"] == pytest.approx(9.807, abs=0.01)
 
 
-def test_ios_adds_gravity_and_turns_the_signs(tmp_path):
+def test_ios_adds_gravity_and_negates(tmp_path):
     recording = read_recording(
         put(sensor_logger_ios(sample(apart=True)), tmp_path / "in")
     )
@@ -236,7 +236,7 @@ def test_a_phone_that_does_not_say_its_system_is_asked_about(tmp_path):
     assert read_recording(path, choice).camera == "Sensor Logger (iOS)"
 
 
-def test_one_file_of_a_phone_says_what_is_missing(tmp_path):
+def test_one_file_of_a_phone_names_what_is_missing(tmp_path):
     files = sensor_logger_android(sample(apart=True))
     name = "TotalAcceleration.csv"
     path = put({name: files[name]}, tmp_path / "in")
@@ -323,7 +323,7 @@ def test_raw_counts_of_a_razor_ask_for_the_rate(tmp_path):
         read_recording(path)
 
 
-def test_razor_without_times_assumes_its_interval_and_says_so(tmp_path):
+def test_razor_without_times_assumes_a_rate_with_a_note(tmp_path):
     path = put(FORMATS["Razor-AHRS"].write(sample(rate_hz=50.0)), tmp_path / "in")
     recording = read_recording(path)
     assert recording.imu.rate_hz == pytest.approx(50.0)

@@ -1,4 +1,4 @@
-"""Mountings are rotations, and gravity tells which of them cannot be."""
+"""Mountings are rotations, and gravity excludes some of them."""
 
 import numpy as np
 import pytest
@@ -57,7 +57,7 @@ def test_a_camera_that_looks_to_the_right_sees_the_right():
     assert back.tolist() == [0.0, -1.0, 0.0]
 
 
-def test_a_recorder_that_turns_over_tells_nothing():
+def test_a_recorder_that_tumbles_has_no_up():
     rng = np.random.default_rng(2)
     force = rng.standard_normal((500, 3))
     force *= 9.81 / np.linalg.norm(force, axis=1)[:, None]

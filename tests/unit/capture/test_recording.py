@@ -82,7 +82,7 @@ def test_synthetic_camera_file_is_read_with_its_times(tmp_path, mute_clip):
     np.testing.assert_allclose(recording.imu.specific_force_mps2[:, 2], 9.8, rtol=1e-6)
 
 
-def test_video_without_motion_says_what_to_give(mute_clip):
+def test_video_without_motion_names_the_remedy(mute_clip):
     with pytest.raises(TelemetryError) as caught:
         read_recording(mute_clip)
     assert str(caught.value) == (
@@ -129,8 +129,8 @@ def test_importing_the_room_loads_neither_pyav_nor_scipy():
     assert result.stdout.strip() == "[]"
 
 
-def test_units_and_axes_of_a_camera_are_said_and_checked(tmp_path):
-    """A HERO9 at rest shows 9.83 m/s2 here, by its own norm; one that shows 1.3 g lies."""
+def test_units_and_axes_of_a_camera_are_noted(tmp_path):
+    """A HERO9 at rest shows 9.83 m/s2 here, by its own norm; 1.3 g is implausible."""
     real = read_recording(recorded("gopro/hero9_rotation.gpmd"))
     assert "9.83 m/s2 at rest" in real.notes[0]
     assert "x to its right, y to where it looks, z to its top" in real.notes[0]

@@ -170,7 +170,7 @@ def with_cell(line: str, column: int, cell: str) -> str:
 
 @pytest.mark.parametrize("cell", ["", "  ", "nan", "NaN", "inf", "-inf"])
 @pytest.mark.parametrize("column", [1, 3, 6])
-def test_a_missing_value_is_filled_marked_and_said(tmp_path, cell, column):
+def test_a_missing_value_is_filled_marked_and_noted(tmp_path, cell, column):
     lines = noisy_lines()
     clean = read_imu(write(tmp_path / "clean.csv", lines))
     lines[60] = with_cell(lines[60], column, cell)
@@ -230,7 +230,7 @@ def test_a_gap_stays_a_gap(tmp_path):
     assert "about 50 samples were never recorded" in log.notes[1]
 
 
-def test_a_log_without_any_noise_is_read_and_doubted(tmp_path):
+def test_a_log_without_noise_is_read_with_a_note(tmp_path):
     log = read_recording(write(tmp_path / "log.csv", log_lines()))
     assert log.notes == ("all samples are the same: was the sensor stuck?",)
 

@@ -53,7 +53,7 @@ def test_a_zip_that_swells_is_refused_before_it_fills_the_memory(tmp_path, monke
         read_recording(path)
 
 
-def test_a_zip_that_lies_about_its_size_ends_at_the_limit(tmp_path, monkeypatch):
+def test_a_zip_of_false_size_ends_at_the_limit(tmp_path, monkeypatch):
     monkeypatch.setattr(source, "MAX_CSV_BYTES", 1000)
     path = tmp_path / "log.csv"
     path.write_bytes(b"1\n" * 499)
@@ -101,7 +101,7 @@ def test_encrypted_and_broken_zips_are_refused(tmp_path):
 @pytest.mark.parametrize(
     "files", [{}, {"readme.txt": b"hello"}, {"a.jpg": b"\xff\xd8"}]
 )
-def test_a_folder_without_a_log_says_so(tmp_path, files):
+def test_a_folder_without_a_log_is_rejected(tmp_path, files):
     folder = tmp_path / "in"
     folder.mkdir()
     for name, content in {**files, "other.md": b"# notes"}.items():

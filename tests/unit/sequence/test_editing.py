@@ -89,7 +89,7 @@ def test_the_three_tracks_of_every_sequence_stay(folder):
         editing.rename_sequence(folder, "  ")
 
 
-def test_a_gain_scales_the_force_and_its_preview_says_so(folder):
+def test_a_gain_scales_the_force_as_previewed(folder):
     before = open_sequence(folder)
     found = editing.preview_gain(folder, 0.2)
     editing.set_gain(folder, 0.2)

@@ -172,7 +172,7 @@ def test_only_a_strong_track_gets_a_notice():
     assert "% of the workspace with a relaxed hand" in text
 
 
-def test_a_trip_is_told_instead():
+def test_a_trip_is_reported_instead():
     found = predict(quiet(), 60.0)
     found["hands"]["normal"].update(trip="runaway", trip_at_s=12.34)
     assert excursion_texts(found) == [
@@ -206,7 +206,7 @@ def test_a_sequence_without_a_prediction_is_opened_without_words(tmp_path, entry
     assert stored_texts(tmp_path / "missing", "realistic") == []
 
 
-def test_the_quality_report_says_it_in_figures_and_words(swing, recording):
+def test_the_quality_report_has_figures_and_words(swing, recording):
     processed = process_motion(swing[0], Processing())
     report = describe_quality(recording, processed)
     reach = report["excursion"]["hands"]["relaxed"]["reach"]

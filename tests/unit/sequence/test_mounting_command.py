@@ -1,4 +1,4 @@
-"""How a recorder sat is asked for, taken, and kept."""
+"""The mounting of a recorder is asked for, applied and stored."""
 
 import json
 
@@ -34,7 +34,7 @@ def test_an_import_asks_for_a_recorder_that_hung(tmp_path, tiny_clip, hanging, c
 
 
 @pytest.mark.parametrize("said", ["upside-down", "-x,y,-z"])
-def test_a_mounting_turns_the_motion_and_is_kept(
+def test_a_mounting_rotates_the_motion_and_is_stored(
     tmp_path, tiny_clip, hanging, still_log, said
 ):
     assert run(tiny_clip, hanging, tmp_path / "ride", f"--mounting={said}") == 0
@@ -48,14 +48,14 @@ def test_a_mounting_turns_the_motion_and_is_kept(
         )
 
 
-def test_what_a_person_insists_on_is_taken_with_a_note(tmp_path, tiny_clip, hanging):
+def test_a_mounting_against_gravity_gets_a_note(tmp_path, tiny_clip, hanging):
     assert run(tiny_clip, hanging, tmp_path / "ride", "--mounting", "forward") == 0
     made_of = open_sequence(tmp_path / "ride").description["provenance"]
     assert made_of["mounting"] == "x,y,z"
     assert any("-z of the recorder was up" in note for note in made_of["notes"])
 
 
-def test_process_turns_too_or_says_what_gravity_shows(hanging, capsys):
+def test_process_rotates_too_or_adds_a_note(hanging, capsys):
     def notes(*more):
         assert main(["process", str(hanging), "--no-cache", "--json", *more]) == 0
         return " ".join(json.loads(capsys.readouterr().out)["notes"])
@@ -65,11 +65,11 @@ def test_process_turns_too_or_says_what_gravity_shows(hanging, capsys):
 
 
 @pytest.mark.parametrize("said", ["sideways", "x,y", "x,y,-z", ""])
-def test_what_is_no_mounting_is_refused_with_those_there_are(hanging, capsys, said):
+def test_an_unknown_mounting_is_refused(hanging, capsys, said):
     assert main(["process", str(hanging), f"--mounting={said}"]) == 2
     assert "upside-down" in capsys.readouterr().err
 
 
-def test_a_sequence_is_not_turned_again(sequence_folder, capsys):
+def test_a_sequence_is_not_rotated_again(sequence_folder, capsys):
     assert main(["process", str(sequence_folder), "--mounting", "backward"]) == 2
     assert "is a sequence" in capsys.readouterr().err

@@ -1,4 +1,4 @@
-"""What is done to the motion, in which order, and what is said about it."""
+"""Conditioning and gravity removal: order, report and notes."""
 
 import dataclasses
 

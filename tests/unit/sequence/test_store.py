@@ -1,4 +1,4 @@
-"""A sequence comes back as it was written, and says what is wrong when it was not."""
+"""A sequence opens as written, and damage is named."""
 
 import dataclasses
 import json
@@ -38,7 +38,7 @@ def test_what_was_written_comes_back(sequence_folder, recording):
     verify_sequence(sequence_folder)
 
 
-def test_its_provenance_says_how_it_came_about(sequence_folder):
+def test_its_provenance_documents_the_import(sequence_folder):
     made_of = open_sequence(sequence_folder).description["provenance"]
     assert made_of["gravity_removal"] == motion.DEFAULT_METHOD
     assert made_of["accelerometer_gain"] == pytest.approx(1 / 1.03, abs=1e-3)

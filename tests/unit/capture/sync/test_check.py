@@ -1,4 +1,4 @@
-"""Whether three pats stand out of one stream: told from rides without any."""
+"""Three pats of one stream stand out, against rides without any."""
 
 import pytest
 

@@ -16,7 +16,7 @@ def error_s(clip, clock, media_s=30.0):
     return clock.rate * log_s + clock.offset_s - media_s
 
 
-def knocked(pats_s, rate_hz, offset_s, rng, peak_mps2=20.0, hz=30.0):
+def tapped(pats_s, rate_hz, offset_s, rng, peak_mps2=20.0, hz=30.0):
     """A log at rest with damped sines at media times, sampled point by point."""
     t = np.arange(0.0, 30.0, 1.0 / rate_hz)
     force = np.array([0.0, 0.0, 9.81]) + 0.06 * rng.standard_normal((len(t), 3))
@@ -42,7 +42,7 @@ PATS_S = (3.2, 3.7, 4.25)
 @pytest.mark.parametrize("offset_s", [-19.37, 0.0, 1.2345])
 def test_pats_in_a_still_log_give_the_offset_to_two_milliseconds(rng, offset_s):
     pats_s = np.array(PATS_S) + max(offset_s, 0.0)
-    imu = knocked(pats_s, 200, offset_s, rng)
+    imu = tapped(pats_s, 200, offset_s, rng)
     found = synchronize(imu, thumps(pats_s, rng))
     assert found.is_confident
     assert found.clock_map.offset_s == pytest.approx(offset_s, abs=0.002)
@@ -50,7 +50,7 @@ def test_pats_in_a_still_log_give_the_offset_to_two_milliseconds(rng, offset_s):
 
 
 def test_stereo_at_48_khz_gives_the_same_as_mono(rng):
-    imu = knocked(PATS_S, 200, 0.5, rng)
+    imu = tapped(PATS_S, 200, 0.5, rng)
     mono = thumps(PATS_S, rng, 48_000)
     once = synchronize(imu, mono, 48_000)
     twice = synchronize(imu, np.stack([mono, mono], axis=1), 48_000)
@@ -59,7 +59,7 @@ def test_stereo_at_48_khz_gives_the_same_as_mono(rng):
 
 
 def test_the_skew_of_a_camera_is_taken_off(rng):
-    imu, sound = knocked(PATS_S, 200, 0.5, rng), thumps(PATS_S, rng)
+    imu, sound = tapped(PATS_S, 200, 0.5, rng), thumps(PATS_S, rng)
     plain = synchronize(imu, sound)
     late = synchronize(imu, sound, sound_late_s=0.080)
     difference_s = plain.clock_map.offset_s - late.clock_map.offset_s
@@ -119,17 +119,17 @@ def test_the_log_of_another_ride_is_flagged():
 
 
 def test_pats_that_are_only_heard_are_flagged(rng):
-    imu = knocked((), 200, 0.0, rng)
+    imu = tapped((), 200, 0.0, rng)
     assert not synchronize(imu, thumps(PATS_S, rng)).is_confident
 
 
 def test_two_pats_are_flagged(rng):
-    imu = knocked(PATS_S[:2], 200, 0.0, rng)
+    imu = tapped(PATS_S[:2], 200, 0.0, rng)
     assert not synchronize(imu, thumps(PATS_S[:2], rng)).is_confident
 
 
 def test_variance_is_sure_only_where_the_pats_agree(rng):
-    imu, sound = knocked(PATS_S, 200, 0.5, rng), thumps(PATS_S, rng)
+    imu, sound = tapped(PATS_S, 200, 0.5, rng), thumps(PATS_S, rng)
     found = synchronize(imu, sound, method="variance")
     assert found.clock_map.offset_s == pytest.approx(0.5, abs=0.03)
     # a slammed door that only the camera hears comes first
@@ -140,7 +140,7 @@ def test_variance_is_sure_only_where_the_pats_agree(rng):
 
 
 def test_a_given_or_embedded_clock_is_taken_as_it_is(rng):
-    imu = knocked((), 200, 0.0, rng)
+    imu = tapped((), 200, 0.0, rng)
     known = ClockMap(1.5, 1.0001)
     assert synchronize(imu, method="offset", known=known).clock_map == known
     assert synchronize(imu, method="embedded", known=known).clock_map == known
@@ -160,19 +160,19 @@ def test_a_given_or_embedded_clock_is_taken_as_it_is(rng):
 )
 def test_sound_without_pats_is_refused_with_the_reason(rng, sound, words):
     with pytest.raises(InputError, match=words):
-        synchronize(knocked(PATS_S, 200, 0.0, rng), sound)
+        synchronize(tapped(PATS_S, 200, 0.0, rng), sound)
 
 
 def test_a_log_of_five_hertz_and_unknown_methods_are_refused(rng):
     with pytest.raises(InputError, match="100 Hz"):
-        synchronize(knocked(PATS_S, 5, 0.0, rng), thumps(PATS_S, rng))
+        synchronize(tapped(PATS_S, 5, 0.0, rng), thumps(PATS_S, rng))
     with pytest.raises(UsageError, match="nonsense"):
-        synchronize(knocked(PATS_S, 200, 0.0, rng), method="nonsense")
+        synchronize(tapped(PATS_S, 200, 0.0, rng), method="nonsense")
 
 
 @pytest.mark.parametrize("count", [1, 2, 30])
 def test_a_log_of_few_samples_is_no_match_but_no_crash(rng, count):
-    imu = knocked(PATS_S, 200, 0.0, rng)
+    imu = tapped(PATS_S, 200, 0.0, rng)
     short = ImuLog(
         imu.time_s[:count],
         imu.specific_force_mps2[:count],
@@ -207,8 +207,8 @@ def test_an_onset_is_found_to_two_milliseconds_in_noise(rng):
     assert found.time_s == pytest.approx([5.0, 9.5], abs=0.002)
 
 
-def test_averages_of_30_hz_are_told_to_a_third_of_a_sample(rng):
-    fine = knocked(PATS_S, 2100, 0.25, rng, hz=25.0)
+def test_averages_of_30_hz_give_a_third_of_a_sample(rng):
+    fine = tapped(PATS_S, 2100, 0.25, rng, hz=25.0)
     rows = len(fine) // 70
     mean = fine.specific_force_mps2[: rows * 70].reshape(rows, 70, 3).mean(axis=1)
     time_s = fine.time_s[: rows * 70].reshape(rows, 70).mean(axis=1)
