@@ -5845,7 +5845,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>unknown format {name!r}; choose one of {known}</source>
-        <translation>format inconnu {name!r} ; choisissez parmi {known}</translation>
+        <translation>format inconnu {name!r} ; choisissez parmi {known}</translation>
     </message>
     <message>
         <source>unknown sequence {key!r}; choose one of {known}</source>
