@@ -80,7 +80,7 @@ class ImportWizard(QDialog):
         self._timer = QTimer(self)
         self._timer.timeout.connect(self._poll)
         self._timer.start(_POLL_MS)
-        self._go(FILES)
+        self.go_to(FILES)
 
     # --- building ------------------------------------------------------------
 
@@ -114,7 +114,7 @@ class ImportWizard(QDialog):
         )
         self.another.clicked.connect(self._begin_again)
         self.back = text_button(self.tr("&Back"), self.tr("To the step before"))
-        self.back.clicked.connect(lambda: self._go(self.stack.currentIndex() - 1))
+        self.back.clicked.connect(lambda: self.go_to(self.stack.currentIndex() - 1))
         self.next = text_button(
             self.tr("&Next"), self.tr("To the next step"), "primary"
         )
@@ -133,7 +133,8 @@ class ImportWizard(QDialog):
         except HapticPlayerError as problem:
             self.files.show_problem(problem)
 
-    def _go(self, step: int) -> None:
+    def go_to(self, step: int) -> None:
+        """Show a page."""
         self.stack.setCurrentIndex(step)
         self.problem.clear()
         if step != SYNC:
@@ -185,7 +186,7 @@ class ImportWizard(QDialog):
         elif at == MOUNTING:
             self._import()
         else:
-            self._go(at + 1)
+            self.go_to(at + 1)
 
     def _begin_again(self) -> None:
         self.recognised = self.made = None
@@ -193,7 +194,7 @@ class ImportWizard(QDialog):
             field.clear()
         self.files.forget()
         self.files.take([])
-        self._go(FILES)
+        self.go_to(FILES)
 
     # --- work ----------------------------------------------------------------
 
@@ -263,7 +264,7 @@ class ImportWizard(QDialog):
             )
 
         self.problem.clear()
-        self.jobs.run(self.tr("Importing {0}").format(video.name), work, self._on_made)
+        self.jobs.run(self.tr("Importing {0}").format(video.name), work, self.on_made)
         self._show_buttons()
 
     def _choices(self) -> Choices:
@@ -275,13 +276,14 @@ class ImportWizard(QDialog):
             mounting=self.mounting.axes,
         )
 
-    def _on_made(self, folder: Path) -> None:
+    def on_made(self, folder: Path) -> None:
+        """Show the sequence that was made."""
         self.made = folder
         self.library_chosen.emit(self.mounting.library)
         description: dict[str, Any] = files.read_json(folder / DESCRIPTION)
         notes = stored_notes(description["provenance"])
         self.report.show_findings(quality_report(description), notes)
-        self._go(REPORT)
+        self.go_to(REPORT)
 
     # --- what happens by itself ----------------------------------------------
 

@@ -75,7 +75,7 @@ def about_dialog(parent: QWidget) -> QDialog:
 
 
 _FOLDER = "folder"
-_LATER = (
+LATER = (
     "app.experimenter.import_wizard",
     "app.experimenter.library_page",
     "app.experimenter.study_editor",
@@ -121,7 +121,7 @@ class Dialogs(QObject):
         """Load in a thread what the dialogs need: one is about to be chosen."""
         if not self._is_prepared:
             self._is_prepared = True
-            threading.Thread(target=_load, name="dialogs").start()
+            threading.Thread(target=load, name="dialogs").start()
 
     def open_sequence(self) -> None:
         """Choose the folder of a sequence."""
@@ -273,14 +273,14 @@ class Dialogs(QObject):
         dialog.setAcceptMode(QFileDialog.AcceptMode.AcceptSave)
         dialog.setFileMode(QFileDialog.FileMode.AnyFile)
         dialog.setDefaultSuffix("json")
-        dialog.fileSelected.connect(self._export)
+        dialog.fileSelected.connect(self.export)
         dialog.open()
 
     def import_settings(self) -> None:
         """Take settings over from a file."""
         title = self.tr("Import settings")
         dialog = file_dialog(self._window, title, self._folder(), settings_filter())
-        dialog.fileSelected.connect(self._take)
+        dialog.fileSelected.connect(self.take)
         dialog.open()
 
     def about(self) -> None:
@@ -291,13 +291,15 @@ class Dialogs(QObject):
         self._settings.keep(_FOLDER, str(Path(path).parent))
         self._session.open_path(Path(path))
 
-    def _export(self, path: str) -> None:
+    def export(self, path: str) -> None:
+        """Write the settings into a file."""
         try:
             self._settings.export(Path(path))
         except HapticPlayerError as problem:
             self._session.gateway.report(problem)
 
-    def _take(self, path: str) -> None:
+    def take(self, path: str) -> None:
+        """Read the settings of a file."""
         try:
             self._settings.take(Path(path))
         except HapticPlayerError as problem:
@@ -310,6 +312,7 @@ class Dialogs(QObject):
         return self._settings.text(_FOLDER, str(Path.home()))
 
 
-def _load() -> None:
-    for name in _LATER:
+def load() -> None:
+    """Import what dialogs need, which takes a moment."""
+    for name in LATER:
         importlib.import_module(name)

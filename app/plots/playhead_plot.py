@@ -63,13 +63,13 @@ class PlayheadPlot(pg.PlotWidget):
         # everything moves, and the times are no items of the scene
         self.setViewportUpdateMode(self.ViewportUpdateMode.FullViewportUpdate)
         self.setCacheMode(self.CacheModeFlag.CacheNone)
-        self._notice = ""
+        self.notice = ""
         self._media_s = 0.0
         self.span = span or ViewSpan()
         self.page_s = (math.inf, -math.inf)  # what the lines cover
-        self._view: Any = self.getPlotItem().getViewBox()
+        self.view_box: Any = self.getPlotItem().getViewBox()
         self._set_up_item(self.getPlotItem())
-        self._groups = [self._make_group(width) for width in widths_px]
+        self.curve_groups = [self._make_group(width) for width in widths_px]
         self.pointer = PlotPointer(self)
         self.set_playhead(0.0)
 
@@ -85,32 +85,32 @@ class PlayheadPlot(pg.PlotWidget):
         left.setPen(theme.BORDER)
         left.setStyle(tickFont=self.font(), maxTickLevel=0)
         item.layout.setContentsMargins(0, 8, 8, _LABELS_PX)
-        self._view.setMouseEnabled(False, False)
-        self._view.disableAutoRange()
+        self.view_box.setMouseEnabled(False, False)
+        self.view_box.disableAutoRange()
 
     def _make_group(self, width_px: float) -> list[Any]:
         curves = []
         width_px *= self.devicePixelRatioF()  # pens are in the screen's own pixels
         for colour in theme.AXIS_COLOURS:
             curve = _Line(pen=pg.mkPen(colour, width=width_px))
-            self._view.addItem(curve, ignoreBounds=True)
+            self.view_box.addItem(curve, ignoreBounds=True)
             curves.append(curve)
         return curves
 
     def set_half_range(self, value: float) -> None:
         """Show values from minus to plus this one, with five ticks."""
-        self._view.setYRange(-value, value, padding=0.04)
+        self.view_box.setYRange(-value, value, padding=0.04)
         ticks = [(k * value / 2, local(f"{k * value / 2:g}")) for k in range(-2, 3)]
         self.getPlotItem().getAxis("left").setTicks([ticks])
 
     def set_notice(self, text: str) -> None:
         """Say something in the place of lines."""
-        self._notice = text
+        self.notice = text
         self.viewport().update()
 
     def set_lines(self, group: int, page: Page) -> None:
         """Replace the lines of a group."""
-        for axis, curve in enumerate(self._groups[group]):
+        for axis, curve in enumerate(self.curve_groups[group]):
             curve.setData(page.time_s, page.values[:, axis])
 
     def new_page(self, media_s: float) -> tuple[float, float] | None:
@@ -128,15 +128,15 @@ class PlayheadPlot(pg.PlotWidget):
     def set_playhead(self, media_s: float) -> None:
         """Move the middle of the view to a media time."""
         self._media_s = media_s
-        self._view.setXRange(*self.span.around(media_s), padding=0)
-        self._view.updateMatrix()  # now, not in the middle of painting
+        self.view_box.setXRange(*self.span.around(media_s), padding=0)
+        self.view_box.updateMatrix()  # now, not in the middle of painting
 
     def drawBackground(self, painter: QPainter, rect: QRectF) -> None:  # noqa: N802
         """Draw the grid under the lines."""
         super().drawBackground(painter, rect)
         painter.save()
         painter.resetTransform()
-        box: QRectF = self._view.sceneBoundingRect()
+        box: QRectF = self.view_box.sceneBoundingRect()
         # filled rectangles: a line of the painter takes 60 us, these take 5
         for tick_s in self._ticks():
             painter.fillRect(_upright(box, self._x(box, tick_s)), QColor(theme.GRID))
@@ -148,15 +148,15 @@ class PlayheadPlot(pg.PlotWidget):
         """Draw times and the playhead over the lines."""
         painter.save()
         painter.resetTransform()
-        box: QRectF = self._view.sceneBoundingRect()
+        box: QRectF = self.view_box.sceneBoundingRect()
         painter.setPen(QColor(theme.DIM))
         row = QRectF(0, box.bottom() + 1, 80, _LABELS_PX)
         for tick_s in self._ticks():
             row.moveLeft(self._x(box, tick_s) - row.width() / 2)
             if row.left() >= 0 and row.right() <= self.width():
                 painter.drawText(row, Qt.AlignmentFlag.AlignCenter, clock_text(tick_s))
-        if self._notice:
-            painter.drawText(box, Qt.AlignmentFlag.AlignCenter, self._notice)
+        if self.notice:
+            painter.drawText(box, Qt.AlignmentFlag.AlignCenter, self.notice)
         elif box.left() <= (head := self._x(box, self._media_s)) <= box.right():
             painter.fillRect(_upright(box, head), QColor(theme.TEXT))
         self.pointer.paint(painter, box)
@@ -178,7 +178,7 @@ class PlayheadPlot(pg.PlotWidget):
 
     def time_at(self, x_px: float) -> float:
         """Return the media time at a place of the widget."""
-        box: QRectF = self._view.sceneBoundingRect()
+        box: QRectF = self.view_box.sceneBoundingRect()
         first_s, last_s = self.span.around(self._media_s)
         return first_s + (x_px - box.left()) / max(1.0, box.width()) * (
             last_s - first_s
@@ -187,7 +187,7 @@ class PlayheadPlot(pg.PlotWidget):
     def values_at(self, media_s: float) -> list[list[float]]:
         """Return x, y, z of each group at a time; nothing where it has no line."""
         found = []
-        for group in self._groups:
+        for group in self.curve_groups:
             times_s = group[0].getData()[0]
             if times_s is None or not len(times_s):
                 continue
@@ -199,7 +199,7 @@ class PlayheadPlot(pg.PlotWidget):
     def pages(self) -> list[Page]:
         """Return what is in view of each group."""
         pages = []
-        for group in self._groups:
+        for group in self.curve_groups:
             times_s = group[0].getData()[0]
             if times_s is None or not len(times_s):
                 pages.append(EMPTY)
@@ -221,8 +221,8 @@ class PlayheadPlot(pg.PlotWidget):
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Keep the transform ahead of the painting."""
         super().resizeEvent(event)
-        if hasattr(self, "_view"):
-            self._view.updateMatrix()
+        if hasattr(self, "view_box"):
+            self.view_box.updateMatrix()
 
 
 def _upright(box: QRectF, x: float) -> QRectF:

@@ -90,7 +90,7 @@ class HapticsProcesses:
         descriptor = anonymous_memory("hapticplayer-loop", BLOCK_BYTES)
         with contextlib.ExitStack() as stack:
             stack.callback(os.close, descriptor)
-            self._block = SharedBlock(descriptor)
+            self.block = SharedBlock(descriptor)
             if device == NO_DEVICE:
                 return
             entry = find_device(device)
@@ -192,11 +192,11 @@ class HapticsProcesses:
     def _note_guard(self) -> None:
         """Nothing is ready without a guard."""
         if self.health is Health.STARTING and self._is_loop_ready:
-            if self._block.guard_s() > 0.0:
+            if self.block.guard_s() > 0.0:
                 self.health = Health.READY
         elif (
             self.health is Health.READY
-            and self._clock.now_s() > self._block.guard_s() + GUARD_LATE_S
+            and self._clock.now_s() > self.block.guard_s() + GUARD_LATE_S
             and self._processes["guard"].poll() is not None
         ):
             self.problem = Message(
@@ -207,7 +207,7 @@ class HapticsProcesses:
 
     def beat(self) -> None:
         """Report that the main thread is alive; call it at least at 10 Hz."""
-        self._block.beat(self._clock.now_s())
+        self.block.beat(self._clock.now_s())
 
     def load(self, tracks: Mapping[str, ForceTrack]) -> None:
         """Hand over tracks by name, in place of those before."""
@@ -230,7 +230,7 @@ class HapticsProcesses:
         no priority, and would be late under the first force.
         """
         if self.health is Health.READY:
-            self._block.write_clock(clock, self._track_ids.get(track, 0))
+            self.block.write_clock(clock, self._track_ids.get(track, 0))
 
     def stop_force(self) -> None:
         """TRIP: zero at the next tick, until `rearm`."""
@@ -264,7 +264,7 @@ class HapticsProcesses:
 
     def read_ticks(self) -> tuple[NDArray[Any], int]:
         """Return the ticks since the last call (see TICK) and how many were lost."""
-        records, self._tail, lost = self._block.read_ticks(self._tail)
+        records, self._tail, lost = self.block.read_ticks(self._tail)
         return records, lost
 
     def close(self) -> None:

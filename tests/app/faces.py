@@ -114,9 +114,9 @@ def _import_at(step: int, window: PlayerWindow, folder) -> ImportWizard:
     """Return the wizard at a step that a person has come to."""
     wizard = ImportWizard("", folder, window)
     if step == REPORT:
-        wizard._on_made(window.player.snapshot().source.path)
+        wizard.on_made(window.player.snapshot().source.path)
     else:
-        wizard._go(step)
+        wizard.go_to(step)
     return wizard
 
 

@@ -304,7 +304,7 @@ def test_a_skew_moves_the_offset_and_is_kept_for_its_camera(
 
     found = recognise(folder / "ride.mp4", folder / "log.csv")
     wizard._on_found(found)
-    wizard._go(SYNC)
+    wizard.go_to(SYNC)
     page = wizard.sync
     before_s = page.offset.value()
     page.skew.setValue(40)

@@ -154,14 +154,14 @@ def test_settings_from_a_file_work_at_once(window, tmp_path):
     (tmp_path / "in.json").write_text(
         '{"version": 1, "volume": 30, "keys": {"play": ["X"]}}'
     )
-    window.dialogs._take(str(tmp_path / "in.json"))
+    window.dialogs.take(str(tmp_path / "in.json"))
     assert window.transport.volume.value() == 30
     assert window.commands.play.shortcut() == QKeySequence("X")
 
 
 def test_export_and_import_that_fail_are_told(window, tmp_path):
-    window.dialogs._export(str(tmp_path / "missing" / "out.json"))
+    window.dialogs.export(str(tmp_path / "missing" / "out.json"))
     assert "cannot be written" in window.messages.text()
-    window.dialogs._take(str(tmp_path / "missing.json"))
+    window.dialogs.take(str(tmp_path / "missing.json"))
     assert "no settings" in window.messages.text()
     assert window.player.snapshot().phase is Phase.EMPTY

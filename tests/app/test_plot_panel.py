@@ -24,7 +24,7 @@ def follow(panel, media_s, feedback):
 
 
 def curves(plot, group: int = 0) -> list:
-    return plot._groups[group]
+    return plot.curve_groups[group]
 
 
 def test_the_acceleration_is_the_motion_of_the_source(panel, source):
@@ -57,7 +57,7 @@ def test_the_playhead_stays_in_the_middle(panel, source):
     panel.set_source(source)
     for media_s in (0.0, 0.7, 1.9):
         follow(panel, media_s, "realistic")
-        left, right = panel.force._view.viewRange()[0]
+        left, right = panel.force.view_box.viewRange()[0]
         assert (left + right) / 2 == pytest.approx(media_s)
 
 
@@ -74,9 +74,9 @@ def test_a_page_is_drawn_once_and_then_only_moved(panel, source, monkeypatch):
 def test_a_clip_without_motion_says_so(panel, source):
     panel.set_source(dataclasses.replace(source, motion=None))
     follow(panel, 0.0, "realistic")
-    assert "no motion" in panel.acceleration._notice
+    assert "no motion" in panel.acceleration.notice
     panel.set_source(source)
-    assert not panel.acceleration._notice
+    assert not panel.acceleration.notice
 
 
 @pytest.mark.parametrize(

@@ -29,7 +29,7 @@ def panel(qtbot, application, source) -> PlotPanel:
 
 
 def x_at(plot, media_s: float) -> int:
-    box = plot._view.sceneBoundingRect()
+    box = plot.view_box.sceneBoundingRect()
     return round(plot._x(box, media_s))
 
 
@@ -50,7 +50,7 @@ def wheel(plot, steps: int) -> None:
 
 
 def span(plot) -> tuple[float, float]:
-    first_s, last_s = plot._view.viewRange()[0]
+    first_s, last_s = plot.view_box.viewRange()[0]
     return pytest.approx(first_s, abs=1e-6), pytest.approx(last_s, abs=1e-6)
 
 
@@ -74,7 +74,7 @@ def test_a_click_jumps_to_its_time(panel, qtbot):
             Qt.MouseButton.LeftButton,
             pos=QPoint(x_at(plot, 1.8), 40),
         )
-    pixel_s = 8.0 / plot._view.sceneBoundingRect().width()
+    pixel_s = 8.0 / plot.view_box.sceneBoundingRect().width()
     assert told.args[0] == pytest.approx(1.8, abs=1.5 * pixel_s)
 
 
@@ -86,7 +86,7 @@ def test_a_drag_pans_and_does_not_jump(panel, qtbot):
         qtbot.mouseMove(viewport, QPoint(170, 40))
         qtbot.mouseMove(viewport, QPoint(140, 40))
         qtbot.mouseRelease(viewport, Qt.MouseButton.LeftButton, pos=QPoint(140, 40))
-    per_px_s = 8.0 / plot._view.sceneBoundingRect().width()
+    per_px_s = 8.0 / plot.view_box.sceneBoundingRect().width()
     assert panel.span.offset_s == pytest.approx(60 * per_px_s, rel=0.05)
     plot.setFocus()
     QTest.keyClick(plot, Qt.Key.Key_Return)

@@ -24,7 +24,7 @@ def loaded(code: str, *prefixes: str) -> set[str]:
 def test_playing_loads_no_dialog_no_pipeline_and_no_driver() -> None:
     modules = loaded("import app.player.application", "app", "hapticplayer", "scipy")
     unwanted = {
-        *dialogs._LATER,
+        *dialogs.LATER,
         "hapticplayer.sequence.build",
         "hapticplayer.capture.gopro",
         "hapticplayer.study",
@@ -37,5 +37,5 @@ def test_playing_loads_no_dialog_no_pipeline_and_no_driver() -> None:
 
 
 def test_what_is_loaded_later_is_there() -> None:
-    dialogs._load()
-    assert set(dialogs._LATER) <= set(sys.modules)
+    dialogs.load()
+    assert set(dialogs.LATER) <= set(sys.modules)

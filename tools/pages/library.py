@@ -38,11 +38,11 @@ def _import(stage: Stage) -> Pictures:
         for name, recognised in (("doubt", found.doubtful), ("sure", found.certain)):
             wizard._on_found(recognised)
             wizard.recognised = recognised
-            wizard._go(SYNC)
+            wizard.go_to(SYNC)
             yield f"import-sync-{name}", stage.picture(wizard, 500)
-        wizard._go(FILES)
+        wizard.go_to(FILES)
         yield "import-found", stage.picture(wizard)
-        wizard._go(MOUNTING)
+        wizard.go_to(MOUNTING)
         yield "import-mounting", stage.picture(wizard)
         is_over: list[bool] = []
         wizard.jobs.run(
@@ -56,7 +56,7 @@ def _import(stage: Stage) -> Pictures:
         stage.wait_until(lambda: not wizard.jobs.is_busy)
         wizard.problem.setText(str(InputError("is full", where="/media/disk")))
         yield "import-failed", stage.picture(wizard)
-        wizard._on_made(found.made)
+        wizard.on_made(found.made)
         yield "import-report", stage.picture(wizard)
 
 

@@ -81,10 +81,10 @@ def test_no_force_is_requested_before_the_device_has_priority():
         process.load({"track": ForceTrack(np.arange(9.0), np.ones((9, 3)))})
         playing = PlaybackClock(1, clock.now_s(), 0.0, 1.0, clock.now_s() + 60.0)
         process.publish(playing, "track")
-        assert process._block.read_clock() is None
+        assert process.block.read_clock() is None
         process.wait_ready()
         process.publish(playing, "track")
-        assert process._block.read_clock() == (playing, 1)
+        assert process.block.read_clock() == (playing, 1)
     finally:
         process.close()
 
@@ -170,7 +170,7 @@ def test_a_dead_guard_is_told_once_its_beat_is_late(capfd):
     try:
         process.wait_ready()
         kill(process.pids["guard"])
-        until_s = process._block.guard_s() + GUARD_LATE_S
+        until_s = process.block.guard_s() + GUARD_LATE_S
         clock.sleep_until(until_s + 0.001)
         assert process.poll() is Health.FAILED
         assert "guard" in process.problem
