@@ -3688,6 +3688,34 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>schneiden Sie die Aufnahme dort, und geben Sie die Stücke einzeln an</translation>
     </message>
     <message>
+        <source>damaged places: {places}, with {ticks} ticks</source>
+        <translation>beschädigte Stellen: {places}, mit {ticks} Takten</translation>
+    </message>
+    <message>
+        <source>faults can only be injected into a simulated device that was opened for it</source>
+        <translation>Fehler lassen sich nur bei einem simulierten Gerät einspielen, das dafür geöffnet wurde</translation>
+    </message>
+    <message>
+        <source>has an invalid header</source>
+        <translation>hat einen ungültigen Kopf</translation>
+    </message>
+    <message>
+        <source>has an invalid header: {reason}</source>
+        <translation>hat einen ungültigen Kopf: {reason}</translation>
+    </message>
+    <message>
+        <source>is damaged in its header</source>
+        <translation>ist im Kopf beschädigt</translation>
+    </message>
+    <message>
+        <source>is empty</source>
+        <translation>ist leer</translation>
+    </message>
+    <message>
+        <source>is not a recording of a haptic loop</source>
+        <translation>ist keine Aufnahme einer Haptikschleife</translation>
+    </message>
+    <message>
         <source>is not the description of a sequence</source>
         <translation>beschreibt keine Sequenz</translation>
     </message>
@@ -3748,14 +3776,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>fehlgeschlagen</translation>
     </message>
     <message>
-        <source>faults are only for simulated devices that were chosen with them</source>
-        <translation>Fehler gibt es nur für simulierte Geräte, die mit ihnen gewählt wurden</translation>
-    </message>
-    <message>
-        <source>faults are refused: this loop is not for them</source>
-        <translation>Fehler werden abgelehnt: Diese Schleife ist nicht dafür da</translation>
-    </message>
-    <message>
         <source>field_dip_rad must lie within a right angle, got {field_dip_rad}</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3782,10 +3802,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     <message>
         <source>folder</source>
         <translation>Ordner</translation>
-    </message>
-    <message>
-        <source>force track refused: {reason}</source>
-        <translation>Kraftspur abgelehnt: {reason}</translation>
     </message>
     <message>
         <source>force, rate and field must have as many samples</source>
@@ -3842,10 +3858,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     <message>
         <source>give --offset S, the media time at which the log&apos;s clock reads 0</source>
         <translation>geben Sie --offset S an, die Medienzeit, zu der die Uhr des Protokolls 0 zeigt</translation>
-    </message>
-    <message>
-        <source>give a file that &apos;hapticplayer play --record&apos; has written</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>give a frequency in Hz</source>
@@ -4236,10 +4248,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>ist keine Datei</translation>
     </message>
     <message>
-        <source>is not a plain file</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>is not a regular file</source>
         <translation>ist keine gewöhnliche Datei</translation>
     </message>
@@ -4616,6 +4624,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>nichts, aber geben Sie den Ordner von einer an</translation>
     </message>
     <message>
+        <source>is truncated in its header</source>
+        <translation>ist im Kopf abgeschnitten</translation>
+    </message>
+    <message>
+        <source>nothing is being recorded: {reason}</source>
+        <translation>es wird nichts aufgezeichnet: {reason}</translation>
+    </message>
+    <message>
         <source>offset {offset_s} s with rate {rate} is no clock map; give finite numbers and a positive rate</source>
         <translation>Versatz {offset_s} s mit Rate {rate} ist keine Zuordnung der Uhren; geben Sie endliche Zahlen und eine positive Rate an</translation>
     </message>
@@ -4980,6 +4996,26 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>der Ordner wurde ersetzt</translation>
     </message>
     <message>
+        <source>the force is {ms:.0f} ms ahead of the sound: the computer may be overloaded; close other programs</source>
+        <translation>die Kraft kommt {ms:.0f} ms vor dem Ton: der Rechner ist möglicherweise überlastet; schließen Sie andere Programme</translation>
+    </message>
+    <message>
+        <source>the force is {ms:.0f} ms ahead of the video: the computer may be overloaded; close other programs</source>
+        <translation>die Kraft kommt {ms:.0f} ms vor dem Video: der Rechner ist möglicherweise überlastet; schließen Sie andere Programme</translation>
+    </message>
+    <message>
+        <source>the force is {ms:.0f} ms behind the sound: the computer may be overloaded; close other programs</source>
+        <translation>die Kraft kommt {ms:.0f} ms nach dem Ton: der Rechner ist möglicherweise überlastet; schließen Sie andere Programme</translation>
+    </message>
+    <message>
+        <source>the force is {ms:.0f} ms behind the video: the computer may be overloaded; close other programs</source>
+        <translation>die Kraft kommt {ms:.0f} ms nach dem Video: der Rechner ist möglicherweise überlastet; schließen Sie andere Programme</translation>
+    </message>
+    <message>
+        <source>the force track was rejected: {reason}</source>
+        <translation>die Kraftspur wurde abgelehnt: {reason}</translation>
+    </message>
+    <message>
         <source>the game pad is not open; choose the device again</source>
         <translation>das Gamepad ist nicht geöffnet; wählen Sie das Gerät noch einmal</translation>
     </message>
@@ -4996,20 +5032,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>the guard of the haptics process has ended, so there is no force; choose the device again</source>
-        <translation>der Wächter des Haptikprozesses ist beendet, es gibt also keine Kraft; wählen Sie das Gerät noch einmal</translation>
-    </message>
-    <message>
         <source>the haptics process could not be started: {reason}</source>
         <translation>der Haptikprozess konnte nicht gestartet werden: {reason}</translation>
-    </message>
-    <message>
-        <source>the haptics process did not become ready; try again, and run &apos;hapticplayer doctor&apos; if it stays so</source>
-        <translation>der Haptikprozess wurde nicht bereit; versuchen Sie es noch einmal, und rufen Sie „hapticplayer doctor“ auf, wenn es so bleibt</translation>
-    </message>
-    <message>
-        <source>the haptics process has ended, so there is no force any more</source>
-        <translation>der Haptikprozess ist beendet, es gibt also keine Kraft mehr</translation>
     </message>
     <message>
         <source>the header is {header!r}</source>
@@ -5042,10 +5066,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     <message>
         <source>the log has no timestamps: 50 frames per second are assumed</source>
         <translation>das Protokoll hat keine Zeiten: Es werden 50 Werte je Sekunde angenommen</translation>
-    </message>
-    <message>
-        <source>the log is not complete ({reason})</source>
-        <translation>das Protokoll ist nicht vollständig ({reason})</translation>
     </message>
     <message>
         <source>the low-pass has no heading; choose one of ekf, vqf</source>
@@ -5096,8 +5116,32 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>die Aufzeichnung kann nicht geschrieben werden ({reason})</translation>
     </message>
     <message>
+        <source>the recording has no end: it was truncated, or is still being written</source>
+        <translation>die Aufnahme hat kein Ende: sie wurde abgeschnitten oder wird noch geschrieben</translation>
+    </message>
+    <message>
         <source>the recording has no magnetometer to find the heading with</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the recording is incomplete: its file could not be written</source>
+        <translation>die Aufnahme ist unvollständig: ihre Datei konnte nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>the recording is incomplete: its file was removed</source>
+        <translation>die Aufnahme ist unvollständig: ihre Datei wurde gelöscht</translation>
+    </message>
+    <message>
+        <source>the recording is incomplete: its process ended with status {status}</source>
+        <translation>die Aufnahme ist unvollständig: ihr Prozess endete mit Status {status}</translation>
+    </message>
+    <message>
+        <source>the recording is incomplete: the disk is full, or the file has reached its size limit</source>
+        <translation>die Aufnahme ist unvollständig: der Datenträger ist voll, oder die Datei hat ihre Höchstgröße erreicht</translation>
+    </message>
+    <message>
+        <source>the recording is incomplete: the disk is too slow</source>
+        <translation>die Aufnahme ist unvollständig: der Datenträger ist zu langsam</translation>
     </message>
     <message>
         <source>the sampling rate changes over the recording, {change}</source>
@@ -5154,10 +5198,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     <message>
         <source>the sound is silent</source>
         <translation>der Ton ist stumm</translation>
-    </message>
-    <message>
-        <source>the sound was lost; picture and force go on</source>
-        <translation>der Ton ging verloren; Bild und Kraft laufen weiter</translation>
     </message>
     <message>
         <source>the specific force is {norm:.3g} m/s2 at rest when read in {accel_unit}, but gravity is 9.81</source>
@@ -5422,10 +5462,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     <message>
         <source>{count} telemetry payloads are damaged; the rest was read.</source>
         <translation>{count} Telemetrieblöcke sind beschädigt; der Rest wurde gelesen.</translation>
-    </message>
-    <message>
-        <source>{device} is a real device and takes no faults</source>
-        <translation>{device} ist ein echtes Gerät und nimmt keine Fehler an</translation>
     </message>
     <message>
         <source>{file}, line 1</source>
@@ -5708,10 +5744,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>noch nicht</translation>
     </message>
     <message>
-        <source>nothing is recorded: {reason}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>predicting excursions</source>
         <translation>Ausschläge werden vorhergesagt</translation>
     </message>
@@ -5789,7 +5821,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     </message>
     <message>
         <source>the clip is damaged: some of its frames are missing or broken</source>
-        <translation type="unfinished"></translation>
+        <translation>der Clip ist beschädigt: einige Bilder fehlen oder sind defekt</translation>
     </message>
     <message>
         <source>the columns must be {columns}</source>
@@ -5801,30 +5833,22 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     </message>
     <message>
         <source>the guard could not be started: {reason}</source>
-        <translation type="unfinished"></translation>
+        <translation>der Wächterprozess konnte nicht gestartet werden: {reason}</translation>
+    </message>
+    <message>
+        <source>the guard of the haptics process has ended, so the force is off; choose the device again</source>
+        <translation>der Wächter des Haptikprozesses wurde beendet, die Kraft ist aus; wählen Sie das Gerät erneut</translation>
+    </message>
+    <message>
+        <source>the haptics process did not become ready in time; try again, and run &apos;hapticplayer doctor&apos; if it fails again</source>
+        <translation>der Haptikprozess war nicht rechtzeitig bereit; versuchen Sie es erneut und rufen Sie bei wiederholtem Fehler &apos;hapticplayer doctor&apos; auf</translation>
+    </message>
+    <message>
+        <source>the haptics process has ended, so the force is off; choose the device again</source>
+        <translation>der Haptikprozess wurde beendet, die Kraft ist aus; wählen Sie das Gerät erneut</translation>
     </message>
     <message>
         <source>the home folder is unknown; set {variable} to the firmware&apos;s path</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the record is not complete: its file could not be written</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the record is not complete: its file was removed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the record is not complete: its process ended with status {status}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the record is not complete: the disk is full, or the file as large as it may be</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the record is not complete: the disk is too slow</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5836,8 +5860,16 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>es gibt keine Teilnehmer</translation>
     </message>
     <message>
+        <source>there is data after the end of the recording</source>
+        <translation>nach dem Ende der Aufnahme folgen weitere Daten</translation>
+    </message>
+    <message>
         <source>there is no judgement to analyse</source>
         <translation>es gibt kein Urteil, das sich auswerten ließe</translation>
+    </message>
+    <message>
+        <source>this haptic loop does not accept injected faults</source>
+        <translation>diese Haptikschleife nimmt keine eingespielten Fehler an</translation>
     </message>
     <message>
         <source>unknown entry {name!r}</source>
@@ -5854,6 +5886,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     <message>
         <source>unknown template {name!r}; choose one of {known}</source>
         <translation>es gibt keine Vorlage {name!r}; es gibt {known}</translation>
+    </message>
+    <message>
+        <source>use a file that &apos;hapticplayer play --record&apos; has written</source>
+        <translation>verwenden Sie eine Datei, die &apos;hapticplayer play --record&apos; geschrieben hat</translation>
     </message>
     <message>
         <source>was written by another version of the program</source>
@@ -5878,6 +5914,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     <message>
         <source>yes</source>
         <translation>ja</translation>
+    </message>
+    <message>
+        <source>{device} is a real device and does not accept injected faults</source>
+        <translation>{device} ist ein echtes Gerät und nimmt keine eingespielten Fehler an</translation>
     </message>
     <message>
         <source>{device}, {state}</source>
@@ -6030,6 +6070,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     <message>
         <source>{scenario!r} is no ride; choose one of {known}</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the log is incomplete ({reason})</source>
+        <translation>das Protokoll ist unvollständig ({reason})</translation>
+    </message>
+    <message>
+        <source>the sound output was lost; video and force continue</source>
+        <translation>die Tonausgabe ist ausgefallen; Video und Kraft laufen weiter</translation>
     </message>
     <message>
         <source>{share:.1%} of the force samples reach the force limit</source>

@@ -3688,6 +3688,34 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>coupez l’enregistrement à cet endroit et donnez les morceaux un par un</translation>
     </message>
     <message>
+        <source>damaged places: {places}, with {ticks} ticks</source>
+        <translation>endroits endommagés : {places}, avec {ticks} tops</translation>
+    </message>
+    <message>
+        <source>faults can only be injected into a simulated device that was opened for it</source>
+        <translation>les pannes ne peuvent être injectées que dans un appareil simulé ouvert à cet effet</translation>
+    </message>
+    <message>
+        <source>has an invalid header</source>
+        <translation>a un en-tête non valide</translation>
+    </message>
+    <message>
+        <source>has an invalid header: {reason}</source>
+        <translation>a un en-tête non valide : {reason}</translation>
+    </message>
+    <message>
+        <source>is damaged in its header</source>
+        <translation>est endommagé dans son en-tête</translation>
+    </message>
+    <message>
+        <source>is empty</source>
+        <translation>est vide</translation>
+    </message>
+    <message>
+        <source>is not a recording of a haptic loop</source>
+        <translation>n’est pas l’enregistrement d’une boucle haptique</translation>
+    </message>
+    <message>
         <source>is not the description of a sequence</source>
         <translation>ne décrit pas de séquence</translation>
     </message>
@@ -3748,14 +3776,6 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>a échoué</translation>
     </message>
     <message>
-        <source>faults are only for simulated devices that were chosen with them</source>
-        <translation>les pannes ne sont que pour des appareils simulés qui ont été choisis avec elles</translation>
-    </message>
-    <message>
-        <source>faults are refused: this loop is not for them</source>
-        <translation>les pannes sont refusées&#xa0;: cette boucle n’est pas faite pour elles</translation>
-    </message>
-    <message>
         <source>field_dip_rad must lie within a right angle, got {field_dip_rad}</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3782,10 +3802,6 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     <message>
         <source>folder</source>
         <translation>dossier</translation>
-    </message>
-    <message>
-        <source>force track refused: {reason}</source>
-        <translation>piste de force refusée&#xa0;: {reason}</translation>
     </message>
     <message>
         <source>force, rate and field must have as many samples</source>
@@ -3842,10 +3858,6 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     <message>
         <source>give --offset S, the media time at which the log&apos;s clock reads 0</source>
         <translation>donnez --offset S, le temps du média où l’horloge du journal indique 0</translation>
-    </message>
-    <message>
-        <source>give a file that &apos;hapticplayer play --record&apos; has written</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>give a frequency in Hz</source>
@@ -4236,10 +4248,6 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>n’est pas un fichier</translation>
     </message>
     <message>
-        <source>is not a plain file</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>is not a regular file</source>
         <translation>n’est pas un fichier ordinaire</translation>
     </message>
@@ -4616,6 +4624,14 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>rien, mais donnez le dossier de l’un d’eux</translation>
     </message>
     <message>
+        <source>is truncated in its header</source>
+        <translation>est tronqué dans son en-tête</translation>
+    </message>
+    <message>
+        <source>nothing is being recorded: {reason}</source>
+        <translation>rien n’est enregistré : {reason}</translation>
+    </message>
+    <message>
         <source>offset {offset_s} s with rate {rate} is no clock map; give finite numbers and a positive rate</source>
         <translation>le décalage {offset_s} s avec la cadence {rate} ne met pas les horloges en correspondance&#xa0;; donnez des nombres finis et une cadence positive</translation>
     </message>
@@ -4980,6 +4996,26 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>le dossier a été remplacé</translation>
     </message>
     <message>
+        <source>the force is {ms:.0f} ms ahead of the sound: the computer may be overloaded; close other programs</source>
+        <translation>la force est en avance de {ms:.0f} ms sur le son : l’ordinateur est peut-être surchargé ; fermez d’autres programmes</translation>
+    </message>
+    <message>
+        <source>the force is {ms:.0f} ms ahead of the video: the computer may be overloaded; close other programs</source>
+        <translation>la force est en avance de {ms:.0f} ms sur la vidéo : l’ordinateur est peut-être surchargé ; fermez d’autres programmes</translation>
+    </message>
+    <message>
+        <source>the force is {ms:.0f} ms behind the sound: the computer may be overloaded; close other programs</source>
+        <translation>la force est en retard de {ms:.0f} ms sur le son : l’ordinateur est peut-être surchargé ; fermez d’autres programmes</translation>
+    </message>
+    <message>
+        <source>the force is {ms:.0f} ms behind the video: the computer may be overloaded; close other programs</source>
+        <translation>la force est en retard de {ms:.0f} ms sur la vidéo : l’ordinateur est peut-être surchargé ; fermez d’autres programmes</translation>
+    </message>
+    <message>
+        <source>the force track was rejected: {reason}</source>
+        <translation>la piste de force a été rejetée : {reason}</translation>
+    </message>
+    <message>
         <source>the game pad is not open; choose the device again</source>
         <translation>la manette n’est pas ouverte&#xa0;; choisissez de nouveau l’appareil</translation>
     </message>
@@ -4996,20 +5032,8 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>the guard of the haptics process has ended, so there is no force; choose the device again</source>
-        <translation>le gardien du processus haptique s’est terminé, il n’y a donc pas de force&#xa0;; choisissez de nouveau l’appareil</translation>
-    </message>
-    <message>
         <source>the haptics process could not be started: {reason}</source>
         <translation>le processus haptique n’a pas pu être lancé&#xa0;: {reason}</translation>
-    </message>
-    <message>
-        <source>the haptics process did not become ready; try again, and run &apos;hapticplayer doctor&apos; if it stays so</source>
-        <translation>le processus haptique n’est pas devenu prêt&#xa0;; réessayez, et lancez «&#xa0;hapticplayer doctor&#xa0;» si cela persiste</translation>
-    </message>
-    <message>
-        <source>the haptics process has ended, so there is no force any more</source>
-        <translation>le processus haptique s’est terminé, il n’y a donc plus de force</translation>
     </message>
     <message>
         <source>the header is {header!r}</source>
@@ -5042,10 +5066,6 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     <message>
         <source>the log has no timestamps: 50 frames per second are assumed</source>
         <translation>le journal n’a pas de temps&#xa0;: 50 mesures par seconde sont supposées</translation>
-    </message>
-    <message>
-        <source>the log is not complete ({reason})</source>
-        <translation>le journal n’est pas complet ({reason})</translation>
     </message>
     <message>
         <source>the low-pass has no heading; choose one of ekf, vqf</source>
@@ -5096,8 +5116,32 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>l’enregistrement ne peut pas être écrit ({reason})</translation>
     </message>
     <message>
+        <source>the recording has no end: it was truncated, or is still being written</source>
+        <translation>l’enregistrement n’a pas de fin : il a été tronqué ou est encore en cours d’écriture</translation>
+    </message>
+    <message>
         <source>the recording has no magnetometer to find the heading with</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the recording is incomplete: its file could not be written</source>
+        <translation>l’enregistrement est incomplet : son fichier n’a pas pu être écrit</translation>
+    </message>
+    <message>
+        <source>the recording is incomplete: its file was removed</source>
+        <translation>l’enregistrement est incomplet : son fichier a été supprimé</translation>
+    </message>
+    <message>
+        <source>the recording is incomplete: its process ended with status {status}</source>
+        <translation>l’enregistrement est incomplet : son processus s’est terminé avec le code {status}</translation>
+    </message>
+    <message>
+        <source>the recording is incomplete: the disk is full, or the file has reached its size limit</source>
+        <translation>l’enregistrement est incomplet : le disque est plein, ou le fichier a atteint sa taille maximale</translation>
+    </message>
+    <message>
+        <source>the recording is incomplete: the disk is too slow</source>
+        <translation>l’enregistrement est incomplet : le disque est trop lent</translation>
     </message>
     <message>
         <source>the sampling rate changes over the recording, {change}</source>
@@ -5154,10 +5198,6 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     <message>
         <source>the sound is silent</source>
         <translation>le son est muet</translation>
-    </message>
-    <message>
-        <source>the sound was lost; picture and force go on</source>
-        <translation>le son a été perdu&#xa0;; l’image et la force continuent</translation>
     </message>
     <message>
         <source>the specific force is {norm:.3g} m/s2 at rest when read in {accel_unit}, but gravity is 9.81</source>
@@ -5422,10 +5462,6 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     <message>
         <source>{count} telemetry payloads are damaged; the rest was read.</source>
         <translation>{count} blocs de télémétrie sont endommagés&#xa0;; le reste a été lu.</translation>
-    </message>
-    <message>
-        <source>{device} is a real device and takes no faults</source>
-        <translation>{device} est un vrai appareil et n’accepte pas de pannes</translation>
     </message>
     <message>
         <source>{file}, line 1</source>
@@ -5708,10 +5744,6 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>pas encore</translation>
     </message>
     <message>
-        <source>nothing is recorded: {reason}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>predicting excursions</source>
         <translation>prévision des excursions</translation>
     </message>
@@ -5789,7 +5821,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>the clip is damaged: some of its frames are missing or broken</source>
-        <translation type="unfinished"></translation>
+        <translation>le clip est endommagé : des images manquent ou sont défectueuses</translation>
     </message>
     <message>
         <source>the columns must be {columns}</source>
@@ -5801,30 +5833,22 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>the guard could not be started: {reason}</source>
-        <translation type="unfinished"></translation>
+        <translation>le processus de garde n’a pas pu être démarré : {reason}</translation>
+    </message>
+    <message>
+        <source>the guard of the haptics process has ended, so the force is off; choose the device again</source>
+        <translation>le processus de garde s’est terminé, la force est coupée ; choisissez de nouveau l’appareil</translation>
+    </message>
+    <message>
+        <source>the haptics process did not become ready in time; try again, and run &apos;hapticplayer doctor&apos; if it fails again</source>
+        <translation>le processus haptique n’a pas été prêt à temps ; réessayez, puis lancez &apos;hapticplayer doctor&apos; si l’échec se répète</translation>
+    </message>
+    <message>
+        <source>the haptics process has ended, so the force is off; choose the device again</source>
+        <translation>le processus haptique s’est terminé, la force est coupée ; choisissez de nouveau l’appareil</translation>
     </message>
     <message>
         <source>the home folder is unknown; set {variable} to the firmware&apos;s path</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the record is not complete: its file could not be written</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the record is not complete: its file was removed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the record is not complete: its process ended with status {status}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the record is not complete: the disk is full, or the file as large as it may be</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the record is not complete: the disk is too slow</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5836,8 +5860,16 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>il n&apos;y a aucun participant</translation>
     </message>
     <message>
+        <source>there is data after the end of the recording</source>
+        <translation>des données suivent la fin de l’enregistrement</translation>
+    </message>
+    <message>
         <source>there is no judgement to analyse</source>
         <translation>il n’y a pas de jugement à analyser</translation>
+    </message>
+    <message>
+        <source>this haptic loop does not accept injected faults</source>
+        <translation>cette boucle haptique n’accepte pas de pannes injectées</translation>
     </message>
     <message>
         <source>unknown entry {name!r}</source>
@@ -5845,7 +5877,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>unknown format {name!r}; choose one of {known}</source>
-        <translation>format inconnu {name!r} ; choisissez parmi {known}</translation>
+        <translation>format inconnu {name!r}&#x202f;; choisissez parmi {known}</translation>
     </message>
     <message>
         <source>unknown sequence {key!r}; choose one of {known}</source>
@@ -5854,6 +5886,10 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     <message>
         <source>unknown template {name!r}; choose one of {known}</source>
         <translation>il n’y a pas de modèle {name!r}&#xa0;; il y a {known}</translation>
+    </message>
+    <message>
+        <source>use a file that &apos;hapticplayer play --record&apos; has written</source>
+        <translation>utilisez un fichier écrit par &apos;hapticplayer play --record&apos;</translation>
     </message>
     <message>
         <source>was written by another version of the program</source>
@@ -5878,6 +5914,10 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     <message>
         <source>yes</source>
         <translation>oui</translation>
+    </message>
+    <message>
+        <source>{device} is a real device and does not accept injected faults</source>
+        <translation>{device} est un appareil réel et n’accepte pas de pannes injectées</translation>
     </message>
     <message>
         <source>{device}, {state}</source>
@@ -6030,6 +6070,14 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     <message>
         <source>{scenario!r} is no ride; choose one of {known}</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the log is incomplete ({reason})</source>
+        <translation>le journal est incomplet ({reason})</translation>
+    </message>
+    <message>
+        <source>the sound output was lost; video and force continue</source>
+        <translation>la sortie audio a été perdue ; la vidéo et la force continuent</translation>
     </message>
     <message>
         <source>{share:.1%} of the force samples reach the force limit</source>
