@@ -76,7 +76,7 @@ class Loop:
         self._clock_count = 0
         self._request = Request.NONE
         self._is_asked_to_quit = False
-        self._reading: DeviceReading | None = None
+        self.reading: DeviceReading | None = None
         self._is_device_gone = False
         self._is_stale = False
         self._missed = MissedPeriods()
@@ -117,7 +117,7 @@ class Loop:
                 self._playback,
                 self._track,
                 before,
-                observe(before.hand, self._reading, self.limits),
+                observe(before.hand, self.reading, self.limits),
                 self._supervision(heartbeat_s, guard_s, missed),
                 self.limits,
                 self.centring,
@@ -161,7 +161,7 @@ class Loop:
         if self._is_device_gone:
             return
         try:
-            self._reading = self.device.exchange(force_n, now_s)
+            self.reading = self.device.exchange(force_n, now_s)
         except DeviceError as problem:
             self._is_device_gone = True
             self.line.send(Word.LOST, message_of(problem))

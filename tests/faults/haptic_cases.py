@@ -62,7 +62,7 @@ def push_outward(rig):
     rig.loop.state = rig.loop.state._replace(
         hand=rig.loop.state.hand._replace(position_m=where)
     )
-    rig.loop._reading = rig.loop._reading._replace(position_m=where)
+    rig.loop.reading = rig.loop.reading._replace(position_m=where)
     rig.device.position_m = where
 
 

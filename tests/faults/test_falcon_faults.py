@@ -139,7 +139,7 @@ def test_a_hand_that_moves_during_a_stall_has_not_lost_its_place(
         causes.add(rig.cause)
     assert rig.device.driver.state is State.READY
     assert causes <= {Cause.NONE, Cause.REPLY_LATE, Cause.REPLY_LOST}
-    x_m = rig.loop._reading.position_m[0]
+    x_m = rig.loop.reading.position_m[0]
     assert x_m == pytest.approx(rig.device.position_m[0], abs=0.004)
 
 

@@ -62,11 +62,11 @@ class FaultyLoop(Loop):
     def _exchange(self, force_n: Vector, now_s: float) -> None:
         if self._is_due(Fault.STALE_COMMAND):
             self.clock.sleep_until(now_s + STALE_S)
-        before = self._reading
+        before = self.reading
         super()._exchange(force_n, now_s)
-        if self._reading is None or before is None:
+        if self.reading is None or before is None:
             return
         # a reading that is known already is not checked again
-        is_new = self._reading.replied_s > before.replied_s
+        is_new = self.reading.replied_s > before.replied_s
         if is_new and self._is_due(Fault.POSITION_NAN):
-            self._reading = self._reading._replace(position_m=_NANS)
+            self.reading = self.reading._replace(position_m=_NANS)
