@@ -282,7 +282,7 @@ class Desktop(QObject):
     def follow(self) -> None:
         """Inhibit idling while it plays, and tell the desktop the state."""
         is_playing = self._player.snapshot().is_playing
-        self.idle.set_wanted(self.tr("plays a clip") if is_playing else "")
+        self.idle.set_wanted(self.tr("playing a clip") if is_playing else "")
         self.mpris.tell()
 
     def begin(self) -> None:

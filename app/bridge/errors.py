@@ -71,8 +71,8 @@ class ErrorGateway:
         self.note(problem)
         text = QCoreApplication.translate(
             "ErrorGateway",
-            "Something went wrong inside the program ({kind}: {text}); the force was "
-            "stopped and the playback paused. Details are on the terminal.",
+            "Internal error ({kind}: {text}). The force was stopped and "
+            "playback paused. See the terminal for details.",
         )
         self._show(text.format(kind=type(problem).__name__, text=problem))
 

@@ -129,13 +129,13 @@ class AnalysisPage(QWidget):
         self.text.setAccessibleName(self.tr("Report"))
         self.analyse_button = text_button(
             self.tr("&Analyse"),
-            self.tr("Compute statistics and figures anew"),
+            self.tr("Compute statistics and figures again"),
             "primary",
         )
         self.analyse_button.clicked.connect(self.analyse)
         self.save_button = text_button(
             self.tr("&Save report\u2026"),
-            self.tr("Write report, figures and numbers into a new folder"),
+            self.tr("Write the report, its figures and the data to a new folder"),
         )
         self.save_button.clicked.connect(self._choose_folder)
         self._lay_out()
@@ -175,7 +175,7 @@ class AnalysisPage(QWidget):
 
     def _lay_out(self) -> None:
         self._heading = ElidedLabel(self._title)
-        text = self.tr("The report is in English, to be published as it is.")
+        text = self.tr("The report is in English, ready for publication.")
         top = row_of(
             (self._heading, 1), self.save_button, self.analyse_button, spacing=8
         )
@@ -210,7 +210,7 @@ class AnalysisPage(QWidget):
             yield
 
     def _saved(self, target: Path) -> None:
-        self._heading.set_text(self.tr("Saved in {0}").format(target))
+        self._heading.set_text(self.tr("Saved to {0}").format(target))
 
     def _begin(self) -> None:
         self._timer.start()
@@ -230,7 +230,7 @@ class AnalysisPage(QWidget):
         self.save_button.setEnabled(not self.is_busy and self._report is not None)
 
     def _choose_folder(self) -> None:
-        title = self.tr("Where shall the folder of the report be made?")
+        title = self.tr("Choose where to create the report folder")
         dialog = folder_dialog(self, title, str(Path.home()))
         dialog.fileSelected.connect(lambda path: self.save(Path(path) / "report"))
         dialog.open()

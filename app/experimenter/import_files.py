@@ -57,10 +57,10 @@ class FilesPage(QWidget):
         self._asked: LogQuestion | None = None
         self.video = self._field(self.tr("Video"))
         self.log = self._field(self.tr("Motion log"))
-        self.log.setPlaceholderText(self.tr("inside the video"))
+        self.log.setPlaceholderText(self.tr("embedded in the video"))
         self.format = QComboBox()
         self.format.setAccessibleName(self.tr("Format"))
-        self.format.addItem(self.tr("recognised by its content"), "")
+        self.format.addItem(self.tr("Detect automatically"), "")
         for one in formats.FORMATS:
             self.format.addItem(translated(one.text), one.name)
         self.format.activated.connect(
@@ -77,8 +77,8 @@ class FilesPage(QWidget):
         self.question.answered.connect(self._answer)
         self.question.template_wanted.connect(self._choose_template)
         self.keep = text_button(
-            self.tr("&Keep the answers\u2026"),
-            self.tr("Write a template for all logs of this logger"),
+            self.tr("&Save as template\u2026"),
+            self.tr("Save these answers as a template for all logs of this logger"),
         )
         self.keep.clicked.connect(self._choose_kept)
         self._lay_out()
@@ -99,8 +99,9 @@ class FilesPage(QWidget):
     def _lay_out(self) -> None:
         intro = paragraph(
             self.tr(
-                "Drop a video here, with the log of its motion sensor if that was a "
-                "device of its own. GoPro cameras keep their motion inside the video."
+                "Drop a video here, together with its motion log if the sensor "
+                "was a separate device. GoPro cameras store their motion data "
+                "in the video."
             ),
             theme.DIM,
         )
@@ -209,8 +210,7 @@ class FilesPage(QWidget):
         clip = found.clip
         sound = self.tr("with sound") if clip.has_audio else self.tr("without sound")
         video = self.tr(
-            "Video: {camera}{width} \u00d7 {height}, {rate} pictures a second, "
-            "{duration}, {sound}"
+            "Video: {camera}{width} \u00d7 {height}, {rate} fps, {duration}, {sound}"
         ).format(
             camera=f"{translated(found.clip_camera)}, " if found.clip_camera else "",
             width=clip.width,
@@ -220,7 +220,7 @@ class FilesPage(QWidget):
             sound=sound,
         )
         motion = self.tr(
-            "Motion: {recorder}, {rate} samples a second, {duration}, gaps: {gaps}"
+            "Motion: {recorder}, {rate} Hz, {duration}, gaps: {gaps}"
         ).format(
             recorder=translated(found.recorder),
             rate=local(f"{found.rate_hz:.4g}"),
@@ -232,11 +232,11 @@ class FilesPage(QWidget):
     def _axes(self, found: Recognised) -> str:
         up = found.up
         if up is None:
-            return self.tr("It turned so much that gravity does not show its axes.")
+            return self.tr("The sensor rotated too much to tell its axes from gravity.")
         axis = max(range(3), key=lambda k: abs(up[k]))
         name = ("-" if up[axis] < 0.0 else "") + "xyz"[axis]
         return self.tr(
-            "Axes: x to its right, y to its front, z to its top; on average {up} was up"
+            "Axes: x right, y forward, z up of the sensor; on average {up} pointed up"
         ).format(up=name)
 
     # --- choosing ------------------------------------------------------------
@@ -267,7 +267,7 @@ class FilesPage(QWidget):
 
     def _choose_kept(self) -> None:
         kinds = self.tr("Templates (*.json)")
-        title = self.tr("Where shall the template be written?")
+        title = self.tr("Save the template")
         dialog = file_dialog(self, title, self._folder, kinds)
         dialog.setAcceptMode(dialog.AcceptMode.AcceptSave)
         dialog.setFileMode(dialog.FileMode.AnyFile)
@@ -322,14 +322,14 @@ class _Question(QFrame):
         self._choices = QVBoxLayout()
         self.other = QLineEdit()
         self.other.setAccessibleName(self.tr("Answer"))
-        self.other.setPlaceholderText(self.tr("KEY=VALUE, several with blanks between"))
+        self.other.setPlaceholderText(self.tr("KEY=VALUE, separated by spaces"))
         self.other.returnPressed.connect(self._answer)
         self.take = text_button(
             self.tr("&Answer"), self.tr("Read the log with this answer"), "primary"
         )
         self.take.clicked.connect(self._answer)
         template = text_button(
-            self.tr("&Template\u2026"), self.tr("Take the answers from a file")
+            self.tr("&Template\u2026"), self.tr("Load the answers from a template")
         )
         template.clicked.connect(self.template_wanted)
         answer = row_of(self.other, template, self.take)

@@ -200,7 +200,7 @@ class MountingPage(QWidget):
         self._up: tuple[float, float, float] | None = None
         self.mounting, self.device = QComboBox(), QComboBox()
         self.mounting.setAccessibleName(self.tr("Mounting"))
-        self.device.setAccessibleName(self.tr("The device stands"))
+        self.device.setAccessibleName(self.tr("Device position"))
         self.triad = Triad()
         self.gravity = paragraph()
         self.gain = QDoubleSpinBox()
@@ -212,7 +212,7 @@ class MountingPage(QWidget):
         self.gain.setSuffix(self.tr(" N per m/s\u00b2"))
         indent(self.gain)
         self.gain.setToolTip(
-            self.tr("The same for all sequences that are to be compared")
+            self.tr("Use the same gain for all sequences that you compare")
         )
         self.title = QLineEdit()
         self.title.setAccessibleName(self.tr("Title"))
@@ -224,15 +224,15 @@ class MountingPage(QWidget):
 
     def _fill(self) -> None:
         names = {
-            "forward": self.tr("Looks forward, upright"),
-            "upside-down": self.tr("Looks forward, upside down"),
-            "backward": self.tr("Looks backward, upright"),
-            "to-the-right": self.tr("Looks to the right, upright"),
-            "to-the-left": self.tr("Looks to the left, upright"),
-            "left-side-up": self.tr("Looks forward, left side up"),
-            "right-side-up": self.tr("Looks forward, right side up"),
-            "to-the-sky": self.tr("Lies on its back, looks up"),
-            "to-the-ground": self.tr("Looks down"),
+            "forward": self.tr("Facing forward, upright"),
+            "upside-down": self.tr("Facing forward, upside down"),
+            "backward": self.tr("Facing backward, upright"),
+            "to-the-right": self.tr("Facing right, upright"),
+            "to-the-left": self.tr("Facing left, upright"),
+            "left-side-up": self.tr("Facing forward, left side up"),
+            "right-side-up": self.tr("Facing forward, right side up"),
+            "to-the-sky": self.tr("Lying on its back, facing up"),
+            "to-the-ground": self.tr("Facing down"),
         }
         for name, axes in MOUNTINGS.items():
             self.mounting.addItem(names[name], axes)
@@ -241,17 +241,17 @@ class MountingPage(QWidget):
             right, front, up = axes.split(",")
             self.mounting.addItem(text.format(right=right, front=front, up=up), axes)
         stands = {
-            "ahead": self.tr("before its user: forward pulls the hand away"),
-            "right": self.tr("to the right of its user"),
-            "behind": self.tr("behind its user"),
-            "left": self.tr("to the left of its user"),
+            "ahead": self.tr("in front of the user: forward pulls the hand away"),
+            "right": self.tr("to the right of the user"),
+            "behind": self.tr("behind the user"),
+            "left": self.tr("to the left of the user"),
         }
         for name, text in stands.items():
             self.device.addItem(text, name)
 
     def _lay_out(self) -> None:
         change = text_button(
-            self.tr("Change\u2026"), self.tr("Keep sequences in another folder")
+            self.tr("Change\u2026"), self.tr("Choose another library folder")
         )
         change.clicked.connect(self._choose_library)
         form = QFormLayout()
@@ -259,14 +259,14 @@ class MountingPage(QWidget):
         form.setVerticalSpacing(10)
         form.addRow(self.tr("&Mounting"), self.mounting)
         form.addRow("", self.gravity)
-        form.addRow(self.tr("The &device stands"), self.device)
+        form.addRow(self.tr("&Device position"), self.device)
         form.addRow(self.tr("&Gain"), self.gain)
         form.addRow(self.tr("&Title"), self.title)
         form.addRow(self.tr("Library"), row_of((self.place, 1), change))
         hint = paragraph(
             self.tr(
-                "The drawing shows the recorder on its actor, who looks to the front; "
-                "the dashed line is where gravity says that up was."
+                "The drawing shows the recorder on the actor, who faces "
+                "forward; the dashed line shows which way was up, from gravity."
             ),
             theme.DIM,
         )
@@ -299,22 +299,22 @@ class MountingPage(QWidget):
         self.triad.show_axes(self.axes, self._up)
         if self._up is None:
             text = self.tr(
-                "It turned so much that gravity does not tell which is right."
+                "The sensor rotated too much to determine the mounting from gravity."
             )
             colour = theme.WARN
         elif up_in_frame_a(self._up, self.axes)[2] >= UPRIGHT:
             text = self.tr(
-                "Gravity agrees. Which side was the front only you can know."
+                "Consistent with gravity. Only you know which side faced forward."
             )
             colour = theme.GOOD
         else:
-            text = self.tr("Gravity says that another side was up.")
+            text = self.tr("Not consistent with gravity: another side was up.")
             colour = theme.BAD
         self.gravity.setText(text)
         self.gravity.setStyleSheet(f"color: {colour};")
 
     def _choose_library(self) -> None:
-        title = self.tr("Where shall sequences be kept?")
+        title = self.tr("Choose the library folder")
         dialog = folder_dialog(self, title, str(self.library))
         dialog.fileSelected.connect(self._take_library)
         dialog.open()

@@ -55,19 +55,17 @@ class SyncPage(QWidget):
             self.tr("Media time at which the log's clock reads zero")
         )
         self.skew = _spin(_LARGEST_SKEW_MS, 0, 1.0, self.tr(" ms"))
-        self.skew.setAccessibleName(self.tr("Sound later than picture"))
+        self.skew.setAccessibleName(self.tr("Sound delay"))
         self.skew.setToolTip(
-            self.tr("How much later than its picture the camera's sound comes")
+            self.tr("How much later than the video the camera records its sound")
         )
         self.method = QComboBox()
         self.method.setAccessibleName(self.tr("Method"))
         for one in methods.SYNC_METHODS:
             self.method.addItem(translated(one.text), one.name)
         self.method.activated.connect(lambda _row: self.method_chosen.emit())
-        self.keep_skew = QCheckBox(self.tr("keep for this camera"))
-        self.looked = QCheckBox(
-            self.tr("I have looked and listened: this offset is right")
-        )
+        self.keep_skew = QCheckBox(self.tr("use for this camera"))
+        self.looked = QCheckBox(self.tr("I have checked the offset by eye and ear"))
         self.looked.toggled.connect(lambda _on: self.decided.emit())
         self._lay_out()
         self.strip.shifted.connect(self.offset.setValue)
@@ -81,22 +79,26 @@ class SyncPage(QWidget):
     def _lay_out(self) -> None:
         whole = text_button(self.tr("&Whole clip"), self.tr("Show the whole clip"))
         whole.clicked.connect(self.strip.show_whole)
-        self.near = text_button(self.tr("The &pats"), self.tr("Show the pats closely"))
+        self.near = text_button(self.tr("&Tap marks"), self.tr("Zoom to the tap marks"))
         self.near.clicked.connect(self._show_near)
         self.hear = text_button(
-            self.tr("&Hear"),
-            self.tr("Play what is shown: the clip left, a tick at each knock right"),
+            self.tr("&Listen"),
+            self.tr(
+                "Play the visible part: the clip on the left, a tick at each "
+                "tap of the log on the right"
+            ),
         )
         self.hear.clicked.connect(self._hear)
         offset = captioned(self.tr("&Offset"), self.offset)
-        late = captioned(self.tr("S&ound later than picture"), self.skew)
+        late = captioned(self.tr("S&ound delay"), self.skew)
         how = captioned(self.tr("&Method"), self.method)
         buttons = (whole, self.near, self.hear)
         hint = paragraph(
             self.tr(
-                "Drag the acceleration until it lies under the sound; the arrow keys "
-                "move it by 1 ms, with Shift by 10 ms, with Ctrl by 100 ms. The wheel "
-                "zooms; the picture is that at the cursor, which comma and point move."
+                "Drag the acceleration until it lines up with the sound; the "
+                "arrow keys move it by 1 ms, with Shift 10 ms, with Ctrl 100 "
+                "ms. The wheel zooms. The frame shown is the one at the cursor; "
+                "comma and period move it."
             ),
             theme.DIM,
         )
@@ -245,15 +247,18 @@ class SyncPage(QWidget):
 
     def _verdict(self, found: Recognised) -> tuple[str, str]:
         if found.knows_clip_clock:
-            text = self.tr("{recorder} keeps its motion on the clip's own clock.")
+            text = self.tr(
+                "{recorder} records its motion on the clip's clock; no "
+                "synchronisation is needed."
+            )
             return text.format(recorder=translated(found.recorder)), theme.GOOD
         sync = found.found
         if sync is None:
-            text = self.tr("Nothing to go by: {why}. Give the offset by hand.")
+            text = self.tr("Could not synchronise: {why}. Enter the offset manually.")
             return text.format(why=translated(found.problem)), theme.WARN
         choice = self.choice()
         if choice is not None and choice.method == "offset":
-            return self.tr("The offset was moved by hand."), theme.WARN
+            return self.tr("The offset was set manually."), theme.WARN
         return self._verdict_of(sync)
 
     def _verdict_of(self, sync: Synchronisation) -> tuple[str, str]:
@@ -263,17 +268,17 @@ class SyncPage(QWidget):
             return text.format(method=sync.method, confidence=confidence), theme.WARN
         if sync.is_confident:
             text = self.tr(
-                "The pats were found (confidence {confidence}, residual {ms} ms)."
+                "Tap marks found (confidence {confidence}, residual {ms} ms)."
             )
             ms = local(f"{1e3 * sync.clock_map.residual_s:.1f}")
             return text.format(confidence=confidence, ms=ms), theme.GOOD
         if sync.pats:
             text = self.tr(
-                "The pats are not certain (confidence {confidence}). Look whether the "
-                "same events lie under each other, and drag them if not."
+                "The tap marks are uncertain (confidence {confidence}). Check "
+                "that the same events line up, and drag them if not."
             )
             return text.format(confidence=confidence), theme.WARN
-        text = self.tr("No three pats are both heard and felt; drag by hand.")
+        text = self.tr("No three taps found in both sound and motion; drag manually.")
         return text, theme.WARN
 
 

@@ -102,21 +102,19 @@ class ImportWizard(QDialog):
         self.bar.setFormat(PERCENT)
         self.bar.setFixedWidth(240)
         self.bar.setAccessibleName(self.tr("Progress"))
-        self.stop = text_button(
-            self.tr("&Stop"), self.tr("Stop this work; nothing is left behind")
-        )
+        self.stop = text_button(self.tr("&Stop"), self.tr("Cancel; nothing is kept"))
         self.stop.clicked.connect(self.jobs.cancel)
         return row_of((self.step, 1), self.bar, self.stop)
 
     def _button_row(self) -> QHBoxLayout:
         self.another = text_button(
-            self.tr("&Import another\u2026"), self.tr("Begin again with other files")
+            self.tr("&Import another\u2026"), self.tr("Start again with other files")
         )
         self.another.clicked.connect(self._begin_again)
-        self.back = text_button(self.tr("&Back"), self.tr("To the step before"))
+        self.back = text_button(self.tr("&Back"), self.tr("Go to the previous step"))
         self.back.clicked.connect(lambda: self.go_to(self.stack.currentIndex() - 1))
         self.next = text_button(
-            self.tr("&Next"), self.tr("To the next step"), "primary"
+            self.tr("&Next"), self.tr("Go to the next step"), "primary"
         )
         self.next.clicked.connect(self._on_next)
         self.leave = text_button(self.tr("Close"), self.tr("Close this window"))
@@ -164,7 +162,7 @@ class ImportWizard(QDialog):
         self.back.setVisible(at < REPORT)
         self.back.setEnabled(at > FILES and not is_busy)
         self.another.setVisible(at == REPORT)
-        text = {MOUNTING: self.tr("&Import"), REPORT: self.tr("&Play it")}
+        text = {MOUNTING: self.tr("&Import"), REPORT: self.tr("&Play")}
         self.next.setText(text.get(at, self.tr("&Next")))
         may = {
             FILES: self.recognised is not None,
@@ -218,9 +216,7 @@ class ImportWizard(QDialog):
         def work(progress: Progress) -> Recognised:
             return in_child(recognise, video, log, choices, method, progress=progress)
 
-        self.jobs.run(
-            self.tr("Looking at {0}").format(video.name), work, self._on_found
-        )
+        self.jobs.run(self.tr("Reading {0}").format(video.name), work, self._on_found)
         self._show_buttons()
 
     def _on_found(self, found: Recognised) -> None:

@@ -116,7 +116,7 @@ class LibraryDetails(QWidget):
 
     def _lay_out(self) -> None:
         self.add = text_button(
-            self.tr("&Add a track\u2026"), self.tr("A force track from a CSV file")
+            self.tr("&Add a track\u2026"), self.tr("Add a force track from a CSV file")
         )
         self.rename = text_button(self.tr("Rena&me\u2026"), self.tr("Rename the track"))
         self.remove = text_button(self.tr("&Remove"), self.tr("Remove the track"))
@@ -124,8 +124,8 @@ class LibraryDetails(QWidget):
         self.rename.clicked.connect(self._ask_name)
         self.remove.clicked.connect(lambda: self._edit(remove_track, self._track()))
         self.apply = text_button(
-            self.tr("Use this &gain"),
-            self.tr("Make the realistic and the random track anew"),
+            self.tr("Apply &gain"),
+            self.tr("Render the realistic and the random track again with this gain"),
         )
         self.apply.clicked.connect(self._set_gain)
         caption = QLabel(self.tr("Gain"))
@@ -214,7 +214,7 @@ class LibraryDetails(QWidget):
         real = [track for track in entry.tracks if track.name == _OWN[0]]
         if real:
             factor = gain / entry.gain_n_per_mps2
-            text = self.tr("about {peak} N at the peak, {rms} N RMS\u2026")
+            text = self.tr("about {peak} N peak, {rms} N RMS\u2026")
             peak, rms = (
                 local(f"{factor * real[0].peak_n:.2f}"),
                 local(f"{factor * real[0].rms_n:.2f}"),
@@ -243,8 +243,9 @@ class LibraryDetails(QWidget):
 
     def _show_preview(self, found: GainPreview) -> None:
         text = self.tr(
-            "{peak} N at the peak, {rms} N RMS, {share} of the samples at the limit; "
-            "workspace: relaxed hand {relaxed}, normal {normal}, firm {firm}"
+            "{peak} N peak, {rms} N RMS, {share} of the samples at the "
+            "limit; workspace used: relaxed hand {relaxed}, normal "
+            "{normal}, firm {firm}"
         ).format(
             peak=local(f"{found.peak_n:.2f}"),
             rms=local(f"{found.rms_n:.2f}"),
@@ -252,7 +253,7 @@ class LibraryDetails(QWidget):
             **{name: f"{100.0 * r:.0f} %" for name, r in found.reaches.items()},
         )
         if found.trips:
-            text += " \u2013 " + self.tr("the force would stop")
+            text += " \u2013 " + self.tr("the force would be stopped")
         self.preview.setText(text)
         colour = theme.BAD if found.trips else theme.TEXT
         self.preview.setStyleSheet(f"color: {colour};")
@@ -262,7 +263,7 @@ class LibraryDetails(QWidget):
         if entry is not None:
             folder = entry.folder
             self._run(
-                self.tr("Making the force anew"),
+                self.tr("Rendering the force"),
                 lambda told: in_child(set_gain, folder, gain, progress=told),
                 lambda _none: self.changed.emit(),
             )

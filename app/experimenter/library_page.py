@@ -116,15 +116,11 @@ class LibraryPage(QDialog):
         split.setChildrenCollapsible(False)
         message = QHBoxLayout()
         message.addWidget(self.told, 1)
-        self.undo = text_button(
-            self.tr("&Undo"), self.tr("Bring back what was deleted last")
-        )
+        self.undo = text_button(self.tr("&Undo"), self.tr("Undo the last deletion"))
         self.undo.clicked.connect(self._undo)
         self.undo.hide()
         message.addWidget(self.undo)
-        self.stop = text_button(
-            self.tr("S&top"), self.tr("Stop this work; nothing is left behind")
-        )
+        self.stop = text_button(self.tr("S&top"), self.tr("Cancel; nothing is kept"))
         self.stop.clicked.connect(self.jobs.cancel)
         self.stop.hide()
         message.addWidget(self.stop)
@@ -136,12 +132,22 @@ class LibraryPage(QDialog):
 
     def _button_row(self) -> QHBoxLayout:
         made = (
-            ("import", self.tr("&Import\u2026"), self.tr("Bring in a recording"), ""),
-            ("folder", self.tr("&Folder\u2026"), self.tr("Show another folder"), ""),
-            ("rename", self.tr("Re&name\u2026"), self.tr("Another title"), ""),
-            ("check", self.tr("&Verify"), self.tr("Read every file, check it"), ""),
-            ("delete", self.tr("&Delete\u2026"), self.tr("Move it to the bin"), ""),
-            ("open", self.tr("&Open"), self.tr("Play it (Enter)"), "primary"),
+            ("import", self.tr("&Import\u2026"), self.tr("Import a recording"), ""),
+            (
+                "folder",
+                self.tr("&Folder\u2026"),
+                self.tr("Choose the library folder"),
+                "",
+            ),
+            ("rename", self.tr("Re&name\u2026"), self.tr("Change the title"), ""),
+            (
+                "check",
+                self.tr("&Verify"),
+                self.tr("Check the checksums of all files"),
+                "",
+            ),
+            ("delete", self.tr("&Delete\u2026"), self.tr("Move to the bin"), ""),
+            ("open", self.tr("&Open"), self.tr("Play (Enter)"), "primary"),
         )
         self.buttons = {name: text_button(*rest) for name, *rest in made}
         slots = {
@@ -225,9 +231,9 @@ class LibraryPage(QDialog):
             self.buttons[name].setEnabled(entry is not None and not self.jobs.is_busy)
         rows = range(self.list.count())
         if not rows:
-            text = self.tr("There is nothing here yet; import a recording.")
+            text = self.tr("No sequences yet. Import a recording.")
         elif all(self.list.item(row).isHidden() for row in rows):
-            text = self.tr("Nothing is called so")
+            text = self.tr("No matches")
         else:
             text = ""
         self.nothing.setText(text)
@@ -245,7 +251,7 @@ class LibraryPage(QDialog):
         self.import_wanted.emit()
 
     def _choose_library(self) -> None:
-        title = self.tr("Where are sequences kept?")
+        title = self.tr("Choose the library folder")
         dialog = folder_dialog(self, title, str(self.library))
         dialog.fileSelected.connect(self._take_library)
         dialog.open()
@@ -285,7 +291,7 @@ class LibraryPage(QDialog):
             self.tr("Verifying"),
             work,
             lambda _none: self._tell(
-                self.tr("{title}: every file is as it was written").format(title=title),
+                self.tr("{title}: all files are intact").format(title=title),
                 theme.GOOD,
             ),
         )
@@ -296,7 +302,7 @@ class LibraryPage(QDialog):
             self.delete(entry)
 
     def _is_sure(self, entry: Entry) -> bool:
-        text = self.tr("Move {title} to the bin? It can be brought back from there.")
+        text = self.tr("Move {title} to the bin? You can restore it from there.")
         buttons = QMessageBox.StandardButton
         box = QMessageBox(
             QMessageBox.Icon.Question,
@@ -311,13 +317,13 @@ class LibraryPage(QDialog):
         """Move a sequence to the desktop's bin."""
         moved = QFile(str(entry.folder))
         if not moved.moveToTrash():
-            text = self.tr("{title} cannot be moved to the bin; nothing was deleted.")
+            text = self.tr("Could not move {title} to the bin; nothing was deleted.")
             self._tell(text.format(title=entry.title), theme.BAD)
             return
         binned = moved.fileName()  # "" where the platform does not say
         self._binned = (Path(binned), entry.folder) if binned else None
         self.undo.setVisible(bool(binned))
-        self._tell(self.tr("{title} is in the bin.").format(title=entry.title))
+        self._tell(self.tr("Moved {title} to the bin.").format(title=entry.title))
         self.refresh()
 
     def _undo(self) -> None:

@@ -58,8 +58,8 @@ def verdict(mark: Mark) -> str:
     """Return what the whole is worth."""
     return {
         Mark.GOOD: translate("Quality", "Good: ready for use"),
-        Mark.DOUBTFUL: translate("Quality", "Doubtful: look at what is marked"),
-        Mark.BAD: translate("Quality", "Bad: better record or import it again"),
+        Mark.DOUBTFUL: translate("Quality", "Doubtful: check the marked items"),
+        Mark.BAD: translate("Quality", "Bad: record or import it again"),
     }[mark]
 
 
@@ -100,13 +100,13 @@ def name_of(one: Finding) -> str:
         "sync": translate("Quality", "Synchronisation"),
         "drift": translate("Quality", "Clock drift"),
         "rate": translate("Quality", "Sampling"),
-        "leak": translate("Quality", "Gravity left at rest"),
-        "sensor": translate("Quality", "Sensor at its limit"),
+        "leak": translate("Quality", "Residual gravity at rest"),
+        "sensor": translate("Quality", "Sensor saturation"),
         "gaps": translate("Quality", "Gaps"),
-        "cover": translate("Quality", "Clip without motion"),
-        "force": translate("Quality", "Force at its limit"),
-        "workspace": translate("Quality", "Use of the workspace"),
-        "heat": translate("Quality", "Heat of the motors"),
+        "cover": translate("Quality", "Clip without motion data"),
+        "force": translate("Quality", "Force saturation"),
+        "workspace": translate("Quality", "Workspace used"),
+        "heat": translate("Quality", "Motor heating"),
     }
     return names.get(one.name, one.name)
 
@@ -145,10 +145,10 @@ def value_of(one: Finding) -> str:
 
 def _method(name: str) -> str:
     return {
-        "pats": translate("Quality", "three pats"),
+        "pats": translate("Quality", "tap marks"),
         "variance": translate("Quality", "variance"),
-        "embedded": translate("Quality", "one clock"),
-        "offset": translate("Quality", "by hand"),
+        "embedded": translate("Quality", "same clock"),
+        "offset": translate("Quality", "manual"),
     }.get(name, name)
 
 
@@ -162,15 +162,22 @@ def _hand(name: str) -> str:
 
 def _advice(one: Finding) -> str:
     if one.name == "workspace" and one.more.get("trips"):
-        return translate("Quality", "The force would stop; lower the gain")
+        return translate("Quality", "The force would be stopped; lower the gain")
     return {
-        "sync": translate("Quality", "Look again, and give three pats next time"),
-        "drift": translate("Quality", "Pat at the end of a long recording too"),
+        "sync": translate(
+            "Quality",
+            "Check the synchronisation; next time tap the recorder three times",
+        ),
+        "drift": translate("Quality", "In long recordings, tap at the end as well"),
         "rate": translate("Quality", "Record at 100 Hz or more"),
-        "leak": translate("Quality", "Stand still for a few seconds at the start"),
-        "sensor": translate("Quality", "Choose a larger range of the accelerometer"),
-        "gaps": translate("Quality", "There is no force there; try another card"),
-        "cover": translate("Quality", "Start the log before the clip, end it after"),
+        "leak": translate("Quality", "Keep still for a few seconds at the start"),
+        "sensor": translate("Quality", "Choose a larger accelerometer range"),
+        "gaps": translate(
+            "Quality", "There is no force in the gaps; try another memory card"
+        ),
+        "cover": translate(
+            "Quality", "Start the log before the clip and stop it after"
+        ),
         "force": translate("Quality", "Lower the gain"),
         "workspace": translate("Quality", "Lower the gain"),
         "heat": translate("Quality", "Lower the gain, or play shorter clips"),

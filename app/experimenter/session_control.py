@@ -52,7 +52,7 @@ class Mirror(QWidget):
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Preferred)
         self.setMinimumSize(_WIDTH_PX // 2, _HEIGHT_PX // 2)
         self.setAccessibleName(
-            QCoreApplication.translate("Mirror", "The participant's picture")
+            QCoreApplication.translate("Mirror", "The participant's view")
         )
 
     def sizeHint(self) -> QSize:
@@ -77,7 +77,7 @@ class Mirror(QWidget):
                 painter.drawImage(QRectF(*box), image)
             else:
                 painter.setPen(QColor(theme.LOOKS[theme.DARK]["DIM"]))
-                text = QCoreApplication.translate("Mirror", "A page is shown")
+                text = QCoreApplication.translate("Mirror", "Showing a page")
                 painter.drawText(self.rect(), Qt.AlignmentFlag.AlignCenter, text)
             painter.setPen(QColor(theme.BORDER))  # black has no edge on black
             painter.drawRect(self.rect().adjusted(0, 0, -1, -1))
@@ -124,7 +124,7 @@ class SessionControl(QMainWindow):
         self.notes.setAccessibleName(self.tr("Notes"))
         self.note = QLineEdit()
         self.note.setAccessibleName(self.tr("New note"))
-        self.note.setPlaceholderText(self.tr("A note; Enter keeps it"))
+        self.note.setPlaceholderText(self.tr("Write a note; Enter saves it"))
         self.note.returnPressed.connect(self._keep_note)
         self.buttons = self._make_buttons()
         self._stack = QStackedWidget()
@@ -134,12 +134,20 @@ class SessionControl(QMainWindow):
 
     def _make_buttons(self) -> dict[str, Button]:
         made = {
-            "pause": (self.tr("Pause"), self.tr("Stop the clip; it begins again"), ""),
-            "repeat": (self.tr("Repeat"), self.tr("Play the last trial again"), ""),
-            "skip": (self.tr("Skip\u2026"), self.tr("Leave this step out"), ""),
-            "end": (self.tr("End\u2026"), self.tr("End the session for good"), ""),
-            "retry": (self.tr("Try again"), self.tr("Try to save once more"), ""),
-            "stop": (self.tr("STOP"), self.tr("Take the force away (Esc)"), "stop"),
+            "pause": (
+                self.tr("Pause"),
+                self.tr("Pause the clip; it will restart from the beginning"),
+                "",
+            ),
+            "repeat": (self.tr("Repeat"), self.tr("Repeat the last trial"), ""),
+            "skip": (self.tr("Skip\u2026"), self.tr("Skip this step"), ""),
+            "end": (
+                self.tr("End\u2026"),
+                self.tr("End the session; it cannot be resumed"),
+                "",
+            ),
+            "retry": (self.tr("Try again"), self.tr("Retry saving"), ""),
+            "stop": (self.tr("STOP"), self.tr("Stop the force (Esc)"), "stop"),
         }
         buttons = {
             name: text_button(text, tip, role)
@@ -190,7 +198,7 @@ class SessionControl(QMainWindow):
         """Show this session from now on; `changed` is called after each action."""
         self._runner, self._changed = runner, changed
         self._stack.setCurrentIndex(1)
-        text = self.tr("Volume {n} %, the same for the whole session")
+        text = self.tr("Volume {n} %, fixed for the session")
         self.volume.setText(text.format(n=self.start.volume.value()))
         self.refresh()
 
@@ -208,7 +216,7 @@ class SessionControl(QMainWindow):
         self.played.setText(self._played_text(runner))
         is_paused = page.kind is PageKind.PAUSED
         self.buttons["pause"].setText(
-            self.tr("Go on") if is_paused else self.tr("Pause")
+            self.tr("Resume") if is_paused else self.tr("Pause")
         )
         is_stuck = page.kind is PageKind.PROBLEM
         self.buttons["retry"].setVisible(is_stuck)
@@ -232,10 +240,10 @@ class SessionControl(QMainWindow):
     def _played_text(self, runner: SessionRunner) -> str:
         last = runner.last_trial
         if last is None:
-            return self.tr("Nothing has been played yet")
+            return self.tr("No trial played yet")
         if last.sound:
-            return self.tr("The last trial was played as it should be")
-        return self.tr("The last trial was not sound: {reasons}").format(
+            return self.tr("The last trial was valid")
+        return self.tr("The last trial was invalid: {reasons}").format(
             reasons=", ".join(reason_text(reason) for reason in last.reasons)
         )
 
@@ -254,7 +262,9 @@ class SessionControl(QMainWindow):
             runner.pause()
 
     def _skip(self, runner: SessionRunner) -> None:
-        reason = ask_text(self, self.tr("Skip"), self.tr("Why is this step left out?"))
+        reason = ask_text(
+            self, self.tr("Skip"), self.tr("Reason for skipping this step:")
+        )
         if reason and reason.strip():
             runner.skip(reason)
 
@@ -262,7 +272,7 @@ class SessionControl(QMainWindow):
         reason = ask_text(
             self,
             self.tr("End the session"),
-            self.tr("Why does it end? All answers given so far are kept."),
+            self.tr("Reason for ending the session (all answers so far are kept):"),
         )
         if reason is not None:
             runner.stop(reason.strip() or "ended by the operator")
@@ -296,7 +306,7 @@ class SessionControl(QMainWindow):
         answer = QMessageBox.question(
             self,
             self.tr("Close"),
-            self.tr("The session has not ended. Close, and go on with it later?"),
+            self.tr("The session is not complete. Close it and resume later?"),
         )
         return answer is QMessageBox.StandardButton.Yes
 
@@ -309,7 +319,7 @@ def _kind_text(kind: PageKind) -> str:
         PageKind.READY: translate("SessionControl", "ready"),
         PageKind.PLAYING: translate("SessionControl", "playing"),
         PageKind.PAUSED: translate("SessionControl", "paused"),
-        PageKind.PROBLEM: translate("SessionControl", "cannot be saved"),
+        PageKind.PROBLEM: translate("SessionControl", "saving failed"),
         PageKind.THANKS: translate("SessionControl", "finished"),
         PageKind.STOPPED: translate("SessionControl", "ended early"),
     }[kind]

@@ -37,10 +37,10 @@ _SAME = {  # for a moment or for good: in the same words
 def _only_in_trials() -> dict[str, str]:
     """Return what takes the force away for a moment, which the window need not say."""
     return {
-        "no_track": translate("SessionWords", "there was no force track"),
-        "guard_lost": translate("SessionWords", "the guard was silent"),
-        "stopped": translate("SessionWords", "someone stopped it"),
-        "not_homed": translate("SessionWords", "the grip had lost its zero"),
+        "no_track": translate("SessionWords", "no force track"),
+        "guard_lost": translate("SessionWords", "guard process not responding"),
+        "stopped": translate("SessionWords", "stopped"),
+        "not_homed": translate("SessionWords", "lost homing"),
     }
 
 
@@ -50,32 +50,34 @@ def reason_text(reason: str) -> str:
     if kind == "fault":
         known = {cause.name.lower(): cause_text(cause) for cause in Cause}
         known |= _only_in_trials()
-        text = translate("SessionWords", "the contract stopped it ({0})")
+        text = translate("SessionWords", "safety stop ({0})")
         return text.format(known.get(_SAME.get(more, more)) or more)
     if kind == "sync":
         return {
-            "picture": translate("SessionWords", "force and picture were apart"),
-            "sound": translate("SessionWords", "force and sound were apart"),
+            "picture": translate("SessionWords", "force and video out of sync"),
+            "sound": translate("SessionWords", "force and sound out of sync"),
         }.get(more, reason)
     return {
         "paused": translate("SessionWords", "paused"),
         "repeated": translate("SessionWords", "to be repeated"),
-        "skipped": translate("SessionWords", "left out"),
-        "stopped": translate("SessionWords", "the session was ended"),
+        "skipped": translate("SessionWords", "skipped"),
+        "stopped": translate("SessionWords", "session ended"),
         "operator": translate("SessionWords", "stopped by the operator"),
         "escape": translate("SessionWords", "the participant pressed Esc"),
         "space": translate("SessionWords", "the participant pressed the space bar"),
-        "focus_lost": translate("SessionWords", "another program came in front"),
-        "window_closed": translate("SessionWords", "the window was to be closed"),
+        "focus_lost": translate("SessionWords", "another window took the focus"),
+        "window_closed": translate("SessionWords", "the window was closed"),
         "clip_damaged": translate("SessionWords", "the clip is damaged"),
-        "pictures_dropped": translate("SessionWords", "pictures were dropped"),
-        "no_sound": translate("SessionWords", "there was no sound"),
-        "sound_missing": translate("SessionWords", "sound was missing"),
-        "no_device": translate("SessionWords", "there was no device"),
-        "device_lost": translate("SessionWords", "the device was lost"),
-        "periods_missed": translate("SessionWords", "the loop missed periods"),
-        "no_ticks": translate("SessionWords", "the device said nothing"),
-        "record_incomplete": translate("SessionWords", "the record has gaps"),
+        "pictures_dropped": translate("SessionWords", "frames dropped"),
+        "no_sound": translate("SessionWords", "no sound"),
+        "sound_missing": translate("SessionWords", "gaps in the sound"),
+        "no_device": translate("SessionWords", "no device"),
+        "device_lost": translate("SessionWords", "device lost"),
+        "periods_missed": translate(
+            "SessionWords", "missed periods in the haptic loop"
+        ),
+        "no_ticks": translate("SessionWords", "no data from the device"),
+        "record_incomplete": translate("SessionWords", "gaps in the record"),
     }.get(reason, reason)
 
 
@@ -106,13 +108,13 @@ class StartPanel(QWidget):
         self.who.setAccessibleName(self.tr("Participant"))
         self.who.addItem(self.tr("New participant"), "")
         for code in unfinished:
-            self.who.addItem(self.tr("Go on with {code}").format(code=code), code)
+            self.who.addItem(self.tr("Resume {code}").format(code=code), code)
         self.language = QComboBox()
         self.language.setAccessibleName(self.tr("Language"))
         for language in languages:
             self.language.addItem(NAMES.get(language, language), language)
         self.hear = text_button(
-            self.tr("Play a clip"), self.tr("Listen whether the sound is heard")
+            self.tr("Play a clip"), self.tr("Check that the sound is audible")
         )
         self.hear.clicked.connect(self.clip_wanted)
         self.volume = QSpinBox()
@@ -122,13 +124,13 @@ class StartPanel(QWidget):
         indent(self.volume)
         self.volume.setAccessibleName(self.tr("Volume"))
         self.volume.setToolTip(
-            self.tr("Stays as it is for the whole session, and is kept with it")
+            self.tr("Fixed for the whole session and stored with it")
         )
         self.volume.valueChanged.connect(self.volume_chosen)
-        self.sound = QCheckBox(self.tr("The sound is heard"))
-        self.override = QCheckBox(self.tr("Begin although something is not in order"))
+        self.sound = QCheckBox(self.tr("The sound is audible"))
+        self.override = QCheckBox(self.tr("Start despite failed checks"))
         self.start = text_button(
-            self.tr("Begin"), self.tr("Show the first page to the participant")
+            self.tr("Start session"), self.tr("Show the first page to the participant")
         )
         set_role(self.start, "primary")
         self.start.clicked.connect(self.started)
@@ -159,8 +161,8 @@ class StartPanel(QWidget):
     def show_balance(self, balance: Balance) -> None:
         """Show how evenly conditions have been met by those who did not drop out."""
         text = self.tr(
-            "each condition {a} to {b} times at each place, {c} to {d} times after "
-            "each other"
+            "each condition {a} to {b} times at each position, {c} to {d} "
+            "times after each other condition"
         )
         (a, b), (c, d) = (
             balance.times_at_each_position(),
@@ -189,8 +191,8 @@ class StartPanel(QWidget):
     def _names(self) -> dict[str, str]:
         return {
             "device": self.tr("Device"),
-            "homed": self.tr("Grip found"),
-            "scheduling": self.tr("Real-time class"),
+            "homed": self.tr("Grip homed"),
+            "scheduling": self.tr("Scheduling"),
             "sound": self.tr("Sound"),
             "volume": self.tr("Volume"),
             "screen": self.tr("Participant's screen"),

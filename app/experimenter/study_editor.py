@@ -81,14 +81,12 @@ class StudyEditor(QDialog):
         self.seed.setValue(min(_MOST, content["order"]["seed"]))
         self.apart = QCheckBox(self.tr("Never the same sequence twice in a row"))
         self.apart.setChecked(content["order"]["no_sequence_twice_in_a_row"])
-        self.blind = QCheckBox(self.tr("The operator does not see the condition"))
+        self.blind = QCheckBox(self.tr("Hide the condition from the operator"))
         self.blind.setChecked(content["operator_is_blind"])
-        self.published = QCheckBox(
-            self.tr("Show the published wording where there is one")
-        )
+        self.published = QCheckBox(self.tr("Use the published wording where available"))
         self.published.setChecked(content["use_published"])
         self.lsl = QCheckBox(
-            self.tr("Offer markers and force to other programs on this machine (LSL)")
+            self.tr("Stream markers and force to other programs on this computer (LSL)")
         )
         self.lsl.setChecked(content.get("lsl", False))
         form.addRow(self.tr("Title"), self.title)
@@ -102,7 +100,7 @@ class StudyEditor(QDialog):
         return {
             OrderMethod.RANDOM: self.tr("Random for each participant"),
             OrderMethod.LATIN_SQUARE: self.tr("Latin square"),
-            OrderMethod.WILLIAMS: self.tr("Williams: balanced for what came before"),
+            OrderMethod.WILLIAMS: self.tr("Williams: balanced for carry-over"),
             OrderMethod.LIST: self.tr("From orders.csv"),
         }
 
@@ -112,7 +110,7 @@ class StudyEditor(QDialog):
         for entry in self._content["sequences"]:
             line = self.folders[entry["key"]] = QLineEdit(entry["folder"])
             browse = text_button(
-                self.tr("Browse\u2026"), self.tr("Choose the folder of a sequence")
+                self.tr("Browse\u2026"), self.tr("Choose a sequence folder")
             )
             browse.clicked.connect(lambda _on, line=line: self._browse(line))
             row = QHBoxLayout()
@@ -123,7 +121,7 @@ class StudyEditor(QDialog):
 
     def _browse(self, line: QLineEdit) -> None:
         folder = QFileDialog.getExistingDirectory(
-            self, self.tr("Folder of a sequence"), line.text()
+            self, self.tr("Sequence folder"), line.text()
         )
         if folder:
             line.setText(str(Path(folder)))

@@ -215,7 +215,7 @@ class StudyMenu(QObject):
         """Return the folder of a study that a person chose."""
         folder = QFileDialog.getExistingDirectory(
             self._window,
-            translate("StudyMenu", "Folder of a study"),
+            translate("StudyMenu", "Study folder"),
             self._settings.text(FOLDER),
         )
         if folder:

@@ -37,7 +37,7 @@ class ClipFrame(QWidget):
         self.picture.setFixedHeight(HEIGHT_PX)
         self.picture.setMinimumWidth(HEIGHT_PX * 16 // 9)
         self.picture.setStyleSheet(f"background: {theme.BACKGROUND};")
-        self.picture.setAccessibleName(self.tr("Picture at the cursor"))
+        self.picture.setAccessibleName(self.tr("Frame at the cursor"))
         self.time.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.time.setStyleSheet(f"color: {theme.DIM};")
         self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)

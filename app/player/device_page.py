@@ -33,7 +33,7 @@ def homing_text() -> str:
     """Return what a person does to home a device."""
     return translate(
         "DevicePage",
-        "Pull the grip out as far as it goes, then push it in until it locks",
+        "Pull the grip all the way out, then push it in until it locks",
     )
 
 
@@ -91,10 +91,12 @@ class DevicePage(QDialog):
         self.sign, self.text = QLabel(), paragraph(is_centred=True, lines=4)
         self.progress = QProgressBar()
         self.start_button = text_button(
-            self.tr("Start"), self.tr("Feel every direction, gentle first"), "primary"
+            self.tr("Start"),
+            self.tr("Feel every direction, starting gently"),
+            "primary",
         )
         self.stop_button = text_button(
-            self.tr("STOP"), self.tr("Take the force away at once (Esc)"), "stop"
+            self.tr("STOP"), self.tr("Stop the force immediately (Esc)"), "stop"
         )
         self._timer = QTimer(self)
         self._timer.setInterval(POLL_MS)
@@ -104,8 +106,9 @@ class DevicePage(QDialog):
         self._lay_out()
         self._show_end(
             self.tr(
-                "Hold the grip loosely. You will feel every direction three times, "
-                "gentle first. Esc, STOP or a button on the grip ends it at once."
+                "Hold the grip loosely. You will feel each direction three "
+                "times, starting gently. Esc, STOP or a button on the grip "
+                "stops it immediately."
             )
         )
 
@@ -140,7 +143,7 @@ class DevicePage(QDialog):
 
     def _lay_out(self) -> None:
         name = device_name(self._device)
-        self.setWindowTitle(self.tr("Get to know the forces: {name}").format(name=name))
+        self.setWindowTitle(self.tr("Try out the forces: {name}").format(name=name))
         self.setMinimumWidth(WIDTH_PX)
         font = self.sign.font()
         font.setPixelSize(_SIGN_PX)
@@ -149,7 +152,7 @@ class DevicePage(QDialog):
         self.progress.setTextVisible(False)
         self.progress.setRange(0, 1000)
         self.progress.setAccessibleName(self.tr("Progress"))
-        close = text_button(self.tr("Close"), self.tr("Give the device back"))
+        close = text_button(self.tr("Close"), self.tr("Release the device"))
         close.clicked.connect(self.reject)
         buttons = row_of(self.start_button, self.stop_button, STRETCH, close)
         fill_page(self, self.sign, self.text, self.progress, buttons)
@@ -175,7 +178,7 @@ class DevicePage(QDialog):
         else:
             self.sign.setText("")
             self.text.setText(
-                self.tr("Rest") if player.media_s else self.tr("Starting")
+                self.tr("Pause") if player.media_s else self.tr("Starting")
             )
 
     def _wait_for_homing(self) -> None:
@@ -190,7 +193,7 @@ class DevicePage(QDialog):
         if player.mode is Mode.TRIPPED:
             return stop_reason(player.cause)
         if player.media_s >= player.end_s:
-            return self.tr("These were all the forces that you can meet.")
+            return self.tr("Demonstration finished.")
         said = translated(player.problem)
         return said or self.tr("The haptics process has ended.")
 

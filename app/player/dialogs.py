@@ -56,10 +56,10 @@ def about_dialog(parent: QWidget) -> QDialog:
     text = paragraph(
         translate(
             "Help",
-            "<b>hapticplayer {version}</b><p>Plays a video and lets you feel the "
-            "motion of whoever recorded it.</p><p>After Danieau et al., A "
-            "Framework for Enhancing Video Viewing Experience with Haptic Effects of "
-            "Motion (2012).<br>MIT licence.</p>",
+            "<b>hapticplayer {version}</b><p>Plays a video and lets you "
+            "feel the motion of the camera.</p><p>Based on Danieau et al., "
+            "A Framework for Enhancing Video Viewing Experience with Haptic "
+            "Effects of Motion (2012).<br>MIT licence.</p>",
         ).format(version=__version__)
     )
     text.setTextFormat(Qt.TextFormat.RichText)
@@ -125,7 +125,7 @@ class Dialogs(QObject):
 
     def open_sequence(self) -> None:
         """Choose the folder of a sequence."""
-        title = self.tr("Open the folder of a sequence")
+        title = self.tr("Open a sequence folder")
         dialog = folder_dialog(self._window, title, self._folder())
         dialog.fileSelected.connect(self._open)
         dialog.open()
@@ -139,7 +139,7 @@ class Dialogs(QObject):
 
     def open_log(self) -> None:
         """Choose a log of the clip that is open, to feel again what was sent."""
-        title = self.tr("Play the force of a log")
+        title = self.tr("Replay the forces of a log")
         kinds = self.tr("Logs (*.jsonl *.json *.log);;All files (*)")
         dialog = file_dialog(self._window, title, self._folder(), kinds)
         dialog.fileSelected.connect(lambda path: self._session.open_log(Path(path)))
@@ -210,7 +210,7 @@ class Dialogs(QObject):
         player = self._session.player
         device = player.snapshot().device
         if device == NO_DEVICE:
-            problem = self.tr("Choose a device first, then get to know its forces")
+            problem = self.tr("Choose a device first, then try out its forces")
             self._session.gateway.report(HapticPlayerError(problem))
             return
         from app.player.device_page import DevicePage
@@ -268,7 +268,7 @@ class Dialogs(QObject):
 
     def export_settings(self) -> None:
         """Write the settings into a file."""
-        title = self.tr("Export the settings")
+        title = self.tr("Export settings")
         dialog = file_dialog(self._window, title, self._folder(), settings_filter())
         dialog.setAcceptMode(QFileDialog.AcceptMode.AcceptSave)
         dialog.setFileMode(QFileDialog.FileMode.AnyFile)

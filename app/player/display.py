@@ -54,7 +54,7 @@ def grip_of(now: Snapshot, ticks_since: TicksSince) -> Grip:
     title = _title(now.device)
     if now.device == NO_DEVICE:
         text = translate(
-            "GripView", "No device: choose {name} to see what would be felt"
+            "GripView", "No device: choose {name} to see the simulated grip"
         )
         return Grip(title, text.format(name=device_name(SIMULATED)))
     if now.device_health is Health.FAILED:
@@ -77,7 +77,7 @@ def _moving(title: str, now: Snapshot, ticks_since: TicksSince) -> Grip:
         title,
         _state(mode, now.cause, feedback)
         if position_m
-        else translate("GripView", "The position is not known"),
+        else translate("GripView", "Position unknown"),
         _activity(mode, feedback),
         position_m,
         force_of(latest, "force_n"),

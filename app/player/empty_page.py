@@ -36,8 +36,9 @@ class EmptyPage(QWidget):
         title.setFont(theme.scaled(self.font(), 1.6, bold=True))
         text = paragraph(
             self.tr(
-                "Open a sequence or a video, or drop one here. A video alone plays "
-                "without force; import it with its motion to feel it."
+                "Open a sequence or a video, or drop one here. A video on its "
+                "own plays without force; import it with its motion data to "
+                "feel it."
             ),
             theme.DIM,
             is_centred=True,
@@ -48,24 +49,22 @@ class EmptyPage(QWidget):
     def _buttons(self) -> QHBoxLayout:
         self.demo = text_button(
             self.tr("Play the demo"),
-            self.tr("A simulated ride; made on first use"),
+            self.tr("A simulated ride; created on first use"),
             "primary",
         )
         self.open = text_button(
-            self.tr("Open a sequence\u2026"), self.tr("The folder of a sequence")
+            self.tr("Open a sequence\u2026"), self.tr("Open a sequence folder")
         )
         self.library = text_button(
-            self.tr("Library\u2026"), self.tr("The sequences that were imported")
+            self.tr("Library\u2026"), self.tr("Your imported sequences")
         )
         self.import_recording = text_button(
             self.tr("Import a recording\u2026"),
-            self.tr("Make a sequence of a video and its motion"),
+            self.tr("Create a sequence from a video and its motion data"),
         )
         self.device = text_button(
-            self.tr("Choose the device\u2026"),
-            self.tr(
-                "Which haptic device is moved; the simulated one needs no hardware"
-            ),
+            self.tr("Choose a device\u2026"),
+            self.tr("The haptic device to use; the simulated one needs no hardware"),
         )
         self.device.clicked.connect(self.device_clicked)
         self.demo.clicked.connect(self.demo_clicked)

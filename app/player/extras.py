@@ -69,7 +69,7 @@ class LatencyWatch(QObject):
 def warning(name: str, reported_s: float) -> str:
     """Return what a person should know of an output that is slow or has no wire."""
     what = translate(
-        "LatencyWatch", "The sound output {name} is {ms:.0f} ms behind"
+        "LatencyWatch", "The sound output {name} reports a latency of {ms:.0f} ms"
     ).format(name=name, ms=1e3 * reported_s)
     if reported_s <= LARGE_S:
         what = translate(
@@ -77,8 +77,8 @@ def warning(name: str, reported_s: float) -> str:
         ).format(name=name)
     todo = translate(
         "LatencyWatch",
-        "it may be later still than it says. Use headphones with a cable, or measure it: "
-        "Playback, Measure latencies",
+        "the actual latency may be higher. Use wired headphones, or "
+        "measure it: Playback > Measure latencies",
     )
     return f"{what}; {todo}"
 
@@ -224,5 +224,5 @@ class Extras(QObject):
         at_s = self.history.position_s(source.path, source.clip.duration_s)
         if at_s > 0.0:
             self._player.seek(at_s)
-            text = self.tr("Goes on at {time}; Home for the beginning")
+            text = self.tr("Resuming at {time} (Home: from the start)")
             self.toast.show_text(text.format(time=time_text(at_s)))

@@ -46,17 +46,17 @@ _REACTIONS = {rule.cause: rule.reaction for rule in RULES}
 def fault_text(name: str) -> str:
     """Return what happens."""
     return {
-        Fault.UNPLUG.value: translate("FaultTexts", "Unplug it"),
+        Fault.UNPLUG.value: translate("FaultTexts", "Unplug"),
         Fault.SHORT_STALL.value: translate("FaultTexts", "Stall, 60 ms"),
         Fault.LONG_STALL.value: translate("FaultTexts", "Stall, 300 ms"),
-        Fault.NONSENSE.value: translate("FaultTexts", "Nonsense answers"),
-        Fault.LOST_HOMING.value: translate("FaultTexts", "Lose the homing"),
+        Fault.NONSENSE.value: translate("FaultTexts", "Malformed replies"),
+        Fault.LOST_HOMING.value: translate("FaultTexts", "Lose homing"),
         Fault.LET_GO.value: translate("FaultTexts", "Let go of the grip"),
         Fault.BUTTON.value: translate("FaultTexts", "Press a grip button"),
         Fault.POSITION_NAN.value: translate("FaultTexts", "Position is NaN"),
         Fault.FORCE_NAN.value: translate("FaultTexts", "Force is NaN"),
         Fault.LOOP_LATE.value: translate("FaultTexts", "Loop late, 35 ms"),
-        Fault.LOOP_LOST.value: translate("FaultTexts", "Loop still, 80 ms"),
+        Fault.LOOP_LOST.value: translate("FaultTexts", "Loop stalled, 80 ms"),
         Fault.STALE_COMMAND.value: translate("FaultTexts", "Command 25 ms old"),
         "hang-short": translate("FaultTexts", "Window hangs, 0.4 s"),
         "hang-long": translate("FaultTexts", "Window hangs, 1.3 s"),
@@ -111,10 +111,11 @@ class FaultPanel(QDialog):
             name: text_button(fault_text(name), expected(name)) for name in names()
         }
         self.rearm = text_button(
-            self.tr("Re-arm"), self.tr("Let the force come back (Ctrl+R)"), "rearm"
+            self.tr("Re-arm"), self.tr("Re-enable the force (Ctrl+R)"), "rearm"
         )
         self.again = text_button(
-            self.tr("Device anew"), self.tr("Start the simulated device again")
+            self.tr("Restart device"),
+            self.tr("Start the simulated device again, without the fault"),
         )
         self._lay_out()
         self._timer = QTimer(self)
@@ -156,7 +157,7 @@ class FaultPanel(QDialog):
     # --- building ------------------------------------------------------------
 
     def _lay_out(self) -> None:
-        self.setWindowTitle(self.tr("Faults of the simulated device"))
+        self.setWindowTitle(self.tr("Inject faults into the simulated device"))
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         resize_within_screen(self, _WIDTH_PX, _HEIGHT_PX)
         self.state.setFont(theme.scaled(self.font(), 1.2, bold=True))
@@ -167,7 +168,7 @@ class FaultPanel(QDialog):
         self._lay_out_table()
         self.rearm.clicked.connect(self._session.rearm)
         self.again.clicked.connect(self.start)
-        close = text_button(self.tr("Close"), self.tr("No faults any more"))
+        close = text_button(self.tr("Close"), self.tr("Stop injecting faults"))
         close.clicked.connect(self.reject)
         buttons = row_of(self.rearm, self.again, STRETCH, close)
         fill_page(self, self.state, self.hint, grid, (self.table, 1), buttons)
@@ -176,12 +177,12 @@ class FaultPanel(QDialog):
         self.table.setHorizontalHeaderLabels(
             [
                 self.tr("Fault"),
-                self.tr("Rule that answered"),
+                self.tr("Rule triggered"),
                 self.tr("Reaction, ms"),
-                self.tr("No force, ms"),
+                self.tr("Time to zero, ms"),
             ]
         )
-        self.table.setAccessibleName(self.tr("What came of the faults"))
+        self.table.setAccessibleName(self.tr("Fault results"))
         self.table.verticalHeader().hide()
         self.table.setTabKeyNavigation(False)
         self.table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
@@ -215,14 +216,18 @@ class FaultPanel(QDialog):
     def _hint(self, now: Snapshot) -> str:
         if not now.takes_faults:
             return self.tr(
-                "Only a simulated device takes faults, and only while this panel is "
-                "open: choose it in the window, then press Device anew."
+                "Faults can only be injected into a simulated device while this "
+                "panel is open: choose it in the window, then press Restart "
+                "device."
             )
         if now.device_health in _DEAD:
-            return self.tr("The device has failed: press Device anew.")
+            return self.tr("The device has failed: press Restart device.")
         if now.mode not in (Mode.ENTERING, Mode.FOLLOWING):
-            return self.tr("Play a clip with force, so that there is one to take away.")
-        return self.tr("There is a force. Press a fault and watch what takes it away.")
+            return self.tr("Play a clip with force first.")
+        return self.tr(
+            "The force is active. Press a fault to see how the safety "
+            "contract responds."
+        )
 
     def _show_outcome(self) -> None:
         """Tell what has come of the newest fault; a stall has its end later."""

@@ -46,7 +46,7 @@ def offer_firmware(
 ) -> None:
     """Ask whether its licence is accepted, then keep it."""
     accept = translate("FirmwareDialog", "I accept the licence")
-    keep = translate("FirmwareDialog", "Keep it all the same")
+    keep = translate("FirmwareDialog", "Install anyway")
 
     def install(*, accept_unknown: bool = False) -> None:
         try:

@@ -109,16 +109,16 @@ def stop_reason(cause: Cause) -> str:
 def cause_text(cause: Cause) -> str:
     """Return what happened; nothing where a person did it, or it went by itself."""
     return {
-        Cause.HEARTBEAT_LOST: translate("Health", "the window hung"),
-        Cause.PLAYER_GONE: translate("Health", "the player ended"),
-        Cause.NOT_FINITE: translate("Health", "the track is broken"),
-        Cause.GRIP_BUTTON: translate("Health", "button on the grip"),
+        Cause.HEARTBEAT_LOST: translate("Health", "window not responding"),
+        Cause.PLAYER_GONE: translate("Health", "player ended"),
+        Cause.NOT_FINITE: translate("Health", "invalid force track"),
+        Cause.GRIP_BUTTON: translate("Health", "grip button"),
         Cause.UNPLUGGED: translate("Health", "unplugged"),
-        Cause.REPLY_LOST: translate("Health", "the device does not answer"),
-        Cause.MALFORMED: translate("Health", "the device answers nonsense"),
-        Cause.TICK_LOST: translate("Health", "the computer stood still"),
-        Cause.RUNAWAY: translate("Health", "the grip was let go"),
-        Cause.OUTSIDE: translate("Health", "the grip is at its edge"),
+        Cause.REPLY_LOST: translate("Health", "device not responding"),
+        Cause.MALFORMED: translate("Health", "malformed replies from the device"),
+        Cause.TICK_LOST: translate("Health", "computer stalled"),
+        Cause.RUNAWAY: translate("Health", "grip released"),
+        Cause.OUTSIDE: translate("Health", "grip at the edge of the workspace"),
     }.get(cause, "")
 
 
@@ -173,7 +173,7 @@ def pictures(snapshot: Snapshot) -> Reading:
     text = translate("Health", "{shown} shown, {dropped} dropped")
     if snapshot.frames_damaged:
         level = max(level, Level.WATCH)
-        text = translate("Health", "damaged: {damaged} broken, {dropped} dropped")
+        text = translate("Health", "{damaged} damaged, {dropped} dropped")
     text = text.format(shown=shown, dropped=dropped, damaged=snapshot.frames_damaged)
     return Reading(level, text)
 

@@ -140,8 +140,8 @@ class HealthLine(QFrame):
             _Column(
                 self.tr("Scheduling"),
                 self.tr(
-                    "Class of the 1 kHz loop: FIFO is best, slice nearly as good, "
-                    "normal lets it be late by milliseconds"
+                    "Scheduling class of the 1 kHz loop: FIFO is best, slice nearly "
+                    "as good; with normal it may be milliseconds late"
                 ),
                 self.tr("Scheduling"),
             ),
@@ -149,37 +149,39 @@ class HealthLine(QFrame):
                 self.tr("Real-time"),
                 self.tr(
                     "99 % of the loop's wake-ups in the last 10 s were no later "
-                    "than this; missed are periods that were skipped. When more "
-                    "than 1 % are, the force is held to 3 N"
+                    "than this. Missed: skipped periods; above 1 % the force is "
+                    "limited to 3 N"
                 ),
                 self.tr("no, 888 \u00b5s, 888 missed"),
             ),
             _Column(
-                self.tr("Force \u2212 picture"),
+                self.tr("Force \u2212 video"),
                 self.tr(
-                    "How much later the force comes than its picture: median and "
-                    "95 % of the last 20 s. More than 15 ms early or 50 ms late is felt"
+                    "How much later the force comes than the video: median and 95th "
+                    "percentile of the last 20 s. More than 15 ms early or 50 ms "
+                    "late is noticeable"
                 ),
                 self.tr("OFF +88.8, +88.8 ms"),
             ),
             _Column(
                 self.tr("Force \u2212 sound"),
                 self.tr(
-                    "How much later the force comes than its sound: median and "
-                    "95 % of the last 20 s. More than 15 ms early or 50 ms late is felt"
+                    "How much later the force comes than the sound: median and 95th "
+                    "percentile of the last 20 s. More than 15 ms early or 50 ms "
+                    "late is noticeable"
                 ),
                 self.tr("OFF +88.8, +88.8 ms"),
             ),
             _Column(
-                self.tr("Pictures"),
-                self.tr("Shown in time, and dropped because they came too late"),
+                self.tr("Frames"),
+                self.tr("Frames shown on time, and dropped because they were late"),
                 self.tr("88888 shown, 88 dropped"),
             ),
             _Column(
                 self.tr("Clock"),
                 self.tr(
-                    "What leads: the sound that is heard, or the machine's "
-                    "monotonic clock where there is no sound"
+                    "Master clock: the audio output, or the computer's monotonic "
+                    "clock when there is no sound"
                 ),
                 self.tr("monotonic"),
             ),

@@ -49,27 +49,28 @@ class KeysDialog(QDialog):
 
     def __init__(self, settings: Settings, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setWindowTitle(self.tr("Keyboard"))
+        self.setWindowTitle(self.tr("Keyboard shortcuts"))
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self._settings = settings
         self.table = self._make_table()
         self.key = QKeySequenceEdit()
         self.key.setMaximumSequenceLength(1)
-        self.key.setAccessibleName(self.tr("New key"))
-        self.key.setToolTip(self.tr("Press the key that the chosen command shall have"))
+        self.key.setAccessibleName(self.tr("New shortcut"))
+        self.key.setToolTip(self.tr("Press the new shortcut for the selected command"))
         for inner in self.key.findChildren(QLineEdit):
             inner.setAccessibleName(self.key.accessibleName())
             text = inner.placeholderText()
             wide = inner.fontMetrics().horizontalAdvance(text) + _FIELD_MARGIN_PX
             self.key.setMinimumWidth(wide)
         self.assign = text_button(
-            self.tr("Use this key"), self.tr("Give the key to the chosen command")
+            self.tr("Assign"), self.tr("Assign this shortcut to the selected command")
         )
         self.reset = text_button(
-            self.tr("Reset"), self.tr("Give the chosen command its first keys again")
+            self.tr("Reset"),
+            self.tr("Restore the default shortcut of the selected command"),
         )
         self.reset_all = text_button(
-            self.tr("Reset all"), self.tr("Give every command its first keys again")
+            self.tr("Reset all"), self.tr("Restore default shortcuts")
         )
         self.close_button = text_button(self.tr("Close"), "")
         self.note = paragraph()
@@ -85,8 +86,8 @@ class KeysDialog(QDialog):
 
     def _make_table(self) -> QTableWidget:
         table = QTableWidget(len(COMMANDS), 2)
-        table.setAccessibleName(self.tr("Commands and their keys"))
-        table.setHorizontalHeaderLabels([self.tr("Command"), self.tr("Keys")])
+        table.setAccessibleName(self.tr("Commands and their shortcuts"))
+        table.setHorizontalHeaderLabels([self.tr("Command"), self.tr("Shortcut")])
         table.verticalHeader().hide()
         header = table.horizontalHeader()
         header.setDefaultAlignment(BESIDE)
@@ -133,18 +134,20 @@ class KeysDialog(QDialog):
         for widget in (self.key, self.assign, self.reset):
             widget.setEnabled(is_free)
         self.note.setText(
-            "" if is_free else self.tr("This key always stops the force; it stays")
+            ""
+            if is_free
+            else self.tr("This shortcut always stops the force and cannot be changed")
         )
 
     def _on_assign(self) -> None:
         key, command = self.key.keySequence(), self._chosen()
         chosen = self._settings.table(KEYS)
         if key.isEmpty():
-            self.note.setText(self.tr("Press a key in the field first"))
+            self.note.setText(self.tr("Press a shortcut in the field first"))
             return
         owner = owner_of(key, chosen)
         if owner is not None and owner is not command:
-            text = self.tr("{key} is taken by \u201c{command}\u201d")
+            text = self.tr("{key} is already used by \u201c{command}\u201d")
             self.note.setText(text.format(key=key_text(key), command=plain(owner)))
             return
         self._keep({**chosen, command.name: [key.toString()]})
@@ -155,7 +158,7 @@ class KeysDialog(QDialog):
         for key in keys_of(command, chosen):
             owner = owner_of(key, {**chosen, command.name: []})
             if owner is not None:
-                text = self.tr("{key} is taken by \u201c{command}\u201d")
+                text = self.tr("{key} is already used by \u201c{command}\u201d")
                 self.note.setText(text.format(key=key_text(key), command=plain(owner)))
                 return
         self._keep(chosen)

@@ -310,8 +310,8 @@ class LatencyPage(QDialog):
         self.together.setChecked(True)
         self.together.clicked.connect(lambda: self.choose(TOGETHER))
         texts = {
-            DISPLAY: self.tr("Tap to the picture"),
-            SOUND: self.tr("Tap to the sound"),
+            DISPLAY: self.tr("Tap to the flash"),
+            SOUND: self.tr("Tap to the beep"),
             DEVICE: self.tr("Tap to the force"),
         }
         self.rows = {part: self._row(part, text) for part, text in texts.items()}
@@ -323,17 +323,17 @@ class LatencyPage(QDialog):
             row.number.installEventFilter(self)
         self.told = paragraph(lines=4)
         self.start_button = text_button(
-            self.tr("Start"), self.tr("Play a beat each second"), "primary"
+            self.tr("Start"), self.tr("Play a beat every second"), "primary"
         )
         self.stop_button = text_button(
-            self.tr("STOP"), self.tr("Take the force away at once (Esc)"), "stop"
+            self.tr("STOP"), self.tr("Stop the force immediately (Esc)"), "stop"
         )
         self.stop_button.setEnabled(False)
         self.tap_button = text_button(
-            self.tr("Tap"), self.tr("Tap with each beat (space bar)")
+            self.tr("Tap"), self.tr("Tap on each beat (space bar)")
         )
         self.use_button = text_button(
-            self.tr("Use"), self.tr("Remember these numbers for these outputs")
+            self.tr("Apply"), self.tr("Save these latencies for these outputs")
         )
         self.start_button.clicked.connect(self.begin)
         self.stop_button.clicked.connect(self.stop)
@@ -368,7 +368,7 @@ class LatencyPage(QDialog):
             name = self.names[part]
             for column, widget in enumerate((row.choice, row.number, name, row.told)):
                 table.addWidget(widget, line, column)
-        close = text_button(self.tr("Cancel"), self.tr("Change nothing"))
+        close = text_button(self.tr("Cancel"), self.tr("Discard changes"))
         close.clicked.connect(self.reject)
         buttons = row_of(
             *(self.start_button, self.stop_button, self.tap_button),
@@ -420,18 +420,19 @@ class LatencyPage(QDialog):
     def _say_what_to_do(self) -> None:
         if self.player is None:
             text = self.tr(
-                "Each second there are a flash, a beep and a gentle push. Hold the grip "
-                "loosely and press Start. Esc, STOP or a button on the grip ends it."
+                "Every second there is a flash, a beep and a gentle force "
+                "pulse. Hold the grip loosely and press Start. Esc, STOP or a "
+                "button on the grip stops it."
             )
         elif self.mode == TOGETHER:
             text = self.tr(
-                "Change the numbers until flash, beep and push come together. What comes "
-                "late needs a larger number."
+                "Adjust the latencies until flash, beep and force come "
+                "together. Increase the one that comes late."
             )
         else:
             text = self.tr(
-                "Press the space bar with each beat, at least eight times; first to the "
-                "picture, then to the sound and the force. The differences are put into "
-                "the numbers; refine them with all together."
+                "Press the space bar on each beat, at least eight times: first "
+                "to the flash, then to the beep and the force. The differences "
+                "are filled in; fine-tune them with all together."
             )
         self.told.setText(text)

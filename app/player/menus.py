@@ -133,7 +133,7 @@ class RecentMenu(QObject):
             action.setEnabled(path.exists())
             action.triggered.connect(lambda _=False, path=path: self._open(path))
         self.menu.addSeparator()
-        clear = QAction(self.tr("Forget all"), self.menu)
+        clear = QAction(self.tr("Clear list"), self.menu)
         clear.setEnabled(bool(self._history.recent()))
         clear.triggered.connect(self._history.forget)
         self.menu.addAction(clear)
@@ -174,7 +174,7 @@ class ChooseMenus(QObject):
         self.outputs = ChoiceMenu(
             output,
             lambda: [
-                ("", self.tr("As the system says")),
+                ("", self.tr("System default")),
                 *((n, n) for n in controls.outputs()),
             ],
             lambda: controls.output,
@@ -185,7 +185,7 @@ class ChooseMenus(QObject):
         screens = actions.add_menu("view", self.tr("Fullscreen &on"), "fullscreen")
         self.screens = ChoiceMenu(
             screens,
-            lambda: [("", self.tr("The window's screen")), *screen_names()],
+            lambda: [("", self.tr("Same screen as the window")), *screen_names()],
             *screen,
         )
 
@@ -206,11 +206,11 @@ class LookMenus(QObject):
     def __init__(self, actions: Actions, settings: Settings) -> None:
         super().__init__()
         self._settings = settings
-        look = actions.add_menu("view", self.tr("&Look"), "fullscreen")
+        look = actions.add_menu("view", self.tr("&Theme"), "fullscreen")
         self.looks = ChoiceMenu(
             look,
             lambda: [
-                (theme.SYSTEM, self.tr("As the desktop")),
+                (theme.SYSTEM, self.tr("System default")),
                 (theme.DARK, self.tr("Dark")),
                 (theme.LIGHT, self.tr("Light")),
                 (theme.CONTRAST, self.tr("High contrast")),
@@ -218,11 +218,11 @@ class LookMenus(QObject):
             lambda: settings.text(LOOK, theme.DARK),
             lambda value: self._choose(LOOK, value),
         )
-        spoken = actions.add_menu("view", self.tr("Lan&guage"), "fullscreen")
+        spoken = actions.add_menu("view", self.tr("&Language"), "fullscreen")
         self.languages = ChoiceMenu(
             spoken,
             lambda: [
-                (languages.SYSTEM, self.tr("As the desktop")),
+                (languages.SYSTEM, self.tr("System default")),
                 *languages.NAMES.items(),
             ],
             lambda: settings.text(LANGUAGE, languages.ENGLISH),

@@ -78,7 +78,7 @@ class Session(QObject):
         if self.jobs.is_busy:
             self.gateway.report(
                 HapticPlayerError(
-                    self.tr("Something else is being done; wait for it or cancel it")
+                    self.tr("Another task is running; wait for it or cancel it")
                 )
             )
             return
@@ -132,7 +132,7 @@ class Session(QObject):
         if not is_near_middle(now.tick["position_m"].tolist(), limits):
             self.gateway.report(
                 HapticPlayerError(
-                    self.tr("Bring the grip to the middle first, then re-arm again")
+                    self.tr("Move the grip to the centre first, then re-arm again")
                 )
             )
         self.player.rearm()

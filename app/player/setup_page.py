@@ -142,17 +142,17 @@ class SetupPage(QDialog):
 
     def _make_buttons(self) -> None:
         self.firmware = text_button(
-            self.tr("Firmware file\u2026"), self.tr("Keep your copy of the firmware")
+            self.tr("Firmware file\u2026"), self.tr("Install your copy of the firmware")
         )
         self.forces = text_button(
-            self.tr("Feel the forces\u2026"),
-            self.tr("Feel every direction, gentle first"),
+            self.tr("Try out the forces\u2026"),
+            self.tr("Feel every direction, starting gently"),
         )
         self.use = text_button(
-            self.tr("Use this device"), self.tr("Play with it from now on"), "primary"
+            self.tr("Use this device"), self.tr("Use it for playback"), "primary"
         )
         self.close_button = text_button(
-            self.tr("Close"), self.tr("Keep the device from before")
+            self.tr("Close"), self.tr("Keep the current device")
         )
         self.firmware.clicked.connect(self.choose_firmware)
         self.forces.clicked.connect(self._on_forces)

@@ -55,7 +55,7 @@ def _gone() -> Trouble:
         translate("SetupTexts", "The Falcon is not plugged in"),
         translate(
             "SetupTexts",
-            "Connect its USB cable and its power supply; it is found by itself.",
+            "Connect its USB cable and power supply; it is detected automatically.",
         ),
     )
 
@@ -66,14 +66,16 @@ def _forbidden() -> Trouble:
         "Copy the udev rule {rule} to /etc/udev/rules.d, then unplug the Falcon and "
         "plug it in.",
     )
-    title = translate("SetupTexts", "You have no permission to use the Falcon")
+    title = translate("SetupTexts", "Permission denied for the Falcon")
     return Trouble(title, text.format(rule=UDEV_RULE))
 
 
 def _busy() -> Trouble:
     return Trouble(
-        translate("SetupTexts", "Another program uses the Falcon"),
-        translate("SetupTexts", "Close that program; then it goes on by itself."),
+        translate("SetupTexts", "The Falcon is in use by another program"),
+        translate(
+            "SetupTexts", "Close that program; setup then continues automatically."
+        ),
     )
 
 
@@ -82,8 +84,8 @@ def _driver() -> Trouble:
         translate("SetupTexts", "The Falcon has the wrong driver"),
         translate(
             "SetupTexts",
-            "Give it the driver WinUSB, with the program Zadig, in place of FTDI's or "
-            "Force Dimension's; then unplug it and plug it in.",
+            "Replace FTDI's or Force Dimension's driver by WinUSB, using "
+            "Zadig; then unplug it and plug it in again.",
         ),
     )
 
@@ -93,9 +95,9 @@ def _firmware() -> Trouble:
         translate("SetupTexts", "The Falcon needs its firmware"),
         translate(
             "SetupTexts",
-            "It belongs to Novint and may not be passed on with this program. Take "
-            "nvent_firmware.bin from a libnifalcon source archive and choose the file "
-            "here, once.",
+            "It belongs to Novint and cannot be distributed with this "
+            "program. Take nvent_firmware.bin from a libnifalcon source "
+            "archive and choose the file here, once.",
         ),
         is_watched=False,
     )
@@ -105,10 +107,8 @@ def advice(progress: Progress) -> str:
     """Return what is happening, or what the person does next."""
     if progress.guidance is not None:
         return {
-            Advice.PULL: translate(
-                "SetupTexts", "Pull the grip out, as far as it goes"
-            ),
-            Advice.PUSH: translate("SetupTexts", "Push the grip in, until it locks"),
+            Advice.PULL: translate("SetupTexts", "Pull the grip all the way out"),
+            Advice.PUSH: translate("SetupTexts", "Push the grip in until it locks"),
             Advice.DONE: translate("SetupTexts", "The Falcon is ready"),
         }[progress.guidance.advice]
     return {
@@ -124,13 +124,13 @@ def more(progress: Progress) -> str:
     if progress.step is Step.READY:
         if progress.buttons:
             return translate("SetupTexts", "A button on the grip is pressed.")
-        return translate("SetupTexts", "Move the grip: the picture follows.")
+        return translate("SetupTexts", "Move the grip: the drawing follows.")
     if progress.guidance is not None:
         pairs = zip(leg_names(), progress.guidance.homed, strict=True)
         found = ", ".join(name for name, is_homed in pairs if is_homed)
         return translate(
             "SetupTexts",
-            "Joints that have found their zero: {legs}. There is no force.",
+            "Homed joints: {legs}. The force is off.",
         ).format(legs=found or translate("SetupTexts", "none yet"))
     return ""
 
@@ -138,18 +138,18 @@ def more(progress: Progress) -> str:
 def needs_nothing(device: str) -> tuple[str, str]:
     """Return title and text for a device that needs no setting up."""
     kind = device.partition(":")[0]
-    title = translate("SetupTexts", "Nothing has to be set up")
+    title = translate("SetupTexts", "No setup needed")
     if kind == "simulated":
         return title, translate(
             "SetupTexts",
-            "A Falcon that is only computed, held by a simulated hand: for trying "
+            "Simulated Falcon, held by a simulated hand: for trying "
             "everything without hardware.",
         )
     if kind == "gamepad":
         return title, translate(
             "SetupTexts",
-            "Connect a DualSense or a DualShock 4 by its USB cable. It shakes as "
-            "strongly as the force is; it has no direction.",
+            "Connect a DualSense or DualShock 4 by USB cable. Its vibration "
+            "follows the strength of the force, not its direction.",
         )
     return title, translate("SetupTexts", "The clip plays without force.")
 
@@ -158,11 +158,12 @@ def licence() -> str:
     """Return what has to be accepted before the firmware is kept."""
     return translate(
         "SetupTexts",
-        "The firmware of the Falcon belongs to Novint Technologies. libnifalcon passes "
-        "it on under Novint's SDK licence (its file license/LICENSE_NOVINT.txt): for "
-        "personal, noncommercial use, free of charge, and every recipient is bound by "
-        "it. Read that licence; by going on you say that you may use this file. It "
-        "stays on this computer.",
+        "The Falcon's firmware belongs to Novint Technologies. "
+        "libnifalcon distributes it under Novint's SDK licence (its "
+        "file license/LICENSE_NOVINT.txt): free of charge for personal, "
+        "noncommercial use, binding for every recipient. Read that "
+        "licence; by continuing you confirm that you may use this file. "
+        "It stays on this computer.",
     )
 
 
@@ -170,6 +171,6 @@ def unknown_image() -> str:
     """Return what has to be decided about a file that nobody has recorded."""
     return translate(
         "SetupTexts",
-        "The file is sound, but it is none of the firmware files that are known. It "
-        "would run the motors. Keep it only if you know where it comes from.",
+        "The file is intact but is not a known firmware image. It would "
+        "drive the motors. Install it only if you trust its source.",
     )

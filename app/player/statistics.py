@@ -70,7 +70,7 @@ def figures(player: Player) -> list[tuple[str, str]]:
         ),
         (translate("Statistics", "Speed"), local(f"{snapshot.speed:.2f}")),
         (
-            translate("Statistics", "Pictures"),
+            translate("Statistics", "Frames"),
             translate("Statistics", "{shown} shown, {dropped} dropped").format(
                 shown=snapshot.frames_shown, dropped=snapshot.frames_dropped
             ),
@@ -80,7 +80,7 @@ def figures(player: Player) -> list[tuple[str, str]]:
         (translate("Statistics", "Feedback"), _feedback(snapshot.feedback)),
         (translate("Statistics", "Scheduling"), scheduling(snapshot).text),
         (
-            translate("Statistics", "Late, \u00b5s"),
+            translate("Statistics", "Lateness, \u00b5s"),
             local(
                 f"p50 {loop.lateness_p50_us:.0f}  p99 {loop.lateness_p99_us:.0f}  "
                 f"p99.9 {loop.lateness_p999_us:.0f}  max {loop.lateness_max_us:.0f}"
@@ -97,7 +97,7 @@ def figures(player: Player) -> list[tuple[str, str]]:
             else _DASH,
         ),
         (
-            translate("Statistics", "Force \u2212 picture, ms"),
+            translate("Statistics", "Force \u2212 video, ms"),
             _sync(measured.force_minus_video),
         ),
         (
@@ -133,7 +133,7 @@ def _latency(snapshot: Snapshot) -> str:
     known, reported_s = snapshot.latency, snapshot.reported_latency_s
     values = (known.display_s, known.sound_s, known.device_s, reported_s)
     text = translate(
-        "Statistics", "picture {0:.0f}  sound {1:.0f}  force {2:.0f}  output {3:.0f}"
+        "Statistics", "video {0:.0f}  sound {1:.0f}  force {2:.0f}  reported {3:.0f}"
     )
     return text.format(*(1e3 * value for value in values))
 

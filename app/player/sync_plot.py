@@ -57,8 +57,8 @@ class SyncPlot(QWidget):
         self.setAccessibleName(self.tr("Sync plot"))
         self.setToolTip(
             self.tr(
-                "How much later than its picture and its sound the force came in the "
-                "last 30 s. Nobody feels what lies between 15 ms early and 50 ms late"
+                "How much later than video and sound the force came in the last "
+                "30 s. Between 15 ms early and 50 ms late is not noticeable"
             )
         )
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Maximum)
@@ -99,7 +99,7 @@ class SyncPlot(QWidget):
 
     def _traces(self) -> list[tuple[str, Trace]]:
         return [
-            (self.tr("Force \u2212 picture"), self.picture),
+            (self.tr("Force \u2212 video"), self.picture),
             (self.tr("Force \u2212 sound"), self.sound),
         ]
 

@@ -66,20 +66,16 @@ class Transport(QFrame):
         self.time = ElidedLabel()
         self.time.setAccessibleName(self.tr("Time"))
         self.speed = QLabel()
-        self.speed.setToolTip(self.tr("Speed; Backspace for normal speed"))
+        self.speed.setToolTip(self.tr("Playback speed (Backspace: normal speed)"))
         self.speed.hide()
         self.mute = tool_button("volume", "", "")
         self.mute.clicked.connect(self.mute_clicked)
         self.volume = self._volume_slider()
-        self.feedback = self._combo(
-            self.tr("Feedback"), self.tr("Which force goes with the clip")
-        )
+        self.feedback = self._combo(self.tr("Feedback"), self.tr("Force track to play"))
         self.feedback.activated.connect(
             lambda _: self.feedback_chosen.emit(self.feedback.currentData())
         )
-        self.device = self._combo(
-            self.tr("Device"), self.tr("Which haptic device is moved")
-        )
+        self.device = self._combo(self.tr("Device"), self.tr("Haptic device"))
         self.device.opening.connect(self.device_opening)
         self.device.activated.connect(
             lambda _: self.device_chosen.emit(self.device.currentData())
@@ -87,7 +83,7 @@ class Transport(QFrame):
         self.fullscreen = tool_button(
             "fullscreen",
             self.tr("Fullscreen"),
-            self.tr("Show the clip and nothing else (F)"),
+            self.tr("Fullscreen (F)"),
         )
         self.fullscreen.clicked.connect(self.fullscreen_clicked)
         self._lay_out()
@@ -199,9 +195,9 @@ class Transport(QFrame):
         )
         set_role(self.stop, "rearm" if is_stopped else "stop")
         self.stop.setToolTip(
-            self.tr("The force was stopped: let it come back (Ctrl+R)")
+            self.tr("The force was stopped: re-arm it (Ctrl+R)")
             if is_stopped
-            else self.tr("Take the force away at once and pause (Esc)")
+            else self.tr("Stop the force immediately and pause (Esc)")
         )
         self.stop.setAccessibleName(
             self.tr("Re-arm the force") if is_stopped else self.tr("Stop the force")

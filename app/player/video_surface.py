@@ -68,7 +68,7 @@ class VideoSurface(QWidget):
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self.setMinimumSize(160, 90)
         self.setMouseTracking(True)
-        self.setAccessibleName(self.tr("Picture"))
+        self.setAccessibleName(self.tr("Video"))
         self._clip_size = (16, 9)
         self._target = Box(0, 0, 2, 2)
         self._ratio = self.devicePixelRatioF()

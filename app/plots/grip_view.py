@@ -55,10 +55,10 @@ class GripView(QWidget):
         self.setCursor(Qt.CursorShape.OpenHandCursor)
         self.setToolTip(
             self.tr(
-                "Thick arrow: the force on the hand. Thin white arrow: the planned "
-                "force. Purple arrow: the share that keeps the grip inside.\n"
-                "Drag or use the arrow keys to look from elsewhere, the wheel or "
-                "+ and \u2212 to come nearer, a double click or 0 to go back."
+                "Thick arrow: force on the hand. Thin white arrow: planned "
+                "force. Purple arrow: the share that keeps the grip in the "
+                "workspace.\nDrag or use the arrow keys to rotate, the wheel or "
+                "+ and \u2212 to zoom, double-click or 0 to reset."
             )
         )
         self._painter = GripPainter()

@@ -175,7 +175,7 @@ class PlotPanel(QWidget):
                 (
                     translate("PlotPanel", "x right"),
                     translate("PlotPanel", "y up"),
-                    translate("PlotPanel", "z to you"),
+                    translate("PlotPanel", "z towards you"),
                 ),
                 translate("PlotPanel", "thin: planned"),
                 self.force,

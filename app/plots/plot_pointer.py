@@ -36,8 +36,8 @@ class PlotPointer(QObject):
         plot.setToolTip(
             translate(
                 "PlotPanel",
-                "Click: go there. Drag: move. Wheel or + and \u2212: zoom. "
-                "Double click or Enter: as before",
+                "Click: seek. Drag: pan. Wheel or + and \u2212: zoom. Double-click "
+                "or Enter: reset",
             )
         )
         plot.viewport().setMouseTracking(True)

@@ -56,7 +56,7 @@ class SaveButton(Button):
 
     def _ask(self) -> None:
         kinds = translate(
-            "PlotPanel", "Picture (*.png);;Drawing (*.svg);;Numbers (*.csv)"
+            "PlotPanel", "PNG image (*.png);;SVG drawing (*.svg);;CSV data (*.csv)"
         )
         dialog = QFileDialog(self, self.toolTip(), "", kinds)
         dialog.setAcceptMode(QFileDialog.AcceptMode.AcceptSave)
@@ -86,7 +86,9 @@ def save_view(plot: "PlayheadPlot", path: Path) -> str:
     makers = {".png": _png, ".svg": _svg, ".csv": _csv}
     maker = makers.get(path.suffix.lower())
     if maker is None:
-        text = translate("PlotPanel", "{name}: choose a name that ends in {kinds}")
+        text = translate(
+            "PlotPanel", "{name}: unsupported file type; choose one of {kinds}"
+        )
         return text.format(name=path.name, kinds=", ".join(makers))
     file = QSaveFile(str(path))
     is_written = (

@@ -46,7 +46,7 @@ class MessageBar(QFrame):
         self.close_button = text_button(self.tr("Close"), self.tr("Hide this message"))
         self.close_button.clicked.connect(self.hide)
         self.copy = text_button(
-            self.tr("Copy"), self.tr("Copy it, in English too, to report")
+            self.tr("Copy"), self.tr("Copy the message, also in English, for a report")
         )
         self.copy.clicked.connect(self._copy)
         parts = (self._sign, (self._text, 1), self.copy, self.close_button)
@@ -112,7 +112,7 @@ class JobBar(QFrame):
         self._bar.setFormat(PERCENT)
         self._bar.setFixedWidth(240)
         self.cancel_button = text_button(
-            self.tr("Cancel"), self.tr("Stop this work; nothing is left behind")
+            self.tr("Cancel"), self.tr("Cancel; nothing is kept")
         )
         self.cancel_button.clicked.connect(self._on_cancel)
         parts = ((self.text_label, 1), self._bar, self.cancel_button)

@@ -40,14 +40,6 @@
         <translation>&amp;Demo öffnen</translation>
     </message>
     <message>
-        <source>Play a &amp;log…</source>
-        <translation>&amp;Protokoll abspielen…</translation>
-    </message>
-    <message>
-        <source>E&amp;xport the settings…</source>
-        <translation>Einstellungen e&amp;xportieren…</translation>
-    </message>
-    <message>
         <source>I&amp;mport settings…</source>
         <translation>Einstellungen i&amp;mportieren…</translation>
     </message>
@@ -60,40 +52,48 @@
         <translation>&amp;Abspielen oder anhalten</translation>
     </message>
     <message>
-        <source>5 s &amp;back</source>
+        <source>Replay a &amp;log…</source>
+        <translation>&amp;Protokoll abspielen…</translation>
+    </message>
+    <message>
+        <source>E&amp;xport settings…</source>
+        <translation>Einstellungen e&amp;xportieren…</translation>
+    </message>
+    <message>
+        <source>&amp;Back 5 s</source>
         <translation>5 s &amp;zurück</translation>
     </message>
     <message>
-        <source>5 s &amp;forward</source>
+        <source>&amp;Forward 5 s</source>
         <translation>5 s &amp;vor</translation>
     </message>
     <message>
-        <source>1 min back</source>
+        <source>Back 1 min</source>
         <translation>1 min zurück</translation>
     </message>
     <message>
-        <source>1 min forward</source>
+        <source>Forward 1 min</source>
         <translation>1 min vor</translation>
     </message>
     <message>
-        <source>To the b&amp;eginning</source>
-        <translation>Zum An&amp;fang</translation>
+        <source>Go to the b&amp;eginning</source>
+        <translation>Zum &amp;Anfang</translation>
     </message>
     <message>
-        <source>To the e&amp;nd</source>
+        <source>Go to the e&amp;nd</source>
         <translation>Zum &amp;Ende</translation>
     </message>
     <message>
-        <source>Next picture</source>
+        <source>Next frame</source>
         <translation>Nächstes Bild</translation>
     </message>
     <message>
-        <source>Previous picture</source>
+        <source>Previous frame</source>
         <translation>Voriges Bild</translation>
     </message>
     <message>
-        <source>&amp;Loop: from here, to here, off</source>
-        <translation>&amp;Schleife: von hier, bis hier, aus</translation>
+        <source>&amp;Loop: set start, set end, off</source>
+        <translation>Sch&amp;leife: Anfang, Ende, aus</translation>
     </message>
     <message>
         <source>Slower</source>
@@ -132,8 +132,20 @@
         <translation>&amp;Gerät einrichten…</translation>
     </message>
     <message>
-        <source>Get to &amp;know the forces…</source>
-        <translation>Die Kräfte &amp;kennenlernen…</translation>
+        <source>&amp;Try out the forces…</source>
+        <translation>&amp;Kräfte ausprobieren…</translation>
+    </message>
+    <message>
+        <source>&amp;Grip view</source>
+        <translation>&amp;Griffansicht</translation>
+    </message>
+    <message>
+        <source>Inject fa&amp;ults…</source>
+        <translation>&amp;Fehler einspeisen…</translation>
+    </message>
+    <message>
+        <source>&amp;Keyboard shortcuts…</source>
+        <translation>&amp;Tastenkürzel…</translation>
     </message>
     <message>
         <source>Measure l&amp;atencies…</source>
@@ -144,10 +156,6 @@
         <translation>&amp;Kurven</translation>
     </message>
     <message>
-        <source>Simulated &amp;grip</source>
-        <translation>Simulierter &amp;Griff</translation>
-    </message>
-    <message>
         <source>S&amp;ync plot</source>
         <translation>S&amp;ync-Verlauf</translation>
     </message>
@@ -156,16 +164,8 @@
         <translation>&amp;Statistik</translation>
     </message>
     <message>
-        <source>Fa&amp;ults of the simulated device…</source>
-        <translation>Fe&amp;hler des simulierten Geräts…</translation>
-    </message>
-    <message>
         <source>&amp;Fullscreen</source>
         <translation>&amp;Vollbild</translation>
-    </message>
-    <message>
-        <source>&amp;Keyboard…</source>
-        <translation>&amp;Tastatur…</translation>
     </message>
     <message>
         <source>&amp;About</source>
@@ -183,16 +183,28 @@
         <translation>&amp;Auswerten</translation>
     </message>
     <message>
-        <source>Compute statistics and figures anew</source>
+        <source>Compute statistics and figures again</source>
         <translation>Statistik und Abbildungen neu berechnen</translation>
+    </message>
+    <message>
+        <source>Write the report, its figures and the data to a new folder</source>
+        <translation>Bericht, Abbildungen und Daten in einen neuen Ordner schreiben</translation>
+    </message>
+    <message>
+        <source>The report is in English, ready for publication.</source>
+        <translation>Der Bericht ist auf Englisch, fertig zur Veröffentlichung.</translation>
+    </message>
+    <message>
+        <source>Saved to {0}</source>
+        <translation>Gespeichert in {0}</translation>
+    </message>
+    <message>
+        <source>Choose where to create the report folder</source>
+        <translation>Wo soll der Ordner des Berichts angelegt werden?</translation>
     </message>
     <message>
         <source>&amp;Save report…</source>
         <translation>Bericht &amp;speichern…</translation>
-    </message>
-    <message>
-        <source>Write report, figures and numbers into a new folder</source>
-        <translation>Bericht, Abbildungen und Zahlen in einen neuen Ordner schreiben</translation>
     </message>
     <message>
         <source>Analysing</source>
@@ -201,18 +213,6 @@
     <message>
         <source>Writing the report</source>
         <translation>Bericht wird geschrieben</translation>
-    </message>
-    <message>
-        <source>The report is in English, to be published as it is.</source>
-        <translation>Der Bericht ist auf Englisch, damit er so veröffentlicht werden kann.</translation>
-    </message>
-    <message>
-        <source>Saved in {0}</source>
-        <translation>Gespeichert in {0}</translation>
-    </message>
-    <message>
-        <source>Where shall the folder of the report be made?</source>
-        <translation>Wo soll der Ordner des Berichts angelegt werden?</translation>
     </message>
 </context>
 <context>
@@ -244,23 +244,23 @@
         <translation>&amp;Tonausgabe</translation>
     </message>
     <message>
-        <source>As the system says</source>
-        <translation>Wie vom System vorgegeben</translation>
+        <source>System default</source>
+        <translation>Wie das System</translation>
+    </message>
+    <message>
+        <source>Same screen as the window</source>
+        <translation>Bildschirm des Fensters</translation>
     </message>
     <message>
         <source>Fullscreen &amp;on</source>
         <translation>Vollbild &amp;auf</translation>
     </message>
-    <message>
-        <source>The window&apos;s screen</source>
-        <translation>Bildschirm des Fensters</translation>
-    </message>
 </context>
 <context>
     <name>ClipFrame</name>
     <message>
-        <source>Picture at the cursor</source>
-        <translation>Bild am Zeiger</translation>
+        <source>Frame at the cursor</source>
+        <translation>Bild am Cursor</translation>
     </message>
 </context>
 <context>
@@ -297,15 +297,15 @@
 <context>
     <name>Desktop</name>
     <message>
-        <source>plays a clip</source>
-        <translation>spielt einen Clip</translation>
+        <source>playing a clip</source>
+        <translation>spielt einen Clip ab</translation>
     </message>
 </context>
 <context>
     <name>DevicePage</name>
     <message>
-        <source>Pull the grip out as far as it goes, then push it in until it locks</source>
-        <translation>Den Griff ganz herausziehen, dann hineinschieben, bis er einrastet</translation>
+        <source>Pull the grip all the way out, then push it in until it locks</source>
+        <translation>Ziehen Sie den Griff ganz heraus und schieben Sie ihn dann hinein, bis er einrastet</translation>
     </message>
     <message>
         <source>To the right</source>
@@ -340,28 +340,40 @@
         <translation>Starten</translation>
     </message>
     <message>
-        <source>Feel every direction, gentle first</source>
-        <translation>Jede Richtung spüren, zuerst sanft</translation>
+        <source>Feel every direction, starting gently</source>
+        <translation>Jede Richtung spüren, sanft beginnend</translation>
+    </message>
+    <message>
+        <source>Stop the force immediately (Esc)</source>
+        <translation>Kraft sofort abschalten (Esc)</translation>
+    </message>
+    <message>
+        <source>Hold the grip loosely. You will feel each direction three times, starting gently. Esc, STOP or a button on the grip stops it immediately.</source>
+        <translation>Halten Sie den Griff locker. Sie spüren jede Richtung dreimal, sanft beginnend. Esc, STOPP oder eine Taste am Griff beendet es sofort.</translation>
+    </message>
+    <message>
+        <source>Try out the forces: {name}</source>
+        <translation>Kräfte ausprobieren: {name}</translation>
+    </message>
+    <message>
+        <source>Release the device</source>
+        <translation>Gerät freigeben</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Demonstration finished.</source>
+        <translation>Vorführung beendet.</translation>
     </message>
     <message>
         <source>STOP</source>
         <translation>STOPP</translation>
     </message>
     <message>
-        <source>Take the force away at once (Esc)</source>
-        <translation>Die Kraft sofort wegnehmen (Esc)</translation>
-    </message>
-    <message>
-        <source>Hold the grip loosely. You will feel every direction three times, gentle first. Esc, STOP or a button on the grip ends it at once.</source>
-        <translation>Halten Sie den Griff locker. Sie spüren jede Richtung dreimal, zuerst sanft. Esc, STOPP oder eine Taste am Griff beendet es sofort.</translation>
-    </message>
-    <message>
         <source>Stopped.</source>
         <translation>Angehalten.</translation>
-    </message>
-    <message>
-        <source>Get to know the forces: {name}</source>
-        <translation>Die Kräfte kennenlernen: {name}</translation>
     </message>
     <message>
         <source>Progress</source>
@@ -372,20 +384,8 @@
         <translation>Schließen</translation>
     </message>
     <message>
-        <source>Give the device back</source>
-        <translation>Das Gerät zurückgeben</translation>
-    </message>
-    <message>
-        <source>Rest</source>
-        <translation>Ruhe</translation>
-    </message>
-    <message>
         <source>Starting</source>
         <translation>Startet</translation>
-    </message>
-    <message>
-        <source>These were all the forces that you can meet.</source>
-        <translation>Das waren alle Kräfte, die Ihnen begegnen können.</translation>
     </message>
     <message>
         <source>The haptics process has ended.</source>
@@ -395,28 +395,28 @@
 <context>
     <name>Dialogs</name>
     <message>
-        <source>Open the folder of a sequence</source>
-        <translation>Ordner einer Sequenz öffnen</translation>
+        <source>Open a sequence folder</source>
+        <translation>Sequenzordner öffnen</translation>
     </message>
     <message>
         <source>Open a video</source>
         <translation>Video öffnen</translation>
     </message>
     <message>
-        <source>Play the force of a log</source>
-        <translation>Die Kraft eines Protokolls abspielen</translation>
+        <source>Replay the forces of a log</source>
+        <translation>Kräfte eines Protokolls abspielen</translation>
+    </message>
+    <message>
+        <source>Choose a device first, then try out its forces</source>
+        <translation>Wählen Sie zuerst ein Gerät und probieren Sie dann seine Kräfte aus</translation>
+    </message>
+    <message>
+        <source>Export settings</source>
+        <translation>Einstellungen exportieren</translation>
     </message>
     <message>
         <source>Logs (*.jsonl *.json *.log);;All files (*)</source>
         <translation>Protokolle (*.jsonl *.json *.log);;Alle Dateien (*)</translation>
-    </message>
-    <message>
-        <source>Choose a device first, then get to know its forces</source>
-        <translation>Wählen Sie zuerst ein Gerät, dann lernen Sie seine Kräfte kennen</translation>
-    </message>
-    <message>
-        <source>Export the settings</source>
-        <translation>Einstellungen exportieren</translation>
     </message>
     <message>
         <source>Import settings</source>
@@ -430,62 +430,62 @@
         <translation>Spüren, was man sieht</translation>
     </message>
     <message>
-        <source>Open a sequence or a video, or drop one here. A video alone plays without force; import it with its motion to feel it.</source>
-        <translation>Öffnen Sie eine Sequenz oder ein Video, oder ziehen Sie es hierher. Ein Video allein läuft ohne Kraft; importieren Sie es mit seiner Bewegung, um sie zu spüren.</translation>
+        <source>Open a sequence or a video, or drop one here. A video on its own plays without force; import it with its motion data to feel it.</source>
+        <translation>Öffnen Sie eine Sequenz oder ein Video, oder ziehen Sie eines hierher. Ein Video allein spielt ohne Kraft; importieren Sie es mit seinen Bewegungsdaten, um es zu spüren.</translation>
+    </message>
+    <message>
+        <source>A simulated ride; created on first use</source>
+        <translation>Eine simulierte Fahrt; wird beim ersten Mal erzeugt</translation>
+    </message>
+    <message>
+        <source>Open a sequence folder</source>
+        <translation>Sequenzordner öffnen</translation>
+    </message>
+    <message>
+        <source>Your imported sequences</source>
+        <translation>Die importierten Sequenzen</translation>
+    </message>
+    <message>
+        <source>Create a sequence from a video and its motion data</source>
+        <translation>Eine Sequenz aus einem Video und seinen Bewegungsdaten erzeugen</translation>
+    </message>
+    <message>
+        <source>Choose a device…</source>
+        <translation>Gerät wählen…</translation>
+    </message>
+    <message>
+        <source>The haptic device to use; the simulated one needs no hardware</source>
+        <translation>Das haptische Gerät; das simulierte braucht keine Hardware</translation>
     </message>
     <message>
         <source>Play the demo</source>
         <translation>Demo abspielen</translation>
     </message>
     <message>
-        <source>A simulated ride; made on first use</source>
-        <translation>Eine simulierte Fahrt; beim ersten Mal erzeugt</translation>
-    </message>
-    <message>
         <source>Open a sequence…</source>
         <translation>Sequenz öffnen…</translation>
-    </message>
-    <message>
-        <source>The folder of a sequence</source>
-        <translation>Der Ordner einer Sequenz</translation>
     </message>
     <message>
         <source>Library…</source>
         <translation>Bibliothek…</translation>
     </message>
     <message>
-        <source>The sequences that were imported</source>
-        <translation>Die importierten Sequenzen</translation>
-    </message>
-    <message>
         <source>Import a recording…</source>
         <translation>Aufnahme importieren…</translation>
-    </message>
-    <message>
-        <source>Make a sequence of a video and its motion</source>
-        <translation>Aus Video und Bewegung eine Sequenz machen</translation>
-    </message>
-    <message>
-        <source>Choose the device…</source>
-        <translation>Gerät wählen…</translation>
-    </message>
-    <message>
-        <source>Which haptic device is moved; the simulated one needs no hardware</source>
-        <translation>Welches haptische Gerät bewegt wird; das simulierte braucht keine Hardware</translation>
     </message>
 </context>
 <context>
     <name>ErrorGateway</name>
     <message>
-        <source>Something went wrong inside the program ({kind}: {text}); the force was stopped and the playback paused. Details are on the terminal.</source>
-        <translation>Im Programm ist etwas schiefgegangen ({kind}: {text}); die Kraft wurde gestoppt und die Wiedergabe angehalten. Einzelheiten stehen im Terminal.</translation>
+        <source>Internal error ({kind}: {text}). The force was stopped and playback paused. See the terminal for details.</source>
+        <translation>Interner Fehler ({kind}: {text}). Die Kraft wurde abgeschaltet und die Wiedergabe angehalten. Einzelheiten stehen im Terminal.</translation>
     </message>
 </context>
 <context>
     <name>Extras</name>
     <message>
-        <source>Goes on at {time}; Home for the beginning</source>
-        <translation>Weiter bei {time}; Pos1 für den Anfang</translation>
+        <source>Resuming at {time} (Home: from the start)</source>
+        <translation>Weiter bei {time} (Pos1: von vorn)</translation>
     </message>
 </context>
 <context>
@@ -495,72 +495,68 @@
         <translation>Freigeben</translation>
     </message>
     <message>
-        <source>Let the force come back (Ctrl+R)</source>
-        <translation>Die Kraft wiederkommen lassen (Strg+R)</translation>
+        <source>Re-enable the force (Ctrl+R)</source>
+        <translation>Kraft wieder zulassen (Strg+R)</translation>
     </message>
     <message>
-        <source>Device anew</source>
-        <translation>Gerät neu</translation>
+        <source>Restart device</source>
+        <translation>Gerät neu starten</translation>
     </message>
     <message>
-        <source>Start the simulated device again</source>
-        <translation>Das simulierte Gerät neu starten</translation>
+        <source>Start the simulated device again, without the fault</source>
+        <translation>Das simulierte Gerät neu starten, ohne den Fehler</translation>
     </message>
     <message>
-        <source>Faults of the simulated device</source>
-        <translation>Fehler des simulierten Geräts</translation>
+        <source>Inject faults into the simulated device</source>
+        <translation>Fehler in das simulierte Gerät einspeisen</translation>
+    </message>
+    <message>
+        <source>Stop injecting faults</source>
+        <translation>Keine Fehler mehr einspeisen</translation>
+    </message>
+    <message>
+        <source>Rule triggered</source>
+        <translation>Ausgelöste Regel</translation>
+    </message>
+    <message>
+        <source>Time to zero, ms</source>
+        <translation>Zeit bis null, ms</translation>
+    </message>
+    <message>
+        <source>Fault results</source>
+        <translation>Ergebnisse der Fehler</translation>
+    </message>
+    <message>
+        <source>Faults can only be injected into a simulated device while this panel is open: choose it in the window, then press Restart device.</source>
+        <translation>Fehler lassen sich nur in ein simuliertes Gerät einspeisen, solange dieses Fenster offen ist: wählen Sie es im Hauptfenster und drücken Sie „Gerät neu starten“.</translation>
+    </message>
+    <message>
+        <source>The device has failed: press Restart device.</source>
+        <translation>Das Gerät ist ausgefallen: drücken Sie „Gerät neu starten“.</translation>
+    </message>
+    <message>
+        <source>Play a clip with force first.</source>
+        <translation>Spielen Sie zuerst einen Clip mit Kraft ab.</translation>
+    </message>
+    <message>
+        <source>The force is active. Press a fault to see how the safety contract responds.</source>
+        <translation>Die Kraft ist aktiv. Lösen Sie einen Fehler aus und sehen Sie, wie die Sicherung reagiert.</translation>
     </message>
     <message>
         <source>Close</source>
         <translation>Schließen</translation>
     </message>
     <message>
-        <source>No faults any more</source>
-        <translation>Keine Fehler mehr</translation>
-    </message>
-    <message>
         <source>Fault</source>
         <translation>Fehler</translation>
-    </message>
-    <message>
-        <source>Rule that answered</source>
-        <translation>Regel, die griff</translation>
     </message>
     <message>
         <source>Reaction, ms</source>
         <translation>Reaktion, ms</translation>
     </message>
-    <message>
-        <source>No force, ms</source>
-        <translation>Kraftlos, ms</translation>
-    </message>
-    <message>
-        <source>What came of the faults</source>
-        <translation>Was aus den Fehlern wurde</translation>
-    </message>
-    <message>
-        <source>Only a simulated device takes faults, and only while this panel is open: choose it in the window, then press Device anew.</source>
-        <translation>Nur ein simuliertes Gerät nimmt Fehler an, und nur, solange dieses Feld offen ist: wählen Sie es im Fenster, dann drücken Sie „Gerät neu“.</translation>
-    </message>
-    <message>
-        <source>The device has failed: press Device anew.</source>
-        <translation>Das Gerät ist ausgefallen: drücken Sie „Gerät neu“.</translation>
-    </message>
-    <message>
-        <source>Play a clip with force, so that there is one to take away.</source>
-        <translation>Spielen Sie einen Clip mit Kraft, damit es eine wegzunehmen gibt.</translation>
-    </message>
-    <message>
-        <source>There is a force. Press a fault and watch what takes it away.</source>
-        <translation>Es wirkt eine Kraft. Drücken Sie einen Fehler und sehen Sie, was sie wegnimmt.</translation>
-    </message>
 </context>
 <context>
     <name>FaultTexts</name>
-    <message>
-        <source>Unplug it</source>
-        <translation>Abziehen</translation>
-    </message>
     <message>
         <source>Stall, 60 ms</source>
         <translation>Stockt 60 ms</translation>
@@ -570,11 +566,15 @@
         <translation>Stockt 300 ms</translation>
     </message>
     <message>
-        <source>Nonsense answers</source>
-        <translation>Unsinnige Antworten</translation>
+        <source>Unplug</source>
+        <translation>Abziehen</translation>
     </message>
     <message>
-        <source>Lose the homing</source>
+        <source>Malformed replies</source>
+        <translation>Ungültige Antworten</translation>
+    </message>
+    <message>
+        <source>Lose homing</source>
         <translation>Referenz verlieren</translation>
     </message>
     <message>
@@ -598,8 +598,8 @@
         <translation>Schleife 35 ms zu spät</translation>
     </message>
     <message>
-        <source>Loop still, 80 ms</source>
-        <translation>Schleife steht 80 ms</translation>
+        <source>Loop stalled, 80 ms</source>
+        <translation>Schleife steht, 80 ms</translation>
     </message>
     <message>
         <source>Command 25 ms old</source>
@@ -636,32 +636,32 @@
         <translation>Bewegungsprotokoll</translation>
     </message>
     <message>
-        <source>inside the video</source>
-        <translation>im Video</translation>
-    </message>
-    <message>
         <source>Format</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>recognised by its content</source>
-        <translation type="unfinished"></translation>
+        <translation>Format</translation>
     </message>
     <message>
         <source>Drop a recording here</source>
         <translation>Eine Aufnahme hier ablegen</translation>
     </message>
     <message>
-        <source>&amp;Keep the answers…</source>
-        <translation>Antworten &amp;behalten…</translation>
+        <source>embedded in the video</source>
+        <translation>im Video enthalten</translation>
     </message>
     <message>
-        <source>Write a template for all logs of this logger</source>
-        <translation>Eine Vorlage für alle Protokolle dieses Loggers schreiben</translation>
+        <source>Detect automatically</source>
+        <translation>Automatisch erkennen</translation>
     </message>
     <message>
-        <source>Drop a video here, with the log of its motion sensor if that was a device of its own. GoPro cameras keep their motion inside the video.</source>
-        <translation>Ziehen Sie ein Video hierher, mit dem Protokoll des Bewegungssensors, wenn das ein eigenes Gerät war. GoPro-Kameras legen die Bewegung im Video ab.</translation>
+        <source>&amp;Save as template…</source>
+        <translation>Als Vorlage &amp;speichern…</translation>
+    </message>
+    <message>
+        <source>Save these answers as a template for all logs of this logger</source>
+        <translation>Diese Antworten als Vorlage für alle Protokolle dieses Loggers speichern</translation>
+    </message>
+    <message>
+        <source>Drop a video here, together with its motion log if the sensor was a separate device. GoPro cameras store their motion data in the video.</source>
+        <translation>Ziehen Sie ein Video hierher, zusammen mit seinem Bewegungsprotokoll, wenn der Sensor ein eigenes Gerät war. GoPro-Kameras speichern ihre Bewegung im Video.</translation>
     </message>
     <message>
         <source>&amp;Video</source>
@@ -677,7 +677,7 @@
     </message>
     <message>
         <source>&amp;Format</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Format</translation>
     </message>
     <message>
         <source>with sound</source>
@@ -688,20 +688,24 @@
         <translation>ohne Ton</translation>
     </message>
     <message>
-        <source>Video: {camera}{width} × {height}, {rate} pictures a second, {duration}, {sound}</source>
-        <translation>Video: {camera}{width} × {height}, {rate} Bilder je Sekunde, {duration}, {sound}</translation>
+        <source>Video: {camera}{width} × {height}, {rate} fps, {duration}, {sound}</source>
+        <translation>Video: {camera}{width} × {height}, {rate} Bilder/s, {duration}, {sound}</translation>
     </message>
     <message>
-        <source>Motion: {recorder}, {rate} samples a second, {duration}, gaps: {gaps}</source>
-        <translation>Bewegung: {recorder}, {rate} Werte je Sekunde, {duration}, Lücken: {gaps}</translation>
+        <source>Motion: {recorder}, {rate} Hz, {duration}, gaps: {gaps}</source>
+        <translation>Bewegung: {recorder}, {rate} Hz, {duration}, Lücken: {gaps}</translation>
     </message>
     <message>
-        <source>It turned so much that gravity does not show its axes.</source>
-        <translation>Der Sensor drehte sich so sehr, dass die Schwerkraft seine Achsen nicht zeigt.</translation>
+        <source>The sensor rotated too much to tell its axes from gravity.</source>
+        <translation>Der Sensor hat sich zu stark gedreht, um seine Achsen aus der Schwerkraft zu bestimmen.</translation>
     </message>
     <message>
-        <source>Axes: x to its right, y to its front, z to its top; on average {up} was up</source>
-        <translation>Achsen: x nach rechts, y nach vorn, z nach oben; im Mittel war {up} oben</translation>
+        <source>Axes: x right, y forward, z up of the sensor; on average {up} pointed up</source>
+        <translation>Achsen: x rechts, y vorn, z oben am Sensor; im Mittel zeigte {up} nach oben</translation>
+    </message>
+    <message>
+        <source>Save the template</source>
+        <translation>Vorlage speichern</translation>
     </message>
     <message>
         <source>Choose a video</source>
@@ -723,10 +727,6 @@
         <source>Choose a template</source>
         <translation>Vorlage wählen</translation>
     </message>
-    <message>
-        <source>Where shall the template be written?</source>
-        <translation>Wohin soll die Vorlage geschrieben werden?</translation>
-    </message>
 </context>
 <context>
     <name>FirmwareDialog</name>
@@ -743,8 +743,8 @@
         <translation>Ich nehme die Lizenz an</translation>
     </message>
     <message>
-        <source>Keep it all the same</source>
-        <translation>Trotzdem behalten</translation>
+        <source>Install anyway</source>
+        <translation>Trotzdem installieren</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -753,10 +753,6 @@
 </context>
 <context>
     <name>GripView</name>
-    <message>
-        <source>No device: choose {name} to see what would be felt</source>
-        <translation>Kein Gerät: mit „{name}“ sieht man, was zu spüren wäre</translation>
-    </message>
     <message>
         <source>The device has failed</source>
         <translation>Das Gerät ist ausgefallen</translation>
@@ -770,8 +766,12 @@
         <translation>Startet</translation>
     </message>
     <message>
-        <source>The position is not known</source>
-        <translation>Die Position ist unbekannt</translation>
+        <source>No device: choose {name} to see the simulated grip</source>
+        <translation>Kein Gerät: wählen Sie {name}, um den simulierten Griff zu sehen</translation>
+    </message>
+    <message>
+        <source>Position unknown</source>
+        <translation>Position unbekannt</translation>
     </message>
     <message>
         <source>Simulated grip</source>
@@ -802,10 +802,10 @@
         <translation>zu Ihnen</translation>
     </message>
     <message>
-        <source>Thick arrow: the force on the hand. Thin white arrow: the planned force. Purple arrow: the share that keeps the grip inside.
-Drag or use the arrow keys to look from elsewhere, the wheel or + and − to come nearer, a double click or 0 to go back.</source>
-        <translation>Dicker Pfeil: die Kraft auf die Hand. Dünner Pfeil: die geplante Kraft. Violetter Pfeil: der Anteil, der den Griff innen hält.
-Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, Doppelklick oder 0 stellt sie zurück.</translation>
+        <source>Thick arrow: force on the hand. Thin white arrow: planned force. Purple arrow: the share that keeps the grip in the workspace.
+Drag or use the arrow keys to rotate, the wheel or + and − to zoom, double-click or 0 to reset.</source>
+        <translation>Dicker Pfeil: Kraft auf die Hand. Dünner weißer Pfeil: geplante Kraft. Violetter Pfeil: der Anteil, der den Griff im Arbeitsraum hält.
+Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelklick oder 0 setzt zurück.</translation>
     </message>
     <message>
         <source>No device</source>
@@ -875,44 +875,48 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>GESTOPPT</translation>
     </message>
     <message>
-        <source>the window hung</source>
-        <translation>das Fenster hing</translation>
+        <source>window not responding</source>
+        <translation>Fenster reagierte nicht</translation>
     </message>
     <message>
-        <source>the player ended</source>
-        <translation>der Player endete</translation>
+        <source>player ended</source>
+        <translation>Player beendet</translation>
     </message>
     <message>
-        <source>the track is broken</source>
-        <translation>die Spur ist defekt</translation>
+        <source>invalid force track</source>
+        <translation>Kraftspur ungültig</translation>
     </message>
     <message>
-        <source>button on the grip</source>
-        <translation>Knopf am Griff</translation>
+        <source>grip button</source>
+        <translation>Taste am Griff</translation>
+    </message>
+    <message>
+        <source>device not responding</source>
+        <translation>Gerät antwortet nicht</translation>
+    </message>
+    <message>
+        <source>malformed replies from the device</source>
+        <translation>ungültige Antworten des Geräts</translation>
+    </message>
+    <message>
+        <source>computer stalled</source>
+        <translation>Rechner stockte</translation>
+    </message>
+    <message>
+        <source>grip released</source>
+        <translation>Griff losgelassen</translation>
+    </message>
+    <message>
+        <source>grip at the edge of the workspace</source>
+        <translation>Griff am Rand des Arbeitsraums</translation>
+    </message>
+    <message>
+        <source>{damaged} damaged, {dropped} dropped</source>
+        <translation>{damaged} beschädigt, {dropped} ausgelassen</translation>
     </message>
     <message>
         <source>unplugged</source>
         <translation>abgezogen</translation>
-    </message>
-    <message>
-        <source>the device does not answer</source>
-        <translation>das Gerät antwortet nicht</translation>
-    </message>
-    <message>
-        <source>the device answers nonsense</source>
-        <translation>das Gerät antwortet Unsinn</translation>
-    </message>
-    <message>
-        <source>the computer stood still</source>
-        <translation>der Rechner stand still</translation>
-    </message>
-    <message>
-        <source>the grip was let go</source>
-        <translation>der Griff wurde losgelassen</translation>
-    </message>
-    <message>
-        <source>the grip is at its edge</source>
-        <translation>der Griff ist am Rand</translation>
     </message>
     <message>
         <source>FIFO</source>
@@ -945,10 +949,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     <message>
         <source>{shown} shown, {dropped} dropped</source>
         <translation>{shown} gezeigt, {dropped} weg</translation>
-    </message>
-    <message>
-        <source>damaged: {damaged} broken, {dropped} dropped</source>
-        <translation>beschädigt: {damaged} defekt, {dropped} verworfen</translation>
     </message>
     <message>
         <source>audio</source>
@@ -999,35 +999,47 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     </message>
     <message>
         <source>Scheduling</source>
-        <translation>Planung</translation>
+        <translation>Scheduling</translation>
     </message>
     <message>
-        <source>Class of the 1 kHz loop: FIFO is best, slice nearly as good, normal lets it be late by milliseconds</source>
-        <translation>Klasse der 1-kHz-Schleife: FIFO ist am besten, Scheibe fast so gut, normal lässt sie Millisekunden zu spät kommen</translation>
+        <source>Scheduling class of the 1 kHz loop: FIFO is best, slice nearly as good; with normal it may be milliseconds late</source>
+        <translation>Scheduling-Klasse der 1-kHz-Schleife: FIFO ist am besten, slice fast so gut; mit normal kann sie Millisekunden zu spät sein</translation>
+    </message>
+    <message>
+        <source>99 % of the loop&apos;s wake-ups in the last 10 s were no later than this. Missed: skipped periods; above 1 % the force is limited to 3 N</source>
+        <translation>99&#xa0;% der Aufwachzeiten der letzten 10 s waren höchstens so spät. Verpasst: ausgelassene Perioden; über 1&#xa0;% wird die Kraft auf 3 N begrenzt</translation>
+    </message>
+    <message>
+        <source>Force − video</source>
+        <translation>Kraft − Video</translation>
+    </message>
+    <message>
+        <source>How much later the force comes than the video: median and 95th percentile of the last 20 s. More than 15 ms early or 50 ms late is noticeable</source>
+        <translation>Um wie viel die Kraft später kommt als das Video: Median und 95.-Perzentil der letzten 20 s. Mehr als 15 ms zu früh oder 50 ms zu spät ist spürbar</translation>
+    </message>
+    <message>
+        <source>How much later the force comes than the sound: median and 95th percentile of the last 20 s. More than 15 ms early or 50 ms late is noticeable</source>
+        <translation>Um wie viel die Kraft später kommt als der Ton: Median und 95.-Perzentil der letzten 20 s. Mehr als 15 ms zu früh oder 50 ms zu spät ist spürbar</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>Frames shown on time, and dropped because they were late</source>
+        <translation>Rechtzeitig gezeigte und wegen Verspätung ausgelassene Bilder</translation>
+    </message>
+    <message>
+        <source>Master clock: the audio output, or the computer&apos;s monotonic clock when there is no sound</source>
+        <translation>Führende Uhr: die Tonausgabe, oder ohne Ton die monotone Uhr des Rechners</translation>
     </message>
     <message>
         <source>Real-time</source>
         <translation>Echtzeit</translation>
     </message>
     <message>
-        <source>99 % of the loop&apos;s wake-ups in the last 10 s were no later than this; missed are periods that were skipped. When more than 1 % are, the force is held to 3 N</source>
-        <translation>99 % der Takte der letzten 10 s kamen nicht später als so; verpasste wurden übersprungen. Sind es mehr als 1 %, bleibt die Kraft unter 3 N</translation>
-    </message>
-    <message>
-        <source>Force − picture</source>
-        <translation>Kraft − Bild</translation>
-    </message>
-    <message>
-        <source>How much later the force comes than its picture: median and 95 % of the last 20 s. More than 15 ms early or 50 ms late is felt</source>
-        <translation>Wie viel später die Kraft kommt als ihr Bild: Median und 95 % der letzten 20 s. Mehr als 15 ms zu früh oder 50 ms zu spät spürt man</translation>
-    </message>
-    <message>
         <source>OFF +88.8, +88.8 ms</source>
         <translation>VERSETZT +88,8, +88,8 ms</translation>
-    </message>
-    <message>
-        <source>How much later the force comes than its sound: median and 95 % of the last 20 s. More than 15 ms early or 50 ms late is felt</source>
-        <translation>Wie viel später die Kraft kommt als ihr Ton: Median und 95 % der letzten 20 s. Mehr als 15 ms zu früh oder 50 ms zu spät spürt man</translation>
     </message>
     <message>
         <source>Force − sound</source>
@@ -1038,24 +1050,12 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>nein, 888 µs, 888 verpasst</translation>
     </message>
     <message>
-        <source>Pictures</source>
-        <translation>Bilder</translation>
-    </message>
-    <message>
-        <source>Shown in time, and dropped because they came too late</source>
-        <translation>Rechtzeitig gezeigt, und weggelassen, weil sie zu spät kamen</translation>
-    </message>
-    <message>
         <source>88888 shown, 88 dropped</source>
         <translation>88888 gezeigt, 88 weg</translation>
     </message>
     <message>
         <source>Clock</source>
         <translation>Uhr</translation>
-    </message>
-    <message>
-        <source>What leads: the sound that is heard, or the machine&apos;s monotonic clock where there is no sound</source>
-        <translation>Was führt: der hörbare Ton, oder die monotone Uhr des Rechners, wo es keinen Ton gibt</translation>
     </message>
     <message>
         <source>monotonic</source>
@@ -1069,8 +1069,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>Über hapticplayer</translation>
     </message>
     <message>
-        <source>&lt;b&gt;hapticplayer {version}&lt;/b&gt;&lt;p&gt;Plays a video and lets you feel the motion of whoever recorded it.&lt;/p&gt;&lt;p&gt;After Danieau et al., A Framework for Enhancing Video Viewing Experience with Haptic Effects of Motion (2012).&lt;br&gt;MIT licence.&lt;/p&gt;</source>
-        <translation>&lt;b&gt;hapticplayer {version}&lt;/b&gt;&lt;p&gt;Spielt ein Video und lässt die Bewegung dessen spüren, der es aufgenommen hat.&lt;/p&gt;&lt;p&gt;Nach Danieau et al., A Framework for Enhancing Video Viewing Experience with Haptic Effects of Motion (2012).&lt;br&gt;MIT-Lizenz.&lt;/p&gt;</translation>
+        <source>&lt;b&gt;hapticplayer {version}&lt;/b&gt;&lt;p&gt;Plays a video and lets you feel the motion of the camera.&lt;/p&gt;&lt;p&gt;Based on Danieau et al., A Framework for Enhancing Video Viewing Experience with Haptic Effects of Motion (2012).&lt;br&gt;MIT licence.&lt;/p&gt;</source>
+        <translation>&lt;b&gt;hapticplayer {version}&lt;/b&gt;&lt;p&gt;Spielt ein Video ab und lässt Sie die Bewegung der Kamera spüren.&lt;/p&gt;&lt;p&gt;Nach Danieau et al., A Framework for Enhancing Video Viewing Experience with Haptic Effects of Motion (2012).&lt;br&gt;MIT-Lizenz.&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Close</source>
@@ -1135,31 +1135,31 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>A&amp;nhalten</translation>
     </message>
     <message>
-        <source>Stop this work; nothing is left behind</source>
-        <translation>Diese Arbeit anhalten; nichts bleibt zurück</translation>
-    </message>
-    <message>
         <source>&amp;Import another…</source>
         <translation>&amp;Weitere importieren…</translation>
-    </message>
-    <message>
-        <source>Begin again with other files</source>
-        <translation>Mit anderen Dateien neu beginnen</translation>
     </message>
     <message>
         <source>&amp;Back</source>
         <translation>&amp;Zurück</translation>
     </message>
     <message>
-        <source>To the step before</source>
-        <translation>Zum vorigen Schritt</translation>
-    </message>
-    <message>
         <source>&amp;Next</source>
         <translation>&amp;Weiter</translation>
     </message>
     <message>
-        <source>To the next step</source>
+        <source>Cancel; nothing is kept</source>
+        <translation>Abbrechen; nichts bleibt zurück</translation>
+    </message>
+    <message>
+        <source>Start again with other files</source>
+        <translation>Mit anderen Dateien neu beginnen</translation>
+    </message>
+    <message>
+        <source>Go to the previous step</source>
+        <translation>Zum vorigen Schritt</translation>
+    </message>
+    <message>
+        <source>Go to the next step</source>
         <translation>Zum nächsten Schritt</translation>
     </message>
     <message>
@@ -1191,12 +1191,12 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>&amp;Importieren</translation>
     </message>
     <message>
-        <source>&amp;Play it</source>
-        <translation>&amp;Abspielen</translation>
+        <source>&amp;Play</source>
+        <translation>A&amp;bspielen</translation>
     </message>
     <message>
-        <source>Looking at {0}</source>
-        <translation>{0} wird angesehen</translation>
+        <source>Reading {0}</source>
+        <translation>{0} wird gelesen</translation>
     </message>
     <message>
         <source>Importing {0}</source>
@@ -1210,75 +1210,75 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>Abbrechen</translation>
     </message>
     <message>
-        <source>Stop this work; nothing is left behind</source>
-        <translation>Diese Arbeit beenden; nichts bleibt zurück</translation>
+        <source>Cancel; nothing is kept</source>
+        <translation>Abbrechen; nichts bleibt zurück</translation>
     </message>
 </context>
 <context>
     <name>KeysDialog</name>
     <message>
-        <source>Keyboard</source>
-        <translation>Tastatur</translation>
+        <source>Keyboard shortcuts</source>
+        <translation>Tastenkürzel</translation>
     </message>
     <message>
-        <source>New key</source>
-        <translation>Neue Taste</translation>
+        <source>New shortcut</source>
+        <translation>Neues Kürzel</translation>
     </message>
     <message>
-        <source>Press the key that the chosen command shall have</source>
-        <translation>Drücken Sie die Taste für den gewählten Befehl</translation>
+        <source>Press the new shortcut for the selected command</source>
+        <translation>Drücken Sie das neue Kürzel für den ausgewählten Befehl</translation>
     </message>
     <message>
-        <source>Use this key</source>
-        <translation>Taste übernehmen</translation>
+        <source>Assign</source>
+        <translation>Zuweisen</translation>
     </message>
     <message>
-        <source>Give the key to the chosen command</source>
-        <translation>Dem gewählten Befehl diese Taste geben</translation>
+        <source>Assign this shortcut to the selected command</source>
+        <translation>Dieses Kürzel dem ausgewählten Befehl zuweisen</translation>
     </message>
     <message>
         <source>Reset</source>
         <translation>Zurücksetzen</translation>
     </message>
     <message>
-        <source>Give the chosen command its first keys again</source>
-        <translation>Dem gewählten Befehl seine ersten Tasten zurückgeben</translation>
+        <source>Restore the default shortcut of the selected command</source>
+        <translation>Standardkürzel des ausgewählten Befehls wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Restore default shortcuts</source>
+        <translation>Standardkürzel wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Commands and their shortcuts</source>
+        <translation>Befehle und ihre Kürzel</translation>
+    </message>
+    <message>
+        <source>Shortcut</source>
+        <translation>Kürzel</translation>
+    </message>
+    <message>
+        <source>This shortcut always stops the force and cannot be changed</source>
+        <translation>Dieses Kürzel schaltet immer die Kraft ab und lässt sich nicht ändern</translation>
+    </message>
+    <message>
+        <source>Press a shortcut in the field first</source>
+        <translation>Drücken Sie zuerst ein Kürzel im Feld</translation>
+    </message>
+    <message>
+        <source>{key} is already used by “{command}”</source>
+        <translation>{key} wird schon für „{command}“ verwendet</translation>
     </message>
     <message>
         <source>Reset all</source>
         <translation>Alle zurücksetzen</translation>
     </message>
     <message>
-        <source>Give every command its first keys again</source>
-        <translation>Jedem Befehl seine ersten Tasten zurückgeben</translation>
-    </message>
-    <message>
         <source>Close</source>
         <translation>Schließen</translation>
     </message>
     <message>
-        <source>Commands and their keys</source>
-        <translation>Befehle und ihre Tasten</translation>
-    </message>
-    <message>
         <source>Command</source>
         <translation>Befehl</translation>
-    </message>
-    <message>
-        <source>Keys</source>
-        <translation>Tasten</translation>
-    </message>
-    <message>
-        <source>This key always stops the force; it stays</source>
-        <translation>Diese Taste stoppt immer die Kraft; sie bleibt</translation>
-    </message>
-    <message>
-        <source>Press a key in the field first</source>
-        <translation>Drücken Sie zuerst eine Taste im Feld</translation>
-    </message>
-    <message>
-        <source>{key} is taken by “{command}”</source>
-        <translation>{key} gehört schon zu „{command}“</translation>
     </message>
 </context>
 <context>
@@ -1292,14 +1292,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>Alles zusammen, ausgeglichen</translation>
     </message>
     <message>
-        <source>Tap to the picture</source>
-        <translation>Zum Bild tippen</translation>
-    </message>
-    <message>
-        <source>Tap to the sound</source>
-        <translation>Zum Ton tippen</translation>
-    </message>
-    <message>
         <source>Tap to the force</source>
         <translation>Zur Kraft tippen</translation>
     </message>
@@ -1308,32 +1300,40 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>Start</translation>
     </message>
     <message>
-        <source>Play a beat each second</source>
-        <translation>Jede Sekunde einen Schlag abspielen</translation>
-    </message>
-    <message>
         <source>STOP</source>
         <translation>STOPP</translation>
-    </message>
-    <message>
-        <source>Take the force away at once (Esc)</source>
-        <translation>Die Kraft sofort wegnehmen (Esc)</translation>
     </message>
     <message>
         <source>Tap</source>
         <translation>Tippen</translation>
     </message>
     <message>
-        <source>Tap with each beat (space bar)</source>
-        <translation>Mit jedem Schlag tippen (Leertaste)</translation>
+        <source>Tap to the flash</source>
+        <translation>Zum Blitz tippen</translation>
     </message>
     <message>
-        <source>Use</source>
-        <translation>Verwenden</translation>
+        <source>Tap to the beep</source>
+        <translation>Zum Ton tippen</translation>
     </message>
     <message>
-        <source>Remember these numbers for these outputs</source>
-        <translation>Diese Zahlen für diese Ausgaben merken</translation>
+        <source>Play a beat every second</source>
+        <translation>Jede Sekunde einen Takt abspielen</translation>
+    </message>
+    <message>
+        <source>Stop the force immediately (Esc)</source>
+        <translation>Kraft sofort abschalten (Esc)</translation>
+    </message>
+    <message>
+        <source>Tap on each beat (space bar)</source>
+        <translation>Bei jedem Takt tippen (Leertaste)</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Übernehmen</translation>
+    </message>
+    <message>
+        <source>Save these latencies for these outputs</source>
+        <translation>Diese Latenzen für diese Ausgaben speichern</translation>
     </message>
     <message>
         <source> ms</source>
@@ -1348,8 +1348,20 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>Abbrechen</translation>
     </message>
     <message>
-        <source>Change nothing</source>
-        <translation>Nichts ändern</translation>
+        <source>Discard changes</source>
+        <translation>Änderungen verwerfen</translation>
+    </message>
+    <message>
+        <source>Every second there is a flash, a beep and a gentle force pulse. Hold the grip loosely and press Start. Esc, STOP or a button on the grip stops it.</source>
+        <translation>Jede Sekunde kommen ein Blitz, ein Ton und ein sanfter Kraftimpuls. Halten Sie den Griff locker und drücken Sie Start. Esc, STOPP oder eine Taste am Griff beendet es.</translation>
+    </message>
+    <message>
+        <source>Adjust the latencies until flash, beep and force come together. Increase the one that comes late.</source>
+        <translation>Stellen Sie die Latenzen ein, bis Blitz, Ton und Kraft zusammen kommen. Was zu spät kommt, braucht einen größeren Wert.</translation>
+    </message>
+    <message>
+        <source>Press the space bar on each beat, at least eight times: first to the flash, then to the beep and the force. The differences are filled in; fine-tune them with all together.</source>
+        <translation>Drücken Sie bei jedem Takt die Leertaste, mindestens achtmal: zuerst zum Blitz, dann zu Ton und Kraft. Die Differenzen werden eingetragen; stimmen Sie sie mit allen zusammen fein ab.</translation>
     </message>
     <message>
         <source>{n} of {least} taps</source>
@@ -1359,32 +1371,20 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <source>{n} taps: {ms:.0f} ± {spread:.0f} ms</source>
         <translation>{n} Mal: {ms:.0f} ± {spread:.0f} ms</translation>
     </message>
-    <message>
-        <source>Each second there are a flash, a beep and a gentle push. Hold the grip loosely and press Start. Esc, STOP or a button on the grip ends it.</source>
-        <translation>Jede Sekunde kommen ein Blitz, ein Ton und ein sanfter Stoß. Halten Sie den Griff locker und drücken Sie Start. Esc, STOPP oder eine Taste am Griff beendet es.</translation>
-    </message>
-    <message>
-        <source>Change the numbers until flash, beep and push come together. What comes late needs a larger number.</source>
-        <translation>Ändern Sie die Zahlen, bis Blitz, Ton und Stoß zusammen kommen. Was zu spät kommt, braucht eine größere Zahl.</translation>
-    </message>
-    <message>
-        <source>Press the space bar with each beat, at least eight times; first to the picture, then to the sound and the force. The differences are put into the numbers; refine them with all together.</source>
-        <translation>Drücken Sie mit jedem Schlag die Leertaste, mindestens achtmal; erst zum Bild, dann zum Ton und zur Kraft. Die Unterschiede werden in die Zahlen übernommen; verfeinern Sie sie mit allem zusammen.</translation>
-    </message>
 </context>
 <context>
     <name>LatencyWatch</name>
     <message>
-        <source>The sound output {name} is {ms:.0f} ms behind</source>
-        <translation>Die Tonausgabe {name} hinkt {ms:.0f} ms nach</translation>
+        <source>The sound output {name} reports a latency of {ms:.0f} ms</source>
+        <translation>Die Tonausgabe {name} meldet eine Latenz von {ms:.0f} ms</translation>
     </message>
     <message>
         <source>The sound output {name} seems to be wireless</source>
         <translation>Die Tonausgabe {name} scheint drahtlos zu sein</translation>
     </message>
     <message>
-        <source>it may be later still than it says. Use headphones with a cable, or measure it: Playback, Measure latencies</source>
-        <translation>sie kann noch später sein, als sie sagt. Nehmen Sie Kopfhörer mit Kabel oder messen Sie sie: Wiedergabe, Latenzen messen</translation>
+        <source>the actual latency may be higher. Use wired headphones, or measure it: Playback &gt; Measure latencies</source>
+        <translation>die tatsächliche Latenz kann höher sein. Benutzen Sie Kopfhörer mit Kabel, oder messen Sie sie: Wiedergabe &gt; Latenzen messen</translation>
     </message>
 </context>
 <context>
@@ -1422,8 +1422,32 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>Spur &amp;hinzufügen…</translation>
     </message>
     <message>
-        <source>A force track from a CSV file</source>
-        <translation>Eine Kraftspur aus einer CSV-Datei</translation>
+        <source>Add a force track from a CSV file</source>
+        <translation>Kraftspur aus einer CSV-Datei hinzufügen</translation>
+    </message>
+    <message>
+        <source>Apply &amp;gain</source>
+        <translation>&amp;Verstärkung anwenden</translation>
+    </message>
+    <message>
+        <source>Render the realistic and the random track again with this gain</source>
+        <translation>Realistische und zufällige Spur mit dieser Verstärkung neu berechnen</translation>
+    </message>
+    <message>
+        <source>about {peak} N peak, {rms} N RMS…</source>
+        <translation>etwa {peak} N Spitze, {rms} N RMS…</translation>
+    </message>
+    <message>
+        <source>{peak} N peak, {rms} N RMS, {share} of the samples at the limit; workspace used: relaxed hand {relaxed}, normal {normal}, firm {firm}</source>
+        <translation>{peak} N Spitze, {rms} N RMS, {share} der Werte an der Grenze; genutzter Arbeitsraum: lockere Hand {relaxed}, normale {normal}, feste {firm}</translation>
+    </message>
+    <message>
+        <source>the force would be stopped</source>
+        <translation>die Kraft würde abgeschaltet</translation>
+    </message>
+    <message>
+        <source>Rendering the force</source>
+        <translation>Kraft wird berechnet</translation>
     </message>
     <message>
         <source>Rena&amp;me…</source>
@@ -1440,30 +1464,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     <message>
         <source>Remove the track</source>
         <translation>Die Spur entfernen</translation>
-    </message>
-    <message>
-        <source>Use this &amp;gain</source>
-        <translation>&amp;Verstärkung nehmen</translation>
-    </message>
-    <message>
-        <source>Make the realistic and the random track anew</source>
-        <translation>Die realistische und die zufällige Spur neu erzeugen</translation>
-    </message>
-    <message>
-        <source>about {peak} N at the peak, {rms} N RMS…</source>
-        <translation>etwa {peak} N Spitze, {rms} N effektiv…</translation>
-    </message>
-    <message>
-        <source>{peak} N at the peak, {rms} N RMS, {share} of the samples at the limit; workspace: relaxed hand {relaxed}, normal {normal}, firm {firm}</source>
-        <translation>{peak} N Spitze, {rms} N effektiv, {share} der Werte an der Grenze; Arbeitsraum: lockere Hand {relaxed}, normale {normal}, feste {firm}</translation>
-    </message>
-    <message>
-        <source>the force would stop</source>
-        <translation>die Kraft würde anhalten</translation>
-    </message>
-    <message>
-        <source>Making the force anew</source>
-        <translation>Die Kraft wird neu erzeugt</translation>
     </message>
     <message>
         <source>Force tracks (*.csv);;All files (*)</source>
@@ -1501,76 +1501,88 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>&amp;Rückgängig</translation>
     </message>
     <message>
-        <source>Bring back what was deleted last</source>
-        <translation>Das zuletzt Gelöschte zurückholen</translation>
+        <source>Undo the last deletion</source>
+        <translation>Letztes Löschen rückgängig machen</translation>
+    </message>
+    <message>
+        <source>Cancel; nothing is kept</source>
+        <translation>Abbrechen; nichts bleibt zurück</translation>
+    </message>
+    <message>
+        <source>Import a recording</source>
+        <translation>Aufnahme importieren</translation>
+    </message>
+    <message>
+        <source>Choose the library folder</source>
+        <translation>Ordner der Bibliothek wählen</translation>
+    </message>
+    <message>
+        <source>Change the title</source>
+        <translation>Titel ändern</translation>
+    </message>
+    <message>
+        <source>Check the checksums of all files</source>
+        <translation>Prüfsummen aller Dateien prüfen</translation>
+    </message>
+    <message>
+        <source>Move to the bin</source>
+        <translation>In den Papierkorb verschieben</translation>
+    </message>
+    <message>
+        <source>Play (Enter)</source>
+        <translation>Abspielen (Eingabe)</translation>
+    </message>
+    <message>
+        <source>No sequences yet. Import a recording.</source>
+        <translation>Noch keine Sequenzen. Importieren Sie eine Aufnahme.</translation>
+    </message>
+    <message>
+        <source>No matches</source>
+        <translation>Keine Treffer</translation>
+    </message>
+    <message>
+        <source>{title}: all files are intact</source>
+        <translation>{title}: alle Dateien sind unversehrt</translation>
+    </message>
+    <message>
+        <source>Move {title} to the bin? You can restore it from there.</source>
+        <translation>{title} in den Papierkorb verschieben? Sie können es von dort wiederherstellen.</translation>
+    </message>
+    <message>
+        <source>Could not move {title} to the bin; nothing was deleted.</source>
+        <translation>{title} ließ sich nicht in den Papierkorb verschieben; nichts wurde gelöscht.</translation>
+    </message>
+    <message>
+        <source>Moved {title} to the bin.</source>
+        <translation>{title} wurde in den Papierkorb verschoben.</translation>
     </message>
     <message>
         <source>S&amp;top</source>
         <translation>An&amp;halten</translation>
     </message>
     <message>
-        <source>Stop this work; nothing is left behind</source>
-        <translation>Diese Arbeit anhalten; nichts bleibt zurück</translation>
-    </message>
-    <message>
         <source>&amp;Import…</source>
         <translation>&amp;Importieren…</translation>
-    </message>
-    <message>
-        <source>Bring in a recording</source>
-        <translation>Eine Aufnahme hereinholen</translation>
     </message>
     <message>
         <source>&amp;Folder…</source>
         <translation>O&amp;rdner…</translation>
     </message>
     <message>
-        <source>Show another folder</source>
-        <translation>Einen anderen Ordner zeigen</translation>
-    </message>
-    <message>
         <source>Re&amp;name…</source>
         <translation>&amp;Umbenennen…</translation>
-    </message>
-    <message>
-        <source>Another title</source>
-        <translation>Ein anderer Titel</translation>
     </message>
     <message>
         <source>&amp;Verify</source>
         <translation>&amp;Prüfen</translation>
     </message>
     <message>
-        <source>Read every file, check it</source>
-        <translation>Jede Datei lesen und prüfen</translation>
-    </message>
-    <message>
         <source>&amp;Delete…</source>
         <translation>&amp;Löschen…</translation>
     </message>
     <message>
-        <source>Move it to the bin</source>
-        <translation>In den Papierkorb legen</translation>
-    </message>
-    <message>
         <source>&amp;Open</source>
         <translation>Ö&amp;ffnen</translation>
-    </message>
-    <message>
-        <source>Play it (Enter)</source>
-        <translation>Abspielen (Eingabe)</translation>
-    </message>
-    <message>
-        <source>There is nothing here yet; import a recording.</source>
-        <translation>Hier ist noch nichts; importieren Sie eine Aufnahme.</translation>
-    </message>
-    <message>
-        <source>Nothing is called so</source>
-        <translation>Nichts gefunden</translation>
-    </message>
-    <message>
-        <source>Where are sequences kept?</source>
-        <translation>Wo liegen die Sequenzen?</translation>
     </message>
     <message>
         <source>Rename</source>
@@ -1585,35 +1597,19 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>Prüfung</translation>
     </message>
     <message>
-        <source>{title}: every file is as it was written</source>
-        <translation>{title}: Jede Datei ist, wie sie geschrieben wurde</translation>
-    </message>
-    <message>
-        <source>Move {title} to the bin? It can be brought back from there.</source>
-        <translation>{title} in den Papierkorb legen? Von dort kann man sie zurückholen.</translation>
-    </message>
-    <message>
         <source>Delete</source>
         <translation>Löschen</translation>
-    </message>
-    <message>
-        <source>{title} cannot be moved to the bin; nothing was deleted.</source>
-        <translation>{title} kann nicht in den Papierkorb gelegt werden; nichts wurde gelöscht.</translation>
-    </message>
-    <message>
-        <source>{title} is in the bin.</source>
-        <translation>{title} liegt im Papierkorb.</translation>
     </message>
 </context>
 <context>
     <name>LookMenus</name>
     <message>
-        <source>&amp;Look</source>
-        <translation>&amp;Aussehen</translation>
+        <source>&amp;Theme</source>
+        <translation>&amp;Farbschema</translation>
     </message>
     <message>
-        <source>As the desktop</source>
-        <translation>Wie die Arbeitsfläche</translation>
+        <source>System default</source>
+        <translation>Wie das System</translation>
     </message>
     <message>
         <source>Dark</source>
@@ -1628,8 +1624,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>Hoher Kontrast</translation>
     </message>
     <message>
-        <source>Lan&amp;guage</source>
-        <translation>&amp;Sprache (Language)</translation>
+        <source>&amp;Language</source>
+        <translation>&amp;Sprache</translation>
     </message>
 </context>
 <context>
@@ -1647,18 +1643,18 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>Kopieren</translation>
     </message>
     <message>
-        <source>Copy it, in English too, to report</source>
-        <translation>Zum Melden kopieren, auch auf Englisch</translation>
+        <source>Copy the message, also in English, for a report</source>
+        <translation>Meldung kopieren, auch auf Englisch, für einen Fehlerbericht</translation>
     </message>
 </context>
 <context>
     <name>Mirror</name>
     <message>
-        <source>The participant&apos;s picture</source>
-        <translation>Das Bild der teilnehmenden Person</translation>
+        <source>The participant&apos;s view</source>
+        <translation>Ansicht der teilnehmenden Person</translation>
     </message>
     <message>
-        <source>A page is shown</source>
+        <source>Showing a page</source>
         <translation>Eine Seite wird gezeigt</translation>
     </message>
 </context>
@@ -1669,10 +1665,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>Befestigung</translation>
     </message>
     <message>
-        <source>The device stands</source>
-        <translation>Das Gerät steht</translation>
-    </message>
-    <message>
         <source>Gain</source>
         <translation>Verstärkung</translation>
     </message>
@@ -1681,84 +1673,88 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation> N je m/s²</translation>
     </message>
     <message>
-        <source>The same for all sequences that are to be compared</source>
-        <translation>Dieselbe für alle Sequenzen, die verglichen werden sollen</translation>
-    </message>
-    <message>
         <source>Title</source>
         <translation>Titel</translation>
-    </message>
-    <message>
-        <source>Looks forward, upright</source>
-        <translation>Blickt nach vorn, aufrecht</translation>
-    </message>
-    <message>
-        <source>Looks forward, upside down</source>
-        <translation>Blickt nach vorn, kopfüber</translation>
-    </message>
-    <message>
-        <source>Looks backward, upright</source>
-        <translation>Blickt nach hinten, aufrecht</translation>
-    </message>
-    <message>
-        <source>Looks to the right, upright</source>
-        <translation>Blickt nach rechts, aufrecht</translation>
-    </message>
-    <message>
-        <source>Looks to the left, upright</source>
-        <translation>Blickt nach links, aufrecht</translation>
-    </message>
-    <message>
-        <source>Looks forward, left side up</source>
-        <translation>Blickt nach vorn, linke Seite oben</translation>
-    </message>
-    <message>
-        <source>Looks forward, right side up</source>
-        <translation>Blickt nach vorn, rechte Seite oben</translation>
-    </message>
-    <message>
-        <source>Lies on its back, looks up</source>
-        <translation>Liegt auf dem Rücken, blickt nach oben</translation>
-    </message>
-    <message>
-        <source>Looks down</source>
-        <translation>Blickt nach unten</translation>
     </message>
     <message>
         <source>Right {right}, front {front}, up {up}</source>
         <translation>Rechts {right}, vorn {front}, oben {up}</translation>
     </message>
     <message>
-        <source>before its user: forward pulls the hand away</source>
-        <translation>vor der Person: vorwärts zieht die Hand weg</translation>
-    </message>
-    <message>
-        <source>to the right of its user</source>
-        <translation>rechts von der Person</translation>
-    </message>
-    <message>
-        <source>behind its user</source>
-        <translation>hinter der Person</translation>
-    </message>
-    <message>
-        <source>to the left of its user</source>
-        <translation>links von der Person</translation>
-    </message>
-    <message>
         <source>Change…</source>
         <translation>Ändern…</translation>
-    </message>
-    <message>
-        <source>Keep sequences in another folder</source>
-        <translation>Sequenzen in einem anderen Ordner aufbewahren</translation>
     </message>
     <message>
         <source>&amp;Mounting</source>
         <translation>&amp;Befestigung</translation>
     </message>
     <message>
-        <source>The &amp;device stands</source>
-        <translation>Das &amp;Gerät steht</translation>
+        <source>Device position</source>
+        <translation>Position des Geräts</translation>
+    </message>
+    <message>
+        <source>Use the same gain for all sequences that you compare</source>
+        <translation>Dieselbe Verstärkung für alle Sequenzen, die verglichen werden</translation>
+    </message>
+    <message>
+        <source>Facing forward, upright</source>
+        <translation>Nach vorn gerichtet, aufrecht</translation>
+    </message>
+    <message>
+        <source>Facing forward, upside down</source>
+        <translation>Nach vorn gerichtet, kopfüber</translation>
+    </message>
+    <message>
+        <source>Facing backward, upright</source>
+        <translation>Nach hinten gerichtet, aufrecht</translation>
+    </message>
+    <message>
+        <source>Facing right, upright</source>
+        <translation>Nach rechts gerichtet, aufrecht</translation>
+    </message>
+    <message>
+        <source>Facing left, upright</source>
+        <translation>Nach links gerichtet, aufrecht</translation>
+    </message>
+    <message>
+        <source>Facing forward, left side up</source>
+        <translation>Nach vorn gerichtet, linke Seite oben</translation>
+    </message>
+    <message>
+        <source>Facing forward, right side up</source>
+        <translation>Nach vorn gerichtet, rechte Seite oben</translation>
+    </message>
+    <message>
+        <source>Lying on its back, facing up</source>
+        <translation>Auf dem Rücken liegend, nach oben gerichtet</translation>
+    </message>
+    <message>
+        <source>Facing down</source>
+        <translation>Nach unten gerichtet</translation>
+    </message>
+    <message>
+        <source>in front of the user: forward pulls the hand away</source>
+        <translation>vor der Person: vorwärts zieht die Hand weg</translation>
+    </message>
+    <message>
+        <source>to the right of the user</source>
+        <translation>rechts von der Person</translation>
+    </message>
+    <message>
+        <source>behind the user</source>
+        <translation>hinter der Person</translation>
+    </message>
+    <message>
+        <source>to the left of the user</source>
+        <translation>links von der Person</translation>
+    </message>
+    <message>
+        <source>Choose another library folder</source>
+        <translation>Anderen Ordner für die Bibliothek wählen</translation>
+    </message>
+    <message>
+        <source>&amp;Device position</source>
+        <translation>Position des &amp;Geräts</translation>
     </message>
     <message>
         <source>&amp;Gain</source>
@@ -1773,24 +1769,24 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>Bibliothek</translation>
     </message>
     <message>
-        <source>The drawing shows the recorder on its actor, who looks to the front; the dashed line is where gravity says that up was.</source>
-        <translation>Die Zeichnung zeigt das Aufnahmegerät an der Person, die nach vorn blickt; die gestrichelte Linie zeigt, wo nach der Schwerkraft oben war.</translation>
+        <source>The drawing shows the recorder on the actor, who faces forward; the dashed line shows which way was up, from gravity.</source>
+        <translation>Die Zeichnung zeigt den Rekorder an der Person, die nach vorn blickt; die gestrichelte Linie zeigt nach der Schwerkraft, wo oben war.</translation>
     </message>
     <message>
-        <source>It turned so much that gravity does not tell which is right.</source>
-        <translation>Es drehte sich so sehr, dass die Schwerkraft nicht sagt, welche stimmt.</translation>
+        <source>The sensor rotated too much to determine the mounting from gravity.</source>
+        <translation>Der Sensor hat sich zu stark gedreht, um die Befestigung aus der Schwerkraft zu bestimmen.</translation>
     </message>
     <message>
-        <source>Gravity agrees. Which side was the front only you can know.</source>
-        <translation>Die Schwerkraft stimmt überein. Welche Seite vorn war, können nur Sie wissen.</translation>
+        <source>Consistent with gravity. Only you know which side faced forward.</source>
+        <translation>Passt zur Schwerkraft. Welche Seite vorn war, wissen nur Sie.</translation>
     </message>
     <message>
-        <source>Gravity says that another side was up.</source>
-        <translation>Nach der Schwerkraft war eine andere Seite oben.</translation>
+        <source>Not consistent with gravity: another side was up.</source>
+        <translation>Passt nicht zur Schwerkraft: eine andere Seite war oben.</translation>
     </message>
     <message>
-        <source>Where shall sequences be kept?</source>
-        <translation>Wo sollen Sequenzen aufbewahrt werden?</translation>
+        <source>Choose the library folder</source>
+        <translation>Ordner der Bibliothek wählen</translation>
     </message>
 </context>
 <context>
@@ -1847,16 +1843,12 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>y oben</translation>
     </message>
     <message>
-        <source>z to you</source>
+        <source>z towards you</source>
         <translation>z zu Ihnen</translation>
     </message>
     <message>
         <source>thin: planned</source>
         <translation>dünn: geplant</translation>
-    </message>
-    <message>
-        <source>Click: go there. Drag: move. Wheel or + and −: zoom. Double click or Enter: as before</source>
-        <translation>Klick: dorthin. Ziehen: verschieben. Rad oder + und −: Zoom. Doppelklick oder Eingabe: wie zuvor</translation>
     </message>
     <message>
         <source>Save this view: {plot}</source>
@@ -1867,12 +1859,16 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>Diese Ansicht als PNG, SVG oder CSV speichern</translation>
     </message>
     <message>
-        <source>Picture (*.png);;Drawing (*.svg);;Numbers (*.csv)</source>
-        <translation>Bild (*.png);;Zeichnung (*.svg);;Zahlen (*.csv)</translation>
+        <source>PNG image (*.png);;SVG drawing (*.svg);;CSV data (*.csv)</source>
+        <translation>PNG-Bild (*.png);;SVG-Zeichnung (*.svg);;CSV-Daten (*.csv)</translation>
     </message>
     <message>
-        <source>{name}: choose a name that ends in {kinds}</source>
-        <translation>{name}: wählen Sie einen Namen, der auf {kinds} endet</translation>
+        <source>{name}: unsupported file type; choose one of {kinds}</source>
+        <translation>{name}: Dateityp nicht unterstützt; wählen Sie {kinds}</translation>
+    </message>
+    <message>
+        <source>Click: seek. Drag: pan. Wheel or + and −: zoom. Double-click or Enter: reset</source>
+        <translation>Klick: springen. Ziehen: verschieben. Rad oder + und −: zoomen. Doppelklick oder Eingabe: zurücksetzen</translation>
     </message>
 </context>
 <context>
@@ -1889,12 +1885,12 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>Gut: kann verwendet werden</translation>
     </message>
     <message>
-        <source>Doubtful: look at what is marked</source>
-        <translation>Zweifelhaft: sehen Sie sich an, was markiert ist</translation>
+        <source>Doubtful: check the marked items</source>
+        <translation>Zweifelhaft: prüfen Sie, was markiert ist</translation>
     </message>
     <message>
-        <source>Bad: better record or import it again</source>
-        <translation>Schlecht: besser neu aufnehmen oder importieren</translation>
+        <source>Bad: record or import it again</source>
+        <translation>Schlecht: nehmen Sie neu auf oder importieren Sie neu</translation>
     </message>
     <message>
         <source>good</source>
@@ -1921,32 +1917,72 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>Abtastung</translation>
     </message>
     <message>
-        <source>Gravity left at rest</source>
+        <source>Residual gravity at rest</source>
         <translation>Restschwerkraft in Ruhe</translation>
     </message>
     <message>
-        <source>Sensor at its limit</source>
+        <source>Sensor saturation</source>
         <translation>Sensor an der Grenze</translation>
+    </message>
+    <message>
+        <source>Clip without motion data</source>
+        <translation>Clip ohne Bewegungsdaten</translation>
+    </message>
+    <message>
+        <source>Force saturation</source>
+        <translation>Kraft an der Grenze</translation>
+    </message>
+    <message>
+        <source>Workspace used</source>
+        <translation>Genutzter Arbeitsraum</translation>
+    </message>
+    <message>
+        <source>Motor heating</source>
+        <translation>Erwärmung der Motoren</translation>
+    </message>
+    <message>
+        <source>tap marks</source>
+        <translation>Klopfzeichen</translation>
+    </message>
+    <message>
+        <source>same clock</source>
+        <translation>gleiche Uhr</translation>
+    </message>
+    <message>
+        <source>manual</source>
+        <translation>von Hand</translation>
+    </message>
+    <message>
+        <source>The force would be stopped; lower the gain</source>
+        <translation>Die Kraft würde abgeschaltet; verringern Sie die Verstärkung</translation>
+    </message>
+    <message>
+        <source>Check the synchronisation; next time tap the recorder three times</source>
+        <translation>Prüfen Sie die Synchronisierung; klopfen Sie nächstes Mal dreimal auf den Rekorder</translation>
+    </message>
+    <message>
+        <source>In long recordings, tap at the end as well</source>
+        <translation>Klopfen Sie bei langen Aufnahmen auch am Ende</translation>
+    </message>
+    <message>
+        <source>Keep still for a few seconds at the start</source>
+        <translation>Halten Sie am Anfang einige Sekunden still</translation>
+    </message>
+    <message>
+        <source>Choose a larger accelerometer range</source>
+        <translation>Wählen Sie einen größeren Messbereich des Beschleunigungssensors</translation>
+    </message>
+    <message>
+        <source>There is no force in the gaps; try another memory card</source>
+        <translation>In den Lücken gibt es keine Kraft; versuchen Sie eine andere Speicherkarte</translation>
+    </message>
+    <message>
+        <source>Start the log before the clip and stop it after</source>
+        <translation>Starten Sie das Protokoll vor dem Clip und beenden Sie es danach</translation>
     </message>
     <message>
         <source>Gaps</source>
         <translation>Lücken</translation>
-    </message>
-    <message>
-        <source>Clip without motion</source>
-        <translation>Clip ohne Bewegung</translation>
-    </message>
-    <message>
-        <source>Force at its limit</source>
-        <translation>Kraft an der Grenze</translation>
-    </message>
-    <message>
-        <source>Use of the workspace</source>
-        <translation>Nutzung des Arbeitsraums</translation>
-    </message>
-    <message>
-        <source>Heat of the motors</source>
-        <translation>Wärme der Motoren</translation>
     </message>
     <message>
         <source>not measured</source>
@@ -1965,20 +2001,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>{share} der Werte; die Spitze ist {n}&#xa0;N</translation>
     </message>
     <message>
-        <source>three pats</source>
-        <translation>drei Klopfer</translation>
-    </message>
-    <message>
         <source>variance</source>
         <translation>Varianz</translation>
-    </message>
-    <message>
-        <source>one clock</source>
-        <translation>eine Uhr</translation>
-    </message>
-    <message>
-        <source>by hand</source>
-        <translation>von Hand</translation>
     </message>
     <message>
         <source>relaxed hand</source>
@@ -1993,36 +2017,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>feste Hand</translation>
     </message>
     <message>
-        <source>The force would stop; lower the gain</source>
-        <translation>Die Kraft würde anhalten; Verstärkung senken</translation>
-    </message>
-    <message>
-        <source>Look again, and give three pats next time</source>
-        <translation>Noch einmal ansehen; nächstes Mal dreimal klopfen</translation>
-    </message>
-    <message>
-        <source>Pat at the end of a long recording too</source>
-        <translation>Bei langen Aufnahmen auch am Ende klopfen</translation>
-    </message>
-    <message>
         <source>Record at 100 Hz or more</source>
         <translation>Mit 100 Hz oder mehr aufnehmen</translation>
-    </message>
-    <message>
-        <source>Stand still for a few seconds at the start</source>
-        <translation>Am Anfang einige Sekunden stillstehen</translation>
-    </message>
-    <message>
-        <source>Choose a larger range of the accelerometer</source>
-        <translation>Größeren Messbereich des Beschleunigungssensors wählen</translation>
-    </message>
-    <message>
-        <source>There is no force there; try another card</source>
-        <translation>Dort gibt es keine Kraft; andere Speicherkarte versuchen</translation>
-    </message>
-    <message>
-        <source>Start the log before the clip, end it after</source>
-        <translation>Das Protokoll vor dem Clip beginnen, danach beenden</translation>
     </message>
     <message>
         <source>Lower the gain</source>
@@ -2051,8 +2047,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
 <context>
     <name>RecentMenu</name>
     <message>
-        <source>Forget all</source>
-        <translation>Alles vergessen</translation>
+        <source>Clear list</source>
+        <translation>Liste leeren</translation>
     </message>
 </context>
 <context>
@@ -2066,12 +2062,12 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>Die Demo wird vorbereitet</translation>
     </message>
     <message>
-        <source>Something else is being done; wait for it or cancel it</source>
-        <translation>Es läuft schon etwas; warten Sie, oder brechen Sie es ab</translation>
+        <source>Another task is running; wait for it or cancel it</source>
+        <translation>Eine andere Aufgabe läuft; warten Sie oder brechen Sie sie ab</translation>
     </message>
     <message>
-        <source>Bring the grip to the middle first, then re-arm again</source>
-        <translation>Bringen Sie den Griff erst in die Mitte und geben Sie dann wieder frei</translation>
+        <source>Move the grip to the centre first, then re-arm again</source>
+        <translation>Bringen Sie den Griff zuerst in die Mitte und lassen Sie die Kraft dann wieder zu</translation>
     </message>
     <message>
         <source>The haptics process has ended; choose the device again</source>
@@ -2093,64 +2089,28 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>Neue Notiz</translation>
     </message>
     <message>
-        <source>A note; Enter keeps it</source>
-        <translation>Eine Notiz; die Eingabetaste speichert sie</translation>
-    </message>
-    <message>
         <source>Pause</source>
         <translation>Pause</translation>
-    </message>
-    <message>
-        <source>Stop the clip; it begins again</source>
-        <translation>Den Clip anhalten; er beginnt von vorn</translation>
     </message>
     <message>
         <source>Repeat</source>
         <translation>Wiederholen</translation>
     </message>
     <message>
-        <source>Play the last trial again</source>
-        <translation>Den letzten Durchgang noch einmal spielen</translation>
-    </message>
-    <message>
         <source>Skip…</source>
         <translation>Überspringen…</translation>
-    </message>
-    <message>
-        <source>Leave this step out</source>
-        <translation>Diesen Schritt auslassen</translation>
     </message>
     <message>
         <source>End…</source>
         <translation>Beenden…</translation>
     </message>
     <message>
-        <source>End the session for good</source>
-        <translation>Die Sitzung endgültig beenden</translation>
-    </message>
-    <message>
         <source>Try again</source>
         <translation>Noch einmal</translation>
     </message>
     <message>
-        <source>Try to save once more</source>
-        <translation>Noch einmal zu speichern versuchen</translation>
-    </message>
-    <message>
         <source>STOP</source>
         <translation>STOPP</translation>
-    </message>
-    <message>
-        <source>Take the force away (Esc)</source>
-        <translation>Die Kraft wegnehmen (Esc)</translation>
-    </message>
-    <message>
-        <source>Volume {n} %, the same for the whole session</source>
-        <translation>Lautstärke {n} %, für die ganze Sitzung gleich</translation>
-    </message>
-    <message>
-        <source>Go on</source>
-        <translation>Weiter</translation>
     </message>
     <message>
         <source>, trial {k} of {n}</source>
@@ -2161,40 +2121,76 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>, Versuch {n}</translation>
     </message>
     <message>
-        <source>Nothing has been played yet</source>
-        <translation>Es wurde noch nichts gespielt</translation>
-    </message>
-    <message>
-        <source>The last trial was played as it should be</source>
-        <translation>Der letzte Durchgang lief, wie er soll</translation>
-    </message>
-    <message>
-        <source>The last trial was not sound: {reasons}</source>
-        <translation>Der letzte Durchgang war nicht einwandfrei: {reasons}</translation>
-    </message>
-    <message>
         <source>Skip</source>
         <translation>Überspringen</translation>
-    </message>
-    <message>
-        <source>Why is this step left out?</source>
-        <translation>Warum wird dieser Schritt ausgelassen?</translation>
     </message>
     <message>
         <source>End the session</source>
         <translation>Die Sitzung beenden</translation>
     </message>
     <message>
-        <source>Why does it end? All answers given so far are kept.</source>
-        <translation>Warum endet sie? Alle bisherigen Antworten bleiben erhalten.</translation>
-    </message>
-    <message>
         <source>Close</source>
         <translation>Schließen</translation>
     </message>
     <message>
-        <source>The session has not ended. Close, and go on with it later?</source>
-        <translation>Die Sitzung ist nicht zu Ende. Schließen und später fortsetzen?</translation>
+        <source>Write a note; Enter saves it</source>
+        <translation>Notiz schreiben; Eingabe speichert sie</translation>
+    </message>
+    <message>
+        <source>Pause the clip; it will restart from the beginning</source>
+        <translation>Clip anhalten; er beginnt danach von vorn</translation>
+    </message>
+    <message>
+        <source>Repeat the last trial</source>
+        <translation>Letzten Durchgang wiederholen</translation>
+    </message>
+    <message>
+        <source>Skip this step</source>
+        <translation>Diesen Schritt überspringen</translation>
+    </message>
+    <message>
+        <source>End the session; it cannot be resumed</source>
+        <translation>Sitzung beenden; sie lässt sich nicht fortsetzen</translation>
+    </message>
+    <message>
+        <source>Retry saving</source>
+        <translation>Speichern erneut versuchen</translation>
+    </message>
+    <message>
+        <source>Stop the force (Esc)</source>
+        <translation>Kraft abschalten (Esc)</translation>
+    </message>
+    <message>
+        <source>Volume {n} %, fixed for the session</source>
+        <translation>Lautstärke {n}&#xa0;%, fest für die Sitzung</translation>
+    </message>
+    <message>
+        <source>Resume</source>
+        <translation>Fortsetzen</translation>
+    </message>
+    <message>
+        <source>No trial played yet</source>
+        <translation>Noch kein Durchgang abgespielt</translation>
+    </message>
+    <message>
+        <source>The last trial was valid</source>
+        <translation>Der letzte Durchgang war gültig</translation>
+    </message>
+    <message>
+        <source>The last trial was invalid: {reasons}</source>
+        <translation>Der letzte Durchgang war ungültig: {reasons}</translation>
+    </message>
+    <message>
+        <source>Reason for skipping this step:</source>
+        <translation>Grund für das Überspringen:</translation>
+    </message>
+    <message>
+        <source>Reason for ending the session (all answers so far are kept):</source>
+        <translation>Grund für das Ende (alle bisherigen Antworten bleiben erhalten):</translation>
+    </message>
+    <message>
+        <source>The session is not complete. Close it and resume later?</source>
+        <translation>Die Sitzung ist nicht abgeschlossen. Schließen und später fortsetzen?</translation>
     </message>
     <message>
         <source>consent</source>
@@ -2221,8 +2217,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>angehalten</translation>
     </message>
     <message>
-        <source>cannot be saved</source>
-        <translation>kann nicht gespeichert werden</translation>
+        <source>saving failed</source>
+        <translation>Speichern fehlgeschlagen</translation>
     </message>
     <message>
         <source>finished</source>
@@ -2236,34 +2232,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
 <context>
     <name>SessionWords</name>
     <message>
-        <source>there was no force track</source>
-        <translation>es gab keine Kraftspur</translation>
-    </message>
-    <message>
-        <source>the guard was silent</source>
-        <translation>der Wächter meldete sich nicht</translation>
-    </message>
-    <message>
-        <source>someone stopped it</source>
-        <translation>jemand hat gestoppt</translation>
-    </message>
-    <message>
-        <source>the grip had lost its zero</source>
-        <translation>der Griff hatte seine Nullstellung verloren</translation>
-    </message>
-    <message>
-        <source>the contract stopped it ({0})</source>
-        <translation>der Sicherheitsvertrag hat angehalten ({0})</translation>
-    </message>
-    <message>
-        <source>force and picture were apart</source>
-        <translation>Kraft und Bild lagen auseinander</translation>
-    </message>
-    <message>
-        <source>force and sound were apart</source>
-        <translation>Kraft und Ton lagen auseinander</translation>
-    </message>
-    <message>
         <source>paused</source>
         <translation>angehalten</translation>
     </message>
@@ -2272,12 +2240,40 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>wird wiederholt</translation>
     </message>
     <message>
-        <source>left out</source>
-        <translation>ausgelassen</translation>
+        <source>no force track</source>
+        <translation>keine Kraftspur</translation>
     </message>
     <message>
-        <source>the session was ended</source>
-        <translation>die Sitzung wurde beendet</translation>
+        <source>guard process not responding</source>
+        <translation>Wachprozess antwortete nicht</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>abgeschaltet</translation>
+    </message>
+    <message>
+        <source>lost homing</source>
+        <translation>Referenz verloren</translation>
+    </message>
+    <message>
+        <source>safety stop ({0})</source>
+        <translation>Sicherheitsabschaltung ({0})</translation>
+    </message>
+    <message>
+        <source>force and video out of sync</source>
+        <translation>Kraft und Video nicht synchron</translation>
+    </message>
+    <message>
+        <source>force and sound out of sync</source>
+        <translation>Kraft und Ton nicht synchron</translation>
+    </message>
+    <message>
+        <source>skipped</source>
+        <translation>übersprungen</translation>
+    </message>
+    <message>
+        <source>session ended</source>
+        <translation>Sitzung beendet</translation>
     </message>
     <message>
         <source>stopped by the operator</source>
@@ -2292,48 +2288,48 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>die Person hat die Leertaste gedrückt</translation>
     </message>
     <message>
-        <source>another program came in front</source>
-        <translation>ein anderes Programm kam nach vorn</translation>
+        <source>another window took the focus</source>
+        <translation>ein anderes Fenster bekam den Fokus</translation>
     </message>
     <message>
-        <source>the window was to be closed</source>
-        <translation>das Fenster sollte geschlossen werden</translation>
+        <source>the window was closed</source>
+        <translation>das Fenster wurde geschlossen</translation>
+    </message>
+    <message>
+        <source>frames dropped</source>
+        <translation>Bilder ausgelassen</translation>
+    </message>
+    <message>
+        <source>no sound</source>
+        <translation>kein Ton</translation>
+    </message>
+    <message>
+        <source>gaps in the sound</source>
+        <translation>Lücken im Ton</translation>
+    </message>
+    <message>
+        <source>no device</source>
+        <translation>kein Gerät</translation>
+    </message>
+    <message>
+        <source>device lost</source>
+        <translation>Gerät verloren</translation>
+    </message>
+    <message>
+        <source>missed periods in the haptic loop</source>
+        <translation>Aussetzer der haptischen Schleife</translation>
+    </message>
+    <message>
+        <source>no data from the device</source>
+        <translation>keine Daten vom Gerät</translation>
+    </message>
+    <message>
+        <source>gaps in the record</source>
+        <translation>Lücken in der Aufzeichnung</translation>
     </message>
     <message>
         <source>the clip is damaged</source>
         <translation>der Clip ist beschädigt</translation>
-    </message>
-    <message>
-        <source>pictures were dropped</source>
-        <translation>Bilder wurden ausgelassen</translation>
-    </message>
-    <message>
-        <source>there was no sound</source>
-        <translation>es gab keinen Ton</translation>
-    </message>
-    <message>
-        <source>sound was missing</source>
-        <translation>Ton hat gefehlt</translation>
-    </message>
-    <message>
-        <source>there was no device</source>
-        <translation>es gab kein Gerät</translation>
-    </message>
-    <message>
-        <source>the device was lost</source>
-        <translation>das Gerät ging verloren</translation>
-    </message>
-    <message>
-        <source>the loop missed periods</source>
-        <translation>die Schleife hat Perioden verpasst</translation>
-    </message>
-    <message>
-        <source>the device said nothing</source>
-        <translation>das Gerät hat nichts gesagt</translation>
-    </message>
-    <message>
-        <source>the record has gaps</source>
-        <translation>die Aufzeichnung hat Lücken</translation>
     </message>
 </context>
 <context>
@@ -2343,32 +2339,32 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>Firmware-Datei…</translation>
     </message>
     <message>
-        <source>Keep your copy of the firmware</source>
-        <translation>Ihre Kopie der Firmware aufbewahren</translation>
-    </message>
-    <message>
-        <source>Feel the forces…</source>
-        <translation>Kräfte fühlen…</translation>
-    </message>
-    <message>
-        <source>Feel every direction, gentle first</source>
-        <translation>Jede Richtung fühlen, erst sanft</translation>
-    </message>
-    <message>
         <source>Use this device</source>
         <translation>Dieses Gerät benutzen</translation>
-    </message>
-    <message>
-        <source>Play with it from now on</source>
-        <translation>Von jetzt an damit spielen</translation>
     </message>
     <message>
         <source>Close</source>
         <translation>Schließen</translation>
     </message>
     <message>
-        <source>Keep the device from before</source>
-        <translation>Das bisherige Gerät behalten</translation>
+        <source>Install your copy of the firmware</source>
+        <translation>Ihre Kopie der Firmware installieren</translation>
+    </message>
+    <message>
+        <source>Try out the forces…</source>
+        <translation>Kräfte ausprobieren…</translation>
+    </message>
+    <message>
+        <source>Feel every direction, starting gently</source>
+        <translation>Jede Richtung spüren, sanft beginnend</translation>
+    </message>
+    <message>
+        <source>Use it for playback</source>
+        <translation>Für die Wiedergabe benutzen</translation>
+    </message>
+    <message>
+        <source>Keep the current device</source>
+        <translation>Bisheriges Gerät behalten</translation>
     </message>
     <message>
         <source>Set up the device</source>
@@ -2398,47 +2394,47 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>Der Falcon ist nicht angeschlossen</translation>
     </message>
     <message>
-        <source>Connect its USB cable and its power supply; it is found by itself.</source>
-        <translation>Schließen Sie sein USB-Kabel und sein Netzteil an; er wird von selbst gefunden.</translation>
-    </message>
-    <message>
         <source>Copy the udev rule {rule} to /etc/udev/rules.d, then unplug the Falcon and plug it in.</source>
         <translation>Kopieren Sie die udev-Regel {rule} nach /etc/udev/rules.d, ziehen Sie den Falcon dann ab und stecken Sie ihn wieder an.</translation>
-    </message>
-    <message>
-        <source>You have no permission to use the Falcon</source>
-        <translation>Sie dürfen den Falcon nicht benutzen</translation>
-    </message>
-    <message>
-        <source>Another program uses the Falcon</source>
-        <translation>Ein anderes Programm benutzt den Falcon</translation>
-    </message>
-    <message>
-        <source>Close that program; then it goes on by itself.</source>
-        <translation>Schließen Sie dieses Programm; dann geht es von selbst weiter.</translation>
     </message>
     <message>
         <source>The Falcon has the wrong driver</source>
         <translation>Der Falcon hat den falschen Treiber</translation>
     </message>
     <message>
-        <source>Give it the driver WinUSB, with the program Zadig, in place of FTDI&apos;s or Force Dimension&apos;s; then unplug it and plug it in.</source>
-        <translation>Geben Sie ihm mit dem Programm Zadig den Treiber WinUSB anstelle dessen von FTDI oder Force Dimension; ziehen Sie ihn dann ab und stecken Sie ihn wieder an.</translation>
-    </message>
-    <message>
         <source>The Falcon needs its firmware</source>
         <translation>Der Falcon braucht seine Firmware</translation>
     </message>
     <message>
-        <source>It belongs to Novint and may not be passed on with this program. Take nvent_firmware.bin from a libnifalcon source archive and choose the file here, once.</source>
-        <translation>Sie gehört Novint und darf mit diesem Programm nicht weitergegeben werden. Nehmen Sie nvent_firmware.bin aus einem Quellarchiv von libnifalcon und wählen Sie die Datei hier einmal aus.</translation>
+        <source>Connect its USB cable and power supply; it is detected automatically.</source>
+        <translation>Schließen Sie USB-Kabel und Netzteil an; er wird automatisch erkannt.</translation>
     </message>
     <message>
-        <source>Pull the grip out, as far as it goes</source>
+        <source>Permission denied for the Falcon</source>
+        <translation>Keine Berechtigung für den Falcon</translation>
+    </message>
+    <message>
+        <source>The Falcon is in use by another program</source>
+        <translation>Ein anderes Programm benutzt den Falcon</translation>
+    </message>
+    <message>
+        <source>Close that program; setup then continues automatically.</source>
+        <translation>Schließen Sie das Programm; dann geht es automatisch weiter.</translation>
+    </message>
+    <message>
+        <source>Replace FTDI&apos;s or Force Dimension&apos;s driver by WinUSB, using Zadig; then unplug it and plug it in again.</source>
+        <translation>Ersetzen Sie den Treiber von FTDI oder Force Dimension mit Zadig durch WinUSB; ziehen Sie ihn dann ab und stecken Sie ihn wieder an.</translation>
+    </message>
+    <message>
+        <source>It belongs to Novint and cannot be distributed with this program. Take nvent_firmware.bin from a libnifalcon source archive and choose the file here, once.</source>
+        <translation>Sie gehört Novint und darf nicht mit diesem Programm verteilt werden. Nehmen Sie nvent_firmware.bin aus einem Quellarchiv von libnifalcon und wählen Sie die Datei hier einmal aus.</translation>
+    </message>
+    <message>
+        <source>Pull the grip all the way out</source>
         <translation>Ziehen Sie den Griff ganz heraus</translation>
     </message>
     <message>
-        <source>Push the grip in, until it locks</source>
+        <source>Push the grip in until it locks</source>
         <translation>Schieben Sie den Griff hinein, bis er einrastet</translation>
     </message>
     <message>
@@ -2458,40 +2454,40 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>Eine Taste am Griff ist gedrückt.</translation>
     </message>
     <message>
-        <source>Move the grip: the picture follows.</source>
-        <translation>Bewegen Sie den Griff: das Bild folgt.</translation>
+        <source>Move the grip: the drawing follows.</source>
+        <translation>Bewegen Sie den Griff: die Zeichnung folgt.</translation>
     </message>
     <message>
-        <source>Joints that have found their zero: {legs}. There is no force.</source>
-        <translation>Gelenke, die ihre Null gefunden haben: {legs}. Es wirkt keine Kraft.</translation>
+        <source>Homed joints: {legs}. The force is off.</source>
+        <translation>Referenzierte Gelenke: {legs}. Die Kraft ist aus.</translation>
+    </message>
+    <message>
+        <source>No setup needed</source>
+        <translation>Keine Einrichtung nötig</translation>
+    </message>
+    <message>
+        <source>Simulated Falcon, held by a simulated hand: for trying everything without hardware.</source>
+        <translation>Simulierter Falcon, gehalten von einer simulierten Hand: zum Ausprobieren ohne Hardware.</translation>
+    </message>
+    <message>
+        <source>Connect a DualSense or DualShock 4 by USB cable. Its vibration follows the strength of the force, not its direction.</source>
+        <translation>Schließen Sie einen DualSense oder DualShock 4 per USB-Kabel an. Die Vibration folgt der Stärke der Kraft, nicht ihrer Richtung.</translation>
+    </message>
+    <message>
+        <source>The Falcon&apos;s firmware belongs to Novint Technologies. libnifalcon distributes it under Novint&apos;s SDK licence (its file license/LICENSE_NOVINT.txt): free of charge for personal, noncommercial use, binding for every recipient. Read that licence; by continuing you confirm that you may use this file. It stays on this computer.</source>
+        <translation>Die Firmware des Falcon gehört Novint Technologies. libnifalcon verteilt sie unter der SDK-Lizenz von Novint (Datei license/LICENSE_NOVINT.txt): kostenlos für persönlichen, nicht kommerziellen Gebrauch, bindend für alle Empfänger. Lesen Sie diese Lizenz; wenn Sie fortfahren, bestätigen Sie, dass Sie die Datei benutzen dürfen. Sie bleibt auf diesem Computer.</translation>
+    </message>
+    <message>
+        <source>The file is intact but is not a known firmware image. It would drive the motors. Install it only if you trust its source.</source>
+        <translation>Die Datei ist unversehrt, aber keine bekannte Firmware. Sie würde die Motoren steuern. Installieren Sie sie nur, wenn Sie der Quelle vertrauen.</translation>
     </message>
     <message>
         <source>none yet</source>
         <translation>noch keines</translation>
     </message>
     <message>
-        <source>Nothing has to be set up</source>
-        <translation>Nichts ist einzurichten</translation>
-    </message>
-    <message>
-        <source>A Falcon that is only computed, held by a simulated hand: for trying everything without hardware.</source>
-        <translation>Ein Falcon, der nur gerechnet wird, von einer simulierten Hand gehalten: um alles ohne Gerät auszuprobieren.</translation>
-    </message>
-    <message>
-        <source>Connect a DualSense or a DualShock 4 by its USB cable. It shakes as strongly as the force is; it has no direction.</source>
-        <translation>Schließen Sie einen DualSense oder DualShock 4 mit dem USB-Kabel an. Er rüttelt so stark, wie die Kraft ist; eine Richtung hat er nicht.</translation>
-    </message>
-    <message>
         <source>The clip plays without force.</source>
         <translation>Der Clip läuft ohne Kraft.</translation>
-    </message>
-    <message>
-        <source>The firmware of the Falcon belongs to Novint Technologies. libnifalcon passes it on under Novint&apos;s SDK licence (its file license/LICENSE_NOVINT.txt): for personal, noncommercial use, free of charge, and every recipient is bound by it. Read that licence; by going on you say that you may use this file. It stays on this computer.</source>
-        <translation>Die Firmware des Falcon gehört Novint Technologies. libnifalcon gibt sie unter Novints SDK-Lizenz weiter (dort die Datei license/LICENSE_NOVINT.txt): für persönlichen, nicht kommerziellen Gebrauch, kostenlos, und jeder Empfänger ist an sie gebunden. Lesen Sie diese Lizenz; wenn Sie fortfahren, sagen Sie, dass Sie diese Datei benutzen dürfen. Sie bleibt auf diesem Computer.</translation>
-    </message>
-    <message>
-        <source>The file is sound, but it is none of the firmware files that are known. It would run the motors. Keep it only if you know where it comes from.</source>
-        <translation>Die Datei ist heil, aber keine der bekannten Firmware-Dateien. Sie würde die Motoren steuern. Behalten Sie sie nur, wenn Sie wissen, woher sie kommt.</translation>
     </message>
 </context>
 <context>
@@ -2505,10 +2501,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>Neue Person</translation>
     </message>
     <message>
-        <source>Go on with {code}</source>
-        <translation>Mit {code} fortfahren</translation>
-    </message>
-    <message>
         <source>Language</source>
         <translation>Sprache</translation>
     </message>
@@ -2517,32 +2509,36 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>Einen Clip spielen</translation>
     </message>
     <message>
-        <source>Listen whether the sound is heard</source>
-        <translation>Hören, ob der Ton ankommt</translation>
-    </message>
-    <message>
         <source>Volume</source>
         <translation>Lautstärke</translation>
     </message>
     <message>
-        <source>Stays as it is for the whole session, and is kept with it</source>
-        <translation>Bleibt für die ganze Sitzung gleich und wird mit ihr gespeichert</translation>
+        <source>Resume {code}</source>
+        <translation>{code} fortsetzen</translation>
     </message>
     <message>
-        <source>The sound is heard</source>
+        <source>Check that the sound is audible</source>
+        <translation>Prüfen, ob der Ton zu hören ist</translation>
+    </message>
+    <message>
+        <source>Fixed for the whole session and stored with it</source>
+        <translation>Fest für die ganze Sitzung und mit ihr gespeichert</translation>
+    </message>
+    <message>
+        <source>The sound is audible</source>
         <translation>Der Ton ist zu hören</translation>
     </message>
     <message>
-        <source>Begin although something is not in order</source>
-        <translation>Beginnen, obwohl nicht alles in Ordnung ist</translation>
-    </message>
-    <message>
-        <source>Begin</source>
-        <translation>Beginnen</translation>
+        <source>Start despite failed checks</source>
+        <translation>Trotz nicht bestandener Prüfungen beginnen</translation>
     </message>
     <message>
         <source>Show the first page to the participant</source>
         <translation>Der Person die erste Seite zeigen</translation>
+    </message>
+    <message>
+        <source>Start session</source>
+        <translation>Sitzung starten</translation>
     </message>
     <message>
         <source>Language of the pages</source>
@@ -2561,20 +2557,20 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>Bisherige Verteilung</translation>
     </message>
     <message>
-        <source>each condition {a} to {b} times at each place, {c} to {d} times after each other</source>
+        <source>each condition {a} to {b} times at each position, {c} to {d} times after each other condition</source>
         <translation>jede Bedingung {a}- bis {b}-mal an jeder Stelle, {c}- bis {d}-mal nach jeder anderen</translation>
+    </message>
+    <message>
+        <source>Grip homed</source>
+        <translation>Griff referenziert</translation>
+    </message>
+    <message>
+        <source>Scheduling</source>
+        <translation>Scheduling</translation>
     </message>
     <message>
         <source>Device</source>
         <translation>Gerät</translation>
-    </message>
-    <message>
-        <source>Grip found</source>
-        <translation>Griff gefunden</translation>
-    </message>
-    <message>
-        <source>Real-time class</source>
-        <translation>Echtzeitklasse</translation>
     </message>
     <message>
         <source>Participant&apos;s screen</source>
@@ -2600,10 +2596,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>Geschwindigkeit</translation>
     </message>
     <message>
-        <source>Pictures</source>
-        <translation>Bilder</translation>
-    </message>
-    <message>
         <source>{shown} shown, {dropped} dropped</source>
         <translation>{shown} gezeigt, {dropped} weg</translation>
     </message>
@@ -2621,11 +2613,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     </message>
     <message>
         <source>Scheduling</source>
-        <translation>Planung</translation>
-    </message>
-    <message>
-        <source>Late, µs</source>
-        <translation>Verspätung, µs</translation>
+        <translation>Scheduling</translation>
     </message>
     <message>
         <source>Ticks</source>
@@ -2636,8 +2624,16 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>{n} in 10 s, {missed} verpasst</translation>
     </message>
     <message>
-        <source>Force − picture, ms</source>
-        <translation>Kraft − Bild, ms</translation>
+        <source>Frames</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>Lateness, µs</source>
+        <translation>Verspätung, µs</translation>
+    </message>
+    <message>
+        <source>Force − video, ms</source>
+        <translation>Kraft − Video, ms</translation>
     </message>
     <message>
         <source>Force − sound, ms</source>
@@ -2664,8 +2660,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>Griff, mm</translation>
     </message>
     <message>
-        <source>picture {0:.0f}  sound {1:.0f}  force {2:.0f}  output {3:.0f}</source>
-        <translation>Bild {0:.0f}  Ton {1:.0f}  Kraft {2:.0f}  Ausgabe {3:.0f}</translation>
+        <source>video {0:.0f}  sound {1:.0f}  force {2:.0f}  reported {3:.0f}</source>
+        <translation>Video {0:.0f}  Ton {1:.0f}  Kraft {2:.0f}  gemeldet {3:.0f}</translation>
     </message>
 </context>
 <context>
@@ -2691,16 +2687,28 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>Nie zweimal nacheinander dieselbe Sequenz</translation>
     </message>
     <message>
-        <source>The operator does not see the condition</source>
-        <translation>Die Leitung sieht die Bedingung nicht</translation>
+        <source>Hide the condition from the operator</source>
+        <translation>Bedingung vor der Versuchsleitung verbergen</translation>
     </message>
     <message>
-        <source>Show the published wording where there is one</source>
-        <translation>Den veröffentlichten Wortlaut zeigen, wo es ihn gibt</translation>
+        <source>Use the published wording where available</source>
+        <translation>Veröffentlichten Wortlaut benutzen, wo es ihn gibt</translation>
     </message>
     <message>
-        <source>Offer markers and force to other programs on this machine (LSL)</source>
-        <translation>Marken und Kraft anderen Programmen auf diesem Rechner anbieten (LSL)</translation>
+        <source>Stream markers and force to other programs on this computer (LSL)</source>
+        <translation>Marker und Kraft an andere Programme auf diesem Rechner senden (LSL)</translation>
+    </message>
+    <message>
+        <source>Williams: balanced for carry-over</source>
+        <translation>Williams: ausgewogen für Nachwirkungen</translation>
+    </message>
+    <message>
+        <source>Choose a sequence folder</source>
+        <translation>Sequenzordner wählen</translation>
+    </message>
+    <message>
+        <source>Sequence folder</source>
+        <translation>Sequenzordner</translation>
     </message>
     <message>
         <source>Title</source>
@@ -2723,24 +2731,12 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>Lateinisches Quadrat</translation>
     </message>
     <message>
-        <source>Williams: balanced for what came before</source>
-        <translation>Williams: ausgeglichen nach dem Vorangegangenen</translation>
-    </message>
-    <message>
         <source>From orders.csv</source>
         <translation>Aus orders.csv</translation>
     </message>
     <message>
         <source>Browse…</source>
         <translation>Durchsuchen…</translation>
-    </message>
-    <message>
-        <source>Choose the folder of a sequence</source>
-        <translation>Den Ordner einer Sequenz wählen</translation>
-    </message>
-    <message>
-        <source>Folder of a sequence</source>
-        <translation>Ordner einer Sequenz</translation>
     </message>
     <message>
         <source> (published)</source>
@@ -2778,8 +2774,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>Vorlage</translation>
     </message>
     <message>
-        <source>Folder of a study</source>
-        <translation>Ordner einer Studie</translation>
+        <source>Study folder</source>
+        <translation>Studienordner</translation>
     </message>
 </context>
 <context>
@@ -2808,24 +2804,72 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation> ms</translation>
     </message>
     <message>
-        <source>Sound later than picture</source>
-        <translation>Ton später als Bild</translation>
+        <source>Sound delay</source>
+        <translation>Tonverzögerung</translation>
     </message>
     <message>
-        <source>How much later than its picture the camera&apos;s sound comes</source>
-        <translation>Um wie viel der Ton der Kamera später kommt als ihr Bild</translation>
+        <source>How much later than the video the camera records its sound</source>
+        <translation>Um wie viel später als das Video die Kamera den Ton aufzeichnet</translation>
+    </message>
+    <message>
+        <source>use for this camera</source>
+        <translation>für diese Kamera verwenden</translation>
+    </message>
+    <message>
+        <source>I have checked the offset by eye and ear</source>
+        <translation>Ich habe den Versatz mit Auge und Ohr geprüft</translation>
+    </message>
+    <message>
+        <source>&amp;Tap marks</source>
+        <translation>&amp;Klopfzeichen</translation>
+    </message>
+    <message>
+        <source>Zoom to the tap marks</source>
+        <translation>Auf die Klopfzeichen zoomen</translation>
+    </message>
+    <message>
+        <source>&amp;Listen</source>
+        <translation>An&amp;hören</translation>
+    </message>
+    <message>
+        <source>Play the visible part: the clip on the left, a tick at each tap of the log on the right</source>
+        <translation>Den sichtbaren Teil abspielen: links der Clip, rechts ein Tick bei jedem Klopfen des Protokolls</translation>
+    </message>
+    <message>
+        <source>S&amp;ound delay</source>
+        <translation>&amp;Tonverzögerung</translation>
+    </message>
+    <message>
+        <source>Drag the acceleration until it lines up with the sound; the arrow keys move it by 1 ms, with Shift 10 ms, with Ctrl 100 ms. The wheel zooms. The frame shown is the one at the cursor; comma and period move it.</source>
+        <translation>Ziehen Sie die Beschleunigung unter den Ton; die Pfeiltasten verschieben sie um 1 ms, mit Umschalt um 10 ms, mit Strg um 100 ms. Das Rad zoomt. Gezeigt wird das Bild am Cursor; Komma und Punkt bewegen ihn.</translation>
+    </message>
+    <message>
+        <source>{recorder} records its motion on the clip&apos;s clock; no synchronisation is needed.</source>
+        <translation>{recorder} zeichnet die Bewegung nach der Uhr des Clips auf; Synchronisieren ist nicht nötig.</translation>
+    </message>
+    <message>
+        <source>Could not synchronise: {why}. Enter the offset manually.</source>
+        <translation>Synchronisieren nicht möglich: {why}. Geben Sie den Versatz von Hand ein.</translation>
+    </message>
+    <message>
+        <source>The offset was set manually.</source>
+        <translation>Der Versatz wurde von Hand gesetzt.</translation>
+    </message>
+    <message>
+        <source>Tap marks found (confidence {confidence}, residual {ms} ms).</source>
+        <translation>Klopfzeichen gefunden (Sicherheit {confidence}, Rest {ms} ms).</translation>
+    </message>
+    <message>
+        <source>The tap marks are uncertain (confidence {confidence}). Check that the same events line up, and drag them if not.</source>
+        <translation>Die Klopfzeichen sind unsicher (Sicherheit {confidence}). Prüfen Sie, ob dieselben Ereignisse untereinander liegen, und ziehen Sie sie sonst.</translation>
+    </message>
+    <message>
+        <source>No three taps found in both sound and motion; drag manually.</source>
+        <translation>Keine drei Klopfer in Ton und Bewegung gefunden; ziehen Sie von Hand.</translation>
     </message>
     <message>
         <source>Method</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>keep for this camera</source>
-        <translation>für diese Kamera behalten</translation>
-    </message>
-    <message>
-        <source>I have looked and listened: this offset is right</source>
-        <translation>Ich habe hingesehen und hingehört: Dieser Versatz stimmt</translation>
+        <translation>Methode</translation>
     </message>
     <message>
         <source>&amp;Whole clip</source>
@@ -2836,64 +2880,16 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>Den ganzen Clip zeigen</translation>
     </message>
     <message>
-        <source>The &amp;pats</source>
-        <translation>Die &amp;Klopfer</translation>
-    </message>
-    <message>
-        <source>Show the pats closely</source>
-        <translation>Die Klopfer aus der Nähe zeigen</translation>
-    </message>
-    <message>
-        <source>&amp;Hear</source>
-        <translation>An&amp;hören</translation>
-    </message>
-    <message>
-        <source>Play what is shown: the clip left, a tick at each knock right</source>
-        <translation>Spielen, was zu sehen ist: links der Clip, rechts ein Tick zu jedem Stoß</translation>
-    </message>
-    <message>
         <source>&amp;Offset</source>
         <translation>&amp;Versatz</translation>
     </message>
     <message>
-        <source>S&amp;ound later than picture</source>
-        <translation>T&amp;on später als Bild</translation>
-    </message>
-    <message>
         <source>&amp;Method</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Drag the acceleration until it lies under the sound; the arrow keys move it by 1 ms, with Shift by 10 ms, with Ctrl by 100 ms. The wheel zooms; the picture is that at the cursor, which comma and point move.</source>
-        <translation>Ziehen Sie die Beschleunigung, bis sie unter dem Ton liegt; die Pfeiltasten bewegen sie um 1 ms, mit Umschalt um 10 ms, mit Strg um 100 ms. Das Rad vergrößert; das Bild ist das am Zeiger, den Komma und Punkt bewegen.</translation>
-    </message>
-    <message>
-        <source>{recorder} keeps its motion on the clip&apos;s own clock.</source>
-        <translation>{recorder} führt die Bewegung auf der Uhr des Clips.</translation>
-    </message>
-    <message>
-        <source>Nothing to go by: {why}. Give the offset by hand.</source>
-        <translation>Kein Anhaltspunkt: {why}. Geben Sie den Versatz von Hand an.</translation>
-    </message>
-    <message>
-        <source>The offset was moved by hand.</source>
-        <translation>Der Versatz wurde von Hand verschoben.</translation>
+        <translation>&amp;Methode</translation>
     </message>
     <message>
         <source>Synchronised by {method} (confidence {confidence}).</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The pats were found (confidence {confidence}, residual {ms} ms).</source>
-        <translation>Die Klopfer wurden gefunden (Sicherheit {confidence}, Rest {ms} ms).</translation>
-    </message>
-    <message>
-        <source>The pats are not certain (confidence {confidence}). Look whether the same events lie under each other, and drag them if not.</source>
-        <translation>Die Klopfer sind nicht sicher (Sicherheit {confidence}). Sehen Sie nach, ob dieselben Ereignisse untereinander liegen, und ziehen Sie sie sonst.</translation>
-    </message>
-    <message>
-        <source>No three pats are both heard and felt; drag by hand.</source>
-        <translation>Keine drei Klopfer sind zu hören und zu fühlen; ziehen Sie von Hand.</translation>
+        <translation>Synchronisiert mit {method} (Sicherheit {confidence}).</translation>
     </message>
 </context>
 <context>
@@ -2903,12 +2899,12 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>Sync-Verlauf</translation>
     </message>
     <message>
-        <source>How much later than its picture and its sound the force came in the last 30 s. Nobody feels what lies between 15 ms early and 50 ms late</source>
-        <translation>Um wie viel später als ihr Bild und ihr Ton die Kraft in den letzten 30 s kam. Was zwischen 15 ms zu früh und 50 ms zu spät liegt, spürt niemand</translation>
+        <source>How much later than video and sound the force came in the last 30 s. Between 15 ms early and 50 ms late is not noticeable</source>
+        <translation>Um wie viel die Kraft in den letzten 30 s später kam als Video und Ton. Zwischen 15 ms zu früh und 50 ms zu spät ist nicht spürbar</translation>
     </message>
     <message>
-        <source>Force − picture</source>
-        <translation>Kraft − Bild</translation>
+        <source>Force − video</source>
+        <translation>Kraft − Video</translation>
     </message>
     <message>
         <source>Force − sound</source>
@@ -2956,32 +2952,32 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>Zeit</translation>
     </message>
     <message>
-        <source>Speed; Backspace for normal speed</source>
-        <translation>Geschwindigkeit; Rücktaste für normale</translation>
-    </message>
-    <message>
         <source>Feedback</source>
         <translation>Feedback</translation>
-    </message>
-    <message>
-        <source>Which force goes with the clip</source>
-        <translation>Welche Kraft zum Clip gehört</translation>
     </message>
     <message>
         <source>Device</source>
         <translation>Gerät</translation>
     </message>
     <message>
-        <source>Which haptic device is moved</source>
-        <translation>Welches haptische Gerät bewegt wird</translation>
-    </message>
-    <message>
         <source>Fullscreen</source>
         <translation>Vollbild</translation>
     </message>
     <message>
-        <source>Show the clip and nothing else (F)</source>
-        <translation>Nur den Clip zeigen (F)</translation>
+        <source>Playback speed (Backspace: normal speed)</source>
+        <translation>Wiedergabegeschwindigkeit (Rücktaste: normal)</translation>
+    </message>
+    <message>
+        <source>Force track to play</source>
+        <translation>Kraftspur zum Clip</translation>
+    </message>
+    <message>
+        <source>Haptic device</source>
+        <translation>Haptisches Gerät</translation>
+    </message>
+    <message>
+        <source>Fullscreen (F)</source>
+        <translation>Vollbild (F)</translation>
     </message>
     <message>
         <source>Volume</source>
@@ -3005,7 +3001,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     </message>
     <message>
         <source>Pause</source>
-        <translation>Anhalten</translation>
+        <translation>Pause</translation>
     </message>
     <message>
         <source>Play</source>
@@ -3016,12 +3012,12 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>{name} (Leertaste)</translation>
     </message>
     <message>
-        <source>The force was stopped: let it come back (Ctrl+R)</source>
-        <translation>Die Kraft wurde gestoppt: wieder freigeben (Strg+R)</translation>
+        <source>The force was stopped: re-arm it (Ctrl+R)</source>
+        <translation>Die Kraft wurde abgeschaltet: wieder zulassen (Strg+R)</translation>
     </message>
     <message>
-        <source>Take the force away at once and pause (Esc)</source>
-        <translation>Die Kraft sofort wegnehmen und anhalten (Esc)</translation>
+        <source>Stop the force immediately and pause (Esc)</source>
+        <translation>Kraft sofort abschalten und anhalten (Esc)</translation>
     </message>
     <message>
         <source>Re-arm the force</source>
@@ -3062,8 +3058,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
 <context>
     <name>VideoSurface</name>
     <message>
-        <source>Picture</source>
-        <translation>Bild</translation>
+        <source>Video</source>
+        <translation>Video</translation>
     </message>
 </context>
 <context>
@@ -3073,8 +3069,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>Antwort</translation>
     </message>
     <message>
-        <source>KEY=VALUE, several with blanks between</source>
-        <translation>SCHLÜSSEL=WERT, mehrere mit Leerzeichen dazwischen</translation>
+        <source>KEY=VALUE, separated by spaces</source>
+        <translation>SCHLÜSSEL=WERT, durch Leerzeichen getrennt</translation>
     </message>
     <message>
         <source>&amp;Answer</source>
@@ -3089,8 +3085,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
         <translation>&amp;Vorlage…</translation>
     </message>
     <message>
-        <source>Take the answers from a file</source>
-        <translation>Die Antworten aus einer Datei nehmen</translation>
+        <source>Load the answers from a template</source>
+        <translation>Antworten aus einer Vorlage laden</translation>
     </message>
 </context>
 <context>
@@ -3689,7 +3685,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     </message>
     <message>
         <source>damaged places: {places}, with {ticks} ticks</source>
-        <translation>beschädigte Stellen: {places}, mit {ticks} Takten</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>faults can only be injected into a simulated device that was opened for it</source>
@@ -4625,7 +4621,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     </message>
     <message>
         <source>is truncated in its header</source>
-        <translation>ist im Kopf abgeschnitten</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>nothing is being recorded: {reason}</source>
@@ -4833,7 +4829,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     </message>
     <message>
         <source>stopped</source>
-        <translation>beendet</translation>
+        <translation>abgeschaltet</translation>
     </message>
     <message>
         <source>stopped by a button on the grip</source>
@@ -4997,7 +4993,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     </message>
     <message>
         <source>the force is {ms:.0f} ms ahead of the sound: the computer may be overloaded; close other programs</source>
-        <translation>die Kraft kommt {ms:.0f} ms vor dem Ton: der Rechner ist möglicherweise überlastet; schließen Sie andere Programme</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>the force is {ms:.0f} ms ahead of the video: the computer may be overloaded; close other programs</source>
@@ -5117,7 +5113,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     </message>
     <message>
         <source>the recording has no end: it was truncated, or is still being written</source>
-        <translation>die Aufnahme hat kein Ende: sie wurde abgeschnitten oder wird noch geschrieben</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>the recording has no magnetometer to find the heading with</source>
@@ -5821,7 +5817,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     </message>
     <message>
         <source>the clip is damaged: some of its frames are missing or broken</source>
-        <translation>der Clip ist beschädigt: einige Bilder fehlen oder sind defekt</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>the columns must be {columns}</source>
@@ -5833,7 +5829,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     </message>
     <message>
         <source>the guard could not be started: {reason}</source>
-        <translation>der Wächterprozess konnte nicht gestartet werden: {reason}</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>the guard of the haptics process has ended, so the force is off; choose the device again</source>
@@ -5861,7 +5857,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     </message>
     <message>
         <source>there is data after the end of the recording</source>
-        <translation>nach dem Ende der Aufnahme folgen weitere Daten</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>there is no judgement to analyse</source>
@@ -5869,7 +5865,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     </message>
     <message>
         <source>this haptic loop does not accept injected faults</source>
-        <translation>diese Haptikschleife nimmt keine eingespielten Fehler an</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>unknown entry {name!r}</source>
@@ -5889,7 +5885,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     </message>
     <message>
         <source>use a file that &apos;hapticplayer play --record&apos; has written</source>
-        <translation>verwenden Sie eine Datei, die &apos;hapticplayer play --record&apos; geschrieben hat</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>was written by another version of the program</source>
@@ -5917,7 +5913,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − holen sie heran, 
     </message>
     <message>
         <source>{device} is a real device and does not accept injected faults</source>
-        <translation>{device} ist ein echtes Gerät und nimmt keine eingespielten Fehler an</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{device}, {state}</source>

@@ -40,14 +40,6 @@
         <translation>Ouvrir la &amp;démo</translation>
     </message>
     <message>
-        <source>Play a &amp;log…</source>
-        <translation>Lire un &amp;journal…</translation>
-    </message>
-    <message>
-        <source>E&amp;xport the settings…</source>
-        <translation>E&amp;xporter les réglages…</translation>
-    </message>
-    <message>
         <source>I&amp;mport settings…</source>
         <translation>I&amp;mporter des réglages…</translation>
     </message>
@@ -60,40 +52,48 @@
         <translation>&amp;Lire ou suspendre</translation>
     </message>
     <message>
-        <source>5 s &amp;back</source>
-        <translation>5 s en &amp;arrière</translation>
+        <source>Replay a &amp;log…</source>
+        <translation>Re&amp;jouer un journal…</translation>
     </message>
     <message>
-        <source>5 s &amp;forward</source>
+        <source>E&amp;xport settings…</source>
+        <translation>E&amp;xporter les réglages…</translation>
+    </message>
+    <message>
+        <source>&amp;Back 5 s</source>
+        <translation>5 s en a&amp;rrière</translation>
+    </message>
+    <message>
+        <source>&amp;Forward 5 s</source>
         <translation>5 s en a&amp;vant</translation>
     </message>
     <message>
-        <source>1 min back</source>
+        <source>Back 1 min</source>
         <translation>1 min en arrière</translation>
     </message>
     <message>
-        <source>1 min forward</source>
+        <source>Forward 1 min</source>
         <translation>1 min en avant</translation>
     </message>
     <message>
-        <source>To the b&amp;eginning</source>
-        <translation>Au &amp;début</translation>
+        <source>Go to the b&amp;eginning</source>
+        <translation>Aller au &amp;début</translation>
     </message>
     <message>
-        <source>To the e&amp;nd</source>
-        <translation>À la &amp;fin</translation>
+        <source>Go to the e&amp;nd</source>
+        <translation>Aller à la &amp;fin</translation>
     </message>
     <message>
-        <source>Next picture</source>
+        <source>Next frame</source>
         <translation>Image suivante</translation>
     </message>
     <message>
-        <source>Previous picture</source>
+        <source>Previous frame</source>
         <translation>Image précédente</translation>
     </message>
     <message>
-        <source>&amp;Loop: from here, to here, off</source>
-        <translation>&amp;Boucle&#xa0;: d’ici, à ici, non</translation>
+        <source>&amp;Loop: set start, set end, off</source>
+        <translation>&amp;Boucle&#xa0;: début, fin, arrêt</translation>
     </message>
     <message>
         <source>Slower</source>
@@ -132,8 +132,20 @@
         <translation>Pré&amp;parer l’appareil…</translation>
     </message>
     <message>
-        <source>Get to &amp;know the forces…</source>
-        <translation>&amp;Découvrir les forces…</translation>
+        <source>&amp;Try out the forces…</source>
+        <translation>E&amp;ssayer les forces…</translation>
+    </message>
+    <message>
+        <source>&amp;Grip view</source>
+        <translation>Vue de la &amp;poignée</translation>
+    </message>
+    <message>
+        <source>Inject fa&amp;ults…</source>
+        <translation>Injecter des dé&amp;fauts…</translation>
+    </message>
+    <message>
+        <source>&amp;Keyboard shortcuts…</source>
+        <translation>Raccourcis &amp;clavier…</translation>
     </message>
     <message>
         <source>Measure l&amp;atencies…</source>
@@ -144,10 +156,6 @@
         <translation>&amp;Courbes</translation>
     </message>
     <message>
-        <source>Simulated &amp;grip</source>
-        <translation>Poi&amp;gnée simulée</translation>
-    </message>
-    <message>
         <source>S&amp;ync plot</source>
         <translation>Courbe de s&amp;ynchronisation</translation>
     </message>
@@ -156,16 +164,8 @@
         <translation>&amp;Statistiques</translation>
     </message>
     <message>
-        <source>Fa&amp;ults of the simulated device…</source>
-        <translation>Pa&amp;nnes de l’appareil simulé…</translation>
-    </message>
-    <message>
         <source>&amp;Fullscreen</source>
         <translation>&amp;Plein écran</translation>
-    </message>
-    <message>
-        <source>&amp;Keyboard…</source>
-        <translation>&amp;Clavier…</translation>
     </message>
     <message>
         <source>&amp;About</source>
@@ -183,16 +183,28 @@
         <translation>&amp;Analyser</translation>
     </message>
     <message>
-        <source>Compute statistics and figures anew</source>
+        <source>Compute statistics and figures again</source>
         <translation>Recalculer les statistiques et les figures</translation>
+    </message>
+    <message>
+        <source>Write the report, its figures and the data to a new folder</source>
+        <translation>Écrire le rapport, les figures et les données dans un nouveau dossier</translation>
+    </message>
+    <message>
+        <source>The report is in English, ready for publication.</source>
+        <translation>Le rapport est en anglais, prêt à être publié.</translation>
+    </message>
+    <message>
+        <source>Saved to {0}</source>
+        <translation>Enregistré dans {0}</translation>
+    </message>
+    <message>
+        <source>Choose where to create the report folder</source>
+        <translation>Où créer le dossier du rapport&#xa0;?</translation>
     </message>
     <message>
         <source>&amp;Save report…</source>
         <translation>Enregi&amp;strer le rapport…</translation>
-    </message>
-    <message>
-        <source>Write report, figures and numbers into a new folder</source>
-        <translation>Écrire le rapport, les figures et les nombres dans un nouveau dossier</translation>
     </message>
     <message>
         <source>Analysing</source>
@@ -201,18 +213,6 @@
     <message>
         <source>Writing the report</source>
         <translation>Écriture du rapport</translation>
-    </message>
-    <message>
-        <source>The report is in English, to be published as it is.</source>
-        <translation>Le rapport est en anglais, pour être publié tel quel.</translation>
-    </message>
-    <message>
-        <source>Saved in {0}</source>
-        <translation>Enregistré dans {0}</translation>
-    </message>
-    <message>
-        <source>Where shall the folder of the report be made?</source>
-        <translation>Où créer le dossier du rapport&#xa0;?</translation>
     </message>
 </context>
 <context>
@@ -244,22 +244,22 @@
         <translation>&amp;Sortie du son</translation>
     </message>
     <message>
-        <source>As the system says</source>
-        <translation>Celle du système</translation>
+        <source>System default</source>
+        <translation>Par défaut du système</translation>
+    </message>
+    <message>
+        <source>Same screen as the window</source>
+        <translation>L’écran de la fenêtre</translation>
     </message>
     <message>
         <source>Fullscreen &amp;on</source>
         <translation>Plein écran s&amp;ur</translation>
     </message>
-    <message>
-        <source>The window&apos;s screen</source>
-        <translation>L’écran de la fenêtre</translation>
-    </message>
 </context>
 <context>
     <name>ClipFrame</name>
     <message>
-        <source>Picture at the cursor</source>
+        <source>Frame at the cursor</source>
         <translation>Image au curseur</translation>
     </message>
 </context>
@@ -297,15 +297,15 @@
 <context>
     <name>Desktop</name>
     <message>
-        <source>plays a clip</source>
-        <translation>lit une vidéo</translation>
+        <source>playing a clip</source>
+        <translation>lecture d’un clip</translation>
     </message>
 </context>
 <context>
     <name>DevicePage</name>
     <message>
-        <source>Pull the grip out as far as it goes, then push it in until it locks</source>
-        <translation>Tirez la poignée à fond, puis enfoncez-la jusqu’au blocage</translation>
+        <source>Pull the grip all the way out, then push it in until it locks</source>
+        <translation>Tirez la poignée à fond, puis poussez-la jusqu’au verrouillage</translation>
     </message>
     <message>
         <source>To the right</source>
@@ -340,28 +340,40 @@
         <translation>Démarrer</translation>
     </message>
     <message>
-        <source>Feel every direction, gentle first</source>
+        <source>Feel every direction, starting gently</source>
         <translation>Sentir chaque direction, doucement d’abord</translation>
+    </message>
+    <message>
+        <source>Stop the force immediately (Esc)</source>
+        <translation>Couper la force immédiatement (Échap)</translation>
+    </message>
+    <message>
+        <source>Hold the grip loosely. You will feel each direction three times, starting gently. Esc, STOP or a button on the grip stops it immediately.</source>
+        <translation>Tenez la poignée sans serrer. Vous sentirez chaque direction trois fois, doucement d’abord. Échap, STOP ou un bouton de la poignée arrête tout immédiatement.</translation>
+    </message>
+    <message>
+        <source>Try out the forces: {name}</source>
+        <translation>Essayer les forces&#xa0;: {name}</translation>
+    </message>
+    <message>
+        <source>Release the device</source>
+        <translation>Libérer l’appareil</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Demonstration finished.</source>
+        <translation>Démonstration terminée.</translation>
     </message>
     <message>
         <source>STOP</source>
         <translation>STOP</translation>
     </message>
     <message>
-        <source>Take the force away at once (Esc)</source>
-        <translation>Retirer la force immédiatement (Échap)</translation>
-    </message>
-    <message>
-        <source>Hold the grip loosely. You will feel every direction three times, gentle first. Esc, STOP or a button on the grip ends it at once.</source>
-        <translation>Tenez la poignée sans serrer. Vous sentirez chaque direction trois fois, doucement d’abord. Échap, STOP ou un bouton de la poignée y met fin aussitôt.</translation>
-    </message>
-    <message>
         <source>Stopped.</source>
         <translation>Arrêté.</translation>
-    </message>
-    <message>
-        <source>Get to know the forces: {name}</source>
-        <translation>Découvrir les forces&#xa0;: {name}</translation>
     </message>
     <message>
         <source>Progress</source>
@@ -372,20 +384,8 @@
         <translation>Fermer</translation>
     </message>
     <message>
-        <source>Give the device back</source>
-        <translation>Rendre l’appareil</translation>
-    </message>
-    <message>
-        <source>Rest</source>
-        <translation>Repos</translation>
-    </message>
-    <message>
         <source>Starting</source>
         <translation>Démarrage</translation>
-    </message>
-    <message>
-        <source>These were all the forces that you can meet.</source>
-        <translation>Ce sont toutes les forces que vous pouvez rencontrer.</translation>
     </message>
     <message>
         <source>The haptics process has ended.</source>
@@ -395,7 +395,7 @@
 <context>
     <name>Dialogs</name>
     <message>
-        <source>Open the folder of a sequence</source>
+        <source>Open a sequence folder</source>
         <translation>Ouvrir le dossier d’une séquence</translation>
     </message>
     <message>
@@ -403,20 +403,20 @@
         <translation>Ouvrir une vidéo</translation>
     </message>
     <message>
-        <source>Play the force of a log</source>
-        <translation>Rejouer la force d’un journal</translation>
+        <source>Replay the forces of a log</source>
+        <translation>Rejouer les forces d’un journal</translation>
+    </message>
+    <message>
+        <source>Choose a device first, then try out its forces</source>
+        <translation>Choisissez d’abord un appareil, puis essayez ses forces</translation>
+    </message>
+    <message>
+        <source>Export settings</source>
+        <translation>Exporter les réglages</translation>
     </message>
     <message>
         <source>Logs (*.jsonl *.json *.log);;All files (*)</source>
         <translation>Journaux (*.jsonl *.json *.log);;Tous les fichiers (*)</translation>
-    </message>
-    <message>
-        <source>Choose a device first, then get to know its forces</source>
-        <translation>Choisissez d’abord un appareil, puis découvrez ses forces</translation>
-    </message>
-    <message>
-        <source>Export the settings</source>
-        <translation>Exporter les réglages</translation>
     </message>
     <message>
         <source>Import settings</source>
@@ -430,62 +430,62 @@
         <translation>Ressentez le mouvement de ce que vous regardez</translation>
     </message>
     <message>
-        <source>Open a sequence or a video, or drop one here. A video alone plays without force; import it with its motion to feel it.</source>
-        <translation>Ouvrez une séquence ou une vidéo, ou déposez-la ici. Une vidéo seule est lue sans force&#xa0;; importez-la avec son mouvement pour le ressentir.</translation>
+        <source>Open a sequence or a video, or drop one here. A video on its own plays without force; import it with its motion data to feel it.</source>
+        <translation>Ouvrez une séquence ou une vidéo, ou déposez-la ici. Une vidéo seule est lue sans force&#xa0;; importez-la avec ses données de mouvement pour la ressentir.</translation>
+    </message>
+    <message>
+        <source>A simulated ride; created on first use</source>
+        <translation>Un parcours simulé&#xa0;; créé à la première utilisation</translation>
+    </message>
+    <message>
+        <source>Open a sequence folder</source>
+        <translation>Ouvrir le dossier d’une séquence</translation>
+    </message>
+    <message>
+        <source>Your imported sequences</source>
+        <translation>Les séquences importées</translation>
+    </message>
+    <message>
+        <source>Create a sequence from a video and its motion data</source>
+        <translation>Créer une séquence à partir d’une vidéo et de son mouvement</translation>
+    </message>
+    <message>
+        <source>Choose a device…</source>
+        <translation>Choisir un appareil…</translation>
+    </message>
+    <message>
+        <source>The haptic device to use; the simulated one needs no hardware</source>
+        <translation>L’appareil haptique à utiliser&#xa0;; le simulé ne demande aucun matériel</translation>
     </message>
     <message>
         <source>Play the demo</source>
         <translation>Lire la démo</translation>
     </message>
     <message>
-        <source>A simulated ride; made on first use</source>
-        <translation>Un trajet simulé, créé à la première utilisation</translation>
-    </message>
-    <message>
         <source>Open a sequence…</source>
         <translation>Ouvrir une séquence…</translation>
-    </message>
-    <message>
-        <source>The folder of a sequence</source>
-        <translation>Le dossier d’une séquence</translation>
     </message>
     <message>
         <source>Library…</source>
         <translation>Bibliothèque…</translation>
     </message>
     <message>
-        <source>The sequences that were imported</source>
-        <translation>Les séquences importées</translation>
-    </message>
-    <message>
         <source>Import a recording…</source>
         <translation>Importer un enregistrement…</translation>
-    </message>
-    <message>
-        <source>Make a sequence of a video and its motion</source>
-        <translation>Créer une séquence d’une vidéo et de son mouvement</translation>
-    </message>
-    <message>
-        <source>Choose the device…</source>
-        <translation>Choisir l’appareil…</translation>
-    </message>
-    <message>
-        <source>Which haptic device is moved; the simulated one needs no hardware</source>
-        <translation>Quel appareil haptique est mû&#xa0;; le simulé ne demande aucun matériel</translation>
     </message>
 </context>
 <context>
     <name>ErrorGateway</name>
     <message>
-        <source>Something went wrong inside the program ({kind}: {text}); the force was stopped and the playback paused. Details are on the terminal.</source>
-        <translation>Une erreur interne s’est produite ({kind}&#xa0;: {text})&#xa0;; la force a été arrêtée et la lecture suspendue. Les détails sont dans le terminal.</translation>
+        <source>Internal error ({kind}: {text}). The force was stopped and playback paused. See the terminal for details.</source>
+        <translation>Erreur interne ({kind}&#xa0;: {text}). La force a été coupée et la lecture mise en pause. Détails dans le terminal.</translation>
     </message>
 </context>
 <context>
     <name>Extras</name>
     <message>
-        <source>Goes on at {time}; Home for the beginning</source>
-        <translation>Reprise à {time}&#xa0;; Origine pour le début</translation>
+        <source>Resuming at {time} (Home: from the start)</source>
+        <translation>Reprise à {time} (Début&#xa0;: depuis le début)</translation>
     </message>
 </context>
 <context>
@@ -495,72 +495,68 @@
         <translation>Réarmer</translation>
     </message>
     <message>
-        <source>Let the force come back (Ctrl+R)</source>
-        <translation>Laisser revenir la force (Ctrl+R)</translation>
+        <source>Re-enable the force (Ctrl+R)</source>
+        <translation>Rétablir la force (Ctrl+R)</translation>
     </message>
     <message>
-        <source>Device anew</source>
-        <translation>Relancer</translation>
+        <source>Restart device</source>
+        <translation>Redémarrer l’appareil</translation>
     </message>
     <message>
-        <source>Start the simulated device again</source>
-        <translation>Relancer l’appareil simulé</translation>
+        <source>Start the simulated device again, without the fault</source>
+        <translation>Redémarrer l’appareil simulé, sans le défaut</translation>
     </message>
     <message>
-        <source>Faults of the simulated device</source>
-        <translation>Pannes de l’appareil simulé</translation>
+        <source>Inject faults into the simulated device</source>
+        <translation>Injecter des défauts dans l’appareil simulé</translation>
+    </message>
+    <message>
+        <source>Stop injecting faults</source>
+        <translation>Ne plus injecter de défauts</translation>
+    </message>
+    <message>
+        <source>Rule triggered</source>
+        <translation>Règle déclenchée</translation>
+    </message>
+    <message>
+        <source>Time to zero, ms</source>
+        <translation>Temps jusqu’à zéro, ms</translation>
+    </message>
+    <message>
+        <source>Fault results</source>
+        <translation>Résultats des défauts</translation>
+    </message>
+    <message>
+        <source>Faults can only be injected into a simulated device while this panel is open: choose it in the window, then press Restart device.</source>
+        <translation>Les défauts ne s’injectent que dans un appareil simulé, tant que ce panneau est ouvert&#xa0;: choisissez-le dans la fenêtre, puis cliquez sur Redémarrer l’appareil.</translation>
+    </message>
+    <message>
+        <source>The device has failed: press Restart device.</source>
+        <translation>L’appareil est en panne&#xa0;: cliquez sur Redémarrer l’appareil.</translation>
+    </message>
+    <message>
+        <source>Play a clip with force first.</source>
+        <translation>Lisez d’abord un clip avec force.</translation>
+    </message>
+    <message>
+        <source>The force is active. Press a fault to see how the safety contract responds.</source>
+        <translation>La force est active. Déclenchez un défaut pour voir la réaction de la sécurité.</translation>
     </message>
     <message>
         <source>Close</source>
         <translation>Fermer</translation>
     </message>
     <message>
-        <source>No faults any more</source>
-        <translation>Plus de pannes</translation>
-    </message>
-    <message>
         <source>Fault</source>
         <translation>Panne</translation>
-    </message>
-    <message>
-        <source>Rule that answered</source>
-        <translation>Règle appliquée</translation>
     </message>
     <message>
         <source>Reaction, ms</source>
         <translation>Réaction, ms</translation>
     </message>
-    <message>
-        <source>No force, ms</source>
-        <translation>Sans force, ms</translation>
-    </message>
-    <message>
-        <source>What came of the faults</source>
-        <translation>Ce que les pannes ont donné</translation>
-    </message>
-    <message>
-        <source>Only a simulated device takes faults, and only while this panel is open: choose it in the window, then press Device anew.</source>
-        <translation>Seul un appareil simulé accepte des pannes, et seulement tant que ce panneau est ouvert&#xa0;: choisissez-le dans la fenêtre, puis appuyez sur Relancer.</translation>
-    </message>
-    <message>
-        <source>The device has failed: press Device anew.</source>
-        <translation>L’appareil est en panne&#xa0;: appuyez sur Relancer.</translation>
-    </message>
-    <message>
-        <source>Play a clip with force, so that there is one to take away.</source>
-        <translation>Lisez un clip avec force, pour qu’il y en ait une à retirer.</translation>
-    </message>
-    <message>
-        <source>There is a force. Press a fault and watch what takes it away.</source>
-        <translation>Il y a une force. Choisissez une panne et regardez ce qui la retire.</translation>
-    </message>
 </context>
 <context>
     <name>FaultTexts</name>
-    <message>
-        <source>Unplug it</source>
-        <translation>Débrancher</translation>
-    </message>
     <message>
         <source>Stall, 60 ms</source>
         <translation>Blocage, 60&#xa0;ms</translation>
@@ -570,12 +566,16 @@
         <translation>Blocage, 300&#xa0;ms</translation>
     </message>
     <message>
-        <source>Nonsense answers</source>
-        <translation>Réponses absurdes</translation>
+        <source>Unplug</source>
+        <translation>Débrancher</translation>
     </message>
     <message>
-        <source>Lose the homing</source>
-        <translation>Perdre le zéro</translation>
+        <source>Malformed replies</source>
+        <translation>Réponses invalides</translation>
+    </message>
+    <message>
+        <source>Lose homing</source>
+        <translation>Perdre le repère</translation>
     </message>
     <message>
         <source>Let go of the grip</source>
@@ -598,8 +598,8 @@
         <translation>Boucle en retard, 35 ms</translation>
     </message>
     <message>
-        <source>Loop still, 80 ms</source>
-        <translation>Boucle figée, 80 ms</translation>
+        <source>Loop stalled, 80 ms</source>
+        <translation>Boucle bloquée, 80 ms</translation>
     </message>
     <message>
         <source>Command 25 ms old</source>
@@ -636,32 +636,32 @@
         <translation>Journal de mouvement</translation>
     </message>
     <message>
-        <source>inside the video</source>
-        <translation>dans la vidéo</translation>
-    </message>
-    <message>
         <source>Format</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>recognised by its content</source>
-        <translation type="unfinished"></translation>
+        <translation>Format</translation>
     </message>
     <message>
         <source>Drop a recording here</source>
         <translation>Déposez un enregistrement ici</translation>
     </message>
     <message>
-        <source>&amp;Keep the answers…</source>
-        <translation>&amp;Garder les réponses…</translation>
+        <source>embedded in the video</source>
+        <translation>incluse dans la vidéo</translation>
     </message>
     <message>
-        <source>Write a template for all logs of this logger</source>
-        <translation>Écrire un modèle pour tous les journaux de cet enregistreur</translation>
+        <source>Detect automatically</source>
+        <translation>Détection automatique</translation>
     </message>
     <message>
-        <source>Drop a video here, with the log of its motion sensor if that was a device of its own. GoPro cameras keep their motion inside the video.</source>
-        <translation>Déposez ici une vidéo, avec le journal de son capteur de mouvement si c’était un appareil à part. Les caméras GoPro gardent le mouvement dans la vidéo.</translation>
+        <source>&amp;Save as template…</source>
+        <translation>Enregistrer comme &amp;modèle…</translation>
+    </message>
+    <message>
+        <source>Save these answers as a template for all logs of this logger</source>
+        <translation>Enregistrer ces réponses comme modèle pour tous les journaux de cet enregistreur</translation>
+    </message>
+    <message>
+        <source>Drop a video here, together with its motion log if the sensor was a separate device. GoPro cameras store their motion data in the video.</source>
+        <translation>Déposez une vidéo ici, avec son journal de mouvement si le capteur était un appareil séparé. Les caméras GoPro enregistrent leur mouvement dans la vidéo.</translation>
     </message>
     <message>
         <source>&amp;Video</source>
@@ -677,7 +677,7 @@
     </message>
     <message>
         <source>&amp;Format</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Format</translation>
     </message>
     <message>
         <source>with sound</source>
@@ -688,20 +688,24 @@
         <translation>sans son</translation>
     </message>
     <message>
-        <source>Video: {camera}{width} × {height}, {rate} pictures a second, {duration}, {sound}</source>
-        <translation>Vidéo&#xa0;: {camera}{width} × {height}, {rate} images par seconde, {duration}, {sound}</translation>
+        <source>Video: {camera}{width} × {height}, {rate} fps, {duration}, {sound}</source>
+        <translation>Vidéo&#xa0;: {camera}{width} × {height}, {rate} images/s, {duration}, {sound}</translation>
     </message>
     <message>
-        <source>Motion: {recorder}, {rate} samples a second, {duration}, gaps: {gaps}</source>
-        <translation>Mouvement&#xa0;: {recorder}, {rate} mesures par seconde, {duration}, lacunes&#xa0;: {gaps}</translation>
+        <source>Motion: {recorder}, {rate} Hz, {duration}, gaps: {gaps}</source>
+        <translation>Mouvement&#xa0;: {recorder}, {rate} Hz, {duration}, lacunes&#xa0;: {gaps}</translation>
     </message>
     <message>
-        <source>It turned so much that gravity does not show its axes.</source>
-        <translation>Il a tant tourné que la pesanteur ne montre pas ses axes.</translation>
+        <source>The sensor rotated too much to tell its axes from gravity.</source>
+        <translation>Le capteur a trop tourné pour déterminer ses axes d’après la pesanteur.</translation>
     </message>
     <message>
-        <source>Axes: x to its right, y to its front, z to its top; on average {up} was up</source>
-        <translation>Axes&#xa0;: x vers sa droite, y vers l’avant, z vers le haut&#xa0;; en moyenne {up} était en haut</translation>
+        <source>Axes: x right, y forward, z up of the sensor; on average {up} pointed up</source>
+        <translation>Axes&#xa0;: x à droite, y en avant, z en haut du capteur&#xa0;; en moyenne {up} pointait vers le haut</translation>
+    </message>
+    <message>
+        <source>Save the template</source>
+        <translation>Enregistrer le modèle</translation>
     </message>
     <message>
         <source>Choose a video</source>
@@ -723,10 +727,6 @@
         <source>Choose a template</source>
         <translation>Choisir un modèle</translation>
     </message>
-    <message>
-        <source>Where shall the template be written?</source>
-        <translation>Où faut-il écrire le modèle&#xa0;?</translation>
-    </message>
 </context>
 <context>
     <name>FirmwareDialog</name>
@@ -743,8 +743,8 @@
         <translation>J’accepte la licence</translation>
     </message>
     <message>
-        <source>Keep it all the same</source>
-        <translation>Le garder quand même</translation>
+        <source>Install anyway</source>
+        <translation>Installer quand même</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -753,10 +753,6 @@
 </context>
 <context>
     <name>GripView</name>
-    <message>
-        <source>No device: choose {name} to see what would be felt</source>
-        <translation>Aucun appareil&#xa0;: choisissez {name} pour voir ce qui serait ressenti</translation>
-    </message>
     <message>
         <source>The device has failed</source>
         <translation>L’appareil est en panne</translation>
@@ -770,8 +766,12 @@
         <translation>Démarrage</translation>
     </message>
     <message>
-        <source>The position is not known</source>
-        <translation>La position n’est pas connue</translation>
+        <source>No device: choose {name} to see the simulated grip</source>
+        <translation>Aucun appareil&#xa0;: choisissez {name} pour voir la poignée simulée</translation>
+    </message>
+    <message>
+        <source>Position unknown</source>
+        <translation>Position inconnue</translation>
     </message>
     <message>
         <source>Simulated grip</source>
@@ -802,10 +802,10 @@
         <translation>vers vous</translation>
     </message>
     <message>
-        <source>Thick arrow: the force on the hand. Thin white arrow: the planned force. Purple arrow: the share that keeps the grip inside.
-Drag or use the arrow keys to look from elsewhere, the wheel or + and − to come nearer, a double click or 0 to go back.</source>
-        <translation>Flèche épaisse&#xa0;: la force sur la main. Flèche fine&#xa0;: la force prévue. Flèche violette&#xa0;: la part qui garde la poignée à l’intérieur.
-Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pour l’approcher, un double clic ou 0 pour revenir.</translation>
+        <source>Thick arrow: force on the hand. Thin white arrow: planned force. Purple arrow: the share that keeps the grip in the workspace.
+Drag or use the arrow keys to rotate, the wheel or + and − to zoom, double-click or 0 to reset.</source>
+        <translation>Flèche épaisse&#xa0;: force sur la main. Flèche blanche fine&#xa0;: force prévue. Flèche violette&#xa0;: la part qui maintient la poignée dans l’espace de travail.
+Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, double clic ou 0 pour réinitialiser.</translation>
     </message>
     <message>
         <source>No device</source>
@@ -875,44 +875,48 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>ARRÊT</translation>
     </message>
     <message>
-        <source>the window hung</source>
-        <translation>la fenêtre était figée</translation>
+        <source>window not responding</source>
+        <translation>fenêtre sans réponse</translation>
     </message>
     <message>
-        <source>the player ended</source>
-        <translation>le lecteur s’est terminé</translation>
+        <source>player ended</source>
+        <translation>lecteur terminé</translation>
     </message>
     <message>
-        <source>the track is broken</source>
-        <translation>la piste est défectueuse</translation>
+        <source>invalid force track</source>
+        <translation>piste de force invalide</translation>
     </message>
     <message>
-        <source>button on the grip</source>
+        <source>grip button</source>
         <translation>bouton de la poignée</translation>
+    </message>
+    <message>
+        <source>device not responding</source>
+        <translation>l’appareil ne répond pas</translation>
+    </message>
+    <message>
+        <source>malformed replies from the device</source>
+        <translation>réponses invalides de l’appareil</translation>
+    </message>
+    <message>
+        <source>computer stalled</source>
+        <translation>ordinateur bloqué</translation>
+    </message>
+    <message>
+        <source>grip released</source>
+        <translation>poignée lâchée</translation>
+    </message>
+    <message>
+        <source>grip at the edge of the workspace</source>
+        <translation>poignée au bord de l’espace de travail</translation>
+    </message>
+    <message>
+        <source>{damaged} damaged, {dropped} dropped</source>
+        <translation>{damaged} endommagées, {dropped} perdues</translation>
     </message>
     <message>
         <source>unplugged</source>
         <translation>débranché</translation>
-    </message>
-    <message>
-        <source>the device does not answer</source>
-        <translation>l’appareil ne répond pas</translation>
-    </message>
-    <message>
-        <source>the device answers nonsense</source>
-        <translation>l’appareil répond n’importe quoi</translation>
-    </message>
-    <message>
-        <source>the computer stood still</source>
-        <translation>l’ordinateur s’est figé</translation>
-    </message>
-    <message>
-        <source>the grip was let go</source>
-        <translation>la poignée a été lâchée</translation>
-    </message>
-    <message>
-        <source>the grip is at its edge</source>
-        <translation>la poignée est au bord</translation>
     </message>
     <message>
         <source>FIFO</source>
@@ -945,10 +949,6 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     <message>
         <source>{shown} shown, {dropped} dropped</source>
         <translation>vues&#xa0;: {shown}, sautées&#xa0;: {dropped}</translation>
-    </message>
-    <message>
-        <source>damaged: {damaged} broken, {dropped} dropped</source>
-        <translation>clip endommagé, illisibles&#xa0;: {damaged}, perdues&#xa0;: {dropped}</translation>
     </message>
     <message>
         <source>audio</source>
@@ -999,35 +999,47 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>Scheduling</source>
-        <translation>Priorité</translation>
+        <translation>Ordonnancement</translation>
     </message>
     <message>
-        <source>Class of the 1 kHz loop: FIFO is best, slice nearly as good, normal lets it be late by milliseconds</source>
-        <translation>Classe de la boucle à 1 kHz&#xa0;: FIFO est la meilleure, tranche presque aussi bonne, normal la laisse en retard de millisecondes</translation>
+        <source>Scheduling class of the 1 kHz loop: FIFO is best, slice nearly as good; with normal it may be milliseconds late</source>
+        <translation>Classe d’ordonnancement de la boucle à 1 kHz&#xa0;: FIFO est la meilleure, slice presque aussi bonne&#xa0;; avec normal, elle peut avoir des millisecondes de retard</translation>
+    </message>
+    <message>
+        <source>99 % of the loop&apos;s wake-ups in the last 10 s were no later than this. Missed: skipped periods; above 1 % the force is limited to 3 N</source>
+        <translation>99&#xa0;% des réveils de la boucle sur 10 s n’étaient pas plus tardifs. Manquées&#xa0;: périodes sautées&#xa0;; au-delà de 1&#xa0;%, la force est limitée à 3 N</translation>
+    </message>
+    <message>
+        <source>Force − video</source>
+        <translation>Force − vidéo</translation>
+    </message>
+    <message>
+        <source>How much later the force comes than the video: median and 95th percentile of the last 20 s. More than 15 ms early or 50 ms late is noticeable</source>
+        <translation>Retard de la force sur la vidéo&#xa0;: médiane et 95e centile des 20 dernières secondes. Plus de 15 ms d’avance ou 50 ms de retard se sent</translation>
+    </message>
+    <message>
+        <source>How much later the force comes than the sound: median and 95th percentile of the last 20 s. More than 15 ms early or 50 ms late is noticeable</source>
+        <translation>Retard de la force sur le son&#xa0;: médiane et 95e centile des 20 dernières secondes. Plus de 15 ms d’avance ou 50 ms de retard se sent</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>Images</translation>
+    </message>
+    <message>
+        <source>Frames shown on time, and dropped because they were late</source>
+        <translation>Images affichées à temps, et perdues car en retard</translation>
+    </message>
+    <message>
+        <source>Master clock: the audio output, or the computer&apos;s monotonic clock when there is no sound</source>
+        <translation>Horloge de référence&#xa0;: la sortie audio, ou l’horloge monotone de l’ordinateur sans son</translation>
     </message>
     <message>
         <source>Real-time</source>
         <translation>Temps réel</translation>
     </message>
     <message>
-        <source>99 % of the loop&apos;s wake-ups in the last 10 s were no later than this; missed are periods that were skipped. When more than 1 % are, the force is held to 3 N</source>
-        <translation>99 % des réveils des 10 dernières s n’étaient pas plus en retard&#xa0;; les manqués sont des périodes sautées. Au-delà de 1 %, la force est limitée à 3 N</translation>
-    </message>
-    <message>
-        <source>Force − picture</source>
-        <translation>Force − image</translation>
-    </message>
-    <message>
-        <source>How much later the force comes than its picture: median and 95 % of the last 20 s. More than 15 ms early or 50 ms late is felt</source>
-        <translation>Retard de la force sur son image&#xa0;: médiane et 95 % des 20 dernières secondes. Plus de 15 ms d’avance ou 50 ms de retard se sentent</translation>
-    </message>
-    <message>
         <source>OFF +88.8, +88.8 ms</source>
         <translation>DÉCALÉ +88,8, +88,8 ms</translation>
-    </message>
-    <message>
-        <source>How much later the force comes than its sound: median and 95 % of the last 20 s. More than 15 ms early or 50 ms late is felt</source>
-        <translation>Retard de la force sur son son&#xa0;: médiane et 95 % des 20 dernières secondes. Plus de 15 ms d’avance ou 50 ms de retard se sentent</translation>
     </message>
     <message>
         <source>Force − sound</source>
@@ -1038,24 +1050,12 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>non, 888 µs, manqués&#xa0;: 888</translation>
     </message>
     <message>
-        <source>Pictures</source>
-        <translation>Images</translation>
-    </message>
-    <message>
-        <source>Shown in time, and dropped because they came too late</source>
-        <translation>Montrées à temps, et sautées parce qu’elles venaient trop tard</translation>
-    </message>
-    <message>
         <source>88888 shown, 88 dropped</source>
         <translation>88888 vues, 88 sautées</translation>
     </message>
     <message>
         <source>Clock</source>
         <translation>Horloge</translation>
-    </message>
-    <message>
-        <source>What leads: the sound that is heard, or the machine&apos;s monotonic clock where there is no sound</source>
-        <translation>Ce qui mène&#xa0;: le son entendu, ou l’horloge monotone de la machine sans son</translation>
     </message>
     <message>
         <source>monotonic</source>
@@ -1069,8 +1069,8 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>À propos de hapticplayer</translation>
     </message>
     <message>
-        <source>&lt;b&gt;hapticplayer {version}&lt;/b&gt;&lt;p&gt;Plays a video and lets you feel the motion of whoever recorded it.&lt;/p&gt;&lt;p&gt;After Danieau et al., A Framework for Enhancing Video Viewing Experience with Haptic Effects of Motion (2012).&lt;br&gt;MIT licence.&lt;/p&gt;</source>
-        <translation>&lt;b&gt;hapticplayer {version}&lt;/b&gt;&lt;p&gt;Lit une vidéo et fait ressentir le mouvement de la personne qui l’a filmée.&lt;/p&gt;&lt;p&gt;D’après Danieau et al., A Framework for Enhancing Video Viewing Experience with Haptic Effects of Motion (2012).&lt;br&gt;Licence MIT.&lt;/p&gt;</translation>
+        <source>&lt;b&gt;hapticplayer {version}&lt;/b&gt;&lt;p&gt;Plays a video and lets you feel the motion of the camera.&lt;/p&gt;&lt;p&gt;Based on Danieau et al., A Framework for Enhancing Video Viewing Experience with Haptic Effects of Motion (2012).&lt;br&gt;MIT licence.&lt;/p&gt;</source>
+        <translation>&lt;b&gt;hapticplayer {version}&lt;/b&gt;&lt;p&gt;Lit une vidéo et vous fait sentir le mouvement de la caméra.&lt;/p&gt;&lt;p&gt;D’après Danieau et al., A Framework for Enhancing Video Viewing Experience with Haptic Effects of Motion (2012).&lt;br&gt;Licence MIT.&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Close</source>
@@ -1135,32 +1135,32 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>&amp;Arrêter</translation>
     </message>
     <message>
-        <source>Stop this work; nothing is left behind</source>
-        <translation>Arrêter ce travail&#xa0;; rien n’est laissé</translation>
-    </message>
-    <message>
         <source>&amp;Import another…</source>
         <translation>&amp;Importer un autre…</translation>
-    </message>
-    <message>
-        <source>Begin again with other files</source>
-        <translation>Recommencer avec d’autres fichiers</translation>
     </message>
     <message>
         <source>&amp;Back</source>
         <translation>&amp;Retour</translation>
     </message>
     <message>
-        <source>To the step before</source>
-        <translation>À l’étape précédente</translation>
-    </message>
-    <message>
         <source>&amp;Next</source>
         <translation>&amp;Suivant</translation>
     </message>
     <message>
-        <source>To the next step</source>
-        <translation>À l’étape suivante</translation>
+        <source>Cancel; nothing is kept</source>
+        <translation>Annuler&#xa0;; rien n’est conservé</translation>
+    </message>
+    <message>
+        <source>Start again with other files</source>
+        <translation>Recommencer avec d’autres fichiers</translation>
+    </message>
+    <message>
+        <source>Go to the previous step</source>
+        <translation>Étape précédente</translation>
+    </message>
+    <message>
+        <source>Go to the next step</source>
+        <translation>Étape suivante</translation>
     </message>
     <message>
         <source>Close</source>
@@ -1191,12 +1191,12 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>&amp;Importer</translation>
     </message>
     <message>
-        <source>&amp;Play it</source>
+        <source>&amp;Play</source>
         <translation>&amp;Lire</translation>
     </message>
     <message>
-        <source>Looking at {0}</source>
-        <translation>Examen de {0}</translation>
+        <source>Reading {0}</source>
+        <translation>Lecture de {0}</translation>
     </message>
     <message>
         <source>Importing {0}</source>
@@ -1210,75 +1210,75 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>Annuler</translation>
     </message>
     <message>
-        <source>Stop this work; nothing is left behind</source>
-        <translation>Arrêter ce travail&#xa0;; il n’en reste rien</translation>
+        <source>Cancel; nothing is kept</source>
+        <translation>Annuler&#xa0;; rien n’est conservé</translation>
     </message>
 </context>
 <context>
     <name>KeysDialog</name>
     <message>
-        <source>Keyboard</source>
-        <translation>Clavier</translation>
+        <source>Keyboard shortcuts</source>
+        <translation>Raccourcis clavier</translation>
     </message>
     <message>
-        <source>New key</source>
-        <translation>Nouvelle touche</translation>
+        <source>New shortcut</source>
+        <translation>Nouveau raccourci</translation>
     </message>
     <message>
-        <source>Press the key that the chosen command shall have</source>
-        <translation>Appuyez sur la touche que la commande choisie doit avoir</translation>
+        <source>Press the new shortcut for the selected command</source>
+        <translation>Tapez le nouveau raccourci de la commande sélectionnée</translation>
     </message>
     <message>
-        <source>Use this key</source>
-        <translation>Utiliser la touche</translation>
+        <source>Assign</source>
+        <translation>Attribuer</translation>
     </message>
     <message>
-        <source>Give the key to the chosen command</source>
-        <translation>Donner la touche à la commande choisie</translation>
+        <source>Assign this shortcut to the selected command</source>
+        <translation>Attribuer ce raccourci à la commande sélectionnée</translation>
     </message>
     <message>
         <source>Reset</source>
         <translation>Rétablir</translation>
     </message>
     <message>
-        <source>Give the chosen command its first keys again</source>
-        <translation>Rendre à la commande choisie ses premières touches</translation>
+        <source>Restore the default shortcut of the selected command</source>
+        <translation>Rétablir le raccourci par défaut de la commande</translation>
+    </message>
+    <message>
+        <source>Restore default shortcuts</source>
+        <translation>Rétablir les raccourcis par défaut</translation>
+    </message>
+    <message>
+        <source>Commands and their shortcuts</source>
+        <translation>Commandes et raccourcis</translation>
+    </message>
+    <message>
+        <source>Shortcut</source>
+        <translation>Raccourci</translation>
+    </message>
+    <message>
+        <source>This shortcut always stops the force and cannot be changed</source>
+        <translation>Ce raccourci coupe toujours la force et ne peut être modifié</translation>
+    </message>
+    <message>
+        <source>Press a shortcut in the field first</source>
+        <translation>Tapez d’abord un raccourci dans le champ</translation>
+    </message>
+    <message>
+        <source>{key} is already used by “{command}”</source>
+        <translation>{key} est déjà utilisé par «&#xa0;{command}&#xa0;»</translation>
     </message>
     <message>
         <source>Reset all</source>
         <translation>Tout rétablir</translation>
     </message>
     <message>
-        <source>Give every command its first keys again</source>
-        <translation>Rendre à chaque commande ses premières touches</translation>
-    </message>
-    <message>
         <source>Close</source>
         <translation>Fermer</translation>
     </message>
     <message>
-        <source>Commands and their keys</source>
-        <translation>Commandes et leurs touches</translation>
-    </message>
-    <message>
         <source>Command</source>
         <translation>Commande</translation>
-    </message>
-    <message>
-        <source>Keys</source>
-        <translation>Touches</translation>
-    </message>
-    <message>
-        <source>This key always stops the force; it stays</source>
-        <translation>Cette touche arrête toujours la force&#xa0;; elle reste</translation>
-    </message>
-    <message>
-        <source>Press a key in the field first</source>
-        <translation>Appuyez d’abord sur une touche dans le champ</translation>
-    </message>
-    <message>
-        <source>{key} is taken by “{command}”</source>
-        <translation>{key} est prise par «&#xa0;{command}&#xa0;»</translation>
     </message>
 </context>
 <context>
@@ -1292,14 +1292,6 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>Tout ensemble, compensé</translation>
     </message>
     <message>
-        <source>Tap to the picture</source>
-        <translation>Taper sur l’image</translation>
-    </message>
-    <message>
-        <source>Tap to the sound</source>
-        <translation>Taper sur le son</translation>
-    </message>
-    <message>
         <source>Tap to the force</source>
         <translation>Taper sur la force</translation>
     </message>
@@ -1308,32 +1300,40 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>Démarrer</translation>
     </message>
     <message>
-        <source>Play a beat each second</source>
-        <translation>Jouer un battement chaque seconde</translation>
-    </message>
-    <message>
         <source>STOP</source>
         <translation>STOP</translation>
-    </message>
-    <message>
-        <source>Take the force away at once (Esc)</source>
-        <translation>Couper la force immédiatement (Échap)</translation>
     </message>
     <message>
         <source>Tap</source>
         <translation>Taper</translation>
     </message>
     <message>
-        <source>Tap with each beat (space bar)</source>
+        <source>Tap to the flash</source>
+        <translation>Taper sur le flash</translation>
+    </message>
+    <message>
+        <source>Tap to the beep</source>
+        <translation>Taper sur le bip</translation>
+    </message>
+    <message>
+        <source>Play a beat every second</source>
+        <translation>Jouer un battement par seconde</translation>
+    </message>
+    <message>
+        <source>Stop the force immediately (Esc)</source>
+        <translation>Couper la force immédiatement (Échap)</translation>
+    </message>
+    <message>
+        <source>Tap on each beat (space bar)</source>
         <translation>Taper à chaque battement (barre d’espace)</translation>
     </message>
     <message>
-        <source>Use</source>
-        <translation>Utiliser</translation>
+        <source>Apply</source>
+        <translation>Appliquer</translation>
     </message>
     <message>
-        <source>Remember these numbers for these outputs</source>
-        <translation>Retenir ces valeurs pour ces sorties</translation>
+        <source>Save these latencies for these outputs</source>
+        <translation>Enregistrer ces latences pour ces sorties</translation>
     </message>
     <message>
         <source> ms</source>
@@ -1348,8 +1348,20 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>Annuler</translation>
     </message>
     <message>
-        <source>Change nothing</source>
-        <translation>Ne rien changer</translation>
+        <source>Discard changes</source>
+        <translation>Annuler les modifications</translation>
+    </message>
+    <message>
+        <source>Every second there is a flash, a beep and a gentle force pulse. Hold the grip loosely and press Start. Esc, STOP or a button on the grip stops it.</source>
+        <translation>Chaque seconde, un flash, un bip et une légère impulsion de force. Tenez la poignée sans serrer et cliquez sur Démarrer. Échap, STOP ou un bouton de la poignée arrête tout.</translation>
+    </message>
+    <message>
+        <source>Adjust the latencies until flash, beep and force come together. Increase the one that comes late.</source>
+        <translation>Réglez les latences jusqu’à ce que flash, bip et force coïncident. Augmentez celle qui est en retard.</translation>
+    </message>
+    <message>
+        <source>Press the space bar on each beat, at least eight times: first to the flash, then to the beep and the force. The differences are filled in; fine-tune them with all together.</source>
+        <translation>Appuyez sur la barre d’espace à chaque battement, au moins huit fois&#xa0;: d’abord sur le flash, puis sur le bip et la force. Les différences sont inscrites&#xa0;; affinez-les avec tout ensemble.</translation>
     </message>
     <message>
         <source>{n} of {least} taps</source>
@@ -1359,32 +1371,20 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <source>{n} taps: {ms:.0f} ± {spread:.0f} ms</source>
         <translation>{n} frappes&#xa0;: {ms:.0f} ± {spread:.0f} ms</translation>
     </message>
-    <message>
-        <source>Each second there are a flash, a beep and a gentle push. Hold the grip loosely and press Start. Esc, STOP or a button on the grip ends it.</source>
-        <translation>Chaque seconde viennent un éclair, un bip et une légère poussée. Tenez la poignée sans serrer et appuyez sur Démarrer. Échap, STOP ou un bouton de la poignée y met fin.</translation>
-    </message>
-    <message>
-        <source>Change the numbers until flash, beep and push come together. What comes late needs a larger number.</source>
-        <translation>Changez les valeurs jusqu’à ce que l’éclair, le bip et la poussée viennent ensemble. Ce qui vient trop tard demande une valeur plus grande.</translation>
-    </message>
-    <message>
-        <source>Press the space bar with each beat, at least eight times; first to the picture, then to the sound and the force. The differences are put into the numbers; refine them with all together.</source>
-        <translation>Appuyez sur la barre d’espace à chaque battement, au moins huit fois&#xa0;; d’abord sur l’image, puis sur le son et la force. Les différences sont reportées dans les valeurs&#xa0;; affinez-les avec tout ensemble.</translation>
-    </message>
 </context>
 <context>
     <name>LatencyWatch</name>
     <message>
-        <source>The sound output {name} is {ms:.0f} ms behind</source>
-        <translation>La sortie son {name} a {ms:.0f} ms de retard</translation>
+        <source>The sound output {name} reports a latency of {ms:.0f} ms</source>
+        <translation>La sortie audio {name} annonce une latence de {ms:.0f} ms</translation>
     </message>
     <message>
         <source>The sound output {name} seems to be wireless</source>
         <translation>La sortie son {name} semble être sans fil</translation>
     </message>
     <message>
-        <source>it may be later still than it says. Use headphones with a cable, or measure it: Playback, Measure latencies</source>
-        <translation>elle peut être encore plus en retard qu’elle ne le dit. Prenez un casque à fil, ou mesurez-la&#xa0;: Lecture, Mesurer les latences</translation>
+        <source>the actual latency may be higher. Use wired headphones, or measure it: Playback &gt; Measure latencies</source>
+        <translation>la latence réelle peut être plus élevée. Utilisez un casque filaire, ou mesurez-la&#xa0;: Lecture &gt; Mesurer les latences</translation>
     </message>
 </context>
 <context>
@@ -1422,8 +1422,32 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>&amp;Ajouter une piste…</translation>
     </message>
     <message>
-        <source>A force track from a CSV file</source>
-        <translation>Une piste de force depuis un fichier CSV</translation>
+        <source>Add a force track from a CSV file</source>
+        <translation>Ajouter une piste de force depuis un fichier CSV</translation>
+    </message>
+    <message>
+        <source>Apply &amp;gain</source>
+        <translation>Appliquer le &amp;gain</translation>
+    </message>
+    <message>
+        <source>Render the realistic and the random track again with this gain</source>
+        <translation>Recalculer les pistes réaliste et aléatoire avec ce gain</translation>
+    </message>
+    <message>
+        <source>about {peak} N peak, {rms} N RMS…</source>
+        <translation>environ {peak} N crête, {rms} N RMS…</translation>
+    </message>
+    <message>
+        <source>{peak} N peak, {rms} N RMS, {share} of the samples at the limit; workspace used: relaxed hand {relaxed}, normal {normal}, firm {firm}</source>
+        <translation>{peak} N crête, {rms} N RMS, {share} des valeurs à la limite&#xa0;; espace utilisé&#xa0;: main relâchée {relaxed}, normale {normal}, ferme {firm}</translation>
+    </message>
+    <message>
+        <source>the force would be stopped</source>
+        <translation>la force serait coupée</translation>
+    </message>
+    <message>
+        <source>Rendering the force</source>
+        <translation>Calcul de la force</translation>
     </message>
     <message>
         <source>Rena&amp;me…</source>
@@ -1440,30 +1464,6 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     <message>
         <source>Remove the track</source>
         <translation>Enlever la piste</translation>
-    </message>
-    <message>
-        <source>Use this &amp;gain</source>
-        <translation>Prendre ce &amp;gain</translation>
-    </message>
-    <message>
-        <source>Make the realistic and the random track anew</source>
-        <translation>Refaire la piste réaliste et l’aléatoire</translation>
-    </message>
-    <message>
-        <source>about {peak} N at the peak, {rms} N RMS…</source>
-        <translation>environ {peak} N de crête, {rms} N RMS…</translation>
-    </message>
-    <message>
-        <source>{peak} N at the peak, {rms} N RMS, {share} of the samples at the limit; workspace: relaxed hand {relaxed}, normal {normal}, firm {firm}</source>
-        <translation>{peak} N de crête, {rms} N RMS, {share} des valeurs à la limite&#xa0;; espace de travail&#xa0;: main souple {relaxed}, normale {normal}, ferme {firm}</translation>
-    </message>
-    <message>
-        <source>the force would stop</source>
-        <translation>la force s’arrêterait</translation>
-    </message>
-    <message>
-        <source>Making the force anew</source>
-        <translation>La force est refaite</translation>
     </message>
     <message>
         <source>Force tracks (*.csv);;All files (*)</source>
@@ -1501,76 +1501,88 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>&amp;Annuler</translation>
     </message>
     <message>
-        <source>Bring back what was deleted last</source>
-        <translation>Ramener ce qui a été supprimé en dernier</translation>
+        <source>Undo the last deletion</source>
+        <translation>Annuler la dernière suppression</translation>
+    </message>
+    <message>
+        <source>Cancel; nothing is kept</source>
+        <translation>Annuler&#xa0;; rien n’est conservé</translation>
+    </message>
+    <message>
+        <source>Import a recording</source>
+        <translation>Importer un enregistrement</translation>
+    </message>
+    <message>
+        <source>Choose the library folder</source>
+        <translation>Choisir le dossier de la bibliothèque</translation>
+    </message>
+    <message>
+        <source>Change the title</source>
+        <translation>Changer le titre</translation>
+    </message>
+    <message>
+        <source>Check the checksums of all files</source>
+        <translation>Vérifier les sommes de contrôle de tous les fichiers</translation>
+    </message>
+    <message>
+        <source>Move to the bin</source>
+        <translation>Déplacer vers la corbeille</translation>
+    </message>
+    <message>
+        <source>Play (Enter)</source>
+        <translation>Lire (Entrée)</translation>
+    </message>
+    <message>
+        <source>No sequences yet. Import a recording.</source>
+        <translation>Pas encore de séquence. Importez un enregistrement.</translation>
+    </message>
+    <message>
+        <source>No matches</source>
+        <translation>Aucun résultat</translation>
+    </message>
+    <message>
+        <source>{title}: all files are intact</source>
+        <translation>{title}&#xa0;: tous les fichiers sont intacts</translation>
+    </message>
+    <message>
+        <source>Move {title} to the bin? You can restore it from there.</source>
+        <translation>Déplacer {title} vers la corbeille&#xa0;? Vous pourrez l’en restaurer.</translation>
+    </message>
+    <message>
+        <source>Could not move {title} to the bin; nothing was deleted.</source>
+        <translation>Impossible de déplacer {title} vers la corbeille&#xa0;; rien n’a été supprimé.</translation>
+    </message>
+    <message>
+        <source>Moved {title} to the bin.</source>
+        <translation>{title} a été déplacé vers la corbeille.</translation>
     </message>
     <message>
         <source>S&amp;top</source>
         <translation>A&amp;rrêter</translation>
     </message>
     <message>
-        <source>Stop this work; nothing is left behind</source>
-        <translation>Arrêter ce travail&#xa0;; rien n’est laissé</translation>
-    </message>
-    <message>
         <source>&amp;Import…</source>
         <translation>&amp;Importer…</translation>
-    </message>
-    <message>
-        <source>Bring in a recording</source>
-        <translation>Apporter un enregistrement</translation>
     </message>
     <message>
         <source>&amp;Folder…</source>
         <translation>&amp;Dossier…</translation>
     </message>
     <message>
-        <source>Show another folder</source>
-        <translation>Montrer un autre dossier</translation>
-    </message>
-    <message>
         <source>Re&amp;name…</source>
         <translation>Re&amp;nommer…</translation>
-    </message>
-    <message>
-        <source>Another title</source>
-        <translation>Un autre titre</translation>
     </message>
     <message>
         <source>&amp;Verify</source>
         <translation>&amp;Vérifier</translation>
     </message>
     <message>
-        <source>Read every file, check it</source>
-        <translation>Lire et contrôler chaque fichier</translation>
-    </message>
-    <message>
         <source>&amp;Delete…</source>
         <translation>&amp;Supprimer…</translation>
     </message>
     <message>
-        <source>Move it to the bin</source>
-        <translation>Mettre à la corbeille</translation>
-    </message>
-    <message>
         <source>&amp;Open</source>
         <translation>&amp;Ouvrir</translation>
-    </message>
-    <message>
-        <source>Play it (Enter)</source>
-        <translation>Lire (Entrée)</translation>
-    </message>
-    <message>
-        <source>There is nothing here yet; import a recording.</source>
-        <translation>Il n’y a encore rien ici&#xa0;; importez un enregistrement.</translation>
-    </message>
-    <message>
-        <source>Nothing is called so</source>
-        <translation>Rien ne porte ce nom</translation>
-    </message>
-    <message>
-        <source>Where are sequences kept?</source>
-        <translation>Où sont gardées les séquences&#xa0;?</translation>
     </message>
     <message>
         <source>Rename</source>
@@ -1585,35 +1597,19 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>Vérification</translation>
     </message>
     <message>
-        <source>{title}: every file is as it was written</source>
-        <translation>{title}&#xa0;: chaque fichier est tel qu’il a été écrit</translation>
-    </message>
-    <message>
-        <source>Move {title} to the bin? It can be brought back from there.</source>
-        <translation>Mettre {title} à la corbeille&#xa0;? On peut l’en ramener.</translation>
-    </message>
-    <message>
         <source>Delete</source>
         <translation>Supprimer</translation>
-    </message>
-    <message>
-        <source>{title} cannot be moved to the bin; nothing was deleted.</source>
-        <translation>{title} ne peut être mis à la corbeille&#xa0;; rien n’a été supprimé.</translation>
-    </message>
-    <message>
-        <source>{title} is in the bin.</source>
-        <translation>{title} est à la corbeille.</translation>
     </message>
 </context>
 <context>
     <name>LookMenus</name>
     <message>
-        <source>&amp;Look</source>
-        <translation>Appare&amp;nce</translation>
+        <source>&amp;Theme</source>
+        <translation>&amp;Thème</translation>
     </message>
     <message>
-        <source>As the desktop</source>
-        <translation>Comme le bureau</translation>
+        <source>System default</source>
+        <translation>Par défaut du système</translation>
     </message>
     <message>
         <source>Dark</source>
@@ -1628,8 +1624,8 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>Contraste élevé</translation>
     </message>
     <message>
-        <source>Lan&amp;guage</source>
-        <translation>Lan&amp;gue (Language)</translation>
+        <source>&amp;Language</source>
+        <translation>&amp;Langue</translation>
     </message>
 </context>
 <context>
@@ -1647,18 +1643,18 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>Copier</translation>
     </message>
     <message>
-        <source>Copy it, in English too, to report</source>
-        <translation>Copier pour le signaler, aussi en anglais</translation>
+        <source>Copy the message, also in English, for a report</source>
+        <translation>Copier le message, aussi en anglais, pour un rapport</translation>
     </message>
 </context>
 <context>
     <name>Mirror</name>
     <message>
-        <source>The participant&apos;s picture</source>
-        <translation>L’image du participant</translation>
+        <source>The participant&apos;s view</source>
+        <translation>Vue du participant</translation>
     </message>
     <message>
-        <source>A page is shown</source>
+        <source>Showing a page</source>
         <translation>Une page est affichée</translation>
     </message>
 </context>
@@ -1669,10 +1665,6 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>Fixation</translation>
     </message>
     <message>
-        <source>The device stands</source>
-        <translation>L’appareil se trouve</translation>
-    </message>
-    <message>
         <source>Gain</source>
         <translation>Gain</translation>
     </message>
@@ -1681,84 +1673,88 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation> N par m/s²</translation>
     </message>
     <message>
-        <source>The same for all sequences that are to be compared</source>
-        <translation>Le même pour toutes les séquences à comparer</translation>
-    </message>
-    <message>
         <source>Title</source>
         <translation>Titre</translation>
-    </message>
-    <message>
-        <source>Looks forward, upright</source>
-        <translation>Regarde devant, à l’endroit</translation>
-    </message>
-    <message>
-        <source>Looks forward, upside down</source>
-        <translation>Regarde devant, à l’envers</translation>
-    </message>
-    <message>
-        <source>Looks backward, upright</source>
-        <translation>Regarde derrière, à l’endroit</translation>
-    </message>
-    <message>
-        <source>Looks to the right, upright</source>
-        <translation>Regarde à droite, à l’endroit</translation>
-    </message>
-    <message>
-        <source>Looks to the left, upright</source>
-        <translation>Regarde à gauche, à l’endroit</translation>
-    </message>
-    <message>
-        <source>Looks forward, left side up</source>
-        <translation>Regarde devant, côté gauche en haut</translation>
-    </message>
-    <message>
-        <source>Looks forward, right side up</source>
-        <translation>Regarde devant, côté droit en haut</translation>
-    </message>
-    <message>
-        <source>Lies on its back, looks up</source>
-        <translation>Sur le dos, regarde en haut</translation>
-    </message>
-    <message>
-        <source>Looks down</source>
-        <translation>Regarde en bas</translation>
     </message>
     <message>
         <source>Right {right}, front {front}, up {up}</source>
         <translation>Droite {right}, avant {front}, haut {up}</translation>
     </message>
     <message>
-        <source>before its user: forward pulls the hand away</source>
-        <translation>devant la personne&#xa0;: l’avant tire la main</translation>
-    </message>
-    <message>
-        <source>to the right of its user</source>
-        <translation>à droite de la personne</translation>
-    </message>
-    <message>
-        <source>behind its user</source>
-        <translation>derrière la personne</translation>
-    </message>
-    <message>
-        <source>to the left of its user</source>
-        <translation>à gauche de la personne</translation>
-    </message>
-    <message>
         <source>Change…</source>
         <translation>Changer…</translation>
-    </message>
-    <message>
-        <source>Keep sequences in another folder</source>
-        <translation>Garder les séquences dans un autre dossier</translation>
     </message>
     <message>
         <source>&amp;Mounting</source>
         <translation>&amp;Fixation</translation>
     </message>
     <message>
-        <source>The &amp;device stands</source>
-        <translation>L’&amp;appareil se trouve</translation>
+        <source>Device position</source>
+        <translation>Position de l’appareil</translation>
+    </message>
+    <message>
+        <source>Use the same gain for all sequences that you compare</source>
+        <translation>Le même gain pour toutes les séquences à comparer</translation>
+    </message>
+    <message>
+        <source>Facing forward, upright</source>
+        <translation>Vers l’avant, à l’endroit</translation>
+    </message>
+    <message>
+        <source>Facing forward, upside down</source>
+        <translation>Vers l’avant, à l’envers</translation>
+    </message>
+    <message>
+        <source>Facing backward, upright</source>
+        <translation>Vers l’arrière, à l’endroit</translation>
+    </message>
+    <message>
+        <source>Facing right, upright</source>
+        <translation>Vers la droite, à l’endroit</translation>
+    </message>
+    <message>
+        <source>Facing left, upright</source>
+        <translation>Vers la gauche, à l’endroit</translation>
+    </message>
+    <message>
+        <source>Facing forward, left side up</source>
+        <translation>Vers l’avant, côté gauche en haut</translation>
+    </message>
+    <message>
+        <source>Facing forward, right side up</source>
+        <translation>Vers l’avant, côté droit en haut</translation>
+    </message>
+    <message>
+        <source>Lying on its back, facing up</source>
+        <translation>Sur le dos, vers le haut</translation>
+    </message>
+    <message>
+        <source>Facing down</source>
+        <translation>Vers le bas</translation>
+    </message>
+    <message>
+        <source>in front of the user: forward pulls the hand away</source>
+        <translation>devant l’utilisateur&#xa0;: l’avant éloigne la main</translation>
+    </message>
+    <message>
+        <source>to the right of the user</source>
+        <translation>à droite de l’utilisateur</translation>
+    </message>
+    <message>
+        <source>behind the user</source>
+        <translation>derrière l’utilisateur</translation>
+    </message>
+    <message>
+        <source>to the left of the user</source>
+        <translation>à gauche de l’utilisateur</translation>
+    </message>
+    <message>
+        <source>Choose another library folder</source>
+        <translation>Choisir un autre dossier de bibliothèque</translation>
+    </message>
+    <message>
+        <source>&amp;Device position</source>
+        <translation>Position de l’&amp;appareil</translation>
     </message>
     <message>
         <source>&amp;Gain</source>
@@ -1773,24 +1769,24 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>Bibliothèque</translation>
     </message>
     <message>
-        <source>The drawing shows the recorder on its actor, who looks to the front; the dashed line is where gravity says that up was.</source>
-        <translation>Le dessin montre l’enregistreur sur la personne, qui regarde devant&#xa0;; le trait pointillé montre où était le haut selon la pesanteur.</translation>
+        <source>The drawing shows the recorder on the actor, who faces forward; the dashed line shows which way was up, from gravity.</source>
+        <translation>Le dessin montre l’enregistreur sur l’acteur, qui regarde devant lui&#xa0;; la ligne pointillée indique le haut d’après la pesanteur.</translation>
     </message>
     <message>
-        <source>It turned so much that gravity does not tell which is right.</source>
-        <translation>Il a tant tourné que la pesanteur ne dit pas laquelle est juste.</translation>
+        <source>The sensor rotated too much to determine the mounting from gravity.</source>
+        <translation>Le capteur a trop tourné pour déterminer la fixation d’après la pesanteur.</translation>
     </message>
     <message>
-        <source>Gravity agrees. Which side was the front only you can know.</source>
-        <translation>La pesanteur est d’accord. Quel côté était l’avant, vous seul le savez.</translation>
+        <source>Consistent with gravity. Only you know which side faced forward.</source>
+        <translation>Compatible avec la pesanteur. Vous seul savez quel côté était devant.</translation>
     </message>
     <message>
-        <source>Gravity says that another side was up.</source>
-        <translation>Selon la pesanteur, un autre côté était en haut.</translation>
+        <source>Not consistent with gravity: another side was up.</source>
+        <translation>Incompatible avec la pesanteur&#xa0;: un autre côté était en haut.</translation>
     </message>
     <message>
-        <source>Where shall sequences be kept?</source>
-        <translation>Où faut-il garder les séquences&#xa0;?</translation>
+        <source>Choose the library folder</source>
+        <translation>Choisir le dossier de la bibliothèque</translation>
     </message>
 </context>
 <context>
@@ -1847,16 +1843,12 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>y haut</translation>
     </message>
     <message>
-        <source>z to you</source>
+        <source>z towards you</source>
         <translation>z vers vous</translation>
     </message>
     <message>
         <source>thin: planned</source>
         <translation>fin&#xa0;: prévue</translation>
-    </message>
-    <message>
-        <source>Click: go there. Drag: move. Wheel or + and −: zoom. Double click or Enter: as before</source>
-        <translation>Clic&#xa0;: y aller. Glisser&#xa0;: déplacer. Molette ou + et −&#xa0;: zoom. Double clic ou Entrée&#xa0;: comme avant</translation>
     </message>
     <message>
         <source>Save this view: {plot}</source>
@@ -1867,12 +1859,16 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>Enregistrer cette vue en PNG, SVG ou CSV</translation>
     </message>
     <message>
-        <source>Picture (*.png);;Drawing (*.svg);;Numbers (*.csv)</source>
-        <translation>Image (*.png);;Dessin (*.svg);;Nombres (*.csv)</translation>
+        <source>PNG image (*.png);;SVG drawing (*.svg);;CSV data (*.csv)</source>
+        <translation>Image PNG (*.png);;Dessin SVG (*.svg);;Données CSV (*.csv)</translation>
     </message>
     <message>
-        <source>{name}: choose a name that ends in {kinds}</source>
-        <translation>{name}&#xa0;: choisissez un nom qui finit par {kinds}</translation>
+        <source>{name}: unsupported file type; choose one of {kinds}</source>
+        <translation>{name}&#xa0;: type de fichier non pris en charge&#xa0;; choisissez {kinds}</translation>
+    </message>
+    <message>
+        <source>Click: seek. Drag: pan. Wheel or + and −: zoom. Double-click or Enter: reset</source>
+        <translation>Clic&#xa0;: aller à. Glisser&#xa0;: déplacer. Molette ou + et −&#xa0;: zoomer. Double clic ou Entrée&#xa0;: réinitialiser</translation>
     </message>
 </context>
 <context>
@@ -1889,12 +1885,12 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>Bon&#xa0;: prêt à l’emploi</translation>
     </message>
     <message>
-        <source>Doubtful: look at what is marked</source>
-        <translation>Douteux&#xa0;: regardez ce qui est marqué</translation>
+        <source>Doubtful: check the marked items</source>
+        <translation>Douteux&#xa0;: vérifiez les points signalés</translation>
     </message>
     <message>
-        <source>Bad: better record or import it again</source>
-        <translation>Mauvais&#xa0;: mieux vaut refaire l’enregistrement ou l’importation</translation>
+        <source>Bad: record or import it again</source>
+        <translation>Mauvais&#xa0;: enregistrez ou importez de nouveau</translation>
     </message>
     <message>
         <source>good</source>
@@ -1921,32 +1917,72 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>Échantillonnage</translation>
     </message>
     <message>
-        <source>Gravity left at rest</source>
-        <translation>Pesanteur restante au repos</translation>
+        <source>Residual gravity at rest</source>
+        <translation>Pesanteur résiduelle au repos</translation>
     </message>
     <message>
-        <source>Sensor at its limit</source>
-        <translation>Capteur à sa limite</translation>
+        <source>Sensor saturation</source>
+        <translation>Saturation du capteur</translation>
+    </message>
+    <message>
+        <source>Clip without motion data</source>
+        <translation>Clip sans données de mouvement</translation>
+    </message>
+    <message>
+        <source>Force saturation</source>
+        <translation>Saturation de la force</translation>
+    </message>
+    <message>
+        <source>Workspace used</source>
+        <translation>Espace de travail utilisé</translation>
+    </message>
+    <message>
+        <source>Motor heating</source>
+        <translation>Échauffement des moteurs</translation>
+    </message>
+    <message>
+        <source>tap marks</source>
+        <translation>tapes</translation>
+    </message>
+    <message>
+        <source>same clock</source>
+        <translation>même horloge</translation>
+    </message>
+    <message>
+        <source>manual</source>
+        <translation>manuel</translation>
+    </message>
+    <message>
+        <source>The force would be stopped; lower the gain</source>
+        <translation>La force serait coupée&#xa0;; réduisez le gain</translation>
+    </message>
+    <message>
+        <source>Check the synchronisation; next time tap the recorder three times</source>
+        <translation>Vérifiez la synchronisation&#xa0;; la prochaine fois, tapez trois fois sur l’enregistreur</translation>
+    </message>
+    <message>
+        <source>In long recordings, tap at the end as well</source>
+        <translation>Pour un long enregistrement, tapez aussi à la fin</translation>
+    </message>
+    <message>
+        <source>Keep still for a few seconds at the start</source>
+        <translation>Restez immobile quelques secondes au début</translation>
+    </message>
+    <message>
+        <source>Choose a larger accelerometer range</source>
+        <translation>Choisissez une plus grande plage d’accéléromètre</translation>
+    </message>
+    <message>
+        <source>There is no force in the gaps; try another memory card</source>
+        <translation>Pas de force dans les lacunes&#xa0;; essayez une autre carte mémoire</translation>
+    </message>
+    <message>
+        <source>Start the log before the clip and stop it after</source>
+        <translation>Démarrez le journal avant le clip et arrêtez-le après</translation>
     </message>
     <message>
         <source>Gaps</source>
         <translation>Lacunes</translation>
-    </message>
-    <message>
-        <source>Clip without motion</source>
-        <translation>Clip sans mouvement</translation>
-    </message>
-    <message>
-        <source>Force at its limit</source>
-        <translation>Force à sa limite</translation>
-    </message>
-    <message>
-        <source>Use of the workspace</source>
-        <translation>Usage de l’espace de travail</translation>
-    </message>
-    <message>
-        <source>Heat of the motors</source>
-        <translation>Chaleur des moteurs</translation>
     </message>
     <message>
         <source>not measured</source>
@@ -1965,20 +2001,8 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>{share} des valeurs&#xa0;; la crête est de {n}&#xa0;N</translation>
     </message>
     <message>
-        <source>three pats</source>
-        <translation>trois tapes</translation>
-    </message>
-    <message>
         <source>variance</source>
         <translation>variance</translation>
-    </message>
-    <message>
-        <source>one clock</source>
-        <translation>une seule horloge</translation>
-    </message>
-    <message>
-        <source>by hand</source>
-        <translation>à la main</translation>
     </message>
     <message>
         <source>relaxed hand</source>
@@ -1993,36 +2017,8 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>main ferme</translation>
     </message>
     <message>
-        <source>The force would stop; lower the gain</source>
-        <translation>La force s’arrêterait&#xa0;; baissez le gain</translation>
-    </message>
-    <message>
-        <source>Look again, and give three pats next time</source>
-        <translation>Regardez encore&#xa0;; trois tapes la prochaine fois</translation>
-    </message>
-    <message>
-        <source>Pat at the end of a long recording too</source>
-        <translation>Tapez aussi à la fin d’un long enregistrement</translation>
-    </message>
-    <message>
         <source>Record at 100 Hz or more</source>
         <translation>Enregistrez à 100 Hz ou plus</translation>
-    </message>
-    <message>
-        <source>Stand still for a few seconds at the start</source>
-        <translation>Restez immobile quelques secondes au début</translation>
-    </message>
-    <message>
-        <source>Choose a larger range of the accelerometer</source>
-        <translation>Choisissez une plus grande plage de l’accéléromètre</translation>
-    </message>
-    <message>
-        <source>There is no force there; try another card</source>
-        <translation>Il n’y a pas de force là&#xa0;; essayez une autre carte</translation>
-    </message>
-    <message>
-        <source>Start the log before the clip, end it after</source>
-        <translation>Commencez le journal avant le clip, finissez après</translation>
     </message>
     <message>
         <source>Lower the gain</source>
@@ -2051,8 +2047,8 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
 <context>
     <name>RecentMenu</name>
     <message>
-        <source>Forget all</source>
-        <translation>Tout oublier</translation>
+        <source>Clear list</source>
+        <translation>Vider la liste</translation>
     </message>
 </context>
 <context>
@@ -2066,12 +2062,12 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>Préparation de la démo</translation>
     </message>
     <message>
-        <source>Something else is being done; wait for it or cancel it</source>
-        <translation>Un autre travail est en cours&#xa0;; attendez-le ou annulez-le</translation>
+        <source>Another task is running; wait for it or cancel it</source>
+        <translation>Une autre tâche est en cours&#xa0;; attendez ou annulez-la</translation>
     </message>
     <message>
-        <source>Bring the grip to the middle first, then re-arm again</source>
-        <translation>Amenez d’abord la poignée au milieu, puis réarmez</translation>
+        <source>Move the grip to the centre first, then re-arm again</source>
+        <translation>Ramenez d’abord la poignée au centre, puis réarmez</translation>
     </message>
     <message>
         <source>The haptics process has ended; choose the device again</source>
@@ -2093,64 +2089,28 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>Nouvelle note</translation>
     </message>
     <message>
-        <source>A note; Enter keeps it</source>
-        <translation>Une note&#xa0;; Entrée la conserve</translation>
-    </message>
-    <message>
         <source>Pause</source>
         <translation>Pause</translation>
-    </message>
-    <message>
-        <source>Stop the clip; it begins again</source>
-        <translation>Arrêter le clip&#xa0;; il recommencera</translation>
     </message>
     <message>
         <source>Repeat</source>
         <translation>Répéter</translation>
     </message>
     <message>
-        <source>Play the last trial again</source>
-        <translation>Rejouer le dernier essai</translation>
-    </message>
-    <message>
         <source>Skip…</source>
         <translation>Passer…</translation>
-    </message>
-    <message>
-        <source>Leave this step out</source>
-        <translation>Omettre cette étape</translation>
     </message>
     <message>
         <source>End…</source>
         <translation>Terminer…</translation>
     </message>
     <message>
-        <source>End the session for good</source>
-        <translation>Terminer la séance définitivement</translation>
-    </message>
-    <message>
         <source>Try again</source>
         <translation>Réessayer</translation>
     </message>
     <message>
-        <source>Try to save once more</source>
-        <translation>Essayer encore d’enregistrer</translation>
-    </message>
-    <message>
         <source>STOP</source>
         <translation>STOP</translation>
-    </message>
-    <message>
-        <source>Take the force away (Esc)</source>
-        <translation>Retirer la force (Échap)</translation>
-    </message>
-    <message>
-        <source>Volume {n} %, the same for the whole session</source>
-        <translation>Volume {n} %, le même pour toute la séance</translation>
-    </message>
-    <message>
-        <source>Go on</source>
-        <translation>Continuer</translation>
     </message>
     <message>
         <source>, trial {k} of {n}</source>
@@ -2161,40 +2121,76 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>, tentative {n}</translation>
     </message>
     <message>
-        <source>Nothing has been played yet</source>
-        <translation>Rien n’a encore été joué</translation>
-    </message>
-    <message>
-        <source>The last trial was played as it should be</source>
-        <translation>Le dernier essai s’est déroulé correctement</translation>
-    </message>
-    <message>
-        <source>The last trial was not sound: {reasons}</source>
-        <translation>Le dernier essai n’est pas valable&#xa0;: {reasons}</translation>
-    </message>
-    <message>
         <source>Skip</source>
         <translation>Passer</translation>
-    </message>
-    <message>
-        <source>Why is this step left out?</source>
-        <translation>Pourquoi omettre cette étape&#xa0;?</translation>
     </message>
     <message>
         <source>End the session</source>
         <translation>Terminer la séance</translation>
     </message>
     <message>
-        <source>Why does it end? All answers given so far are kept.</source>
-        <translation>Pourquoi se termine-t-elle&#xa0;? Toutes les réponses données sont conservées.</translation>
-    </message>
-    <message>
         <source>Close</source>
         <translation>Fermer</translation>
     </message>
     <message>
-        <source>The session has not ended. Close, and go on with it later?</source>
-        <translation>La séance n’est pas terminée. Fermer et la reprendre plus tard&#xa0;?</translation>
+        <source>Write a note; Enter saves it</source>
+        <translation>Écrire une note&#xa0;; Entrée l’enregistre</translation>
+    </message>
+    <message>
+        <source>Pause the clip; it will restart from the beginning</source>
+        <translation>Mettre le clip en pause&#xa0;; il reprendra du début</translation>
+    </message>
+    <message>
+        <source>Repeat the last trial</source>
+        <translation>Répéter le dernier essai</translation>
+    </message>
+    <message>
+        <source>Skip this step</source>
+        <translation>Passer cette étape</translation>
+    </message>
+    <message>
+        <source>End the session; it cannot be resumed</source>
+        <translation>Terminer la session&#xa0;; elle ne pourra pas être reprise</translation>
+    </message>
+    <message>
+        <source>Retry saving</source>
+        <translation>Réessayer d’enregistrer</translation>
+    </message>
+    <message>
+        <source>Stop the force (Esc)</source>
+        <translation>Couper la force (Échap)</translation>
+    </message>
+    <message>
+        <source>Volume {n} %, fixed for the session</source>
+        <translation>Volume {n}&#xa0;%, fixe pour la session</translation>
+    </message>
+    <message>
+        <source>Resume</source>
+        <translation>Reprendre</translation>
+    </message>
+    <message>
+        <source>No trial played yet</source>
+        <translation>Aucun essai joué</translation>
+    </message>
+    <message>
+        <source>The last trial was valid</source>
+        <translation>Le dernier essai est valide</translation>
+    </message>
+    <message>
+        <source>The last trial was invalid: {reasons}</source>
+        <translation>Le dernier essai n’est pas valide&#xa0;: {reasons}</translation>
+    </message>
+    <message>
+        <source>Reason for skipping this step:</source>
+        <translation>Raison de passer cette étape&#xa0;:</translation>
+    </message>
+    <message>
+        <source>Reason for ending the session (all answers so far are kept):</source>
+        <translation>Raison de terminer la session (toutes les réponses sont conservées)&#xa0;:</translation>
+    </message>
+    <message>
+        <source>The session is not complete. Close it and resume later?</source>
+        <translation>La session n’est pas terminée. Fermer et reprendre plus tard&#xa0;?</translation>
     </message>
     <message>
         <source>consent</source>
@@ -2221,8 +2217,8 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>en pause</translation>
     </message>
     <message>
-        <source>cannot be saved</source>
-        <translation>enregistrement impossible</translation>
+        <source>saving failed</source>
+        <translation>échec de l’enregistrement</translation>
     </message>
     <message>
         <source>finished</source>
@@ -2236,34 +2232,6 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
 <context>
     <name>SessionWords</name>
     <message>
-        <source>there was no force track</source>
-        <translation>il n’y avait pas de piste de force</translation>
-    </message>
-    <message>
-        <source>the guard was silent</source>
-        <translation>le gardien ne répondait pas</translation>
-    </message>
-    <message>
-        <source>someone stopped it</source>
-        <translation>quelqu’un l’a arrêté</translation>
-    </message>
-    <message>
-        <source>the grip had lost its zero</source>
-        <translation>la poignée avait perdu son zéro</translation>
-    </message>
-    <message>
-        <source>the contract stopped it ({0})</source>
-        <translation>le contrat de sécurité l’a arrêté ({0})</translation>
-    </message>
-    <message>
-        <source>force and picture were apart</source>
-        <translation>la force et l’image étaient décalées</translation>
-    </message>
-    <message>
-        <source>force and sound were apart</source>
-        <translation>la force et le son étaient décalés</translation>
-    </message>
-    <message>
         <source>paused</source>
         <translation>en pause</translation>
     </message>
@@ -2272,12 +2240,40 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>à répéter</translation>
     </message>
     <message>
-        <source>left out</source>
-        <translation>omis</translation>
+        <source>no force track</source>
+        <translation>pas de piste de force</translation>
     </message>
     <message>
-        <source>the session was ended</source>
-        <translation>la séance a été terminée</translation>
+        <source>guard process not responding</source>
+        <translation>processus de garde sans réponse</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>coupée</translation>
+    </message>
+    <message>
+        <source>lost homing</source>
+        <translation>repère perdu</translation>
+    </message>
+    <message>
+        <source>safety stop ({0})</source>
+        <translation>arrêt de sécurité ({0})</translation>
+    </message>
+    <message>
+        <source>force and video out of sync</source>
+        <translation>force et vidéo désynchronisées</translation>
+    </message>
+    <message>
+        <source>force and sound out of sync</source>
+        <translation>force et son désynchronisés</translation>
+    </message>
+    <message>
+        <source>skipped</source>
+        <translation>passé</translation>
+    </message>
+    <message>
+        <source>session ended</source>
+        <translation>session terminée</translation>
     </message>
     <message>
         <source>stopped by the operator</source>
@@ -2292,48 +2288,48 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>la personne a appuyé sur la barre d’espace</translation>
     </message>
     <message>
-        <source>another program came in front</source>
-        <translation>un autre programme est passé devant</translation>
+        <source>another window took the focus</source>
+        <translation>une autre fenêtre a pris le focus</translation>
     </message>
     <message>
-        <source>the window was to be closed</source>
-        <translation>la fenêtre allait être fermée</translation>
+        <source>the window was closed</source>
+        <translation>la fenêtre a été fermée</translation>
+    </message>
+    <message>
+        <source>frames dropped</source>
+        <translation>images perdues</translation>
+    </message>
+    <message>
+        <source>no sound</source>
+        <translation>pas de son</translation>
+    </message>
+    <message>
+        <source>gaps in the sound</source>
+        <translation>lacunes dans le son</translation>
+    </message>
+    <message>
+        <source>no device</source>
+        <translation>aucun appareil</translation>
+    </message>
+    <message>
+        <source>device lost</source>
+        <translation>appareil perdu</translation>
+    </message>
+    <message>
+        <source>missed periods in the haptic loop</source>
+        <translation>périodes manquées de la boucle haptique</translation>
+    </message>
+    <message>
+        <source>no data from the device</source>
+        <translation>pas de données de l’appareil</translation>
+    </message>
+    <message>
+        <source>gaps in the record</source>
+        <translation>lacunes dans l’enregistrement</translation>
     </message>
     <message>
         <source>the clip is damaged</source>
         <translation>le clip est endommagé</translation>
-    </message>
-    <message>
-        <source>pictures were dropped</source>
-        <translation>des images ont été perdues</translation>
-    </message>
-    <message>
-        <source>there was no sound</source>
-        <translation>il n’y avait pas de son</translation>
-    </message>
-    <message>
-        <source>sound was missing</source>
-        <translation>du son a manqué</translation>
-    </message>
-    <message>
-        <source>there was no device</source>
-        <translation>il n’y avait pas d’appareil</translation>
-    </message>
-    <message>
-        <source>the device was lost</source>
-        <translation>l’appareil a été perdu</translation>
-    </message>
-    <message>
-        <source>the loop missed periods</source>
-        <translation>la boucle a manqué des périodes</translation>
-    </message>
-    <message>
-        <source>the device said nothing</source>
-        <translation>l’appareil n’a rien dit</translation>
-    </message>
-    <message>
-        <source>the record has gaps</source>
-        <translation>l’enregistrement a des lacunes</translation>
     </message>
 </context>
 <context>
@@ -2343,32 +2339,32 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>Micrologiciel…</translation>
     </message>
     <message>
-        <source>Keep your copy of the firmware</source>
-        <translation>Garder votre copie du micrologiciel</translation>
-    </message>
-    <message>
-        <source>Feel the forces…</source>
-        <translation>Sentir les forces…</translation>
-    </message>
-    <message>
-        <source>Feel every direction, gentle first</source>
-        <translation>Sentir chaque direction, doucement d’abord</translation>
-    </message>
-    <message>
         <source>Use this device</source>
         <translation>Utiliser cet appareil</translation>
-    </message>
-    <message>
-        <source>Play with it from now on</source>
-        <translation>Jouer avec lui désormais</translation>
     </message>
     <message>
         <source>Close</source>
         <translation>Fermer</translation>
     </message>
     <message>
-        <source>Keep the device from before</source>
-        <translation>Garder l’appareil d’avant</translation>
+        <source>Install your copy of the firmware</source>
+        <translation>Installer votre copie du micrologiciel</translation>
+    </message>
+    <message>
+        <source>Try out the forces…</source>
+        <translation>Essayer les forces…</translation>
+    </message>
+    <message>
+        <source>Feel every direction, starting gently</source>
+        <translation>Sentir chaque direction, doucement d’abord</translation>
+    </message>
+    <message>
+        <source>Use it for playback</source>
+        <translation>L’utiliser pour la lecture</translation>
+    </message>
+    <message>
+        <source>Keep the current device</source>
+        <translation>Garder l’appareil actuel</translation>
     </message>
     <message>
         <source>Set up the device</source>
@@ -2398,48 +2394,48 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>Le Falcon n’est pas branché</translation>
     </message>
     <message>
-        <source>Connect its USB cable and its power supply; it is found by itself.</source>
-        <translation>Branchez son câble USB et son alimentation&#xa0;; il est trouvé tout seul.</translation>
-    </message>
-    <message>
         <source>Copy the udev rule {rule} to /etc/udev/rules.d, then unplug the Falcon and plug it in.</source>
         <translation>Copiez la règle udev {rule} dans /etc/udev/rules.d, puis débranchez et rebranchez le Falcon.</translation>
-    </message>
-    <message>
-        <source>You have no permission to use the Falcon</source>
-        <translation>Vous n’avez pas le droit d’utiliser le Falcon</translation>
-    </message>
-    <message>
-        <source>Another program uses the Falcon</source>
-        <translation>Un autre programme utilise le Falcon</translation>
-    </message>
-    <message>
-        <source>Close that program; then it goes on by itself.</source>
-        <translation>Fermez ce programme&#xa0;; la suite vient toute seule.</translation>
     </message>
     <message>
         <source>The Falcon has the wrong driver</source>
         <translation>Le Falcon a un mauvais pilote</translation>
     </message>
     <message>
-        <source>Give it the driver WinUSB, with the program Zadig, in place of FTDI&apos;s or Force Dimension&apos;s; then unplug it and plug it in.</source>
-        <translation>Donnez-lui, avec le programme Zadig, le pilote WinUSB à la place de celui de FTDI ou de Force Dimension&#xa0;; puis débranchez-le et rebranchez-le.</translation>
-    </message>
-    <message>
         <source>The Falcon needs its firmware</source>
         <translation>Le Falcon a besoin de son micrologiciel</translation>
     </message>
     <message>
-        <source>It belongs to Novint and may not be passed on with this program. Take nvent_firmware.bin from a libnifalcon source archive and choose the file here, once.</source>
-        <translation>Il appartient à Novint et ne peut pas être fourni avec ce programme. Prenez nvent_firmware.bin dans une archive des sources de libnifalcon et choisissez le fichier ici, une seule fois.</translation>
+        <source>Connect its USB cable and power supply; it is detected automatically.</source>
+        <translation>Branchez le câble USB et l’alimentation&#xa0;; il est détecté automatiquement.</translation>
     </message>
     <message>
-        <source>Pull the grip out, as far as it goes</source>
-        <translation>Tirez la poignée jusqu’au bout</translation>
+        <source>Permission denied for the Falcon</source>
+        <translation>Accès au Falcon refusé</translation>
     </message>
     <message>
-        <source>Push the grip in, until it locks</source>
-        <translation>Poussez la poignée jusqu’à ce qu’elle se bloque</translation>
+        <source>The Falcon is in use by another program</source>
+        <translation>Le Falcon est utilisé par un autre programme</translation>
+    </message>
+    <message>
+        <source>Close that program; setup then continues automatically.</source>
+        <translation>Fermez ce programme&#xa0;; la suite est automatique.</translation>
+    </message>
+    <message>
+        <source>Replace FTDI&apos;s or Force Dimension&apos;s driver by WinUSB, using Zadig; then unplug it and plug it in again.</source>
+        <translation>Remplacez le pilote de FTDI ou de Force Dimension par WinUSB, avec Zadig&#xa0;; débranchez-le puis rebranchez-le.</translation>
+    </message>
+    <message>
+        <source>It belongs to Novint and cannot be distributed with this program. Take nvent_firmware.bin from a libnifalcon source archive and choose the file here, once.</source>
+        <translation>Il appartient à Novint et ne peut être distribué avec ce programme. Prenez nvent_firmware.bin dans une archive source de libnifalcon et choisissez ce fichier ici, une seule fois.</translation>
+    </message>
+    <message>
+        <source>Pull the grip all the way out</source>
+        <translation>Tirez la poignée à fond</translation>
+    </message>
+    <message>
+        <source>Push the grip in until it locks</source>
+        <translation>Poussez la poignée jusqu’au verrouillage</translation>
     </message>
     <message>
         <source>The Falcon is ready</source>
@@ -2458,40 +2454,40 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>Un bouton de la poignée est enfoncé.</translation>
     </message>
     <message>
-        <source>Move the grip: the picture follows.</source>
-        <translation>Bougez la poignée&#xa0;: l’image suit.</translation>
+        <source>Move the grip: the drawing follows.</source>
+        <translation>Bougez la poignée&#xa0;: le dessin suit.</translation>
     </message>
     <message>
-        <source>Joints that have found their zero: {legs}. There is no force.</source>
-        <translation>Articulations qui ont trouvé leur zéro&#xa0;: {legs}. Il n’y a pas de force.</translation>
+        <source>Homed joints: {legs}. The force is off.</source>
+        <translation>Articulations repérées&#xa0;: {legs}. La force est coupée.</translation>
+    </message>
+    <message>
+        <source>No setup needed</source>
+        <translation>Aucune configuration nécessaire</translation>
+    </message>
+    <message>
+        <source>Simulated Falcon, held by a simulated hand: for trying everything without hardware.</source>
+        <translation>Falcon simulé, tenu par une main simulée&#xa0;: pour tout essayer sans matériel.</translation>
+    </message>
+    <message>
+        <source>Connect a DualSense or DualShock 4 by USB cable. Its vibration follows the strength of the force, not its direction.</source>
+        <translation>Branchez une DualSense ou DualShock 4 par câble USB. La vibration suit l’intensité de la force, pas sa direction.</translation>
+    </message>
+    <message>
+        <source>The Falcon&apos;s firmware belongs to Novint Technologies. libnifalcon distributes it under Novint&apos;s SDK licence (its file license/LICENSE_NOVINT.txt): free of charge for personal, noncommercial use, binding for every recipient. Read that licence; by continuing you confirm that you may use this file. It stays on this computer.</source>
+        <translation>Le micrologiciel du Falcon appartient à Novint Technologies. libnifalcon le distribue sous la licence SDK de Novint (fichier license/LICENSE_NOVINT.txt)&#xa0;: gratuit pour un usage personnel et non commercial, et tout destinataire y est lié. Lisez cette licence&#xa0;; en continuant, vous confirmez avoir le droit d’utiliser ce fichier. Il reste sur cet ordinateur.</translation>
+    </message>
+    <message>
+        <source>The file is intact but is not a known firmware image. It would drive the motors. Install it only if you trust its source.</source>
+        <translation>Le fichier est intact mais n’est pas un micrologiciel connu. Il piloterait les moteurs. Ne l’installez que si sa source est sûre.</translation>
     </message>
     <message>
         <source>none yet</source>
         <translation>aucune encore</translation>
     </message>
     <message>
-        <source>Nothing has to be set up</source>
-        <translation>Rien n’est à préparer</translation>
-    </message>
-    <message>
-        <source>A Falcon that is only computed, held by a simulated hand: for trying everything without hardware.</source>
-        <translation>Un Falcon seulement calculé, tenu par une main simulée&#xa0;: pour tout essayer sans matériel.</translation>
-    </message>
-    <message>
-        <source>Connect a DualSense or a DualShock 4 by its USB cable. It shakes as strongly as the force is; it has no direction.</source>
-        <translation>Branchez une DualSense ou une DualShock 4 par son câble USB. Elle vibre aussi fort que la force&#xa0;; elle n’a pas de direction.</translation>
-    </message>
-    <message>
         <source>The clip plays without force.</source>
         <translation>Le clip est lu sans force.</translation>
-    </message>
-    <message>
-        <source>The firmware of the Falcon belongs to Novint Technologies. libnifalcon passes it on under Novint&apos;s SDK licence (its file license/LICENSE_NOVINT.txt): for personal, noncommercial use, free of charge, and every recipient is bound by it. Read that licence; by going on you say that you may use this file. It stays on this computer.</source>
-        <translation>Le micrologiciel du Falcon appartient à Novint Technologies. libnifalcon le transmet sous la licence SDK de Novint (son fichier license/LICENSE_NOVINT.txt)&#xa0;: pour un usage personnel et non commercial, gratuitement, et chaque destinataire y est lié. Lisez cette licence&#xa0;; en continuant, vous dites que vous pouvez utiliser ce fichier. Il reste sur cet ordinateur.</translation>
-    </message>
-    <message>
-        <source>The file is sound, but it is none of the firmware files that are known. It would run the motors. Keep it only if you know where it comes from.</source>
-        <translation>Le fichier est sain, mais ce n’est aucun des micrologiciels connus. Il commanderait les moteurs. Ne le gardez que si vous savez d’où il vient.</translation>
     </message>
 </context>
 <context>
@@ -2505,10 +2501,6 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>Nouveau participant</translation>
     </message>
     <message>
-        <source>Go on with {code}</source>
-        <translation>Continuer avec {code}</translation>
-    </message>
-    <message>
         <source>Language</source>
         <translation>Langue</translation>
     </message>
@@ -2517,32 +2509,36 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>Jouer un clip</translation>
     </message>
     <message>
-        <source>Listen whether the sound is heard</source>
-        <translation>Vérifier que le son s’entend</translation>
-    </message>
-    <message>
         <source>Volume</source>
         <translation>Volume</translation>
     </message>
     <message>
-        <source>Stays as it is for the whole session, and is kept with it</source>
-        <translation>Reste le même pendant toute la séance et est enregistré avec elle</translation>
+        <source>Resume {code}</source>
+        <translation>Reprendre {code}</translation>
     </message>
     <message>
-        <source>The sound is heard</source>
-        <translation>Le son s’entend</translation>
+        <source>Check that the sound is audible</source>
+        <translation>Vérifier que le son est audible</translation>
     </message>
     <message>
-        <source>Begin although something is not in order</source>
-        <translation>Commencer bien que tout ne soit pas en ordre</translation>
+        <source>Fixed for the whole session and stored with it</source>
+        <translation>Fixe pour toute la session et enregistré avec elle</translation>
     </message>
     <message>
-        <source>Begin</source>
-        <translation>Commencer</translation>
+        <source>The sound is audible</source>
+        <translation>Le son est audible</translation>
+    </message>
+    <message>
+        <source>Start despite failed checks</source>
+        <translation>Commencer malgré les contrôles en échec</translation>
     </message>
     <message>
         <source>Show the first page to the participant</source>
         <translation>Montrer la première page au participant</translation>
+    </message>
+    <message>
+        <source>Start session</source>
+        <translation>Démarrer la session</translation>
     </message>
     <message>
         <source>Language of the pages</source>
@@ -2561,20 +2557,20 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>Équilibre actuel</translation>
     </message>
     <message>
-        <source>each condition {a} to {b} times at each place, {c} to {d} times after each other</source>
-        <translation>chaque condition {a} à {b} fois à chaque place, {c} à {d} fois après chaque autre</translation>
+        <source>each condition {a} to {b} times at each position, {c} to {d} times after each other condition</source>
+        <translation>chaque condition {a} à {b} fois à chaque position, {c} à {d} fois après chaque autre</translation>
+    </message>
+    <message>
+        <source>Grip homed</source>
+        <translation>Poignée repérée</translation>
+    </message>
+    <message>
+        <source>Scheduling</source>
+        <translation>Ordonnancement</translation>
     </message>
     <message>
         <source>Device</source>
         <translation>Appareil</translation>
-    </message>
-    <message>
-        <source>Grip found</source>
-        <translation>Poignée repérée</translation>
-    </message>
-    <message>
-        <source>Real-time class</source>
-        <translation>Classe temps réel</translation>
     </message>
     <message>
         <source>Participant&apos;s screen</source>
@@ -2600,10 +2596,6 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>Vitesse</translation>
     </message>
     <message>
-        <source>Pictures</source>
-        <translation>Images</translation>
-    </message>
-    <message>
         <source>{shown} shown, {dropped} dropped</source>
         <translation>vues&#xa0;: {shown}, sautées&#xa0;: {dropped}</translation>
     </message>
@@ -2621,11 +2613,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>Scheduling</source>
-        <translation>Priorité</translation>
-    </message>
-    <message>
-        <source>Late, µs</source>
-        <translation>Retard, µs</translation>
+        <translation>Ordonnancement</translation>
     </message>
     <message>
         <source>Ticks</source>
@@ -2636,8 +2624,16 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>{n} en 10 s, manqués&#xa0;: {missed}</translation>
     </message>
     <message>
-        <source>Force − picture, ms</source>
-        <translation>Force − image, ms</translation>
+        <source>Frames</source>
+        <translation>Images</translation>
+    </message>
+    <message>
+        <source>Lateness, µs</source>
+        <translation>Retard, µs</translation>
+    </message>
+    <message>
+        <source>Force − video, ms</source>
+        <translation>Force − vidéo, ms</translation>
     </message>
     <message>
         <source>Force − sound, ms</source>
@@ -2664,8 +2660,8 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>Poignée, mm</translation>
     </message>
     <message>
-        <source>picture {0:.0f}  sound {1:.0f}  force {2:.0f}  output {3:.0f}</source>
-        <translation>image {0:.0f}  son {1:.0f}  force {2:.0f}  sortie {3:.0f}</translation>
+        <source>video {0:.0f}  sound {1:.0f}  force {2:.0f}  reported {3:.0f}</source>
+        <translation>vidéo {0:.0f}  son {1:.0f}  force {2:.0f}  annoncé {3:.0f}</translation>
     </message>
 </context>
 <context>
@@ -2691,16 +2687,28 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>Jamais deux fois de suite la même séquence</translation>
     </message>
     <message>
-        <source>The operator does not see the condition</source>
-        <translation>L’opérateur ne voit pas la condition</translation>
+        <source>Hide the condition from the operator</source>
+        <translation>Cacher la condition à l’opérateur</translation>
     </message>
     <message>
-        <source>Show the published wording where there is one</source>
-        <translation>Montrer le texte publié s’il existe</translation>
+        <source>Use the published wording where available</source>
+        <translation>Utiliser la formulation publiée si elle existe</translation>
     </message>
     <message>
-        <source>Offer markers and force to other programs on this machine (LSL)</source>
-        <translation>Offrir marqueurs et force à d’autres programmes de cette machine (LSL)</translation>
+        <source>Stream markers and force to other programs on this computer (LSL)</source>
+        <translation>Diffuser marqueurs et force vers d’autres programmes de cet ordinateur (LSL)</translation>
+    </message>
+    <message>
+        <source>Williams: balanced for carry-over</source>
+        <translation>Williams&#xa0;: équilibré pour l’effet de report</translation>
+    </message>
+    <message>
+        <source>Choose a sequence folder</source>
+        <translation>Choisir le dossier d’une séquence</translation>
+    </message>
+    <message>
+        <source>Sequence folder</source>
+        <translation>Dossier de séquence</translation>
     </message>
     <message>
         <source>Title</source>
@@ -2723,24 +2731,12 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>Carré latin</translation>
     </message>
     <message>
-        <source>Williams: balanced for what came before</source>
-        <translation>Williams&#xa0;: équilibré selon ce qui précède</translation>
-    </message>
-    <message>
         <source>From orders.csv</source>
         <translation>D’après orders.csv</translation>
     </message>
     <message>
         <source>Browse…</source>
         <translation>Parcourir…</translation>
-    </message>
-    <message>
-        <source>Choose the folder of a sequence</source>
-        <translation>Choisir le dossier d’une séquence</translation>
-    </message>
-    <message>
-        <source>Folder of a sequence</source>
-        <translation>Dossier d’une séquence</translation>
     </message>
     <message>
         <source> (published)</source>
@@ -2778,8 +2774,8 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>Modèle</translation>
     </message>
     <message>
-        <source>Folder of a study</source>
-        <translation>Dossier d’une étude</translation>
+        <source>Study folder</source>
+        <translation>Dossier d’étude</translation>
     </message>
 </context>
 <context>
@@ -2808,24 +2804,72 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation> ms</translation>
     </message>
     <message>
-        <source>Sound later than picture</source>
-        <translation>Son après l’image</translation>
+        <source>Sound delay</source>
+        <translation>Retard du son</translation>
     </message>
     <message>
-        <source>How much later than its picture the camera&apos;s sound comes</source>
-        <translation>De combien le son de la caméra vient après son image</translation>
+        <source>How much later than the video the camera records its sound</source>
+        <translation>De combien le son de la caméra retarde sur la vidéo</translation>
+    </message>
+    <message>
+        <source>use for this camera</source>
+        <translation>utiliser pour cette caméra</translation>
+    </message>
+    <message>
+        <source>I have checked the offset by eye and ear</source>
+        <translation>J’ai vérifié le décalage à l’œil et à l’oreille</translation>
+    </message>
+    <message>
+        <source>&amp;Tap marks</source>
+        <translation>&amp;Tapes</translation>
+    </message>
+    <message>
+        <source>Zoom to the tap marks</source>
+        <translation>Zoomer sur les tapes</translation>
+    </message>
+    <message>
+        <source>&amp;Listen</source>
+        <translation>É&amp;couter</translation>
+    </message>
+    <message>
+        <source>Play the visible part: the clip on the left, a tick at each tap of the log on the right</source>
+        <translation>Lire la partie visible&#xa0;: le clip à gauche, un tic à chaque tape du journal à droite</translation>
+    </message>
+    <message>
+        <source>S&amp;ound delay</source>
+        <translation>Retard du s&amp;on</translation>
+    </message>
+    <message>
+        <source>Drag the acceleration until it lines up with the sound; the arrow keys move it by 1 ms, with Shift 10 ms, with Ctrl 100 ms. The wheel zooms. The frame shown is the one at the cursor; comma and period move it.</source>
+        <translation>Faites glisser l’accélération jusqu’à l’aligner sur le son&#xa0;; les flèches la déplacent de 1 ms, avec Maj de 10 ms, avec Ctrl de 100 ms. La molette zoome. L’image affichée est celle du curseur&#xa0;; virgule et point le déplacent.</translation>
+    </message>
+    <message>
+        <source>{recorder} records its motion on the clip&apos;s clock; no synchronisation is needed.</source>
+        <translation>{recorder} enregistre son mouvement sur l’horloge du clip&#xa0;; aucune synchronisation n’est nécessaire.</translation>
+    </message>
+    <message>
+        <source>Could not synchronise: {why}. Enter the offset manually.</source>
+        <translation>Synchronisation impossible&#xa0;: {why}. Saisissez le décalage à la main.</translation>
+    </message>
+    <message>
+        <source>The offset was set manually.</source>
+        <translation>Le décalage a été réglé à la main.</translation>
+    </message>
+    <message>
+        <source>Tap marks found (confidence {confidence}, residual {ms} ms).</source>
+        <translation>Tapes trouvées (confiance {confidence}, résidu {ms} ms).</translation>
+    </message>
+    <message>
+        <source>The tap marks are uncertain (confidence {confidence}). Check that the same events line up, and drag them if not.</source>
+        <translation>Les tapes sont incertaines (confiance {confidence}). Vérifiez que les mêmes événements sont alignés, sinon faites-les glisser.</translation>
+    </message>
+    <message>
+        <source>No three taps found in both sound and motion; drag manually.</source>
+        <translation>Pas de triple tape à la fois dans le son et le mouvement&#xa0;; alignez à la main.</translation>
     </message>
     <message>
         <source>Method</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>keep for this camera</source>
-        <translation>garder pour cette caméra</translation>
-    </message>
-    <message>
-        <source>I have looked and listened: this offset is right</source>
-        <translation>J’ai regardé et écouté&#xa0;: ce décalage est juste</translation>
+        <translation>Méthode</translation>
     </message>
     <message>
         <source>&amp;Whole clip</source>
@@ -2836,64 +2880,16 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>Montrer tout le clip</translation>
     </message>
     <message>
-        <source>The &amp;pats</source>
-        <translation>Les &amp;tapes</translation>
-    </message>
-    <message>
-        <source>Show the pats closely</source>
-        <translation>Montrer les tapes de près</translation>
-    </message>
-    <message>
-        <source>&amp;Hear</source>
-        <translation>É&amp;couter</translation>
-    </message>
-    <message>
-        <source>Play what is shown: the clip left, a tick at each knock right</source>
-        <translation>Lire ce qui est montré&#xa0;: le clip à gauche, un tic à chaque choc à droite</translation>
-    </message>
-    <message>
         <source>&amp;Offset</source>
         <translation>&amp;Décalage</translation>
     </message>
     <message>
-        <source>S&amp;ound later than picture</source>
-        <translation>S&amp;on après l’image</translation>
-    </message>
-    <message>
         <source>&amp;Method</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Drag the acceleration until it lies under the sound; the arrow keys move it by 1 ms, with Shift by 10 ms, with Ctrl by 100 ms. The wheel zooms; the picture is that at the cursor, which comma and point move.</source>
-        <translation>Tirez l’accélération jusqu’à ce qu’elle soit sous le son&#xa0;; les flèches la déplacent de 1 ms, avec Maj de 10 ms, avec Ctrl de 100 ms. La molette agrandit&#xa0;; l’image est celle du curseur, que la virgule et le point déplacent.</translation>
-    </message>
-    <message>
-        <source>{recorder} keeps its motion on the clip&apos;s own clock.</source>
-        <translation>{recorder} garde le mouvement sur l’horloge du clip.</translation>
-    </message>
-    <message>
-        <source>Nothing to go by: {why}. Give the offset by hand.</source>
-        <translation>Aucun repère&#xa0;: {why}. Donnez le décalage à la main.</translation>
-    </message>
-    <message>
-        <source>The offset was moved by hand.</source>
-        <translation>Le décalage a été déplacé à la main.</translation>
+        <translation>&amp;Méthode</translation>
     </message>
     <message>
         <source>Synchronised by {method} (confidence {confidence}).</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The pats were found (confidence {confidence}, residual {ms} ms).</source>
-        <translation>Les tapes ont été trouvées (confiance {confidence}, reste {ms} ms).</translation>
-    </message>
-    <message>
-        <source>The pats are not certain (confidence {confidence}). Look whether the same events lie under each other, and drag them if not.</source>
-        <translation>Les tapes ne sont pas sûres (confiance {confidence}). Regardez si les mêmes événements sont l’un sous l’autre, sinon tirez-les.</translation>
-    </message>
-    <message>
-        <source>No three pats are both heard and felt; drag by hand.</source>
-        <translation>Trois tapes ne sont pas à la fois entendues et senties&#xa0;; tirez à la main.</translation>
+        <translation>Synchronisé par {method} (confiance {confidence}).</translation>
     </message>
 </context>
 <context>
@@ -2903,12 +2899,12 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>Courbe de synchronisation</translation>
     </message>
     <message>
-        <source>How much later than its picture and its sound the force came in the last 30 s. Nobody feels what lies between 15 ms early and 50 ms late</source>
-        <translation>De combien la force est venue après son image et son son ces 30 dernières secondes. Personne ne sent ce qui reste entre 15 ms trop tôt et 50 ms trop tard</translation>
+        <source>How much later than video and sound the force came in the last 30 s. Between 15 ms early and 50 ms late is not noticeable</source>
+        <translation>Retard de la force sur la vidéo et le son durant les 30 dernières secondes. Entre 15 ms d’avance et 50 ms de retard, rien ne se sent</translation>
     </message>
     <message>
-        <source>Force − picture</source>
-        <translation>Force − image</translation>
+        <source>Force − video</source>
+        <translation>Force − vidéo</translation>
     </message>
     <message>
         <source>Force − sound</source>
@@ -2956,32 +2952,32 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>Temps</translation>
     </message>
     <message>
-        <source>Speed; Backspace for normal speed</source>
-        <translation>Vitesse&#xa0;; Retour arrière pour la normale</translation>
-    </message>
-    <message>
         <source>Feedback</source>
         <translation>Retour</translation>
-    </message>
-    <message>
-        <source>Which force goes with the clip</source>
-        <translation>Quelle force accompagne la vidéo</translation>
     </message>
     <message>
         <source>Device</source>
         <translation>Appareil</translation>
     </message>
     <message>
-        <source>Which haptic device is moved</source>
-        <translation>Quel appareil haptique est mû</translation>
-    </message>
-    <message>
         <source>Fullscreen</source>
         <translation>Plein écran</translation>
     </message>
     <message>
-        <source>Show the clip and nothing else (F)</source>
-        <translation>Ne montrer que la vidéo (F)</translation>
+        <source>Playback speed (Backspace: normal speed)</source>
+        <translation>Vitesse de lecture (Retour arrière&#xa0;: normale)</translation>
+    </message>
+    <message>
+        <source>Force track to play</source>
+        <translation>Piste de force à jouer</translation>
+    </message>
+    <message>
+        <source>Haptic device</source>
+        <translation>Appareil haptique</translation>
+    </message>
+    <message>
+        <source>Fullscreen (F)</source>
+        <translation>Plein écran (F)</translation>
     </message>
     <message>
         <source>Volume</source>
@@ -3005,7 +3001,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>Pause</source>
-        <translation>Suspendre</translation>
+        <translation>Pause</translation>
     </message>
     <message>
         <source>Play</source>
@@ -3016,12 +3012,12 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>{name} (Espace)</translation>
     </message>
     <message>
-        <source>The force was stopped: let it come back (Ctrl+R)</source>
-        <translation>La force a été arrêtée&#xa0;: la laisser revenir (Ctrl+R)</translation>
+        <source>The force was stopped: re-arm it (Ctrl+R)</source>
+        <translation>La force a été coupée&#xa0;: réarmer (Ctrl+R)</translation>
     </message>
     <message>
-        <source>Take the force away at once and pause (Esc)</source>
-        <translation>Retirer la force tout de suite et suspendre (Échap)</translation>
+        <source>Stop the force immediately and pause (Esc)</source>
+        <translation>Couper la force immédiatement et mettre en pause (Échap)</translation>
     </message>
     <message>
         <source>Re-arm the force</source>
@@ -3062,8 +3058,8 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
 <context>
     <name>VideoSurface</name>
     <message>
-        <source>Picture</source>
-        <translation>Image</translation>
+        <source>Video</source>
+        <translation>Vidéo</translation>
     </message>
 </context>
 <context>
@@ -3073,8 +3069,8 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>Réponse</translation>
     </message>
     <message>
-        <source>KEY=VALUE, several with blanks between</source>
-        <translation>CLÉ=VALEUR, plusieurs séparées par des espaces</translation>
+        <source>KEY=VALUE, separated by spaces</source>
+        <translation>CLÉ=VALEUR, séparées par des espaces</translation>
     </message>
     <message>
         <source>&amp;Answer</source>
@@ -3089,8 +3085,8 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
         <translation>&amp;Modèle…</translation>
     </message>
     <message>
-        <source>Take the answers from a file</source>
-        <translation>Prendre les réponses d’un fichier</translation>
+        <source>Load the answers from a template</source>
+        <translation>Charger les réponses depuis un modèle</translation>
     </message>
 </context>
 <context>
@@ -3689,7 +3685,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>damaged places: {places}, with {ticks} ticks</source>
-        <translation>endroits endommagés : {places}, avec {ticks} tops</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>faults can only be injected into a simulated device that was opened for it</source>
@@ -4625,7 +4621,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>is truncated in its header</source>
-        <translation>est tronqué dans son en-tête</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>nothing is being recorded: {reason}</source>
@@ -4833,7 +4829,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>stopped</source>
-        <translation>arrêtée</translation>
+        <translation>coupée</translation>
     </message>
     <message>
         <source>stopped by a button on the grip</source>
@@ -4997,7 +4993,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>the force is {ms:.0f} ms ahead of the sound: the computer may be overloaded; close other programs</source>
-        <translation>la force est en avance de {ms:.0f} ms sur le son : l’ordinateur est peut-être surchargé ; fermez d’autres programmes</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>the force is {ms:.0f} ms ahead of the video: the computer may be overloaded; close other programs</source>
@@ -5117,7 +5113,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>the recording has no end: it was truncated, or is still being written</source>
-        <translation>l’enregistrement n’a pas de fin : il a été tronqué ou est encore en cours d’écriture</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>the recording has no magnetometer to find the heading with</source>
@@ -5821,7 +5817,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>the clip is damaged: some of its frames are missing or broken</source>
-        <translation>le clip est endommagé : des images manquent ou sont défectueuses</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>the columns must be {columns}</source>
@@ -5833,7 +5829,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>the guard could not be started: {reason}</source>
-        <translation>le processus de garde n’a pas pu être démarré : {reason}</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>the guard of the haptics process has ended, so the force is off; choose the device again</source>
@@ -5861,7 +5857,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>there is data after the end of the recording</source>
-        <translation>des données suivent la fin de l’enregistrement</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>there is no judgement to analyse</source>
@@ -5869,7 +5865,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>this haptic loop does not accept injected faults</source>
-        <translation>cette boucle haptique n’accepte pas de pannes injectées</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>unknown entry {name!r}</source>
@@ -5877,7 +5873,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>unknown format {name!r}; choose one of {known}</source>
-        <translation>format inconnu {name!r}&#x202f;; choisissez parmi {known}</translation>
+        <translation>format inconnu {name!r}&#xa0;; choisissez parmi {known}</translation>
     </message>
     <message>
         <source>unknown sequence {key!r}; choose one of {known}</source>
@@ -5889,7 +5885,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>use a file that &apos;hapticplayer play --record&apos; has written</source>
-        <translation>utilisez un fichier écrit par &apos;hapticplayer play --record&apos;</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>was written by another version of the program</source>
@@ -5917,7 +5913,7 @@ Glissez ou utilisez les flèches pour tourner la vue, la molette ou + et − pou
     </message>
     <message>
         <source>{device} is a real device and does not accept injected faults</source>
-        <translation>{device} est un appareil réel et n’accepte pas de pannes injectées</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{device}, {state}</source>

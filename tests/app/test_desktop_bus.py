@@ -49,10 +49,10 @@ def saver(bus):
 
 def test_the_screen_is_held_awake_as_long_as_it_is_wanted(saver, address, wait_for):
     inhibitor = IdleInhibitor(address)
-    inhibitor.set_wanted("plays a clip")
-    inhibitor.set_wanted("plays a clip")
+    inhibitor.set_wanted("playing a clip")
+    inhibitor.set_wanted("playing a clip")
     wait_for(lambda: bool(saver.reasons))
-    assert saver.reasons == [("hapticplayer", "plays a clip")]
+    assert saver.reasons == [("hapticplayer", "playing a clip")]
     assert len(saver.holders) == 1
     inhibitor.set_wanted("")
     wait_for(lambda: not saver.holders)
@@ -78,7 +78,7 @@ def test_the_window_holds_the_screen_while_it_plays(
 
 def test_without_a_bus_nothing_happens(qapp):
     inhibitor = IdleInhibitor("unix:path=/nowhere/at/all")
-    inhibitor.set_wanted("plays a clip")
+    inhibitor.set_wanted("playing a clip")
     inhibitor.release()
 
 
@@ -165,7 +165,7 @@ def test_without_a_session_bus_none_is_started(playing, monkeypatch, tmp_path):
     monkeypatch.delenv("DBUS_SESSION_BUS_ADDRESS", raising=False)
     monkeypatch.setenv("XDG_RUNTIME_DIR", str(tmp_path))
     monkeypatch.setattr(idle, "open_dbus_connection", None)  # nobody connects
-    IdleInhibitor().set_wanted("plays a clip")
+    IdleInhibitor().set_wanted("playing a clip")
     made = Mpris(playing.player, playing.raise_, playing.close)
     made.switch(is_on=True)
     made.tell()
@@ -179,7 +179,7 @@ def test_the_session_bus_is_found_by_its_socket(monkeypatch, address, saver, wai
     (folder / "bus").symlink_to(socket)
     monkeypatch.setenv("XDG_RUNTIME_DIR", str(folder))
     inhibitor = IdleInhibitor()
-    inhibitor.set_wanted("plays a clip")
+    inhibitor.set_wanted("playing a clip")
     wait_for(lambda: bool(saver.holders))
     inhibitor.release()
 

@@ -126,7 +126,7 @@ def test_every_mode_has_its_words_and_its_colour(state, activity):
         (grip(health=Health.STARTING), "Starting"),
         (grip(ticks(9), health=Health.FAILED), "failed"),
         (grip(ticks(9), health=Health.GONE), "ended"),
-        (grip(ticks(9, position_m=math.nan)), "not known"),
+        (grip(ticks(9, position_m=math.nan)), "unknown"),
     ],
 )
 def test_without_a_position_it_says_why_and_shows_no_grip(made, said):

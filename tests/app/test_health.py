@@ -67,7 +67,7 @@ def test_all_is_well():
             {"mode": Mode.TRIPPED, "cause": Cause.HEARTBEAT_LOST},
             0,
             Level.BAD,
-            "the window hung",
+            "window not responding",
         ),
         ({"device_health": Health.GONE}, 0, Level.BAD, "gone"),
         ({"device_health": Health.FAILED}, 0, Level.BAD, "failed"),
@@ -94,7 +94,7 @@ def test_all_is_well():
             "OFF \u221216",
         ),
         ({"frames_dropped": 30}, 5, Level.BAD, "30 dropped"),
-        ({"frames_damaged": 2}, 5, Level.WATCH, "damaged: 2 broken"),
+        ({"frames_damaged": 2}, 5, Level.WATCH, "2 damaged"),
         ({"clock": "monotonic", "audio": ""}, 6, Level.NEUTRAL, "monotonic"),
         ({"clock": "monotonic"}, 6, Level.WATCH, "no sound"),
         ({"clock": "monotonic"}, 4, Level.NEUTRAL, "\u2013"),
@@ -156,7 +156,7 @@ def test_why_the_force_has_stopped_is_not_cut_off(qtbot):
     stopped = {"mode": Mode.TRIPPED, "cause": Cause.MALFORMED}
     show(line, **stopped)
     line.layout().activate()
-    assert "answers nonsense" in line.entries[0].text()
+    assert "malformed replies" in line.entries[0].text()
     assert [e.text() for e in line.entries if e.width() < e.needed_px()] == []
 
 

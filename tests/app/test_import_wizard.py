@@ -71,10 +71,10 @@ def test_a_ride_goes_from_files_to_a_report_in_the_library(
     wizard.take([folder / "log.csv", folder / "ride.mp4"])  # in any order
     wait_for(wizard.next.isEnabled)
     assert "64 \u00d7 36" in wizard.files.facts.text()
-    assert "200 samples a second" in wizard.files.facts.text()
+    assert "200 Hz" in wizard.files.facts.text()
     wizard.next.click()
     assert wizard.stack.currentIndex() == SYNC
-    assert "were found" in wizard.sync.verdict.text()
+    assert "Tap marks found" in wizard.sync.verdict.text()
     assert wizard.sync.offset.value() == pytest.approx(true_offset_s(made), abs=0.005)
     assert wizard.sync.looked.isHidden()
     wait_for(lambda: wizard.sync.frame.shown_s is not None)
@@ -91,7 +91,7 @@ def test_a_ride_goes_from_files_to_a_report_in_the_library(
     assert kept["seen_by_person"]
     assert kept["offset_s"] == pytest.approx(true_offset_s(made), abs=0.005)
     text = wizard.report.toPlainText()
-    for name in ("Synchronisation", "Clock drift", "Gravity left", "Use of the work"):
+    for name in ("Synchronisation", "Clock drift", "Residual gravity", "Workspace used"):
         assert name in text
     with qtbot.waitSignal(wizard.play_wanted) as wanted:
         wizard.next.click()
@@ -102,7 +102,7 @@ def test_a_camera_with_its_own_motion_needs_no_pats(wizard, ride, wait_for):
     wizard.take([ride[0] / "gopro.mp4"])
     wait_for(wizard.next.isEnabled)
     wizard.next.click()
-    assert "own clock" in wizard.sync.verdict.text()
+    assert "the clip's clock" in wizard.sync.verdict.text()
     assert wizard.next.isEnabled()
     wizard.next.click()
     wizard.mounting.mounting.setCurrentIndex(
@@ -123,8 +123,8 @@ def test_a_real_camera_is_recognised_and_imported(wizard, wait_for, shared_data)
     wizard.take([shared_data / "capture" / "gopro" / "karma.mp4"])
     wait_for(wizard.next.isEnabled)
     facts = wizard.files.facts.text()
-    assert "854 \u00d7 480, 29.97 pictures a second" in facts
-    assert "198.7 samples a second" in facts
+    assert "854 \u00d7 480, 29.97 fps" in facts
+    assert "198.7 Hz" in facts
     assert "z was up" in facts
     assert "10 to 30 ms" in wizard.files.notes.text()
     for _ in range(3):
@@ -140,10 +140,10 @@ def test_doubt_cannot_be_passed_without_a_look(wizard, ride, wait_for):
     wizard.take([folder / "ride.mp4", folder / "other.csv"])
     wait_for(wizard.next.isEnabled)
     wizard.next.click()
-    assert "not certain" in wizard.sync.verdict.text()
+    assert "are uncertain" in wizard.sync.verdict.text()
     assert not wizard.next.isEnabled()
     wizard.sync.offset.setValue(wizard.sync.offset.value() + 0.5)
-    assert not wizard.next.isEnabled()  # moved by hand is no look either
+    assert not wizard.next.isEnabled()  # set manually is no look either
     wizard.sync.looked.setChecked(True)
     assert wizard.next.isEnabled()
     wizard.next.click()
@@ -164,7 +164,7 @@ def test_keys_move_the_log_and_the_cursor(wizard, qtbot, ride, wait_for):
     qtbot.keyClick(page.strip, Qt.Key.Key_Right)
     qtbot.keyClick(page.strip, Qt.Key.Key_Left, Qt.KeyboardModifier.ShiftModifier)
     assert page.offset.value() == pytest.approx(first_s - 0.009, abs=1e-6)
-    assert "moved by hand" in page.verdict.text()
+    assert "set manually" in page.verdict.text()
     qtbot.keyClick(page.strip, Qt.Key.Key_Period)
     assert page.strip.cursor_s == pytest.approx(cursor_s + 1 / 30)
     wait_for(lambda: (page.frame.shown_s or 0.0) > cursor_s)
@@ -272,10 +272,10 @@ def test_a_log_that_is_mounted_otherwise_gets_a_proposal(
     write_imu_csv(log, mounted(made.imu, "-x,y,-z"))
     wizard.take([folder / "ride.mp4", log])
     wait_for(wizard.next.isEnabled)
-    assert "-z was up" in wizard.files.facts.text()
+    assert "-z pointed up" in wizard.files.facts.text()
     page = wizard.mounting
     assert page.axes == "-x,y,-z"
-    assert "agrees" in page.gravity.text()
+    assert "Consistent" in page.gravity.text()
     page.mounting.setCurrentIndex(0)
     assert "another side" in page.gravity.text()
     assert page.triad.axes == "x,y,z"
@@ -309,7 +309,7 @@ def test_a_skew_moves_the_offset_and_is_kept_for_its_camera(
     before_s = page.offset.value()
     page.skew.setValue(40)
     assert page.offset.value() == pytest.approx(before_s - 0.04, abs=1e-6)
-    assert "were found" in page.verdict.text()  # the pats are as certain as before
+    assert "Tap marks found" in page.verdict.text()  # the pats are as certain as before
     assert page.choice().sound_late_s == pytest.approx(0.04)
     page.keep_skew.setChecked(True)
     page.keep()

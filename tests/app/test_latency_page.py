@@ -172,7 +172,7 @@ def test_what_is_used_is_kept_for_its_output_and_played_with(
     assert latencies_of(settings, "another screen").display_s == 0.0
     assert window.player.snapshot().latency == Latency(display_s=0.045)
     window.commands.statistics.setChecked(True)
-    assert "picture 45 " in window.extras.statistics.text()
+    assert "video 45 " in window.extras.statistics.text()
 
 
 def test_cancel_changes_nothing(make_page, settings):

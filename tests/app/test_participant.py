@@ -172,7 +172,7 @@ def test_the_operator_repeats_skips_and_notes(make_study, sit, wait_for):
     control.note.setText("phone rang")
     QTest.keyClick(control.note, Qt.Key.Key_Return)
     wait_for(lambda: "trial 2 of 12" in control.where.text())
-    assert "as it should be" in control.played.text()
+    assert "was valid" in control.played.text()
     ratings = read_answers(session.study.folder).ratings
     assert [r.value for r in ratings if r.value is not None] == [1] * 4
     kinds = [

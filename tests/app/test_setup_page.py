@@ -68,8 +68,8 @@ def test_from_power_up_to_a_grip_that_is_followed(make_page, wait_for):
 
     wait_for(is_ready)
     wanted = [
-        "Pull the grip out, as far as it goes",
-        "Push the grip in, until it locks",
+        "Pull the grip all the way out",
+        "Push the grip in until it locks",
     ]
     assert list(dict.fromkeys(t for t in titles if t in wanted)) == wanted
     assert {1, -1} <= set(arrows)
@@ -90,8 +90,8 @@ def test_it_cannot_be_used_before_it_is_homed(make_page, wait_for):
 @pytest.mark.parametrize(
     ("code", "title", "remedy"),
     [
-        (errno.EACCES, "permission", "packaging/udev/70-novint-falcon.rules"),
-        (errno.EBUSY, "Another program", "Close that program"),
+        (errno.EACCES, "Permission denied", "packaging/udev/70-novint-falcon.rules"),
+        (errno.EBUSY, "in use by another program", "Close that program"),
         (errno.ENOSYS, "wrong driver", "WinUSB"),
         (errno.ENODEV, "not plugged in", "power supply"),
         (errno.EPIPE, "cannot be used", "plug it in again"),
@@ -138,7 +138,7 @@ def test_missing_firmware_is_given_in_the_window(make_page, wait_for, tmp_path):
     assert not (tmp_path / "data").exists()
     offer_firmware(page, file, page.begin, page.on_no_firmware)
     answer(page, wait_for)
-    assert "none of the firmware files that are known" in answer(page, wait_for)
+    assert "not a known firmware image" in answer(page, wait_for)
     wait_for(lambda: page.picture.view.arrow == 1)
     assert find_image().data == file.read_bytes()
 

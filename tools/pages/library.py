@@ -86,7 +86,7 @@ def _library(stage: Stage) -> Pictures:
         entry = page.chosen()
         yield "library-delete", stage.asked(lambda: page._is_sure(entry))
         yield "library-rename", stage.asked(page._rename)
-        page._tell(page.tr("{title} is in the bin.").format(title=entry.title))
+        page._tell(page.tr("Moved {title} to the bin.").format(title=entry.title))
         page.undo.show()
         page.search.setText("nothing is called so")
         yield "library-nothing-found", stage.picture(page)
