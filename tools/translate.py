@@ -12,6 +12,7 @@ import ast
 import errno
 import json
 import os
+import re
 import subprocess
 import sys
 import tempfile
@@ -57,6 +58,7 @@ def main() -> int:
                 *(*update, "-target-language", code),
                 *(*sources, str(of_engine), "-ts", str(ts)),
             )
+            _keep_signs_with_words(ts)
             _run(
                 bin_folder / "pyside6-lrelease",
                 *("-silent", str(ts), "-qm", str(ts.with_suffix(".qm"))),
@@ -94,6 +96,15 @@ def untranslated(ts: Path) -> list[tuple[str, str]]:
         for message in context.iter("message")
         if not message.findtext("translation")
     ]
+
+
+def _keep_signs_with_words(ts: Path) -> None:
+    """Give French signs the space before them that does not break."""
+    if ts.stem == "fr":
+        text = ts.read_text(encoding="utf-8")
+        text = re.sub(r" (?=[;:!?\u00bb])(?=[^<]*</translation>)", "&#xa0;", text)
+        text = re.sub(r"\u00ab (?=[^<]*</translation>)", "\u00ab&#xa0;", text)
+        ts.write_text(text, encoding="utf-8")
 
 
 def _is_message(function: ast.expr) -> bool:

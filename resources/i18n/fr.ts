@@ -3697,7 +3697,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>has an invalid header: {reason}</source>
-        <translation>a un en-tête non valide : {reason}</translation>
+        <translation>a un en-tête non valide&#xa0;: {reason}</translation>
     </message>
     <message>
         <source>is damaged in its header</source>
@@ -4625,7 +4625,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>nothing is being recorded: {reason}</source>
-        <translation>rien n’est enregistré : {reason}</translation>
+        <translation>rien n’est enregistré&#xa0;: {reason}</translation>
     </message>
     <message>
         <source>offset {offset_s} s with rate {rate} is no clock map; give finite numbers and a positive rate</source>
@@ -4997,19 +4997,19 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>the force is {ms:.0f} ms ahead of the video: the computer may be overloaded; close other programs</source>
-        <translation>la force est en avance de {ms:.0f} ms sur la vidéo : l’ordinateur est peut-être surchargé ; fermez d’autres programmes</translation>
+        <translation>la force est en avance de {ms:.0f} ms sur la vidéo&#xa0;: l’ordinateur est peut-être surchargé&#xa0;; fermez d’autres programmes</translation>
     </message>
     <message>
         <source>the force is {ms:.0f} ms behind the sound: the computer may be overloaded; close other programs</source>
-        <translation>la force est en retard de {ms:.0f} ms sur le son : l’ordinateur est peut-être surchargé ; fermez d’autres programmes</translation>
+        <translation>la force est en retard de {ms:.0f} ms sur le son&#xa0;: l’ordinateur est peut-être surchargé&#xa0;; fermez d’autres programmes</translation>
     </message>
     <message>
         <source>the force is {ms:.0f} ms behind the video: the computer may be overloaded; close other programs</source>
-        <translation>la force est en retard de {ms:.0f} ms sur la vidéo : l’ordinateur est peut-être surchargé ; fermez d’autres programmes</translation>
+        <translation>la force est en retard de {ms:.0f} ms sur la vidéo&#xa0;: l’ordinateur est peut-être surchargé&#xa0;; fermez d’autres programmes</translation>
     </message>
     <message>
         <source>the force track was rejected: {reason}</source>
-        <translation>la piste de force a été rejetée : {reason}</translation>
+        <translation>la piste de force a été rejetée&#xa0;: {reason}</translation>
     </message>
     <message>
         <source>the game pad is not open; choose the device again</source>
@@ -5121,23 +5121,23 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>the recording is incomplete: its file could not be written</source>
-        <translation>l’enregistrement est incomplet : son fichier n’a pas pu être écrit</translation>
+        <translation>l’enregistrement est incomplet&#xa0;: son fichier n’a pas pu être écrit</translation>
     </message>
     <message>
         <source>the recording is incomplete: its file was removed</source>
-        <translation>l’enregistrement est incomplet : son fichier a été supprimé</translation>
+        <translation>l’enregistrement est incomplet&#xa0;: son fichier a été supprimé</translation>
     </message>
     <message>
         <source>the recording is incomplete: its process ended with status {status}</source>
-        <translation>l’enregistrement est incomplet : son processus s’est terminé avec le code {status}</translation>
+        <translation>l’enregistrement est incomplet&#xa0;: son processus s’est terminé avec le code {status}</translation>
     </message>
     <message>
         <source>the recording is incomplete: the disk is full, or the file has reached its size limit</source>
-        <translation>l’enregistrement est incomplet : le disque est plein, ou le fichier a atteint sa taille maximale</translation>
+        <translation>l’enregistrement est incomplet&#xa0;: le disque est plein, ou le fichier a atteint sa taille maximale</translation>
     </message>
     <message>
         <source>the recording is incomplete: the disk is too slow</source>
-        <translation>l’enregistrement est incomplet : le disque est trop lent</translation>
+        <translation>l’enregistrement est incomplet&#xa0;: le disque est trop lent</translation>
     </message>
     <message>
         <source>the sampling rate changes over the recording, {change}</source>
@@ -5833,15 +5833,15 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>the guard of the haptics process has ended, so the force is off; choose the device again</source>
-        <translation>le processus de garde s’est terminé, la force est coupée ; choisissez de nouveau l’appareil</translation>
+        <translation>le processus de garde s’est terminé, la force est coupée&#xa0;; choisissez de nouveau l’appareil</translation>
     </message>
     <message>
         <source>the haptics process did not become ready in time; try again, and run &apos;hapticplayer doctor&apos; if it fails again</source>
-        <translation>le processus haptique n’a pas été prêt à temps ; réessayez, puis lancez &apos;hapticplayer doctor&apos; si l’échec se répète</translation>
+        <translation>le processus haptique n’a pas été prêt à temps&#xa0;; réessayez, puis lancez &apos;hapticplayer doctor&apos; si l’échec se répète</translation>
     </message>
     <message>
         <source>the haptics process has ended, so the force is off; choose the device again</source>
-        <translation>le processus haptique s’est terminé, la force est coupée ; choisissez de nouveau l’appareil</translation>
+        <translation>le processus haptique s’est terminé, la force est coupée&#xa0;; choisissez de nouveau l’appareil</translation>
     </message>
     <message>
         <source>the home folder is unknown; set {variable} to the firmware&apos;s path</source>
@@ -6073,7 +6073,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>the sound output was lost; video and force continue</source>
-        <translation>la sortie audio a été perdue ; la vidéo et la force continuent</translation>
+        <translation>la sortie audio a été perdue&#xa0;; la vidéo et la force continuent</translation>
     </message>
     <message>
         <source>{share:.1%} of the force samples reach the force limit</source>

@@ -91,7 +91,12 @@ def test_a_ride_goes_from_files_to_a_report_in_the_library(
     assert kept["seen_by_person"]
     assert kept["offset_s"] == pytest.approx(true_offset_s(made), abs=0.005)
     text = wizard.report.toPlainText()
-    for name in ("Synchronisation", "Clock drift", "Residual gravity", "Workspace used"):
+    for name in (
+        "Synchronisation",
+        "Clock drift",
+        "Residual gravity",
+        "Workspace used",
+    ):
         assert name in text
     with qtbot.waitSignal(wizard.play_wanted) as wanted:
         wizard.next.click()
@@ -125,7 +130,7 @@ def test_a_real_camera_is_recognised_and_imported(wizard, wait_for, shared_data)
     facts = wizard.files.facts.text()
     assert "854 \u00d7 480, 29.97 fps" in facts
     assert "198.7 Hz" in facts
-    assert "z was up" in facts
+    assert "z pointed up" in facts
     assert "10 to 30 ms" in wizard.files.notes.text()
     for _ in range(3):
         wizard.next.click()
