@@ -198,8 +198,8 @@ def simulate(options: argparse.Namespace) -> int:
     with interruptible():
         codes = write_answers(study, answers, SystemClock(), origin=origin)
     report = {"study": str(options.study), **origin, "participants": codes}
-    told = f"{options.study}: {len(codes)} simulated participants, marked as such"
-    say(_json(report) if options.json else told)
+    text = f"{options.study}: {len(codes)} simulated participants, marked as such"
+    say(_json(report) if options.json else text)
     return 0
 
 
@@ -287,8 +287,8 @@ def _power_text(found: Power, measure: str, source: str) -> str:
         )
     ]
     for name, needed in found.needed.items():
-        told = f"{needed}" if needed is not None else f"more than {goal.largest}"
-        lines.append(f"  {name:<20}{told}")
+        text = f"{needed}" if needed is not None else f"more than {goal.largest}"
+        lines.append(f"  {name:<20}{text}")
     return "\n".join(lines)
 
 

@@ -1,7 +1,7 @@
 """A value that one process publishes and others read, without a lock between them.
 
 Two slots with a checksum each: a reader that meets a write in progress tries again a
-bounded number of times and then goes on with what it knows, so that a writer killed in
+bounded number of times and then continues with its last sample, so that a writer killed in
 mid-write can never make a reader spin.
 """
 

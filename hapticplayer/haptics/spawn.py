@@ -2,7 +2,7 @@
 
 Each survives the death of the others for as long as it takes to leave zero on the
 wire: the loop ends when the player's line closes, the guard when the loop has gone,
-the simulated device when nobody is left who could command it.
+the simulated device when its last peer has gone.
 """
 
 import contextlib

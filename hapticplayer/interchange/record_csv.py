@@ -53,7 +53,7 @@ def write_csv(
     Args:
         reader: at its beginning.
         out: gets the text.
-        progress: told after each chunk.
+        progress: called after each chunk.
     """
     columns = columns_of(reader.dtype, reader.header)
     out.write(head_line(columns))

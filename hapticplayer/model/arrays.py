@@ -18,7 +18,7 @@ def frozen(
 ) -> NDArray[Any]:
     """Return `values` as a read-only C-contiguous array of the given shape.
 
-    Copied, unless it is one already that nobody can write to any more.
+    Copied, unless it is read-only already.
 
     Args:
         values: anything numpy can read.

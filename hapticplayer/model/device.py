@@ -66,7 +66,7 @@ class LoopStats:
 
 @dataclass(frozen=True, slots=True)
 class SyncStats:
-    """Force against picture or sound: positive is force later.
+    """Force against video or sound: positive is force later.
 
     Attributes:
         count: pairs that were compared.

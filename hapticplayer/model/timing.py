@@ -42,7 +42,7 @@ class PlaybackClock:
         monotonic0_s: monotonic time of `media0_s`; may lie ahead (start pending).
         media0_s: media position at `monotonic0_s`.
         rate: media seconds per second; 0 while paused.
-        valid_until_s: monotonic time after which nobody may trust it.
+        valid_until_s: monotonic time after which it is invalid.
     """
 
     epoch: int

@@ -231,7 +231,7 @@ class SyncAlarm:
         self._last_ms: deque[float] = deque(maxlen=LEAST_EVENTS)
 
     def add(self, difference_ms: list[float]) -> bool:
-        """Note how much later the force came; True when the alarm goes on or off."""
+        """Note how much later the force came; True when the alarm starts or ends."""
         self._last_ms.extend(difference_ms)
         if len(self._last_ms) < LEAST_EVENTS:
             return False

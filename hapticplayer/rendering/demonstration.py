@@ -1,7 +1,7 @@
 """Forces to get to know a device by: every direction and strength, without surprise.
 
 Danieau et al. 2012 let their participants feel what the device can do before the first
-clip, so that nobody rates surprise. Strengths come gentle first; each force rises and
+clip, so that no participant rates surprise. Strengths come gentle first; each force rises and
 falls as half a cosine, slowly enough to let go.
 """
 

@@ -169,8 +169,7 @@ def force_after_silence(
                 break
         else:
             raise DeviceError(
-                "the computer stood still time and again; close other programs, "
-                "measure again"
+                "the computer stalled repeatedly; close other programs, measure again"
             )
         left[f"{silence_s:g}"] = share
         if share > 0.5:

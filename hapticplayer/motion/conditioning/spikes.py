@@ -1,4 +1,4 @@
-"""Isolated spikes: found, told apart from real impacts, and replaced.
+"""Isolated spikes: found, separated from real impacts, and replaced.
 
 A Hampel test (local median and median absolute deviation, MAD; Hampel 1974, Pearson
 2002) finds samples that stand out. Standing out is not enough: a tap on the camera

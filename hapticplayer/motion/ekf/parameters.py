@@ -16,7 +16,7 @@ from hapticplayer.model import STANDARD_GRAVITY_MPS2
 
 @dataclass(frozen=True, slots=True)
 class EkfParameters:
-    """What the filter of Sabatini 2006 has to be told.
+    """Parameters of the filter of Sabatini 2006.
 
     The paper's noises are standard deviations per sample. They are spectral
     densities here (sigma = density / sqrt(interval)), so that one set serves every

@@ -213,7 +213,7 @@ class _Block:
             self._solution = with_prior(self._solution, *prior)
 
     def refine(self) -> bool:
-        """Solve once more about what was found; False if that would change little."""
+        """Re-linearise and solve again; False if that would change little."""
         p, motion, solution = self._p, self._motion, self._solution
         bound = velocity_bound(solution.velocity_mps, self._nodes.duration_s, motion, p)
         moved_radps = float(np.abs(solution.calibration[GYRO_BIAS]).max())

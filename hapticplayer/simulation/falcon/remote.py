@@ -24,7 +24,7 @@ from hapticplayer.simulation.falcon.packets import (
 _ZERO: Vector = (0.0, 0.0, 0.0)
 # More than a socket buffer holds; bounds the time of one exchange all the same.
 _MOST_REPLIES = 1024
-# An answer that is older was not the last: the loop, or the device, stood still.
+# An answer that is older was not the last: the loop or the device stalled.
 _FRESH_S = 0.002
 _PATIENCE_S = 10.0  # a cold start of the interpreter on a busy machine
 

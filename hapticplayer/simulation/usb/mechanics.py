@@ -18,7 +18,7 @@ class Mechanics(Protocol):
     """Motors, encoders and buttons; times never run backwards."""
 
     def command(self, command: Command, at_s: float) -> None:
-        """Put words on the motors, and obey the lights."""
+        """Apply motor words and lights."""
         ...
 
     def reply(self, at_s: float) -> Reply:
