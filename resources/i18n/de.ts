@@ -3133,11 +3133,11 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>--largest must be between 3 and {most}</source>
-        <translation type="unfinished"></translation>
+        <translation>--largest muss zwischen 3 und {most} liegen</translation>
     </message>
     <message>
         <source>--studies must be between {least} and {most}</source>
-        <translation type="unfinished"></translation>
+        <translation>--studies muss zwischen {least} und {most} liegen</translation>
     </message>
     <message>
         <source>Broken pipe</source>
@@ -3169,11 +3169,11 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>Falcon</source>
-        <translation type="unfinished">Falcon</translation>
+        <translation>Falcon</translation>
     </message>
     <message>
         <source>Falcon on simulated USB</source>
-        <translation type="unfinished">Falcon an simuliertem USB</translation>
+        <translation>Falcon an simuliertem USB</translation>
     </message>
     <message>
         <source>File exists</source>
@@ -3193,7 +3193,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>Game pad</source>
-        <translation type="unfinished">Gamepad</translation>
+        <translation>Gamepad</translation>
     </message>
     <message>
         <source>Gyroflow gcsv</source>
@@ -3241,7 +3241,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>None</source>
-        <translation type="unfinished">Keins</translation>
+        <translation>Keine</translation>
     </message>
     <message>
         <source>Not a directory</source>
@@ -3253,7 +3253,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>Operation not supported</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorgang nicht unterstützt</translation>
     </message>
     <message>
         <source>Permission denied</source>
@@ -3261,7 +3261,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>Random</source>
-        <translation type="unfinished">Zufällig</translation>
+        <translation>Zufällig</translation>
     </message>
     <message>
         <source>Razor, raw output</source>
@@ -3273,7 +3273,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>Realistic</source>
-        <translation type="unfinished">Realistisch</translation>
+        <translation>Realistisch</translation>
     </message>
     <message>
         <source>Sensor Logger ({system})</source>
@@ -3281,7 +3281,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>Simulated</source>
-        <translation type="unfinished">Simuliert</translation>
+        <translation>Simuliert</translation>
     </message>
     <message>
         <source>The compass is ignored: the file does not declare its axes.</source>
@@ -3341,7 +3341,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>a duration of {length_s:g} s; give one from 1 to {longest_s:g} s</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Dauer von {length_s:g} s; 1 bis {longest_s:g} s angeben</translation>
     </message>
     <message>
         <source>a force that is no number was asked for, a defect of this program; please report it, and choose the device again</source>
@@ -3365,7 +3365,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>a sensor of {rate_hz:g} Hz averaged to {log_hz:g} Hz; give rates above 0, the second not above the first</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Sensor mit {rate_hz:g} Hz, gemittelt auf {log_hz:g} Hz; Raten über 0 angeben, die zweite nicht über der ersten</translation>
     </message>
     <message>
         <source>a sound of {rate_hz} Hz is too coarse; give 8000 or more</source>
@@ -3417,7 +3417,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>an effect of {share:g} times the paper&apos;s leaves the scale of {low} to {high}; choose a smaller one</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Effekt vom {share:g}-fachen der Veröffentlichung verlässt die Skala von {low} bis {high}; einen kleineren wählen</translation>
     </message>
     <message>
         <source>an entry is missing or of the wrong kind ({reason})</source>
@@ -3617,7 +3617,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>convert it with &apos;hapticplayer export&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>mit &apos;hapticplayer export&apos; umwandeln</translation>
     </message>
     <message>
         <source>convert its sound to stereo at 48 kHz</source>
@@ -3653,7 +3653,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>copy the study&apos;s folder to the other machine, then run it there</source>
-        <translation type="unfinished"></translation>
+        <translation>den Ordner der Studie auf den anderen Rechner kopieren und sie dort durchführen</translation>
     </message>
     <message>
         <source>correct it</source>
@@ -3685,7 +3685,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>damaged places: {places}, with {ticks} ticks</source>
-        <translation type="unfinished"></translation>
+        <translation>beschädigte Stellen: {places}, mit {ticks} Takten</translation>
     </message>
     <message>
         <source>faults can only be injected into a simulated device that was opened for it</source>
@@ -3773,7 +3773,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>field_dip_rad must lie within a right angle, got {field_dip_rad}</source>
-        <translation type="unfinished"></translation>
+        <translation>field_dip_rad muss innerhalb eines rechten Winkels liegen, ist {field_dip_rad}</translation>
     </message>
     <message>
         <source>file</source>
@@ -3801,7 +3801,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>force, rate and field must have as many samples</source>
-        <translation type="unfinished"></translation>
+        <translation>Kraft, Drehrate und Feld müssen gleich viele Abtastwerte haben</translation>
     </message>
     <message>
         <source>accel-sign must be + or -</source>
@@ -4017,7 +4017,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>has no answers yet</source>
-        <translation type="unfinished"></translation>
+        <translation>hat noch keine Antworten</translation>
     </message>
     <message>
         <source>has no force ({reason})</source>
@@ -4037,7 +4037,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>has version {found} of the format, not {version}</source>
-        <translation type="unfinished"></translation>
+        <translation>hat Version {found} des Formats, nicht {version}</translation>
     </message>
     <message>
         <source>has version {found}, this program reads {version}</source>
@@ -4289,7 +4289,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>is the study {found}, not {expected}</source>
-        <translation type="unfinished"></translation>
+        <translation>ist die Studie {found}, nicht {expected}</translation>
     </message>
     <message>
         <source>is too large</source>
@@ -4297,7 +4297,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>is too large to be read at once</source>
-        <translation type="unfinished"></translation>
+        <translation>ist zu groß, um auf einmal gelesen zu werden</translation>
     </message>
     <message>
         <source>it cannot be decoded any further</source>
@@ -4621,7 +4621,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>is truncated in its header</source>
-        <translation type="unfinished"></translation>
+        <translation>ist im Kopf abgeschnitten</translation>
     </message>
     <message>
         <source>nothing is being recorded: {reason}</source>
@@ -4673,7 +4673,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>participants: 1 to {most} can be simulated</source>
-        <translation type="unfinished"></translation>
+        <translation>Teilnehmende: 1 bis {most} können simuliert werden</translation>
     </message>
     <message>
         <source>rate-hz={rate_hz} is not a rate; give 100, for example</source>
@@ -4773,7 +4773,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>run a participant</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Sitzung durchführen</translation>
     </message>
     <message>
         <source>run a participant first</source>
@@ -4781,7 +4781,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>samples have the shape {shape}, expected N x 3</source>
-        <translation type="unfinished"></translation>
+        <translation>die Abtastwerte haben die Form {shape}, erwartet N x 3</translation>
     </message>
     <message>
         <source>sampling must be averaged or instant</source>
@@ -4833,15 +4833,15 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>stopped by a button on the grip</source>
-        <translation type="unfinished"></translation>
+        <translation>durch eine Taste am Griff gestoppt</translation>
     </message>
     <message>
         <source>stopped, for the grip is more than 30 mm from the middle</source>
-        <translation type="unfinished"></translation>
+        <translation>gestoppt: der Griff ist mehr als 30 mm von der Mitte entfernt</translation>
     </message>
     <message>
         <source>stopped, for the grip was faster than 0.5 m/s</source>
-        <translation type="unfinished"></translation>
+        <translation>gestoppt: der Griff war schneller als 0,5 m/s</translation>
     </message>
     <message>
         <source>switch the Euler output of the board off and record again</source>
@@ -4857,7 +4857,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>the Falcon answered none of the frames; home it, try again</source>
-        <translation type="unfinished"></translation>
+        <translation>der Falcon hat auf keine Nachricht geantwortet; referenzieren und noch einmal versuchen</translation>
     </message>
     <message>
         <source>the Falcon could not be {done} ({reason}); unplug it and plug it in again</source>
@@ -4865,7 +4865,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>the Falcon did not answer after the silence; try again</source>
-        <translation type="unfinished"></translation>
+        <translation>der Falcon hat nach der Pause nicht geantwortet; noch einmal versuchen</translation>
     </message>
     <message>
         <source>the Falcon did not start in {attempts} attempts (the last: {reason}); unplug its power and USB, plug both in, if you can without a hub, and try again</source>
@@ -4889,7 +4889,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>the Falcon is not homed; run `hapticplayer device home`</source>
-        <translation type="unfinished"></translation>
+        <translation>der Falcon ist nicht referenziert; `hapticplayer device home` ausführen</translation>
     </message>
     <message>
         <source>the Falcon is not open; choose the device again</source>
@@ -4956,8 +4956,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>die Spalten stehen in anderer Reihenfolge</translation>
     </message>
     <message>
-        <source>the computer stood still time and again; close other programs, measure again</source>
-        <translation type="unfinished"></translation>
+        <source>the computer stalled repeatedly; close other programs, measure again</source>
+        <translation>der Rechner stockte wiederholt; andere Programme schließen und noch einmal messen</translation>
     </message>
     <message>
         <source>the cutoff</source>
@@ -4993,7 +4993,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>the force is {ms:.0f} ms ahead of the sound: the computer may be overloaded; close other programs</source>
-        <translation type="unfinished"></translation>
+        <translation>die Kraft ist dem Ton {ms:.0f} ms voraus: der Rechner ist vielleicht überlastet; andere Programme schließen</translation>
     </message>
     <message>
         <source>the force is {ms:.0f} ms ahead of the video: the computer may be overloaded; close other programs</source>
@@ -5017,15 +5017,15 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>the grip did not give way to 1 N; hold it more loosely</source>
-        <translation type="unfinished"></translation>
+        <translation>der Griff gab bei 1 N nicht nach; lockerer halten</translation>
     </message>
     <message>
         <source>the guard did not start, so nothing is measured; run &apos;hapticplayer doctor&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>der Wächter ist nicht gestartet, daher wird nichts gemessen; &apos;hapticplayer doctor&apos; ausführen</translation>
     </message>
     <message>
         <source>the guard has ended; measure again</source>
-        <translation type="unfinished"></translation>
+        <translation>der Wächter ist beendet; noch einmal messen</translation>
     </message>
     <message>
         <source>the haptics process could not be started: {reason}</source>
@@ -5037,7 +5037,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>the installed device {name!r} cannot be loaded: {reason}; update or uninstall its package</source>
-        <translation type="unfinished"></translation>
+        <translation>das installierte Gerät {name!r} kann nicht geladen werden: {reason}; sein Paket aktualisieren oder entfernen</translation>
     </message>
     <message>
         <source>the largest angular rate is {largest:.3g} rad/s</source>
@@ -5065,7 +5065,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>the low-pass has no heading; choose one of ekf, vqf</source>
-        <translation type="unfinished"></translation>
+        <translation>der Tiefpass kennt keine Richtung; ekf oder vqf wählen</translation>
     </message>
     <message>
         <source>the magnetometer was left out: {count} of {total} samples are empty</source>
@@ -5113,11 +5113,11 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>the recording has no end: it was truncated, or is still being written</source>
-        <translation type="unfinished"></translation>
+        <translation>die Aufzeichnung hat kein Ende: sie ist abgeschnitten oder wird noch geschrieben</translation>
     </message>
     <message>
         <source>the recording has no magnetometer to find the heading with</source>
-        <translation type="unfinished"></translation>
+        <translation>die Aufnahme hat kein Magnetometer für die Richtung</translation>
     </message>
     <message>
         <source>the recording is incomplete: its file could not be written</source>
@@ -5181,7 +5181,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>the smoother has no heading; choose one of ekf, vqf, offline-vqf for it</source>
-        <translation type="unfinished"></translation>
+        <translation>der Glätter kennt keine Richtung; dafür ekf, vqf oder offline-vqf wählen</translation>
     </message>
     <message>
         <source>the sound has the shape {shape}, expected (n, 1) or (n, 2)</source>
@@ -5221,7 +5221,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>there is no effect {name!r}; there is paper, none, or a share of the paper&apos;s effect such as 0.5</source>
-        <translation type="unfinished"></translation>
+        <translation>der Effekt {name!r} ist unbekannt; es gibt paper, none oder einen Anteil des Effekts wie 0.5</translation>
     </message>
     <message>
         <source>format {name!r} not found; choose one of {known}</source>
@@ -5233,7 +5233,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>there is no measure {measure!r}; there is {known}</source>
-        <translation type="unfinished"></translation>
+        <translation>die Messgröße {measure!r} ist unbekannt; es gibt {known}</translation>
     </message>
     <message>
         <source>there is no method {method!r}; choose one of {known}</source>
@@ -5241,7 +5241,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>there is no motion scene {name!r}; choose one of {known}</source>
-        <translation type="unfinished"></translation>
+        <translation>die Bewegungsszene {name!r} ist unbekannt; eine von {known} wählen</translation>
     </message>
     <message>
         <source>mounting {text!r} not found; choose one of {known}, or give right, front and up of the actor in the recorder&apos;s axes, such as --mounting=-x,y,-z</source>
@@ -5249,11 +5249,11 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>there is no scene {scene!r}; choose one of {known}</source>
-        <translation type="unfinished"></translation>
+        <translation>die Szene {scene!r} ist unbekannt; eine von {known} wählen</translation>
     </message>
     <message>
         <source>there is no sensor {sensor!r}; choose one of {known}</source>
-        <translation type="unfinished"></translation>
+        <translation>der Sensor {sensor!r} ist unbekannt; einen von {known} wählen</translation>
     </message>
     <message>
         <source>the clip has no sound, which pats need</source>
@@ -5289,11 +5289,11 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>this method takes no parameters</source>
-        <translation type="unfinished"></translation>
+        <translation>diese Methode hat keine Parameter</translation>
     </message>
     <message>
         <source>this method takes {expected}, not {given}</source>
-        <translation type="unfinished"></translation>
+        <translation>diese Methode nimmt {expected}, nicht {given}</translation>
     </message>
     <message>
         <source>this track loads the motors to {heat:.0f} % of their continuous force; it may be reduced</source>
@@ -5325,7 +5325,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>timeout</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeitüberschreitung</translation>
     </message>
     <message>
         <source>took telemetry-parser {time_limit_s:g} s</source>
@@ -5353,7 +5353,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>use the version of hapticplayer that wrote it</source>
-        <translation type="unfinished"></translation>
+        <translation>die Version von hapticplayer verwenden, die sie geschrieben hat</translation>
     </message>
     <message>
         <source>without a readable number</source>
@@ -5453,7 +5453,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>{count} samples {interval_s} s apart are no recording</source>
-        <translation type="unfinished"></translation>
+        <translation>{count} Abtastwerte im Abstand von {interval_s} s sind keine Aufnahme</translation>
     </message>
     <message>
         <source>{count} telemetry payloads are damaged; the rest was read.</source>
@@ -5513,7 +5513,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>a Williams design contains every pair of neighbours, also of one sequence</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Williams-Plan enthält jedes Paar von Nachbarn, auch derselben Sequenz</translation>
     </message>
     <message>
         <source>a factor must not be named {name!r}, the name of the sum of all factors</source>
@@ -5541,7 +5541,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>allowed: {known}</source>
-        <translation type="unfinished"></translation>
+        <translation>erlaubt: {known}</translation>
     </message>
     <message>
         <source>alpha and power must be between 0 and 1</source>
@@ -5553,7 +5553,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>asks about feedbacks before the first trial</source>
-        <translation type="unfinished"></translation>
+        <translation>fragt vor dem ersten Durchgang nach Feedbacks</translation>
     </message>
     <message>
         <source>checking {name}</source>
@@ -5561,7 +5561,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>clipped samples: {force} of the accelerometer ({force_marked} of them not reconstructed, marked as not valid), {rate} of the gyro ({rate_marked})</source>
-        <translation type="unfinished"></translation>
+        <translation>abgeschnittene Abtastwerte: {force} des Beschleunigungssensors ({force_marked} davon nicht rekonstruiert und als ungültig markiert), {rate} des Gyroskops ({rate_marked})</translation>
     </message>
     <message>
         <source>comparing needs two feedbacks or more</source>
@@ -5573,7 +5573,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>condition {key} is not in the study</source>
-        <translation type="unfinished"></translation>
+        <translation>die Bedingung {key} ist nicht in der Studie</translation>
     </message>
     <message>
         <source>converting</source>
@@ -5601,7 +5601,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>duplicate entry {twice!r}</source>
-        <translation type="unfinished"></translation>
+        <translation>doppelter Eintrag {twice!r}</translation>
     </message>
     <message>
         <source>duplicate key {key!r}</source>
@@ -5617,7 +5617,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>found no order in which no sequence is played twice in a row</source>
-        <translation type="unfinished"></translation>
+        <translation>keine Reihenfolge gefunden, in der keine Sequenz zweimal nacheinander kommt</translation>
     </message>
     <message>
         <source>gone</source>
@@ -5625,7 +5625,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>has a different number of columns</source>
-        <translation type="unfinished"></translation>
+        <translation>hat eine andere Anzahl von Spalten</translation>
     </message>
     <message>
         <source>has no question after a clip</source>
@@ -5641,7 +5641,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>is damaged or missing, and the definition of the study has changed</source>
-        <translation type="unfinished"></translation>
+        <translation>ist beschädigt oder fehlt, und die Definition der Studie hat sich geändert</translation>
     </message>
     <message>
         <source>is not UTF-8 text</source>
@@ -5673,7 +5673,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>its pixel format cannot be converted</source>
-        <translation type="unfinished"></translation>
+        <translation>sein Pixelformat kann nicht umgewandelt werden</translation>
     </message>
     <message>
         <source>listening</source>
@@ -5681,7 +5681,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>missing entry {name!r}</source>
-        <translation type="unfinished"></translation>
+        <translation>fehlender Eintrag {name!r}</translation>
     </message>
     <message>
         <source>must be a number from {least} to {most}</source>
@@ -5721,7 +5721,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>no participant {code}</source>
-        <translation type="unfinished"></translation>
+        <translation>keine teilnehmende Person {code}</translation>
     </message>
     <message>
         <source>none</source>
@@ -5729,7 +5729,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>none of its frames can be decoded</source>
-        <translation type="unfinished"></translation>
+        <translation>keines seiner Bilder kann dekodiert werden</translation>
     </message>
     <message>
         <source>not confirmed</source>
@@ -5753,7 +5753,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>remove the constraint</source>
-        <translation type="unfinished"></translation>
+        <translation>die Einschränkung entfernen</translation>
     </message>
     <message>
         <source>remove the constraint or add sequences</source>
@@ -5769,7 +5769,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>rename one of them</source>
-        <translation type="unfinished"></translation>
+        <translation>eine davon umbenennen</translation>
     </message>
     <message>
         <source>rendering the force</source>
@@ -5777,7 +5777,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>restore the old sequence, or stop this session</source>
-        <translation type="unfinished"></translation>
+        <translation>die alte Sequenz wiederherstellen oder diese Sitzung beenden</translation>
     </message>
     <message>
         <source>riding</source>
@@ -5785,7 +5785,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>session {code}: {key} was left out; it is not in the definition</source>
-        <translation type="unfinished"></translation>
+        <translation>Sitzung {code}: {key} wurde ausgelassen; es ist nicht in der Definition</translation>
     </message>
     <message>
         <source>simulated {begin} of {studies} studies</source>
@@ -5793,7 +5793,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>skipping a step needs a reason</source>
-        <translation type="unfinished"></translation>
+        <translation>zum Überspringen eines Schritts ist ein Grund nötig</translation>
     </message>
     <message>
         <source>slice</source>
@@ -5801,7 +5801,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>spikes removed from {force} accelerometer, {rate} gyro, {field} magnetometer samples; {kept} samples stood out and were left as motion</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausreißer entfernt aus {force} Abtastwerten des Beschleunigungssensors, {rate} des Gyroskops, {field} des Magnetometers; {kept} auffällige Abtastwerte blieben als Bewegung</translation>
     </message>
     <message>
         <source>start a new session</source>
@@ -5817,7 +5817,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>the clip is damaged: some of its frames are missing or broken</source>
-        <translation type="unfinished"></translation>
+        <translation>der Clip ist beschädigt: einige seiner Bilder fehlen oder sind defekt</translation>
     </message>
     <message>
         <source>the columns must be {columns}</source>
@@ -5829,7 +5829,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>the guard could not be started: {reason}</source>
-        <translation type="unfinished"></translation>
+        <translation>der Wächter konnte nicht gestartet werden: {reason}</translation>
     </message>
     <message>
         <source>the guard of the haptics process has ended, so the force is off; choose the device again</source>
@@ -5845,7 +5845,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>the home folder is unknown; set {variable} to the firmware&apos;s path</source>
-        <translation type="unfinished"></translation>
+        <translation>der persönliche Ordner ist unbekannt; {variable} auf den Pfad der Firmware setzen</translation>
     </message>
     <message>
         <source>there are no frames to write</source>
@@ -5857,7 +5857,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>there is data after the end of the recording</source>
-        <translation type="unfinished"></translation>
+        <translation>nach dem Ende der Aufzeichnung folgen Daten</translation>
     </message>
     <message>
         <source>there is no judgement to analyse</source>
@@ -5865,7 +5865,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>this haptic loop does not accept injected faults</source>
-        <translation type="unfinished"></translation>
+        <translation>diese haptische Schleife nimmt keine eingespielten Fehler an</translation>
     </message>
     <message>
         <source>unknown entry {name!r}</source>
@@ -5885,7 +5885,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>use a file that &apos;hapticplayer play --record&apos; has written</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Datei verwenden, die &apos;hapticplayer play --record&apos; geschrieben hat</translation>
     </message>
     <message>
         <source>was written by another version of the program</source>
@@ -5913,7 +5913,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>{device} is a real device and does not accept injected faults</source>
-        <translation type="unfinished"></translation>
+        <translation>{device} ist ein echtes Gerät und nimmt keine eingespielten Fehler an</translation>
     </message>
     <message>
         <source>{device}, {state}</source>
@@ -5921,7 +5921,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>{early} of {count} sessions have answers but were not completed</source>
-        <translation type="unfinished"></translation>
+        <translation>{early} von {count} Sitzungen haben Antworten, wurden aber nicht beendet</translation>
     </message>
     <message>
         <source>{empty} of {count} sessions have no answers</source>
@@ -5985,11 +5985,11 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>{name} must be above zero, not {value}</source>
-        <translation type="unfinished"></translation>
+        <translation>{name} muss über null liegen, ist {value}</translation>
     </message>
     <message>
         <source>{name} must be positive and finite, got {value}</source>
-        <translation type="unfinished"></translation>
+        <translation>{name} muss positiv und endlich sein, ist {value}</translation>
     </message>
     <message>
         <source>{name} must increase strictly, but row {row} has {time_s:.6f} s after {last_s:.6f} s</source>
@@ -6045,7 +6045,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>{reason}; the copy in the journal was used</source>
-        <translation type="unfinished"></translation>
+        <translation>{reason}; die Kopie im Journal wurde verwendet</translation>
     </message>
     <message>
         <source>{scripted} of {count} sessions are simulated</source>
@@ -6061,11 +6061,11 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>{width} x {height} pixels are too large for a frame</source>
-        <translation type="unfinished"></translation>
+        <translation>{width} x {height} Pixel sind zu groß für ein Bild</translation>
     </message>
     <message>
         <source>{scenario!r} is no ride; choose one of {known}</source>
-        <translation type="unfinished"></translation>
+        <translation>{scenario!r} ist keine Fahrt; eine von {known} wählen</translation>
     </message>
     <message>
         <source>the log is incomplete ({reason})</source>
@@ -6097,7 +6097,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>{text!r} is not a participant&apos;s code</source>
-        <translation type="unfinished"></translation>
+        <translation>{text!r} ist kein Teilnahmecode</translation>
     </message>
     <message>
         <source>{text} is not a finite number</source>

@@ -3133,11 +3133,11 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>--largest must be between 3 and {most}</source>
-        <translation type="unfinished"></translation>
+        <translation>--largest doit être compris entre 3 et {most}</translation>
     </message>
     <message>
         <source>--studies must be between {least} and {most}</source>
-        <translation type="unfinished"></translation>
+        <translation>--studies doit être compris entre {least} et {most}</translation>
     </message>
     <message>
         <source>Broken pipe</source>
@@ -3169,11 +3169,11 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>Falcon</source>
-        <translation type="unfinished">Falcon</translation>
+        <translation>Falcon</translation>
     </message>
     <message>
         <source>Falcon on simulated USB</source>
-        <translation type="unfinished">Falcon sur USB simulé</translation>
+        <translation>Falcon sur USB simulé</translation>
     </message>
     <message>
         <source>File exists</source>
@@ -3193,7 +3193,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>Game pad</source>
-        <translation type="unfinished">Manette</translation>
+        <translation>Manette</translation>
     </message>
     <message>
         <source>Gyroflow gcsv</source>
@@ -3241,7 +3241,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>None</source>
-        <translation type="unfinished">Aucun</translation>
+        <translation>Aucun</translation>
     </message>
     <message>
         <source>Not a directory</source>
@@ -3253,7 +3253,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>Operation not supported</source>
-        <translation type="unfinished"></translation>
+        <translation>Opération non prise en charge</translation>
     </message>
     <message>
         <source>Permission denied</source>
@@ -3261,7 +3261,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>Random</source>
-        <translation type="unfinished">Aléatoire</translation>
+        <translation>Aléatoire</translation>
     </message>
     <message>
         <source>Razor, raw output</source>
@@ -3273,7 +3273,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>Realistic</source>
-        <translation type="unfinished">Réaliste</translation>
+        <translation>Réaliste</translation>
     </message>
     <message>
         <source>Sensor Logger ({system})</source>
@@ -3281,7 +3281,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>Simulated</source>
-        <translation type="unfinished">Simulé</translation>
+        <translation>Simulé</translation>
     </message>
     <message>
         <source>The compass is ignored: the file does not declare its axes.</source>
@@ -3341,7 +3341,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>a duration of {length_s:g} s; give one from 1 to {longest_s:g} s</source>
-        <translation type="unfinished"></translation>
+        <translation>une durée de {length_s:g} s&#xa0;; indiquez de 1 à {longest_s:g} s</translation>
     </message>
     <message>
         <source>a force that is no number was asked for, a defect of this program; please report it, and choose the device again</source>
@@ -3365,7 +3365,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>a sensor of {rate_hz:g} Hz averaged to {log_hz:g} Hz; give rates above 0, the second not above the first</source>
-        <translation type="unfinished"></translation>
+        <translation>un capteur à {rate_hz:g} Hz moyenné à {log_hz:g} Hz&#xa0;; indiquez des fréquences positives, la seconde ne dépassant pas la première</translation>
     </message>
     <message>
         <source>a sound of {rate_hz} Hz is too coarse; give 8000 or more</source>
@@ -3417,7 +3417,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>an effect of {share:g} times the paper&apos;s leaves the scale of {low} to {high}; choose a smaller one</source>
-        <translation type="unfinished"></translation>
+        <translation>un effet de {share:g} fois celui de l’article sort de l’échelle de {low} à {high}&#xa0;; choisissez-en un plus petit</translation>
     </message>
     <message>
         <source>an entry is missing or of the wrong kind ({reason})</source>
@@ -3617,7 +3617,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>convert it with &apos;hapticplayer export&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>convertissez-le avec &apos;hapticplayer export&apos;</translation>
     </message>
     <message>
         <source>convert its sound to stereo at 48 kHz</source>
@@ -3653,7 +3653,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>copy the study&apos;s folder to the other machine, then run it there</source>
-        <translation type="unfinished"></translation>
+        <translation>copiez le dossier de l’étude sur l’autre machine, puis lancez-la là-bas</translation>
     </message>
     <message>
         <source>correct it</source>
@@ -3685,7 +3685,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>damaged places: {places}, with {ticks} ticks</source>
-        <translation type="unfinished"></translation>
+        <translation>passages endommagés&#xa0;: {places}, avec {ticks} périodes</translation>
     </message>
     <message>
         <source>faults can only be injected into a simulated device that was opened for it</source>
@@ -3773,7 +3773,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>field_dip_rad must lie within a right angle, got {field_dip_rad}</source>
-        <translation type="unfinished"></translation>
+        <translation>field_dip_rad doit être inférieur à un angle droit, et vaut {field_dip_rad}</translation>
     </message>
     <message>
         <source>file</source>
@@ -3801,7 +3801,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>force, rate and field must have as many samples</source>
-        <translation type="unfinished"></translation>
+        <translation>force, vitesse angulaire et champ doivent avoir autant d’échantillons</translation>
     </message>
     <message>
         <source>accel-sign must be + or -</source>
@@ -4017,7 +4017,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>has no answers yet</source>
-        <translation type="unfinished"></translation>
+        <translation>n’a pas encore de réponses</translation>
     </message>
     <message>
         <source>has no force ({reason})</source>
@@ -4037,7 +4037,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>has version {found} of the format, not {version}</source>
-        <translation type="unfinished"></translation>
+        <translation>a la version {found} du format, et non {version}</translation>
     </message>
     <message>
         <source>has version {found}, this program reads {version}</source>
@@ -4289,7 +4289,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>is the study {found}, not {expected}</source>
-        <translation type="unfinished"></translation>
+        <translation>est l’étude {found}, et non {expected}</translation>
     </message>
     <message>
         <source>is too large</source>
@@ -4297,7 +4297,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>is too large to be read at once</source>
-        <translation type="unfinished"></translation>
+        <translation>est trop volumineux pour être lu en une fois</translation>
     </message>
     <message>
         <source>it cannot be decoded any further</source>
@@ -4621,7 +4621,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>is truncated in its header</source>
-        <translation type="unfinished"></translation>
+        <translation>est tronqué dans son en-tête</translation>
     </message>
     <message>
         <source>nothing is being recorded: {reason}</source>
@@ -4673,7 +4673,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>participants: 1 to {most} can be simulated</source>
-        <translation type="unfinished"></translation>
+        <translation>participants&#xa0;: de 1 à {most} peuvent être simulés</translation>
     </message>
     <message>
         <source>rate-hz={rate_hz} is not a rate; give 100, for example</source>
@@ -4773,7 +4773,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>run a participant</source>
-        <translation type="unfinished"></translation>
+        <translation>faites passer un participant</translation>
     </message>
     <message>
         <source>run a participant first</source>
@@ -4781,7 +4781,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>samples have the shape {shape}, expected N x 3</source>
-        <translation type="unfinished"></translation>
+        <translation>les échantillons ont la forme {shape}, attendu N x 3</translation>
     </message>
     <message>
         <source>sampling must be averaged or instant</source>
@@ -4833,15 +4833,15 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>stopped by a button on the grip</source>
-        <translation type="unfinished"></translation>
+        <translation>arrêté par un bouton de la poignée</translation>
     </message>
     <message>
         <source>stopped, for the grip is more than 30 mm from the middle</source>
-        <translation type="unfinished"></translation>
+        <translation>arrêté&#xa0;: la poignée est à plus de 30 mm du centre</translation>
     </message>
     <message>
         <source>stopped, for the grip was faster than 0.5 m/s</source>
-        <translation type="unfinished"></translation>
+        <translation>arrêté&#xa0;: la poignée a dépassé 0,5 m/s</translation>
     </message>
     <message>
         <source>switch the Euler output of the board off and record again</source>
@@ -4857,7 +4857,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>the Falcon answered none of the frames; home it, try again</source>
-        <translation type="unfinished"></translation>
+        <translation>le Falcon n’a répondu à aucun message&#xa0;; référencez-le et réessayez</translation>
     </message>
     <message>
         <source>the Falcon could not be {done} ({reason}); unplug it and plug it in again</source>
@@ -4865,7 +4865,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>the Falcon did not answer after the silence; try again</source>
-        <translation type="unfinished"></translation>
+        <translation>le Falcon n’a pas répondu après la pause&#xa0;; réessayez</translation>
     </message>
     <message>
         <source>the Falcon did not start in {attempts} attempts (the last: {reason}); unplug its power and USB, plug both in, if you can without a hub, and try again</source>
@@ -4889,7 +4889,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>the Falcon is not homed; run `hapticplayer device home`</source>
-        <translation type="unfinished"></translation>
+        <translation>le Falcon n’est pas référencé&#xa0;; lancez `hapticplayer device home`</translation>
     </message>
     <message>
         <source>the Falcon is not open; choose the device again</source>
@@ -4956,8 +4956,8 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>les colonnes sont dans un autre ordre</translation>
     </message>
     <message>
-        <source>the computer stood still time and again; close other programs, measure again</source>
-        <translation type="unfinished"></translation>
+        <source>the computer stalled repeatedly; close other programs, measure again</source>
+        <translation>l’ordinateur s’est figé à plusieurs reprises&#xa0;; fermez les autres programmes et mesurez à nouveau</translation>
     </message>
     <message>
         <source>the cutoff</source>
@@ -4993,7 +4993,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>the force is {ms:.0f} ms ahead of the sound: the computer may be overloaded; close other programs</source>
-        <translation type="unfinished"></translation>
+        <translation>la force est en avance de {ms:.0f} ms sur le son&#xa0;: l’ordinateur est peut-être surchargé&#xa0;; fermez les autres programmes</translation>
     </message>
     <message>
         <source>the force is {ms:.0f} ms ahead of the video: the computer may be overloaded; close other programs</source>
@@ -5017,15 +5017,15 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>the grip did not give way to 1 N; hold it more loosely</source>
-        <translation type="unfinished"></translation>
+        <translation>la poignée n’a pas cédé à 1 N&#xa0;; tenez-la plus souplement</translation>
     </message>
     <message>
         <source>the guard did not start, so nothing is measured; run &apos;hapticplayer doctor&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>le gardien n’a pas démarré, rien n’est donc mesuré&#xa0;; lancez &apos;hapticplayer doctor&apos;</translation>
     </message>
     <message>
         <source>the guard has ended; measure again</source>
-        <translation type="unfinished"></translation>
+        <translation>le gardien s’est arrêté&#xa0;; mesurez à nouveau</translation>
     </message>
     <message>
         <source>the haptics process could not be started: {reason}</source>
@@ -5037,7 +5037,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>the installed device {name!r} cannot be loaded: {reason}; update or uninstall its package</source>
-        <translation type="unfinished"></translation>
+        <translation>l’appareil installé {name!r} ne peut pas être chargé&#xa0;: {reason}&#xa0;; mettez à jour ou désinstallez son paquet</translation>
     </message>
     <message>
         <source>the largest angular rate is {largest:.3g} rad/s</source>
@@ -5065,7 +5065,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>the low-pass has no heading; choose one of ekf, vqf</source>
-        <translation type="unfinished"></translation>
+        <translation>le passe-bas n’a pas de cap&#xa0;; choisissez ekf ou vqf</translation>
     </message>
     <message>
         <source>the magnetometer was left out: {count} of {total} samples are empty</source>
@@ -5113,11 +5113,11 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>the recording has no end: it was truncated, or is still being written</source>
-        <translation type="unfinished"></translation>
+        <translation>l’enregistrement n’a pas de fin&#xa0;: il est tronqué, ou encore en cours d’écriture</translation>
     </message>
     <message>
         <source>the recording has no magnetometer to find the heading with</source>
-        <translation type="unfinished"></translation>
+        <translation>l’enregistrement n’a pas de magnétomètre pour trouver le cap</translation>
     </message>
     <message>
         <source>the recording is incomplete: its file could not be written</source>
@@ -5181,7 +5181,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>the smoother has no heading; choose one of ekf, vqf, offline-vqf for it</source>
-        <translation type="unfinished"></translation>
+        <translation>le lisseur n’a pas de cap&#xa0;; choisissez ekf, vqf ou offline-vqf</translation>
     </message>
     <message>
         <source>the sound has the shape {shape}, expected (n, 1) or (n, 2)</source>
@@ -5221,7 +5221,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>there is no effect {name!r}; there is paper, none, or a share of the paper&apos;s effect such as 0.5</source>
-        <translation type="unfinished"></translation>
+        <translation>l’effet {name!r} est inconnu&#xa0;; il y a paper, none, ou une part de l’effet comme 0.5</translation>
     </message>
     <message>
         <source>format {name!r} not found; choose one of {known}</source>
@@ -5233,7 +5233,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>there is no measure {measure!r}; there is {known}</source>
-        <translation type="unfinished"></translation>
+        <translation>la mesure {measure!r} est inconnue&#xa0;; il y a {known}</translation>
     </message>
     <message>
         <source>there is no method {method!r}; choose one of {known}</source>
@@ -5241,7 +5241,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>there is no motion scene {name!r}; choose one of {known}</source>
-        <translation type="unfinished"></translation>
+        <translation>la scène de mouvement {name!r} est inconnue&#xa0;; choisissez parmi {known}</translation>
     </message>
     <message>
         <source>mounting {text!r} not found; choose one of {known}, or give right, front and up of the actor in the recorder&apos;s axes, such as --mounting=-x,y,-z</source>
@@ -5249,11 +5249,11 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>there is no scene {scene!r}; choose one of {known}</source>
-        <translation type="unfinished"></translation>
+        <translation>la scène {scene!r} est inconnue&#xa0;; choisissez parmi {known}</translation>
     </message>
     <message>
         <source>there is no sensor {sensor!r}; choose one of {known}</source>
-        <translation type="unfinished"></translation>
+        <translation>le capteur {sensor!r} est inconnu&#xa0;; choisissez parmi {known}</translation>
     </message>
     <message>
         <source>the clip has no sound, which pats need</source>
@@ -5289,11 +5289,11 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>this method takes no parameters</source>
-        <translation type="unfinished"></translation>
+        <translation>cette méthode n’a pas de paramètres</translation>
     </message>
     <message>
         <source>this method takes {expected}, not {given}</source>
-        <translation type="unfinished"></translation>
+        <translation>cette méthode accepte {expected}, et non {given}</translation>
     </message>
     <message>
         <source>this track loads the motors to {heat:.0f} % of their continuous force; it may be reduced</source>
@@ -5325,7 +5325,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>timeout</source>
-        <translation type="unfinished"></translation>
+        <translation>délai dépassé</translation>
     </message>
     <message>
         <source>took telemetry-parser {time_limit_s:g} s</source>
@@ -5353,7 +5353,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>use the version of hapticplayer that wrote it</source>
-        <translation type="unfinished"></translation>
+        <translation>utilisez la version de hapticplayer qui l’a écrit</translation>
     </message>
     <message>
         <source>without a readable number</source>
@@ -5453,7 +5453,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>{count} samples {interval_s} s apart are no recording</source>
-        <translation type="unfinished"></translation>
+        <translation>{count} échantillons espacés de {interval_s} s ne forment pas un enregistrement</translation>
     </message>
     <message>
         <source>{count} telemetry payloads are damaged; the rest was read.</source>
@@ -5513,7 +5513,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>a Williams design contains every pair of neighbours, also of one sequence</source>
-        <translation type="unfinished"></translation>
+        <translation>un plan de Williams contient chaque paire de voisins, même d’une seule séquence</translation>
     </message>
     <message>
         <source>a factor must not be named {name!r}, the name of the sum of all factors</source>
@@ -5541,7 +5541,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>allowed: {known}</source>
-        <translation type="unfinished"></translation>
+        <translation>autorisé&#xa0;: {known}</translation>
     </message>
     <message>
         <source>alpha and power must be between 0 and 1</source>
@@ -5553,7 +5553,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>asks about feedbacks before the first trial</source>
-        <translation type="unfinished"></translation>
+        <translation>interroge sur les retours avant le premier essai</translation>
     </message>
     <message>
         <source>checking {name}</source>
@@ -5561,7 +5561,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>clipped samples: {force} of the accelerometer ({force_marked} of them not reconstructed, marked as not valid), {rate} of the gyro ({rate_marked})</source>
-        <translation type="unfinished"></translation>
+        <translation>échantillons écrêtés&#xa0;: {force} de l’accéléromètre (dont {force_marked} non reconstruits, marqués comme non valides), {rate} du gyromètre ({rate_marked})</translation>
     </message>
     <message>
         <source>comparing needs two feedbacks or more</source>
@@ -5573,7 +5573,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>condition {key} is not in the study</source>
-        <translation type="unfinished"></translation>
+        <translation>la condition {key} n’est pas dans l’étude</translation>
     </message>
     <message>
         <source>converting</source>
@@ -5601,7 +5601,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>duplicate entry {twice!r}</source>
-        <translation type="unfinished"></translation>
+        <translation>entrée en double {twice!r}</translation>
     </message>
     <message>
         <source>duplicate key {key!r}</source>
@@ -5617,7 +5617,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>found no order in which no sequence is played twice in a row</source>
-        <translation type="unfinished"></translation>
+        <translation>aucun ordre trouvé dans lequel aucune séquence n’est jouée deux fois de suite</translation>
     </message>
     <message>
         <source>gone</source>
@@ -5625,7 +5625,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>has a different number of columns</source>
-        <translation type="unfinished"></translation>
+        <translation>a un nombre de colonnes différent</translation>
     </message>
     <message>
         <source>has no question after a clip</source>
@@ -5641,7 +5641,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>is damaged or missing, and the definition of the study has changed</source>
-        <translation type="unfinished"></translation>
+        <translation>est endommagé ou manquant, et la définition de l’étude a changé</translation>
     </message>
     <message>
         <source>is not UTF-8 text</source>
@@ -5657,7 +5657,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>is not a valid key</source>
-        <translation>n&apos;est pas une clé valide</translation>
+        <translation>n’est pas une clé valide</translation>
     </message>
     <message>
         <source>is not the definition of a study</source>
@@ -5673,7 +5673,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>its pixel format cannot be converted</source>
-        <translation type="unfinished"></translation>
+        <translation>son format de pixels ne peut pas être converti</translation>
     </message>
     <message>
         <source>listening</source>
@@ -5681,7 +5681,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>missing entry {name!r}</source>
-        <translation type="unfinished"></translation>
+        <translation>entrée manquante {name!r}</translation>
     </message>
     <message>
         <source>must be a number from {least} to {most}</source>
@@ -5721,7 +5721,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>no participant {code}</source>
-        <translation type="unfinished"></translation>
+        <translation>aucun participant {code}</translation>
     </message>
     <message>
         <source>none</source>
@@ -5729,7 +5729,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>none of its frames can be decoded</source>
-        <translation type="unfinished"></translation>
+        <translation>aucune de ses images ne peut être décodée</translation>
     </message>
     <message>
         <source>not confirmed</source>
@@ -5753,7 +5753,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>remove the constraint</source>
-        <translation type="unfinished"></translation>
+        <translation>retirez la contrainte</translation>
     </message>
     <message>
         <source>remove the constraint or add sequences</source>
@@ -5769,7 +5769,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>rename one of them</source>
-        <translation type="unfinished"></translation>
+        <translation>renommez l’une d’elles</translation>
     </message>
     <message>
         <source>rendering the force</source>
@@ -5777,7 +5777,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>restore the old sequence, or stop this session</source>
-        <translation type="unfinished"></translation>
+        <translation>rétablissez l’ancienne séquence, ou arrêtez cette session</translation>
     </message>
     <message>
         <source>riding</source>
@@ -5785,7 +5785,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>session {code}: {key} was left out; it is not in the definition</source>
-        <translation type="unfinished"></translation>
+        <translation>session {code}&#xa0;: {key} a été omis&#xa0;; absent de la définition</translation>
     </message>
     <message>
         <source>simulated {begin} of {studies} studies</source>
@@ -5793,7 +5793,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>skipping a step needs a reason</source>
-        <translation type="unfinished"></translation>
+        <translation>sauter une étape demande un motif</translation>
     </message>
     <message>
         <source>slice</source>
@@ -5801,7 +5801,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>spikes removed from {force} accelerometer, {rate} gyro, {field} magnetometer samples; {kept} samples stood out and were left as motion</source>
-        <translation type="unfinished"></translation>
+        <translation>pics retirés de {force} échantillons de l’accéléromètre, {rate} du gyromètre, {field} du magnétomètre&#xa0;; {kept} échantillons saillants laissés comme mouvement</translation>
     </message>
     <message>
         <source>start a new session</source>
@@ -5817,7 +5817,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>the clip is damaged: some of its frames are missing or broken</source>
-        <translation type="unfinished"></translation>
+        <translation>le clip est endommagé&#xa0;: certaines de ses images manquent ou sont défectueuses</translation>
     </message>
     <message>
         <source>the columns must be {columns}</source>
@@ -5829,7 +5829,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>the guard could not be started: {reason}</source>
-        <translation type="unfinished"></translation>
+        <translation>le gardien n’a pas pu démarrer&#xa0;: {reason}</translation>
     </message>
     <message>
         <source>the guard of the haptics process has ended, so the force is off; choose the device again</source>
@@ -5845,7 +5845,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>the home folder is unknown; set {variable} to the firmware&apos;s path</source>
-        <translation type="unfinished"></translation>
+        <translation>le dossier personnel est inconnu&#xa0;; donnez à {variable} le chemin du micrologiciel</translation>
     </message>
     <message>
         <source>there are no frames to write</source>
@@ -5853,11 +5853,11 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>there are no participants</source>
-        <translation>il n&apos;y a aucun participant</translation>
+        <translation>il n’y a aucun participant</translation>
     </message>
     <message>
         <source>there is data after the end of the recording</source>
-        <translation type="unfinished"></translation>
+        <translation>il y a des données après la fin de l’enregistrement</translation>
     </message>
     <message>
         <source>there is no judgement to analyse</source>
@@ -5865,7 +5865,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>this haptic loop does not accept injected faults</source>
-        <translation type="unfinished"></translation>
+        <translation>cette boucle haptique n’accepte pas de pannes injectées</translation>
     </message>
     <message>
         <source>unknown entry {name!r}</source>
@@ -5885,7 +5885,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>use a file that &apos;hapticplayer play --record&apos; has written</source>
-        <translation type="unfinished"></translation>
+        <translation>utilisez un fichier écrit par &apos;hapticplayer play --record&apos;</translation>
     </message>
     <message>
         <source>was written by another version of the program</source>
@@ -5913,7 +5913,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>{device} is a real device and does not accept injected faults</source>
-        <translation type="unfinished"></translation>
+        <translation>{device} est un appareil réel et n’accepte pas de pannes injectées</translation>
     </message>
     <message>
         <source>{device}, {state}</source>
@@ -5921,11 +5921,11 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>{early} of {count} sessions have answers but were not completed</source>
-        <translation type="unfinished"></translation>
+        <translation>{early} sessions sur {count} ont des réponses mais n’ont pas été terminées</translation>
     </message>
     <message>
         <source>{empty} of {count} sessions have no answers</source>
-        <translation>{empty} sessions sur {count} n&apos;ont aucune réponse</translation>
+        <translation>{empty} sessions sur {count} n’ont aucune réponse</translation>
     </message>
     <message>
         <source>{file}: is damaged; the definition of the study was used</source>
@@ -5985,11 +5985,11 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>{name} must be above zero, not {value}</source>
-        <translation type="unfinished"></translation>
+        <translation>{name} doit être supérieur à zéro, et vaut {value}</translation>
     </message>
     <message>
         <source>{name} must be positive and finite, got {value}</source>
-        <translation type="unfinished"></translation>
+        <translation>{name} doit être positif et fini, et vaut {value}</translation>
     </message>
     <message>
         <source>{name} must increase strictly, but row {row} has {time_s:.6f} s after {last_s:.6f} s</source>
@@ -6045,7 +6045,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>{reason}; the copy in the journal was used</source>
-        <translation type="unfinished"></translation>
+        <translation>{reason}&#xa0;; la copie du journal a été utilisée</translation>
     </message>
     <message>
         <source>{scripted} of {count} sessions are simulated</source>
@@ -6061,11 +6061,11 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>{width} x {height} pixels are too large for a frame</source>
-        <translation type="unfinished"></translation>
+        <translation>{width} x {height} pixels sont trop pour une image</translation>
     </message>
     <message>
         <source>{scenario!r} is no ride; choose one of {known}</source>
-        <translation type="unfinished"></translation>
+        <translation>{scenario!r} n’est pas une balade&#xa0;; choisissez parmi {known}</translation>
     </message>
     <message>
         <source>the log is incomplete ({reason})</source>
@@ -6097,7 +6097,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>{text!r} is not a participant&apos;s code</source>
-        <translation type="unfinished"></translation>
+        <translation>{text!r} n’est pas un code de participant</translation>
     </message>
     <message>
         <source>{text} is not a finite number</source>
