@@ -148,7 +148,7 @@ def test_without_a_display_the_demo_plays_headless(clip, monkeypatch):
     done = hapticplayer()
     assert done.returncode == 0, done.stderr
     assert "lateness" in done.stdout
-    assert "force minus picture" in done.stdout
+    assert "force minus video" in done.stdout
 
 
 def test_devices_and_doctor_report_as_json():

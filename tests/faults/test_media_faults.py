@@ -111,5 +111,5 @@ def test_on_a_full_disk_the_clip_plays_on_and_the_log_says_so(tmp_path):
     for number in range(2000):
         log.line("frame", monotonic_s=float(number), media_s=0.04 * number)
     log.close({})
-    assert "not complete" in log.problem
+    assert "incomplete" in log.problem
     assert "space" in log.problem

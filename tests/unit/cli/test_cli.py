@@ -11,6 +11,7 @@ import pytest
 from app.player import choices
 from hapticplayer import cli, rendering
 from hapticplayer.cli import play
+from hapticplayer.devices import installed_devices
 from hapticplayer.errors import Message
 from hapticplayer.interchange import exporters
 from hapticplayer.rendering import FeedbackCondition, feedback
@@ -40,9 +41,11 @@ def install(tmp_path, monkeypatch):
         )
         (tmp_path / "seat.py").write_text(SEAT)
         monkeypatch.syspath_prepend(str(tmp_path))
+        installed_devices.cache_clear()
 
     yield install_with
     sys.modules.pop("seat", None)
+    installed_devices.cache_clear()
 
 
 _PRINT_MODULES = (
