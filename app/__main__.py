@@ -27,7 +27,7 @@ def command() -> int:
     statuses: list[int] = []
 
     def leave() -> None:
-        if statuses:  # else something was raised, which Python tells in its own way
+        if statuses:  # else something was raised, which Python reports
             with contextlib.suppress(OSError, ValueError):  # nobody reads it any more
                 sys.stdout.flush()
                 sys.stderr.flush()

@@ -33,13 +33,13 @@ Real faults at random moments under a turning force of 4 N, read from the device
 
 ## Lateness of the haptic loop, us
 
-Beside cyclictest in the same rounds; `stress` holds the window's interpreter for 2 s every 7 s.
+BackgroundLookup cyclictest in the same rounds; `stress` holds the window's interpreter for 2 s every 7 s.
 
 {loop}
 
 ## One tick of the Falcon's kinematics
 
-Beside the same with numpy.linalg, and libnifalcon's half Newton steps.
+BackgroundLookup the same with numpy.linalg, and libnifalcon's half Newton steps.
 
 {kinematics}
 

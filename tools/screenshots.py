@@ -78,8 +78,8 @@ def _make(options: argparse.Namespace, folder: Path) -> None:
     from app.bridge.collector import Collector
     from app.bridge.settings import Settings
     from app.player.application import make_application
-    from app.player.menus import LANGUAGE, LOOK
-    from app.player.remake import dress
+    from app.player.menus import LANGUAGE, THEME
+    from app.player.remake import apply_appearance
     from hapticplayer.playback.source import open_source
     from tools.pages import device, library, player, study
     from tools.pages.material import make_material
@@ -101,8 +101,8 @@ def _make(options: argparse.Namespace, folder: Path) -> None:
         for theme in options.themes:
             settings = Settings(None)
             settings.keep(LANGUAGE, language)
-            settings.keep(LOOK, theme)
-            dress(application, settings)
+            settings.keep(THEME, theme)
+            apply_appearance(application, settings)
             room = folder / f"{language}-{theme}"
             room.mkdir()
             stage = Stage(application, settings, source, material, room, language)

@@ -132,7 +132,7 @@ class Mpris:
         except OSError:
             self.switch(is_on=False)
 
-    def tell(self) -> None:
+    def publish(self) -> None:
         """Tell the desktop what has changed since the last call."""
         if not self._bus:
             return
@@ -280,17 +280,17 @@ class Desktop(QObject):
         self.mpris = Mpris(player, window.raise_, window.close)
 
     def follow(self) -> None:
-        """Inhibit idling while it plays, and tell the desktop the state."""
+        """Inhibit idling while it plays, and publish the state."""
         is_playing = self._player.snapshot().is_playing
         self.idle.set_wanted(self.tr("playing a clip") if is_playing else "")
-        self.mpris.tell()
+        self.mpris.publish()
 
     def begin(self) -> None:
         """Appear on the session's bus."""
         self.mpris.switch(is_on=True)
 
     def set_study_mode(self, *, is_on: bool) -> None:
-        """Leave the media keys without effect while somebody takes part in a study."""
+        """Disable the media keys during a session of a study."""
         self.mpris.switch(is_on=not is_on)
 
     def close(self) -> None:

@@ -66,7 +66,7 @@ class ErrorGateway:
         where = "".join(traceback.format_tb(problem.__traceback__)[-1:])
         place = f"{type(problem).__name__} {where}"
         if place in self._known or len(self._known) >= _MANY:
-            return  # a fault that returns with each picture is told once
+            return  # a fault that returns with each frame is reported once
         self._known.add(place)
         self.note(problem)
         text = QCoreApplication.translate(

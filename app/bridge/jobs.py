@@ -79,7 +79,7 @@ class Job(Generic[Result]):
     def _run(self) -> None:
         try:
             self.result = self._work(self._report)
-        except BaseException as problem:  # noqa: BLE001 - a thread's top: the window tells
+        except BaseException as problem:  # noqa: BLE001 - a thread's top: the window reports it
             self.problem = problem
 
 
@@ -87,7 +87,7 @@ class Jobs:
     """Runs one job and hands its outcome over on the thread that polls.
 
     Args:
-        failed: told what went wrong; a cancelled job is no failure.
+        failed: called with the problem; a cancelled job is not a failure.
     """
 
     def __init__(self, failed: Callable[[BaseException], None]) -> None:
@@ -157,7 +157,7 @@ def in_child(
         *arguments: handed to it; values and paths.
         **options: the same, by name.
         progress: called here; when it raises, the work is asked to stop, which it
-            does at its next report, and the exception goes on once it has.
+            does at its next report, and the exception is raised again once it has.
 
     Raises:
         HapticPlayerError: what the work raised, or that its process has died.
@@ -201,7 +201,7 @@ def _follow(line: Connection, progress: Progress) -> Any:
     latest = (0.0, "")
     while True:
         if not line.poll(_LOOK_S):
-            progress(*latest)  # it may want to stop while nothing is told
+            progress(*latest)  # it may want to stop between reports
             continue
         kind, value = line.recv()
         if kind == _DONE:
@@ -240,8 +240,8 @@ def _serve(
 POLL_MS = 50
 
 
-class Beside(QObject):
-    """Looks when asked to; remembers what it has found.
+class BackgroundLookup(QObject):
+    """Runs a lookup in a thread when asked to; keeps the result.
 
     Args:
         work: returns names; called in a thread.
@@ -269,8 +269,8 @@ class Beside(QObject):
         """Whether it looks now."""
         return self._jobs.is_busy
 
-    def look(self) -> None:
-        """Begin to look, unless that is being done."""
+    def refresh(self) -> None:
+        """Start a lookup unless one runs."""
         if not self._jobs.is_busy:
             self._jobs.run("", self._work, self._take)
             self._timer.start()

@@ -32,7 +32,7 @@ def spoken() -> str:
 
 
 def install(application: QCoreApplication, chosen: str) -> str:
-    """Speak a language from now on; what is shown already has to be made anew.
+    """Install a language; existing widgets have to be rebuilt.
 
     Returns:
         The language that is spoken.
@@ -54,7 +54,7 @@ def install(application: QCoreApplication, chosen: str) -> str:
 def translated(message: str) -> str:
     """Return a sentence of the engine in the window's language.
 
-    What has no translation stays English; a text that is no message is looked up whole.
+    What has no translation stays English; a text that is not a message is looked up whole.
     """
     if not isinstance(message, Message):
         return QCoreApplication.translate(ENGINE, message)

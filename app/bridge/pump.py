@@ -8,7 +8,7 @@ from PySide6.QtCore import QObject, Qt, QTimer
 from hapticplayer.clock import Clock
 
 EARLY = 0.3
-"""Of a period. Who asks once for each picture of 30 a second, a little early or late,
+"""Of a period. A caller at each frame of 30 a second, a little early or late,
 is not to be sent away every other time."""
 
 
@@ -41,23 +41,23 @@ LONGEST_MS = 34
 TIMER_LATE_MS = 0.5
 """Qt counts whole milliseconds and wakes 0.3 to 0.6 ms late."""
 NAP_S = 0.0015
-"""What is left until the picture is due is slept away: shorter than painting it."""
+"""What is left until the frame is due is slept away: shorter than painting it."""
 GAP_S = 0.008
-"""Drawing plots and labels takes 2 to 5 ms; a picture must not wait for it."""
+"""Drawing plots and labels takes 2 to 5 ms; a frame must not wait for it."""
 LONGEST_WITHOUT_GAP_S = 0.1
 
 
 class Pump(QObject):
     """Calls `poll` when it asks to be called, also in menus and modal dialogs.
 
-    A precise single-shot timer is armed anew after each call, whatever happened in
-    it: an error goes on to sys.excepthook, the next call comes all the same.
+    A precise single-shot timer is armed again after each call, whatever happened in
+    it: an error reaches sys.excepthook, the next call comes all the same.
 
     Args:
         poll: does what is due and returns when to be called next, s.
         clock: of the machine.
         gap: called after `poll` when nothing is due for a while: the time to draw
-            what is not the picture.
+            everything but the video.
         parent: Qt's owner.
     """
 

@@ -29,7 +29,7 @@ from hapticplayer.playback.latency import (
 _GEOMETRY = "geometry"
 _OWN_PLACES = ("folder", "study_folder", "library", "recent", "positions")
 _PRIVATE = (_GEOMETRY, *_OWN_PLACES, LATENCIES)
-"""What is of this machine, or tells what somebody has watched: never exported."""
+"""Specific to this machine, or private: never exported."""
 
 _MOST_TEXTS, _LONGEST_TEXT = 1000, 4096
 
@@ -100,7 +100,7 @@ class Settings:
             window.restoreGeometry(QByteArray.fromBase64(kept.encode()))
 
     def save(self) -> None:
-        """Write the file; where that is not allowed, go on without."""
+        """Write the file; continue where that is not permitted."""
         if self._path is not None:
             with contextlib.suppress(OSError):
                 self._path.parent.mkdir(parents=True, exist_ok=True)
@@ -127,7 +127,7 @@ class Settings:
         """Take over what another machine exported; what is private here stays.
 
         Raises:
-            InputError: when it is no such file, or of a newer version.
+            InputError: when it is not such a file, or of a newer version.
         """
         values = read_settings(path)
         if VERSION not in values:
@@ -215,5 +215,5 @@ def keep_latency(settings: Settings, part: str, name: str, latency_ms: float) ->
 
 
 def is_known(settings: Settings, part: str, name: str) -> bool:
-    """Whether somebody measured or entered the latency of an output."""
+    """Whether the latency of an output was measured or entered."""
     return name in table_s(settings.table(LATENCIES), part)

@@ -38,24 +38,24 @@ from hapticplayer.study.answers import Answers, read_answers
 from hapticplayer.study.study_folder import Study
 
 SCHEME = "figure:"
-"""Of the addresses of the pictures in the text."""
+"""Of the addresses of the figures in the text."""
 _ANALYSED = 0.7  # of the work
 
 
 @dataclass(frozen=True, slots=True)
 class Report:
-    """Text and pictures, ready to be shown.
+    """Text and figures, ready to be shown.
 
     Attributes:
         answers: that were analysed.
-        html: refers to the pictures as SCHEME and their names.
-        pictures: PNG, by name.
-        dpi: of the pictures.
+        html: refers to the figures as SCHEME and their names.
+        figures: PNG, by name.
+        dpi: of the figures.
     """
 
     answers: Answers
     html: str
-    pictures: dict[str, bytes]
+    figures: dict[str, bytes]
     dpi: float
 
 
@@ -70,9 +70,9 @@ def made_report(answers: Answers, *, progress: Progress) -> Report:
     )
     progress(_ANALYSED, Message("drawing the figures"))
     parts = parts_of(found)
-    pictures = {name: image(figure) for name, figure in parts.draw().items()}
+    figures = {name: image(figure) for name, figure in parts.draw().items()}
     html = body(parts.blocks, lambda name: SCHEME + name)
-    return Report(answers, html, pictures, DPI)
+    return Report(answers, html, figures, DPI)
 
 
 def written_report(
@@ -105,7 +105,7 @@ class AnalysisPage(QWidget):
     Args:
         title: of the study.
         read: gives its answers; called in a thread.
-        failed: told what went wrong.
+        failed: called with the problem.
         clock: of the machine.
     """
 
@@ -188,14 +188,14 @@ class AnalysisPage(QWidget):
         return in_child(made_report, answers, progress=progress)
 
     def _show(self, report: Report) -> None:
-        """Show it in steps: a picture is decoded in 12 ms, a part laid out in 10."""
+        """Show it in steps: a figure is decoded in 12 ms, a part laid out in 10."""
         self._report = report
         self._steps = self._showing(report)
 
     def _showing(self, report: Report) -> Iterator[None]:
         document = self.text.document()
         document.clear()
-        for name, png in report.pictures.items():
+        for name, png in report.figures.items():
             image = QImage.fromData(png)
             image.setDevicePixelRatio(report.dpi / _SCREEN_DPI)
             kind = QTextDocument.ResourceType.ImageResource
@@ -254,7 +254,7 @@ class AnalysisWindow(QMainWindow):
     """Analyses a study at once; closing it stops what runs.
 
     Args:
-        study: opened; its folder is read anew for each analysis.
+        study: opened; its folder is read again for each analysis.
         clock: of the machine.
         parent: closes it too.
     """

@@ -43,7 +43,7 @@ class FilesPage(QWidget):
     """Takes a video and perhaps a log, shows what they are, and puts questions.
 
     Signals:
-        changed: other files, or other answers; they have to be looked at anew.
+        changed: other files or answers; they have to be read again.
     """
 
     changed = Signal()

@@ -48,7 +48,7 @@ _TURN, _TILT = np.radians(-32.0), np.radians(22.0)
 
 
 class Triad(QWidget):
-    """The recorder's x, y and z as arrows, seen by somebody behind the actor's left.
+    """The recorder's x, y and z as arrows, seen from behind the actor's left.
 
     The words right, front and up stay where they are; the recorder turns.
     """
@@ -184,7 +184,7 @@ _TURNS = {
     "behind": np.diag([-1.0, 1.0, -1.0]),
     "left": np.array([[0.0, 0, -1], [0, 1, 0], [1, 0, 0]]),
 }
-"""How the device stands, about its up axis, in frame D."""
+"""Rotations of the device about its up axis, in frame D."""
 
 
 class MountingPage(QWidget):

@@ -36,7 +36,7 @@ class SyncPage(QWidget):
     """Shows the proposed shift; a person hears, sees, drags, and takes it.
 
     Signals:
-        decided: whether it may go on has changed.
+        decided: whether the next step is allowed has changed.
         method_chosen: the clocks have to be synchronised by another method.
     """
 
@@ -69,7 +69,7 @@ class SyncPage(QWidget):
         self.looked.toggled.connect(lambda _on: self.decided.emit())
         self._lay_out()
         self.strip.shifted.connect(self.offset.setValue)
-        self.strip.pointed.connect(self.frame.want)
+        self.strip.pointed.connect(self.frame.request)
         self.offset.valueChanged.connect(self._on_offset)
         self.skew.valueChanged.connect(self._on_skew)
         self._late_s = 0.0
@@ -153,7 +153,7 @@ class SyncPage(QWidget):
         return moved_to(sync, offset_s)
 
     def may_go_on(self) -> bool:
-        """Whether there is nothing that a person still has to look at."""
+        """Whether everything has been confirmed."""
         found = self._recognised
         if found is None:
             return False
@@ -203,13 +203,15 @@ class SyncPage(QWidget):
             at_s = self.strip.cursor_s or 0.0
             begin_s, end_s = at_s - _AROUND_S, at_s + _AROUND_S
         path, ticks_s = found.clip.path, self.strip.felt_s()
-        self._sound = Job("", lambda _told: pats_sound(path, begin_s, end_s, ticks_s))
+        self._sound = Job(
+            "", lambda _progress: pats_sound(path, begin_s, end_s, ticks_s)
+        )
         self._sound.start()
 
     # --- what happens by itself ----------------------------------------------
 
     def poll(self) -> None:
-        """Show the picture and play the sound that are ready."""
+        """Show the frame and play the sound that are ready."""
         self.frame.poll()
         job = self._sound
         if job is None or not job.is_done:

@@ -46,11 +46,11 @@ FILES, SYNC, MOUNTING, REPORT = range(4)
 
 
 class ImportWizard(QDialog):
-    """Leads through an import; what is not certain cannot be passed without a look.
+    """Leads through an import; what is uncertain has to be confirmed.
 
     Signals:
         play_wanted: the folder of a new sequence, to be played.
-        library_chosen: sequences shall be kept in another folder.
+        library_chosen: another library folder.
 
     Args:
         folder: where choosing files begins.

@@ -84,7 +84,7 @@ class LibraryDetails(QWidget):
             ]
         )
         self.tracks.verticalHeader().hide()
-        self.tracks.setTabKeyNavigation(False)  # Tab goes on to the buttons
+        self.tracks.setTabKeyNavigation(False)  # Tab moves on to the buttons
         self.tracks.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self.tracks.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
         self.tracks.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
@@ -153,7 +153,7 @@ class LibraryDetails(QWidget):
             widget.setEnabled(entry is not None and not entry.problem)
         if is_same:
             return
-        self._tell_problem("")
+        self._show_problem("")
         if entry is None:
             self.report.clear()
         elif entry.problem:
@@ -237,7 +237,10 @@ class LibraryDetails(QWidget):
             elif self._wait == 0 and self._entry is not None:
                 folder, gain = self._entry.folder, self.number.value()
                 self._preview = Job(
-                    "", lambda told: in_child(preview_gain, folder, gain, progress=told)
+                    "",
+                    lambda progress: in_child(
+                        preview_gain, folder, gain, progress=progress
+                    ),
                 )
                 self._preview.start()
 
@@ -264,7 +267,7 @@ class LibraryDetails(QWidget):
             folder = entry.folder
             self._run(
                 self.tr("Rendering the force"),
-                lambda told: in_child(set_gain, folder, gain, progress=told),
+                lambda progress: in_child(set_gain, folder, gain, progress=progress),
                 lambda _none: self.changed.emit(),
             )
 
@@ -287,7 +290,9 @@ class LibraryDetails(QWidget):
             folder, name = entry.folder, csv.stem[:40]
             self._run(
                 self.tr("Adding {name}").format(name=csv.name),
-                lambda told: in_child(add_track, folder, name, csv, progress=told),
+                lambda progress: in_child(
+                    add_track, folder, name, csv, progress=progress
+                ),
                 lambda _none: self.changed.emit(),
             )
 
@@ -304,11 +309,11 @@ class LibraryDetails(QWidget):
         try:
             change(entry.folder, *names)
         except HapticPlayerError as problem:
-            self._tell_problem(translated(message_of(problem)))
+            self._show_problem(translated(message_of(problem)))
         else:
             self.changed.emit()
 
-    def _tell_problem(self, text: str) -> None:
+    def _show_problem(self, text: str) -> None:
         self.problem.setText(text)
         self.problem.setVisible(bool(text))
 

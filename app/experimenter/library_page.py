@@ -35,7 +35,7 @@ from hapticplayer.sequence.library import Entry, entries
 from hapticplayer.sequence.report import Mark, worst
 
 WIDTH_PX, HEIGHT_PX = 1080, 680
-PICTURE_PX = 72
+THUMBNAIL_PX = 72
 _POLL_MS = 40
 _ENTRY = int(Qt.ItemDataRole.UserRole)
 _LEFT_PX, _RIGHT_PX = 480, 600
@@ -67,7 +67,7 @@ class LibraryPage(QDialog):
         self.jobs = Jobs(self._on_failed)
         self._job: Job[list[Thumbnail | None]] | None = None
         self._pictured: list[Path] = []
-        self._pictures: dict[Path, QIcon] = {}
+        self._thumbnails: dict[Path, QIcon] = {}
         self._binned: tuple[Path, Path] | None = None
         self._is_leaving = False
         self.search = QLineEdit()
@@ -77,7 +77,7 @@ class LibraryPage(QDialog):
         self.search.textChanged.connect(self._filter)
         self.list = QListWidget()
         self.list.setAccessibleName(self.tr("Sequences"))
-        self.list.setIconSize(QSize(PICTURE_PX * 16 // 9, PICTURE_PX))
+        self.list.setIconSize(QSize(THUMBNAIL_PX * 16 // 9, THUMBNAIL_PX))
         self.list.setSpacing(2)
         self.list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.list.currentItemChanged.connect(lambda *_: self._on_chosen())
@@ -89,9 +89,9 @@ class LibraryPage(QDialog):
         QVBoxLayout(self.list.viewport()).addWidget(self.nothing)
         self.details = LibraryDetails(self._run)
         self.details.changed.connect(self.refresh)
-        self.told = QLabel()
-        self.told.setWordWrap(True)
-        self.told.setTextFormat(Qt.TextFormat.PlainText)
+        self.status = QLabel()
+        self.status.setWordWrap(True)
+        self.status.setTextFormat(Qt.TextFormat.PlainText)
         self._lay_out()
         self._timer = QTimer(self)
         self._timer.timeout.connect(self._poll)
@@ -115,7 +115,7 @@ class LibraryPage(QDialog):
         split.setSizes([_LEFT_PX, _RIGHT_PX])
         split.setChildrenCollapsible(False)
         message = QHBoxLayout()
-        message.addWidget(self.told, 1)
+        message.addWidget(self.status, 1)
         self.undo = text_button(self.tr("&Undo"), self.tr("Undo the last deletion"))
         self.undo.clicked.connect(self._undo)
         self.undo.hide()
@@ -170,7 +170,7 @@ class LibraryPage(QDialog):
     # --- what is there -------------------------------------------------------
 
     def refresh(self) -> None:
-        """Look into the folder anew; what is chosen stays chosen."""
+        """Read the folder again; the selection stays."""
         chosen = self.chosen()
         held, found = chosen.folder if chosen else None, entries(self.library)
         self.list.blockSignals(True)
@@ -183,7 +183,7 @@ class LibraryPage(QDialog):
             item.setForeground(
                 QColor(theme.TEXT if mark is Mark.GOOD else colour_of(mark))
             )
-            item.setIcon(self._pictures.get(entry.folder, _nothing()))
+            item.setIcon(self._thumbnails.get(entry.folder, _nothing()))
             self.list.addItem(item)
             if entry.folder == held:
                 self.list.setCurrentItem(item)
@@ -290,7 +290,7 @@ class LibraryPage(QDialog):
         self._run(
             self.tr("Verifying"),
             work,
-            lambda _none: self._tell(
+            lambda _none: self._show_status(
                 self.tr("{title}: all files are intact").format(title=title),
                 theme.GOOD,
             ),
@@ -318,12 +318,14 @@ class LibraryPage(QDialog):
         moved = QFile(str(entry.folder))
         if not moved.moveToTrash():
             text = self.tr("Could not move {title} to the bin; nothing was deleted.")
-            self._tell(text.format(title=entry.title), theme.BAD)
+            self._show_status(text.format(title=entry.title), theme.BAD)
             return
         binned = moved.fileName()  # "" where the platform does not say
         self._binned = (Path(binned), entry.folder) if binned else None
         self.undo.setVisible(bool(binned))
-        self._tell(self.tr("Moved {title} to the bin.").format(title=entry.title))
+        self._show_status(
+            self.tr("Moved {title} to the bin.").format(title=entry.title)
+        )
         self.refresh()
 
     def _undo(self) -> None:
@@ -336,14 +338,14 @@ class LibraryPage(QDialog):
             info = binned.parent.parent / "info" / f"{binned.name}.trashinfo"
             info.unlink(missing_ok=True)
         except InputError as problem:
-            self._tell(translated(message_of(problem)), theme.BAD)
+            self._show_status(translated(message_of(problem)), theme.BAD)
         except OSError as problem:
             what = Message(
                 "{path}: cannot be brought back ({reason})", path=folder, reason=problem
             )
-            self._tell(translated(what), theme.BAD)
+            self._show_status(translated(what), theme.BAD)
         else:
-            self._tell("")
+            self._show_status("")
         self._binned = None
         self.undo.hide()
         self.refresh()
@@ -354,7 +356,7 @@ class LibraryPage(QDialog):
         """Begin a piece of work, unless one runs."""
         if self.jobs.is_busy:
             return
-        self._tell(title)
+        self._show_status(title)
         self.jobs.run(title, work, done)  # type: ignore[arg-type]
         self.stop.show()
         self._on_chosen()
@@ -362,23 +364,23 @@ class LibraryPage(QDialog):
     def _on_failed(self, problem: BaseException) -> None:
         if not isinstance(problem, HapticPlayerError):
             raise problem
-        self._tell(translated(message_of(problem)), theme.BAD)
+        self._show_status(translated(message_of(problem)), theme.BAD)
 
-    def _tell(self, text: str, colour: str = "") -> None:
-        self.told.setText(text)
-        self.told.setStyleSheet(f"color: {colour or theme.TEXT};")
+    def _show_status(self, text: str, colour: str = "") -> None:
+        self.status.setText(text)
+        self.status.setStyleSheet(f"color: {colour or theme.TEXT};")
 
     def _poll(self) -> None:
         was_busy = self.jobs.is_busy
         state = self.jobs.state()
         if state is not None:
-            self._tell(titled(state.title, f"{100.0 * state.fraction:.0f} %"))
+            self._show_status(titled(state.title, f"{100.0 * state.fraction:.0f} %"))
         self.jobs.poll()
         if was_busy and not self.jobs.is_busy:
-            if state is not None and self.told.text().startswith(
+            if state is not None and self.status.text().startswith(
                 titled(state.title, "")
             ):
-                self._tell("")
+                self._show_status("")
             self.stop.hide()
             self._on_chosen()
         self.details.poll()
@@ -387,7 +389,7 @@ class LibraryPage(QDialog):
             super().reject()
 
     def _poll_pictures(self) -> None:
-        """Take over pictures of clips, and ask for those that are missing."""
+        """Take over thumbnails of clips, and ask for those that are missing."""
         job = self._job
         if job is not None:
             if not job.is_done:
@@ -395,18 +397,18 @@ class LibraryPage(QDialog):
             self._job = None
             made = job.result or [None] * len(self._pictured)
             for folder, one in zip(self._pictured, made, strict=True):
-                self._pictures[folder] = _nothing() if one is None else _icon(one)
+                self._thumbnails[folder] = _nothing() if one is None else _icon(one)
             self._show_pictures()
             return
         held = [self.list.item(row).data(_ENTRY) for row in range(self.list.count())]
-        wanted = [e for e in held if e.folder not in self._pictures and e.clip][:16]
+        wanted = [e for e in held if e.folder not in self._thumbnails and e.clip][:16]
         if wanted and not self._is_leaving:
             self._pictured = [entry.folder for entry in wanted]
             clips = [entry.clip for entry in wanted]
             self._job = Job(
                 "",
-                lambda told: in_child(
-                    cover_thumbnails, clips, PICTURE_PX, progress=told
+                lambda progress: in_child(
+                    cover_thumbnails, clips, THUMBNAIL_PX, progress=progress
                 ),
             )
             self._job.start()
@@ -414,8 +416,10 @@ class LibraryPage(QDialog):
     def _show_pictures(self) -> None:
         for row in range(self.list.count()):
             item = self.list.item(row)
-            if (picture := self._pictures.get(item.data(_ENTRY).folder)) is not None:
-                item.setIcon(picture)
+            if (
+                thumbnail := self._thumbnails.get(item.data(_ENTRY).folder)
+            ) is not None:
+                item.setIcon(thumbnail)
 
     # --- the end -------------------------------------------------------------
 
@@ -462,6 +466,6 @@ def _icon(made: Thumbnail) -> QIcon:
 
 
 def _nothing() -> QIcon:
-    empty = QPixmap(PICTURE_PX * 16 // 9, PICTURE_PX)
+    empty = QPixmap(THUMBNAIL_PX * 16 // 9, THUMBNAIL_PX)
     empty.fill(theme.RAISED)
     return QIcon(empty)

@@ -47,7 +47,7 @@ class QualityView(QTextBrowser):
         )
 
     def show_problem(self, text: str) -> None:
-        """Say why there is no report: the sequence cannot be read."""
+        """Show why there is no report: the sequence cannot be read."""
         title = escape(self.tr("This sequence cannot be played"))
         self.setHtml(
             f"<h3>{_sign(Mark.BAD)} {title}</h3><p>{escape(translated(text))}</p>"
@@ -73,7 +73,7 @@ def mark_name(mark: Mark) -> str:
 
 
 def colour_of(mark: Mark) -> str:
-    """Return the colour of a mark in the look that is in use."""
+    """Return the colour of a mark in the current theme."""
     return {Mark.GOOD: theme.GOOD, Mark.DOUBTFUL: theme.WARN, Mark.BAD: theme.BAD}[mark]
 
 
@@ -83,13 +83,13 @@ def _sign(mark: Mark) -> str:
 
 def _row(one: Finding) -> str:
     advice = "" if one.mark is Mark.GOOD else _advice(one)
-    told = escape(local(value_of(one)))
+    value = escape(local(value_of(one)))
     if advice:  # under the figure: a column of its own is too much in a narrow window
-        told += f"<br><span style='color:{theme.DIM}'>{escape(advice)}</span>"
+        value += f"<br><span style='color:{theme.DIM}'>{escape(advice)}</span>"
     cells = (
         f"{_sign(one.mark)} {escape(mark_name(one.mark))}",
         f"<b>{escape(name_of(one))}</b>",
-        told,
+        value,
     )
     return "<tr>" + "".join(f"<td>{cell}</td>" for cell in cells) + "</tr>"
 

@@ -20,7 +20,7 @@ from PySide6.QtWidgets import (
 from app.bridge.languages import translated
 from app.bridge.pump import Cadence
 from app.experimenter.start_panel import StartPanel, reason_text
-from app.player.display import PlotsPlace
+from app.player.display import PlotArea
 from app.player.health_line import HealthLine
 from app.player.video_surface import VideoSurface, letterbox
 from app.widgets import theme
@@ -35,9 +35,9 @@ _WIDTH_PX, _HEIGHT_PX = 320, 180
 
 
 class Mirror(QWidget):
-    """Draws the picture that was decoded for the participant once more, smaller.
+    """Draws the frame that was decoded for the participant again, smaller.
 
-    Nothing is decoded, copied or kept: a picture takes 0.3 ms, ten times a second. The
+    Nothing is decoded, copied or kept: a frame takes 0.3 ms, ten times a second. The
     pages are not mirrored: their answers are the participant's.
 
     Args:
@@ -47,7 +47,7 @@ class Mirror(QWidget):
     def __init__(self, surface: VideoSurface) -> None:
         super().__init__()
         self._surface, self._is_clip = surface, False
-        self._turn = Cadence(RATE_HZ)
+        self._cadence = Cadence(RATE_HZ)
         self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Preferred)
         self.setMinimumSize(_WIDTH_PX // 2, _HEIGHT_PX // 2)
@@ -56,18 +56,18 @@ class Mirror(QWidget):
         )
 
     def sizeHint(self) -> QSize:
-        """Ask for a fourth of a usual picture."""
+        """Ask for a quarter of the usual size."""
         return QSize(_WIDTH_PX, _HEIGHT_PX)
 
     def follow(self, now_s: float, *, is_clip: bool) -> None:
-        """Draw anew if it is time; `is_clip` says whether the clip is on the screen."""
-        is_due = self._turn.is_due(now_s)
+        """Redraw if it is time; `is_clip` says whether the clip is on the screen."""
+        is_due = self._cadence.is_due(now_s)
         if is_clip != self._is_clip or (is_clip and is_due):
             self._is_clip = is_clip
             self.update()
 
     def paintEvent(self, _event: QPaintEvent) -> None:
-        """Scale the picture in the cheapest way."""
+        """Scale the frame in the cheapest way."""
         with QPainter(self) as painter:
             painter.fillRect(self.rect(), QColor("black"))
             image = self._surface.image if self._is_clip else None
@@ -76,7 +76,7 @@ class Mirror(QWidget):
                 box = letterbox(size, (self.width(), self.height()))
                 painter.drawImage(QRectF(*box), image)
             else:
-                painter.setPen(QColor(theme.LOOKS[theme.DARK]["DIM"]))
+                painter.setPen(QColor(theme.THEMES[theme.DARK]["DIM"]))
                 text = QCoreApplication.translate("Mirror", "Showing a page")
                 painter.drawText(self.rect(), Qt.AlignmentFlag.AlignCenter, text)
             painter.setPen(QColor(theme.BORDER))  # black has no edge on black
@@ -96,7 +96,7 @@ class SessionControl(QMainWindow):
     Args:
         start: the panel that is shown until a session has begun.
         mirror: shows the participant's picture.
-        shows_force: whether live plots may be seen: they tell the condition.
+        shows_force: whether live plots may be seen: they reveal the condition.
     """
 
     closing = Signal()
@@ -107,7 +107,7 @@ class SessionControl(QMainWindow):
         resize_within_screen(self, WIDTH_PX, HEIGHT_PX)
         self.start, self.mirror = start, mirror
         self.messages, self.health = MessageBar(), HealthLine()
-        self.plots = PlotsPlace()
+        self.plots = PlotArea()
         self.plots.setVisible(shows_force)
         if shows_force:
             self.plots.prepare()
@@ -286,7 +286,7 @@ class SessionControl(QMainWindow):
             self.note.clear()
 
     def closeEvent(self, event: QCloseEvent) -> None:
-        """Ask first while somebody sits there; the session can be resumed."""
+        """Ask first while a session runs; it can be resumed."""
         runner = self._runner
         is_asked = not self._may_close and runner is not None and not runner.is_over
         if is_asked and not self._is_sure():

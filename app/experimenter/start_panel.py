@@ -171,7 +171,7 @@ class StartPanel(QWidget):
         self.balance.setText(text.format(a=a, b=b, c=c, d=d))
 
     def show_checks(self, checks: tuple[SessionCheck, ...]) -> None:
-        """Show what was found; begin only when all is well, or somebody insists."""
+        """Show what was found; start only when all checks pass, or with the override."""
         names = self._names()
         lines = []
         for check in checks:

@@ -18,7 +18,7 @@ _PREFIX = "hapticplayer: "
 
 
 class StudyProcess(QObject):
-    """One at a time; it goes on when this window is closed.
+    """One at a time; it continues when this window is closed.
 
     Signals:
         ended: what it complained of, "" where nothing.
@@ -42,12 +42,12 @@ class StudyProcess(QObject):
         Raises:
             OSError: when the system refuses.
         """
-        self._told = tempfile.TemporaryFile()  # noqa: SIM115 - read when it has ended
+        self._stderr = tempfile.TemporaryFile()  # noqa: SIM115 - read when it has ended
         self._process = subprocess.Popen(
             [sys.executable, "-m", "app", *arguments],
             stdin=subprocess.DEVNULL,
             stdout=subprocess.DEVNULL,
-            stderr=self._told,
+            stderr=self._stderr,
             start_new_session=True,
         )
         self._handle = os.pidfd_open(self._process.pid)
@@ -55,26 +55,26 @@ class StudyProcess(QObject):
         self._notifier.activated.connect(self._on_ended)
 
     def leave(self) -> None:
-        """Watch it no longer; it goes on."""
+        """Stop watching it; it continues."""
         if self._process is None:
             return
         assert self._notifier is not None
         self._notifier.setEnabled(False)
         self._notifier.deleteLater()
         os.close(self._handle)
-        self._told.close()
+        self._stderr.close()
         self._process = self._notifier = None
 
     def _on_ended(self) -> None:
         assert self._process is not None
         status = self._process.wait()
-        self._told.seek(0)
-        lines = self._told.read().decode(errors="replace").splitlines()
+        self._stderr.seek(0)
+        lines = self._stderr.read().decode(errors="replace").splitlines()
         self.leave()
         said = [line for line in lines if line.startswith(_PREFIX)]
-        told = said[-1].removeprefix(_PREFIX) if said else "".join(lines[-1:])
+        message = said[-1].removeprefix(_PREFIX) if said else "".join(lines[-1:])
         exited = self.tr("The session has ended with status {0}").format(status)
-        self.ended.emit((told or exited) if status else "")
+        self.ended.emit((message or exited) if status else "")
 
 
 translate = QCoreApplication.translate
@@ -87,13 +87,13 @@ class StudyMenu(QObject):
     """Adds the menu, and does what it offers.
 
     Signals:
-        running: whether somebody takes part in a study now.
+        running: whether a session is running.
 
     Args:
         window: whose menu bar it joins.
         clock: of the machine.
         report: shows what went wrong.
-        release: stops what plays, lets go of the device, and tells its name.
+        release: stops playback, releases the device, and returns its name.
         settings: keeps where the last study was.
     """
 
@@ -169,7 +169,7 @@ class StudyMenu(QObject):
         from hapticplayer.study.session_setup import load_material
         from hapticplayer.study.study_folder import open_study
 
-        load_material(open_study(folder))  # what is missing is told here
+        load_material(open_study(folder))  # what is missing is reported here
         device = self._release()
         try:
             self.process.start(["study", "run", str(folder), "--device", device])

@@ -28,33 +28,33 @@ HEIGHT_PX = 150
 
 
 class ClipFrame(QWidget):
-    """Decodes one picture at a time in a thread; of several wishes the last counts."""
+    """Decodes one frame at a time in a thread; of several requests the last counts."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.picture, self.time = QLabel(), QLabel()
-        self.picture.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        self.picture.setFixedHeight(HEIGHT_PX)
-        self.picture.setMinimumWidth(HEIGHT_PX * 16 // 9)
-        self.picture.setStyleSheet(f"background: {theme.BACKGROUND};")
-        self.picture.setAccessibleName(self.tr("Frame at the cursor"))
+        self.frame, self.time = QLabel(), QLabel()
+        self.frame.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self.frame.setFixedHeight(HEIGHT_PX)
+        self.frame.setMinimumWidth(HEIGHT_PX * 16 // 9)
+        self.frame.setStyleSheet(f"background: {theme.BACKGROUND};")
+        self.frame.setAccessibleName(self.tr("Frame at the cursor"))
         self.time.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.time.setStyleSheet(f"color: {theme.DIM};")
         self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
-        column_of(self.picture, self.time, spacing=2, of=self)
+        column_of(self.frame, self.time, spacing=2, of=self)
         self.shown_s: float | None = None
         self._path: Path | None = None
         self._wanted_s: float | None = None
         self._job: Job[list[Thumbnail]] | None = None
 
     def use(self, path: Path | None) -> None:
-        """Show pictures of another clip from now on."""
+        """Show frames of another clip from now on."""
         self._path, self._wanted_s, self.shown_s = path, None, None
-        self.picture.clear()
+        self.frame.clear()
         self.time.clear()
 
-    def want(self, media_s: float) -> None:
-        """Show the picture at a time as soon as it is decoded."""
+    def request(self, media_s: float) -> None:
+        """Show the frame at a time as soon as it is decoded."""
         self._wanted_s = max(0.0, media_s)
 
     def poll(self) -> None:
@@ -67,12 +67,13 @@ class ClipFrame(QWidget):
             path, at_s, self._wanted_s = self._path, self._wanted_s, None
             height_px = round(HEIGHT_PX * self.devicePixelRatioF())
             self._job = Job(
-                "", lambda told: thumbnails(path, [at_s], height_px, progress=told)
+                "",
+                lambda progress: thumbnails(path, [at_s], height_px, progress=progress),
             )
             self._job.start()
 
     def close_jobs(self) -> None:
-        """Wait for the picture that is being decoded."""
+        """Wait for the frame that is being decoded."""
         if self._job is not None:
             self._job.cancel()
             self._job.join()
@@ -84,15 +85,15 @@ class ClipFrame(QWidget):
             image = QImage(one.rgb, one.width, one.height, 3 * one.width, kind)
             shown = QPixmap.fromImage(image)
             shown.setDevicePixelRatio(self.devicePixelRatioF())
-            self.picture.setPixmap(shown)
+            self.frame.setPixmap(shown)
             self.time.setText(time_text(one.media_s, digits=3))
             self.shown_s = one.media_s
 
 
 STEP_S = 0.001
-PICTURE_S = 1.0 / 30.0
+FRAME_S = 1.0 / 30.0
 _PEAK_SHARE, _MOST_PEAKS = 0.2, 12
-_PAT, _MOTION, _SOUND = range(3)  # places in the colours of the look
+_PAT, _MOTION, _SOUND = range(3)  # indices of the axis colours
 _SHORTEST_S = 0.05
 _ZOOM = 1.25
 _MARGIN_PX, _LABELS_PX = 6, 20
@@ -106,7 +107,7 @@ class SyncStrip(QWidget):
 
     Drag moves the lower lane, the arrows move it by 1 ms (Shift: 10 ms, Ctrl: 100 ms),
     the wheel zooms, drag with the right button moves the view. A cursor follows the
-    pointer; comma and point move it by a picture.
+    pointer; comma and point move it by a frame.
 
     Signals:
         shifted: the shift that a person has chosen, s.
@@ -221,12 +222,12 @@ class SyncStrip(QWidget):
         event.accept()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Move the lower lane in small steps, or the cursor by a picture."""
-        picture = {Qt.Key.Key_Comma: -1, Qt.Key.Key_Period: 1}.get(Qt.Key(event.key()))
-        if picture is not None:
+        """Move the lower lane in small steps, or the cursor by a frame."""
+        frame = {Qt.Key.Key_Comma: -1, Qt.Key.Key_Period: 1}.get(Qt.Key(event.key()))
+        if frame is not None:
             middle_s = 0.5 * (self.view_s[0] + self.view_s[1])
             at_s = middle_s if self.cursor_s is None else self.cursor_s
-            self.point_at(at_s + picture * PICTURE_S)
+            self.point_at(at_s + frame * FRAME_S)
             return
         direction = {Qt.Key.Key_Left: -1, Qt.Key.Key_Right: 1}.get(Qt.Key(event.key()))
         if direction is None:

@@ -1,1 +1,1 @@
-"""What a participant sees: calm, large, and nothing that tells the condition."""
+"""What a participant sees: calm, large, and nothing that reveals the condition."""

@@ -61,7 +61,7 @@ class StudySession:
         device: name of the haptic device.
         clock: of the machine.
         audio: makes the sound output; None plays without sound.
-        observer: told of beginnings and ends.
+        observer: notified of starts and ends.
     """
 
     def __init__(
@@ -93,7 +93,7 @@ class StudySession:
         self.participant = ParticipantWindow(self.surface)
         self.gateway = ErrorGateway(self.control.show_message, self._halt)
         self.undisturbed = IdleInhibitor(services=EVERYTHING)
-        self._watch_turn, self._slow_turn = Cadence(WATCH_HZ), Cadence(SLOW_HZ)
+        self._watch_cadence, self._slow_turn = Cadence(WATCH_HZ), Cadence(SLOW_HZ)
         self._told_s = clock.now_s()
         self._is_over = False
         self.pump = Pump(self.player.poll, clock, self._on_gap)
@@ -151,7 +151,7 @@ class StudySession:
         self.player.play()
 
     def begin(self) -> None:
-        """Begin or go on, as the panel says; what goes wrong is told there."""
+        """Start or resume, as the panel says; problems are shown there."""
         panel = self.start_panel
         try:
             self.begin_session(panel.who.currentData(), panel.language.currentData())
@@ -197,7 +197,7 @@ class StudySession:
         now_s = self._clock.now_s()
         if self.runner is not None:
             self.runner.poll()
-        if self._watch_turn.is_due(now_s):
+        if self._watch_cadence.is_due(now_s):
             self.gateway.poll()
             self._tell_force()
             self.participant.refresh()
@@ -215,7 +215,7 @@ class StudySession:
                 self.start_panel.show_checks(self.current_checks())
 
     def _tell_force(self) -> None:
-        """Hand the forces since the last call to whoever watches."""
+        """Hand the forces since the last call to the observer."""
         if self._observer is None:
             return
         ticks = self.player.ticks_since(self._told_s)

@@ -7,7 +7,7 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QGridLayout, QLabel, QWidget
 
-from app.participant.look import FittedPage, paragraph
+from app.participant.fitted_page import FittedPage, paragraph
 from app.participant.questions import (
     QuestionRow,
     TextRow,
@@ -32,7 +32,7 @@ class TextPage(FittedPage):
 
     Args:
         page: what it says.
-        buttons: (name, text); the last one is what goes on.
+        buttons: (name, text); the last one continues.
     """
 
     pressed = Signal(str)
@@ -58,7 +58,7 @@ class TextPage(FittedPage):
             set_role(self.buttons[buttons[-1][0]], "primary")
 
     def focus(self) -> None:
-        """Put the keyboard on what goes on."""
+        """Focus the button that continues."""
         if self.buttons:
             list(self.buttons.values())[-1].setFocus(Qt.FocusReason.TabFocusReason)
 
@@ -71,7 +71,7 @@ class QuestionsPage(FittedPage):
     """Questions one under the other.
 
     Signals:
-        finished: a person wants to go on.
+        finished: the participant continues.
         replay_wanted: the token of a clip, see `Page.replays`.
 
     Args:
@@ -128,12 +128,12 @@ class QuestionsPage(FittedPage):
                 grid.addWidget(button, line, place)
         return table
 
-    def set_letters(self, letters_px: int) -> None:
+    def set_font_size(self, font_px: int) -> None:
         """Use letters of this size."""
-        super().set_letters(letters_px)
+        super().set_font_size(font_px)
         for row in self.rows:
             if isinstance(row, TextRow):
-                row.set_letters(letters_px)
+                row.set_font_size(font_px)
 
     def values(self) -> dict[str, Any]:
         """Return all answers, whatever they are."""
@@ -157,7 +157,7 @@ class QuestionsPage(FittedPage):
                 self.keep_in_sight(*([self.next] if is_last else []), row)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Answer by digits, move by arrows, go on with Enter."""
+        """Answer by digits, move by arrows, continue with Enter."""
         digit = digit_of(event)
         if digit and self.rows and not is_typing(self.focusWidget()):
             if self.rows[self._current].take_digit(digit):

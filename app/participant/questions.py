@@ -1,4 +1,4 @@
-"""Questions for mouse, touch and keys: digits answer, Enter goes on."""
+"""Questions for mouse, touch and keys: digits answer, Enter continues."""
 
 from abc import abstractmethod
 from collections.abc import Callable
@@ -16,7 +16,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.participant.look import paragraph
+from app.participant.fitted_page import paragraph
 from app.widgets import theme
 from app.widgets.buttons import Button
 from app.widgets.layout import STRETCH, row_of
@@ -25,7 +25,7 @@ from hapticplayer.study.pages import AskedQuestion
 
 Word = Callable[[str], str]
 TEXT_LINES = 2
-_BESIDE_PX = 14  # between a scale and what stands at its ends
+_BESIDE_PX = 14  # between a scale and the labels at its ends
 
 
 class QuestionRow(QFrame):
@@ -72,7 +72,7 @@ class QuestionRow(QFrame):
         """Take the keyboard."""
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:  # noqa: N802
-        """Tell when the keyboard comes to a field; buttons tell it themselves."""
+        """Emit `entered` when a field gets the focus; buttons do so themselves."""
         if event.type() == QEvent.Type.FocusIn:
             self.entered.emit()
         return super().eventFilter(watched, event)
@@ -97,7 +97,7 @@ class ButtonsRow(QuestionRow):
     Args:
         asked: the question.
         answers: (value, text) of the buttons.
-        ends: what stands before the first and behind the last.
+        ends: labels before the first and after the last.
     """
 
     def __init__(
@@ -152,7 +152,7 @@ class ButtonsRow(QuestionRow):
 
 
 class _AnswerButton(Button):
-    """Tells when the keyboard comes to it; Enter belongs to the page, which goes on."""
+    """Reports its focus; Enter belongs to the page, which continues."""
 
     def __init__(self, text: str, entered: Callable[[], None]) -> None:
         super().__init__(text)
@@ -177,7 +177,7 @@ class NumberRow(QuestionRow):
     def __init__(self, asked: AskedQuestion) -> None:
         super().__init__(asked)
         self.box = QSpinBox()
-        # one below the least stands for "not answered"
+        # one below the least means "not answered"
         self.box.setRange(asked.least - 1, asked.most)
         self.box.setSpecialValueText(" ")
         self.box.setValue(asked.least - 1)
@@ -235,9 +235,9 @@ class TextRow(QuestionRow):
             self.box.setTextCursor(cursor)
         self.answered.emit()
 
-    def set_letters(self, letters_px: int) -> None:
+    def set_font_size(self, font_px: int) -> None:
         """Be some lines high."""
-        self.box.setFixedHeight(round(1.5 * TEXT_LINES * letters_px) + 12)
+        self.box.setFixedHeight(round(1.5 * TEXT_LINES * font_px) + 12)
 
     def value(self) -> str:
         """Return the words."""

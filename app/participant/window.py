@@ -7,9 +7,9 @@ from PySide6.QtCore import QEvent, Qt, QTimer
 from PySide6.QtGui import QCloseEvent, QGuiApplication, QKeyEvent
 from PySide6.QtWidgets import QStackedWidget, QWidget
 
-from app.participant.look import style
+from app.participant.fitted_page import style
 from app.participant.pages import QuestionsPage, TextPage
-from app.player.fullscreen import EscapeEverywhere
+from app.player.fullscreen import EscapeFilter
 from app.player.video_surface import VideoSurface
 from app.widgets.layout import column_of
 from hapticplayer.errors import StudyError
@@ -45,7 +45,7 @@ class ParticipantWindow(QWidget):
         self.guard = QTimer(self)
         self.guard.setSingleShot(True)
         self.guard.setInterval(GUARD_MS)
-        self._escape = EscapeEverywhere(lambda: self.halt("escape"), self)
+        self._escape = EscapeFilter(lambda: self.halt("escape"), self)
         self._escape.install()
         application = QGuiApplication.instance()
         if isinstance(application, QGuiApplication):

@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QApplication
 from app.bridge.interrupts import closing_on_signals
 from app.bridge.settings import Settings, default_path
 from app.player.controls import OUTPUT
-from app.player.remake import OpenWindow, dress
+from app.player.remake import OpenWindow, apply_appearance
 from app.player.video_surface import SurfaceSink, VideoSurface
 from app.player.window import DEVICE, PlayerWindow
 from app.widgets.theme import icon
@@ -36,7 +36,7 @@ from hapticplayer.playback.source import Source, choose_feedback, open_source
 # Python's own 5 ms, which the window's thread may have to wait many times in one round
 # of painting, added up to silences of 190 ms while a recording was imported.
 SWITCH_S = 0.001
-AT_REST_MS = 150  # the log shall show the force at rest after the end
+AT_REST_MS = 150  # the log includes the force at rest after the end
 
 
 def run(options: argparse.Namespace) -> int:
@@ -91,7 +91,7 @@ def run(options: argparse.Namespace) -> int:
 
 
 def make_application(settings: Settings | None = None) -> QApplication:
-    """Return the one application of this process, with its look and language."""
+    """Return the one application of this process, with its theme and language."""
     sys.setswitchinterval(SWITCH_S)
     keep_freed_memory()
     hasten_window()
@@ -101,7 +101,7 @@ def make_application(settings: Settings | None = None) -> QApplication:
     application.setApplicationName("hapticplayer")
     application.setDesktopFileName("hapticplayer")
     application.setWindowIcon(icon("hapticplayer"))
-    dress(application, settings or Settings(None))
+    apply_appearance(application, settings or Settings(None))
     return application
 
 
@@ -111,7 +111,7 @@ def _show(
     source: Source | None,
     feedback: str | None,
 ) -> None:
-    """Show the window, and in it the first picture of what was asked for."""
+    """Show the window, and in it the first frame of the source."""
     if options.fullscreen and source:
         window.enter_fullscreen()
     else:
@@ -139,7 +139,7 @@ def _begin(
     """Play what was asked for."""
     player = window.player
     if source is None:
-        window.dialogs.prepare()  # somebody looks around
+        window.dialogs.prepare()  # the user looks around
         window.session.open_demo()
         return
     if options.start > 0.0:
@@ -169,7 +169,7 @@ def _run_until_closed(
         say(json.dumps(window.player.summary()))
     problem = window.player.snapshot().record_problem
     if options.close_at_end:
-        problem = window.session.told or problem
+        problem = window.session.last_problem or problem
     if problem:
         complain(problem)
         return 1

@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 from PySide6.QtCore import QCoreApplication, QObject
 
-from app.bridge.jobs import Beside
+from app.bridge.jobs import BackgroundLookup
 from app.bridge.languages import translated
 from app.player.health import device_name
 from hapticplayer.devices import NO_DEVICE, device_names, installed_devices
@@ -67,21 +67,21 @@ def _is_hidden(name: str) -> bool:
     return entry is not None and entry.is_for_developers
 
 
-class Plugged(Beside):
+class PluggedFalcons(BackgroundLookup):
     """Finds the serial numbers, "" for those that may not be read.
 
     Args:
-        look: returns them.
+        find: returns them.
         parent: Qt's owner.
     """
 
     def __init__(
         self,
-        look: Callable[[], list[str]] | None = None,
+        find: Callable[[], list[str]] | None = None,
         parent: QObject | None = None,
     ) -> None:
-        look = look or _serials
-        super().__init__(lambda _progress: look(), parent)
+        find = find or _serials
+        super().__init__(lambda _progress: find(), parent)
 
     def falcons(self) -> list[tuple[str, str]]:
         """Return (the engine's name, the serial number) of each Falcon to choose.

@@ -1,10 +1,10 @@
-"""Speed, loop, single pictures, volume and output: what the keys do with the player."""
+"""Speed, loop, single frames, volume and output: what the keys do with the player."""
 
 from functools import partial
 
 from PySide6.QtCore import QObject, Signal
 
-from app.bridge.jobs import Beside, Progress, in_child
+from app.bridge.jobs import BackgroundLookup, Progress, in_child
 from app.bridge.settings import Settings
 from app.widgets.texts import local, time_text
 from hapticplayer.playback.player import FASTEST, SLOWEST, Player
@@ -22,11 +22,11 @@ class Controls(QObject):
     """Drives the player for the person at the window, and says what has changed.
 
     Signals:
-        told: a short text to show on the picture.
+        message: a short text to show on the video.
         changed: volume, speed or loop is another.
     """
 
-    told = Signal(str)
+    message = Signal(str)
     changed = Signal()
 
     def __init__(self, player: Player, settings: Settings) -> None:
@@ -35,10 +35,10 @@ class Controls(QObject):
         self._settings = settings
         self._loop_from_s: float | None = None
         self.output = settings.text(OUTPUT)
-        self.present = Beside(_sound_outputs, self)
-        self.take_settings()
+        self.present = BackgroundLookup(_sound_outputs, self)
+        self.apply_settings()
 
-    def take_settings(self) -> None:
+    def apply_settings(self) -> None:
         """Do as the settings say."""
         volume = self._settings.number(VOLUME, WHOLE)
         self.volume_percent = round(min(max(volume, 0.0), WHOLE))
@@ -58,7 +58,7 @@ class Controls(QObject):
     def turn(self, steps: int) -> None:
         """Make it louder (+) or quieter (-)."""
         self.set_volume(self.volume_percent + steps * VOLUME_STEP)
-        self.told.emit(self.tr("Volume {n} %").format(n=self.volume_percent))
+        self.message.emit(self.tr("Volume {n} %").format(n=self.volume_percent))
 
     def begin_muted(self) -> None:
         """Be silent this time; the next start is as the settings say."""
@@ -71,7 +71,7 @@ class Controls(QObject):
         self.is_muted = is_wanted
         self._apply_volume()
         text = self.tr("Muted") if is_wanted else self.tr("Sound on")
-        self.told.emit(text)
+        self.message.emit(text)
 
     def _apply_volume(self) -> None:
         percent = 0 if self.is_muted else self.volume_percent
@@ -104,7 +104,7 @@ class Controls(QObject):
         """Play at a speed, within what the player can do."""
         self._player.set_speed(min(max(speed, SLOWEST), FASTEST))
         speed = self._player.snapshot().speed
-        self.told.emit(local(self.tr("Speed {x:.2f}").format(x=speed)))
+        self.message.emit(local(self.tr("Speed {x:.2f}").format(x=speed)))
         self.changed.emit()
 
     def loop(self) -> None:
@@ -114,16 +114,16 @@ class Controls(QObject):
         if now.loop_s is not None:
             player.set_loop(None)
             self._loop_from_s = None
-            self.told.emit(self.tr("Loop off"))
+            self.message.emit(self.tr("Loop off"))
         elif self._loop_from_s is None or here_s <= self._loop_from_s:
             self._loop_from_s = here_s
             text = self.tr("Loop from {a}")
-            self.told.emit(text.format(a=time_text(here_s)))
+            self.message.emit(text.format(a=time_text(here_s)))
         else:
             player.set_loop((self._loop_from_s, here_s))
             text = self.tr("Loop from {a} to {b}")
             a, b = time_text(self._loop_from_s), time_text(here_s)
-            self.told.emit(text.format(a=a, b=b))
+            self.message.emit(text.format(a=a, b=b))
         self.changed.emit()
 
     def forget_loop(self) -> None:
@@ -139,10 +139,10 @@ class Controls(QObject):
             return loop_s
         return () if self._loop_from_s is None else (self._loop_from_s,)
 
-    def step(self, pictures: int) -> None:
-        """Show the next picture (+1) or the one before (-1), standing still."""
-        self._player.step(pictures)
-        self.told.emit(time_text(self._player.snapshot().media_s, digits=3))
+    def step(self, frames: int) -> None:
+        """Show the next (+1) or previous (-1) frame, paused."""
+        self._player.step(frames)
+        self.message.emit(time_text(self._player.snapshot().media_s, digits=3))
 
 
 def _sound_outputs(progress: Progress) -> list[str]:

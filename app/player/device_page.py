@@ -38,7 +38,7 @@ def homing_text() -> str:
 
 
 def sign_of(direction: str) -> str:
-    """Return an arrow, or a point for what comes out of the picture."""
+    """Return an arrow, or a point for what comes out of the screen."""
     signs = {
         "right": "\u2192",
         "left": "\u2190",

@@ -16,7 +16,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.bridge.settings import Settings, choose_library, library_folder
-from app.player.choices import Plugged
+from app.player.choices import PluggedFalcons
 from app.player.controls import OUTPUT
 from app.player.session import Session
 from app.player.video_surface import SurfaceSink
@@ -51,8 +51,8 @@ def about_dialog(parent: QWidget) -> QDialog:
     dialog = QDialog(parent)
     dialog.setWindowTitle(translate("Help", "About hapticplayer"))
     dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-    picture = QLabel()
-    picture.setPixmap(icon("hapticplayer").pixmap(QSize(56, 56)))
+    image = QLabel()
+    image.setPixmap(icon("hapticplayer").pixmap(QSize(56, 56)))
     text = paragraph(
         translate(
             "Help",
@@ -69,7 +69,7 @@ def about_dialog(parent: QWidget) -> QDialog:
     close = text_button(translate("Help", "Close"), "")
     close.setDefault(True)
     close.clicked.connect(dialog.accept)
-    about = row_of(column_of(picture, STRETCH), (text, 1), spacing=16)
+    about = row_of(column_of(image, STRETCH), (text, 1), spacing=16)
     fill_page(dialog, about, row_of(STRETCH, close), spacing=14)
     return dialog
 
@@ -91,7 +91,7 @@ LATER = (
 
 
 class Dialogs(QObject):
-    """Asks for what shall be opened, and remembers where that was.
+    """Asks what to open, and remembers the folder.
 
     Args:
         window: their parent.
@@ -101,7 +101,7 @@ class Dialogs(QObject):
     Signals:
         keys_changed: a command has other keys.
         settings_taken: other settings came from a file.
-        device_wanted: a device was set up, and shall be used.
+        device_wanted: a device was set up and is to be used.
     """
 
     keys_changed = Signal()
@@ -114,7 +114,7 @@ class Dialogs(QObject):
         self._window = window
         self._session = session
         self._settings = settings
-        self.plugged = Plugged(parent=self)
+        self.plugged = PluggedFalcons(parent=self)
         self._is_prepared = False
 
     def prepare(self) -> None:
@@ -231,7 +231,7 @@ class Dialogs(QObject):
         panel.show()
 
     def latencies(self, clock: Clock) -> None:
-        """Measure how late picture, sound and force reach the person."""
+        """Measure how late video, sound and force reach the person."""
         from app.player.latency_page import LatencyPage
 
         device = self._session.player.snapshot().device
@@ -255,7 +255,7 @@ class Dialogs(QObject):
         self._session.player.wait_released()
 
     def show(self, make: Callable[[QWidget], QDialog]) -> None:
-        """Show one of the dialogs that only tell something."""
+        """Show an information dialog."""
         make(self._window).open()
 
     def shortcuts(self) -> None:

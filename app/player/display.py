@@ -45,7 +45,7 @@ _ACTIVITIES = {
 
 
 def grip_of(now: Snapshot, ticks_since: TicksSince) -> Grip:
-    """Return what there is to see of a device that tells where its grip is.
+    """Return what to show of a device that reports its position.
 
     Args:
         now: of the player.
@@ -118,7 +118,7 @@ def _state(mode: Mode, cause: Cause, feedback: str) -> str:
 LEAST_HEIGHT_PX = 124  # a title of two lines, a plot, and its times
 
 
-class PlotsPlace(QFrame):
+class PlotArea(QFrame):
     """Holds the plots; pyqtgraph is imported when they are first wanted.
 
     Signals:
@@ -131,7 +131,7 @@ class PlotsPlace(QFrame):
         super().__init__()
         self.setAccessibleName(self.tr("Live plots"))
         self.setStyleSheet(
-            f"PlotsPlace {{ border: 0; border-top: 1px solid {theme.BORDER}; }}"
+            f"PlotArea {{ border: 0; border-top: 1px solid {theme.BORDER}; }}"
         )
         self.setMinimumHeight(LEAST_HEIGHT_PX)
         self._source: Source | None = None
@@ -199,20 +199,20 @@ class Display:
         window: QMainWindow,
         session: Session,
         clock: Clock,
-        parts: tuple[Transport, PlotsPlace, HealthLine],
+        parts: tuple[Transport, PlotArea, HealthLine],
     ) -> None:
         self._window = window
         self._session = session
         self._clock = clock
         self._transport, self._plots, self._health = parts
-        self._transport_turn = Cadence(TRANSPORT_HZ)
-        self._plots_turn = Cadence(PLOTS_HZ)
-        self._still_plots_turn = Cadence(STILL_PLOTS_HZ)
-        self._grip_turn = Cadence(GRIP_HZ)  # a hand moves on while the clip stands
-        self._health_turn = Cadence(HEALTH_HZ)
+        self._transport_cadence = Cadence(TRANSPORT_HZ)
+        self._plots_cadence = Cadence(PLOTS_HZ)
+        self._still_plots_cadence = Cadence(STILL_PLOTS_HZ)
+        self._grip_cadence = Cadence(GRIP_HZ)  # a hand moves while the clip is paused
+        self._health_cadence = Cadence(HEALTH_HZ)
 
     def refresh(self) -> None:
-        """Draw what is due; called when the picture leaves time for it."""
+        """Draw what is due; called when the video leaves time for it."""
         has_transport, has_plots = self._transport.isVisible(), self._plots.isVisible()
         has_health = self._health.isVisible()
         is_any = has_transport or has_plots or has_health
@@ -220,21 +220,25 @@ class Display:
             return
         now_s = self._clock.now_s()
         player, now = self._session.player, self._session.player.snapshot()
-        if has_transport and self._transport_turn.is_due(now_s):
+        if has_transport and self._transport_cadence.is_due(now_s):
             self._transport.follow(now.media_s)
         if has_plots and self._is_plots_turn(now_s, is_playing=now.is_playing):
             self._plots.follow(now, player.ticks_since)
-        if has_plots and self._grip_turn.is_due(now_s):
+        if has_plots and self._grip_cadence.is_due(now_s):
             self._plots.follow_grip(now, player.ticks_since)
-        if has_health and self._health_turn.is_due(now_s):
+        if has_health and self._health_cadence.is_due(now_s):
             self._health.show_readings(now, player.measurements())
 
     def refresh_soon(self) -> None:
         """Draw everything at the next opportunity: something has changed."""
-        for turn in (self._transport_turn, self._still_plots_turn, self._health_turn):
+        for turn in (
+            self._transport_cadence,
+            self._still_plots_cadence,
+            self._health_cadence,
+        ):
             turn.reset()
 
     def _is_plots_turn(self, now_s: float, *, is_playing: bool) -> bool:
         if is_playing:
-            return self._plots_turn.is_due(now_s)
-        return self._still_plots_turn.is_due(now_s)
+            return self._plots_cadence.is_due(now_s)
+        return self._still_plots_cadence.is_due(now_s)

@@ -13,7 +13,7 @@ from app.widgets.buttons import text_button
 from app.widgets.layout import STRETCH, column_of, paragraph, row_of
 from app.widgets.theme import icon
 
-_PICTURE_PX, _LEAST_PICTURE_PX = 72, 32  # a smaller one is left out
+_ICON_PX, _LEAST_ICON_PX = 72, 32  # a smaller one is left out
 
 
 class EmptyPage(QWidget):
@@ -43,7 +43,7 @@ class EmptyPage(QWidget):
             theme.DIM,
             is_centred=True,
         )
-        parts = (STRETCH, _Picture(), title, text, 6, self._buttons())
+        parts = (STRETCH, _Icon(), title, text, 6, self._buttons())
         column_of(*parts, spacing=12, margins=(16, 8, 16, 8), of=self).addStretch(2)
 
     def _buttons(self) -> QHBoxLayout:
@@ -75,12 +75,12 @@ class EmptyPage(QWidget):
         return row_of(STRETCH, *ways, STRETCH, spacing=10)
 
     def minimumSizeHint(self) -> QSize:
-        """Return the room for all lines at this width, without the picture."""
+        """Return the room for all lines at this width, without the icon."""
         least, layout = super().minimumSizeHint(), self.layout()
         if layout is None:
             return least
         high_px = layout.totalHeightForWidth(max(least.width(), self.width()))
-        return QSize(least.width(), max(least.height(), high_px - _PICTURE_PX))
+        return QSize(least.width(), max(least.height(), high_px - _ICON_PX))
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Another width may need another line."""
@@ -97,8 +97,8 @@ class EmptyPage(QWidget):
             button.setEnabled(not is_busy)
 
 
-class _Picture(QWidget):
-    """The program's picture; smaller where the window is low, or none at all."""
+class _Icon(QWidget):
+    """The program's icon; smaller where the window is low, or none at all."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -107,15 +107,15 @@ class _Picture(QWidget):
 
     def sizeHint(self) -> QSize:
         """Return what it likes to be."""
-        return QSize(_PICTURE_PX, _PICTURE_PX)
+        return QSize(_ICON_PX, _ICON_PX)
 
     def minimumSizeHint(self) -> QSize:
         """Return what it can be."""
-        return QSize(_LEAST_PICTURE_PX, 0)
+        return QSize(_LEAST_ICON_PX, 0)
 
     def paintEvent(self, _event: QPaintEvent) -> None:
         """Draw it in the middle."""
-        if self.height() < _LEAST_PICTURE_PX:
+        if self.height() < _LEAST_ICON_PX:
             return
         with QPainter(self) as painter:
             self._icon.paint(painter, self.rect())

@@ -24,11 +24,11 @@ _LOOK_HZ = 1.0
 translate = QCoreApplication.translate
 
 
-class LatencyWatch(QObject):
+class LatencyMonitor(QObject):
     """Looks once a second on which screen and through which output the clip plays.
 
     Args:
-        session: whose player is told.
+        session: whose player gets the latencies.
         settings: hold what was measured.
         surface: is on the screen.
     """
@@ -38,7 +38,7 @@ class LatencyWatch(QObject):
     ) -> None:
         super().__init__(surface)
         self._session, self._settings, self._surface = session, settings, surface
-        self._turn = Cadence(_LOOK_HZ)
+        self._cadence = Cadence(_LOOK_HZ)
         self._screen = ""
         self._warned: set[str] = set()
         self.take()
@@ -50,7 +50,7 @@ class LatencyWatch(QObject):
 
     def look(self, now_s: float) -> None:
         """Follow the window to another screen; warn once of each late output."""
-        if not self._turn.is_due(now_s):
+        if not self._cadence.is_due(now_s):
             return
         if screen_name(self._surface) != self._screen:
             self.take()
@@ -69,14 +69,14 @@ class LatencyWatch(QObject):
 def warning(name: str, reported_s: float) -> str:
     """Return what a person should know of an output that is slow or has no wire."""
     what = translate(
-        "LatencyWatch", "The sound output {name} reports a latency of {ms:.0f} ms"
+        "LatencyMonitor", "The sound output {name} reports a latency of {ms:.0f} ms"
     ).format(name=name, ms=1e3 * reported_s)
     if reported_s <= LARGE_S:
         what = translate(
-            "LatencyWatch", "The sound output {name} seems to be wireless"
+            "LatencyMonitor", "The sound output {name} seems to be wireless"
         ).format(name=name)
     todo = translate(
-        "LatencyWatch",
+        "LatencyMonitor",
         "the actual latency may be higher. Use wired headphones, or "
         "measure it: Playback > Measure latencies",
     )
@@ -94,7 +94,7 @@ _SKIPS = {"far_back": -FAR_S, "far_forward": FAR_S}
 
 
 class Extras(QObject):
-    """Keys, menus and what lies on the picture; the window only calls it in time.
+    """Keys, menus and overlays of the video; the window calls it periodically.
 
     Args:
         session: whose player is controlled.
@@ -122,8 +122,8 @@ class Extras(QObject):
         self.history = History(settings)
         self.toast, self.statistics = Toast(surface), Statistics(surface)
         self.thumbnails = Thumbnails(transport.slider, transport.window(), self._player)
-        self.latency_watch = LatencyWatch(session, settings, surface)
-        self._statistics_turn = Cadence(REFRESH_HZ)
+        self.latency_monitor = LatencyMonitor(session, settings, surface)
+        self._statistics_cadence = Cadence(REFRESH_HZ)
         self._heat_of: object = None
         fullscreen.screen_name = settings.text(SCREEN)
         self.menus = ChooseMenus(
@@ -152,7 +152,7 @@ class Extras(QObject):
         actions.statistics.toggled.connect(self._on_statistics)
         self._transport.volume_chosen.connect(controls.set_volume)
         self._transport.mute_clicked.connect(actions.mute.toggle)
-        controls.told.connect(self.toast.show_text)
+        controls.message.connect(self.toast.show_text)
         controls.changed.connect(self._on_changed)
         self._session.opening.connect(self._on_opening)
         self._session.chosen.connect(self._on_chosen)
@@ -160,8 +160,8 @@ class Extras(QObject):
     def refresh(self, now_s: float) -> None:
         """Look after what runs beside, and what the figures are."""
         self.thumbnails.poll()
-        self.latency_watch.look(now_s)
-        if is_seen(self.statistics) and self._statistics_turn.is_due(now_s):
+        self.latency_monitor.look(now_s)
+        if is_seen(self.statistics) and self._statistics_cadence.is_due(now_s):
             self.statistics.refresh(self._player)
 
     def show_force(self) -> None:
@@ -178,10 +178,10 @@ class Extras(QObject):
             else None
         )
 
-    def take_settings(self) -> None:
+    def apply_settings(self) -> None:
         """Do as the settings say: they came from a file."""
-        self.controls.take_settings()
-        self.latency_watch.take()
+        self.controls.apply_settings()
+        self.latency_monitor.take()
         self._fullscreen.screen_name = self._settings.text(SCREEN)
 
     @property

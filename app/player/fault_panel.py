@@ -125,7 +125,7 @@ class FaultPanel(QDialog):
         self.start()
 
     def start(self) -> None:
-        """Take the simulated device anew, so that it takes faults."""
+        """Restart the simulated device so that it accepts faults."""
         player, device = self._session.player, self._session.player.snapshot().device
         if device != NO_DEVICE and find_device(device).server:
             player.set_device(device, takes_faults=True)
@@ -240,7 +240,7 @@ class FaultPanel(QDialog):
             zero = "\u2013" if found.zero_s is None else f"{1e3 * found.zero_s:.0f}"
             texts = (rule_text(found.cause), f"{1e3 * found.reaction_s:.0f}", zero)
             for column, text in enumerate(texts, start=1):
-                row = self.table.rowCount() - rows  # newer ones stand above it
+                row = self.table.rowCount() - rows  # newer ones are above it
                 self.table.setItem(row, column, QTableWidgetItem(text))
         if self._clock.now_s() > at_s + FOLLOWED_S:
             self._followed = None

@@ -27,7 +27,7 @@ def ask_for_firmware(
     Args:
         parent: of the dialogs; none of them stops the event loop.
         kept: called once there is a copy.
-        failed: told why there is none.
+        failed: called with the reason.
     """
     title = translate("FirmwareDialog", "The Falcon's firmware")
     kinds = translate("FirmwareDialog", "Firmware (*.bin *.BIN);;All files (*)")

@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QMainWindow, QWidget
 from app.player.video_surface import VideoSurface
 
 
-class EscapeEverywhere(QObject):
+class EscapeFilter(QObject):
     """Sees the key before the dialog or menu that it closes.
 
     The window's own shortcut does not reach into modal dialogs and open menus. The
@@ -17,7 +17,7 @@ class EscapeEverywhere(QObject):
     the application it would be called for each of a thousand events a second.
 
     Args:
-        stop: called for each press; the key goes on to whom it belongs.
+        stop: called for each press; the key still reaches its widget.
         parent: Qt's owner.
     """
 

@@ -50,7 +50,7 @@ def readings(snapshot: Snapshot, measured: Measurements) -> tuple[Reading, ...]:
         lateness(snapshot, measured.loop),
         sync(measured.force_minus_video),
         sync(measured.force_minus_audio if is_heard(snapshot) else None),
-        pictures(snapshot),
+        frames(snapshot),
         clock(snapshot),
     )
 
@@ -77,7 +77,7 @@ def device(snapshot: Snapshot) -> Reading:
 
 
 def _with(name: str, state: str) -> str:
-    return f"{name}, {state}"  # lupdate does not look into such strings
+    return f"{name}, {state}"  # lupdate skips such strings
 
 
 def device_name(name: str) -> str:
@@ -165,8 +165,8 @@ def sync(stats: SyncStats | None) -> Reading:
     return Reading(level, text.replace("-", "\u2212"))
 
 
-def pictures(snapshot: Snapshot) -> Reading:
-    """Return how many pictures were shown and how many came too late."""
+def frames(snapshot: Snapshot) -> Reading:
+    """Return how many frames were shown and how many came too late."""
     shown, dropped = snapshot.frames_shown, snapshot.frames_dropped
     share = dropped / max(1, shown + dropped)
     level = _judge(share, DROPPED_GOOD, DROPPED_BAD) if shown else Level.NEUTRAL

@@ -37,7 +37,7 @@ class HealthEntry(QWidget):
         value = row_of(self._sign, (self._value, 1), spacing=_APART_PX)
         column_of(title, value, spacing=1, of=self)
 
-    def set_letters(self, factor: float) -> None:
+    def set_font_size(self, factor: float) -> None:
         """Take letters of this share of the usual size."""
         self._name.setFont(theme.scaled(self.font(), 0.85 * factor))
         for label in (self._sign, self._value):
@@ -101,7 +101,7 @@ class HealthLine(QFrame):
         self._row.activate()  # now: else new values are drawn once in the old room
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Share the room anew."""
+        """Share the room again."""
         super().resizeEvent(event)
         self._take_letters(0)
         self._share_room()
@@ -111,7 +111,7 @@ class HealthLine(QFrame):
         if size != self._letters:
             self._letters = size
             for entry in self.entries:
-                entry.set_letters(_LETTERS[size])
+                entry.set_font_size(_LETTERS[size])
 
     def _share_room(self) -> None:
         """Entries only grow until the window has another size: nothing jitters."""
@@ -189,7 +189,7 @@ class HealthLine(QFrame):
 
 
 def _signs() -> dict[Level, tuple[str, str]]:
-    """Return a sign of its own for each level: colour alone tells some nothing."""
+    """Return a sign for each level: not everyone can tell the colours."""
     return {
         Level.NEUTRAL: ("\u25cb", theme.DIM),
         Level.GOOD: ("\u25cf", theme.GOOD),

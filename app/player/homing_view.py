@@ -16,7 +16,7 @@ RADIUS_M = 0.040
 
 
 class HomingView(NamedTuple):
-    """One state of the picture.
+    """One state of the drawing.
 
     Attributes:
         homed: encoders (top, right, lower left) that have found their zero.
@@ -35,7 +35,7 @@ class HomingView(NamedTuple):
     is_ready: bool = False
 
 
-class Ways:
+class TravelEstimate:
     """Turns differences of counts into shares of the way from the inner end.
 
     Before homing nobody knows where on its way the grip began: in the middle, until
@@ -52,7 +52,7 @@ class Ways:
         return (counts - low) / WAY_COUNTS
 
 
-def view_of(progress: Progress | None, ways: Ways) -> HomingView:
+def view_of(progress: Progress | None, ways: TravelEstimate) -> HomingView:
     """Return what to show.
 
     Args:
@@ -90,7 +90,7 @@ _ARROW_PX = 46.0
 _CENTRE = Qt.AlignmentFlag.AlignCenter
 
 
-class HomingPicture(QWidget):
+class HomingDrawing(QWidget):
     """Paints a `HomingView`.
 
     Each leg is a bar that fills as the grip comes out; at its end a ring, which turns

@@ -1,4 +1,4 @@
-"""Measuring how late picture, sound and force are: by tapping, then by eye and ear."""
+"""Measuring how late video, sound and force are: by tapping, then by eye and ear."""
 
 from collections.abc import Callable
 from typing import NamedTuple
@@ -74,7 +74,7 @@ class Row(NamedTuple):
 
     choice: QRadioButton
     number: QDoubleSpinBox
-    told: QLabel
+    status: QLabel
 
 
 class LatencyPage(QDialog):
@@ -117,15 +117,15 @@ class LatencyPage(QDialog):
         self._pump: Pump | None = None
         self._make_parts()
         self._lay_out()
-        self._look_timer = QTimer(self)
-        self._look_timer.setInterval(POLL_MS)
-        self._look_timer.timeout.connect(self.look)
+        self._poll_timer = QTimer(self)
+        self._poll_timer.setInterval(POLL_MS)
+        self._poll_timer.timeout.connect(self.look)
         self._settled = QTimer(self)
         self._settled.setSingleShot(True)
         self._settled.setInterval(SETTLED_MS)
         self._settled.timeout.connect(self._apply)
         self._show_known()
-        self._say_what_to_do()
+        self._show_instructions()
 
     # --- what a person does --------------------------------------------------
 
@@ -133,8 +133,8 @@ class LatencyPage(QDialog):
         """Make the beats, take the device, and play."""
         if self.player is None and not self._jobs.is_busy:
             self.start_button.setEnabled(False)
-            self.told.setText(self.tr("Preparing"))
-            self._look_timer.start()
+            self.status.setText(self.tr("Preparing"))
+            self._poll_timer.start()
             self._jobs.run("", self._make_beats, self._play)
 
     def stop(self) -> None:
@@ -143,7 +143,7 @@ class LatencyPage(QDialog):
         if player is None:
             return
         player.stop_force()
-        self._look_timer.stop()
+        self._poll_timer.stop()
         if self._pump is not None:
             self._pump.stop()
             self._pump = None
@@ -158,7 +158,7 @@ class LatencyPage(QDialog):
         button = self.together if mode == TOGETHER else self.rows[mode].choice
         button.setChecked(True)
         self._apply()
-        self._say_what_to_do()
+        self._show_instructions()
 
     def tap(self) -> None:
         """A person taps to what is played alone."""
@@ -221,10 +221,10 @@ class LatencyPage(QDialog):
         now = player.snapshot()
         if now.mode is Mode.TRIPPED:
             self.stop()
-            self.told.setText(stop_reason(now.cause))
+            self.status.setText(stop_reason(now.cause))
         elif problem := now.problem or now.device_problem:
             self.stop()
-            self.told.setText(translated(problem))
+            self.status.setText(translated(problem))
 
     @staticmethod
     def _make_beats(progress: Progress) -> Source:
@@ -245,7 +245,7 @@ class LatencyPage(QDialog):
         player.play()
         self._pump.start()
         self.stop_button.setEnabled(True)
-        self._say_what_to_do()
+        self._show_instructions()
 
     def _apply(self) -> None:
         """Let the player do what is chosen; alone, nothing is compensated."""
@@ -274,7 +274,7 @@ class LatencyPage(QDialog):
         )
 
     def _propose(self) -> None:
-        """Put what the taps say into the numbers, once the picture is among them."""
+        """Put what the taps say into the numbers, once the flash is among them."""
         medians = {part: meter.median_s for part, meter in self.meters.items()}
         known = {part: value for part, value in medians.items() if value is not None}
         if DISPLAY not in known or len(known) < 2:
@@ -285,7 +285,7 @@ class LatencyPage(QDialog):
         self._settled.start()
 
     def _on_entered(self) -> None:
-        """A person changed a number: taps to the picture count from there."""
+        """A person changed a number: taps to the flash count from there."""
         self._entered_display_ms = self.rows[DISPLAY].number.value()
         self._settled.start()
 
@@ -297,7 +297,7 @@ class LatencyPage(QDialog):
 
     def _on_problem(self, problem: BaseException) -> None:
         self.start_button.setEnabled(True)
-        self.told.setText(translated(message_of(problem)))
+        self.status.setText(translated(message_of(problem)))
 
     def _end(self) -> None:
         self.stop()
@@ -321,7 +321,7 @@ class LatencyPage(QDialog):
             button.installEventFilter(self)
         for row in self.rows.values():
             row.number.installEventFilter(self)
-        self.told = paragraph(lines=4)
+        self.status = paragraph(lines=4)
         self.start_button = text_button(
             self.tr("Start"), self.tr("Play a beat every second"), "primary"
         )
@@ -341,7 +341,7 @@ class LatencyPage(QDialog):
         self.use_button.clicked.connect(self.accept)
 
     def _row(self, part: str, text: str) -> Row:
-        choice, number, told = QRadioButton(text), QDoubleSpinBox(), QLabel()
+        choice, number, status = QRadioButton(text), QDoubleSpinBox(), QLabel()
         choice.clicked.connect(lambda: self.choose(part))
         number.setRange(0.0, 1e3 * MOST_S)
         number.setDecimals(0)
@@ -350,11 +350,11 @@ class LatencyPage(QDialog):
         number.setAccelerated(True)
         indent(number)
         number.valueChanged.connect(lambda _value: self._on_entered())
-        told.setTextFormat(Qt.TextFormat.PlainText)
-        told.setMinimumWidth(
-            told.fontMetrics().horizontalAdvance("888 taps: 888 ± 88 ms")
+        status.setTextFormat(Qt.TextFormat.PlainText)
+        status.setMinimumWidth(
+            status.fontMetrics().horizontalAdvance("888 taps: 888 ± 88 ms")
         )
-        return Row(choice, number, told)
+        return Row(choice, number, status)
 
     def _lay_out(self) -> None:
         self.setWindowTitle(self.tr("Measure latencies"))
@@ -366,7 +366,7 @@ class LatencyPage(QDialog):
         self.names = {part: ElidedLabel("", theme.DIM) for part in PARTS}
         for line, (part, row) in enumerate(self.rows.items(), 1):
             name = self.names[part]
-            for column, widget in enumerate((row.choice, row.number, name, row.told)):
+            for column, widget in enumerate((row.choice, row.number, name, row.status)):
                 table.addWidget(widget, line, column)
         close = text_button(self.tr("Cancel"), self.tr("Discard changes"))
         close.clicked.connect(self.reject)
@@ -374,7 +374,7 @@ class LatencyPage(QDialog):
             *(self.start_button, self.stop_button, self.tap_button),
             *(STRETCH, self.use_button, close),
         )
-        fill_page(self, framed(self.surface), self.told, table, STRETCH, buttons)
+        fill_page(self, framed(self.surface), self.status, table, STRETCH, buttons)
 
     def _show_known(self) -> None:
         """Begin with what was measured before."""
@@ -409,7 +409,7 @@ class LatencyPage(QDialog):
             widget.setEnabled(bool(names[DEVICE]))
 
     def _show_taps(self) -> None:
-        meter, label = self.meters[self.mode], self.rows[self.mode].told
+        meter, label = self.meters[self.mode], self.rows[self.mode].status
         text = self.tr("{n} of {least} taps").format(n=meter.count, least=meter.LEAST)
         if meter.median_s is not None:
             text = self.tr("{n} taps: {ms:.0f} \u00b1 {spread:.0f} ms").format(
@@ -417,7 +417,7 @@ class LatencyPage(QDialog):
             )
         label.setText(text)
 
-    def _say_what_to_do(self) -> None:
+    def _show_instructions(self) -> None:
         if self.player is None:
             text = self.tr(
                 "Every second there is a flash, a beep and a gentle force "
@@ -435,4 +435,4 @@ class LatencyPage(QDialog):
                 "to the flash, then to the beep and the force. The differences "
                 "are filled in; fine-tune them with all together."
             )
-        self.told.setText(text)
+        self.status.setText(text)

@@ -20,7 +20,7 @@ RECENT, POSITIONS = "recent", "positions"
 
 MOST_RECENT, MOST_POSITIONS = 10, 200
 FROM_START_S, FROM_END_S = 5.0, 5.0
-"""Nearer to an end of the clip than this, it begins anew."""
+"""Nearer to an end of the clip than this, it starts from the beginning."""
 
 
 class History:
@@ -72,7 +72,7 @@ class History:
 
 
 def is_worth_keeping(media_s: float, duration_s: float) -> bool:
-    """Whether somebody would want to go on here."""
+    """Whether it is worth resuming here."""
     return FROM_START_S <= media_s <= duration_s - FROM_END_S
 
 
@@ -83,7 +83,7 @@ class ChoiceMenu(QObject):
     """A menu of which one entry is chosen.
 
     Args:
-        menu: filled anew each time it opens.
+        menu: filled each time it opens.
         entries: return (value, text) pairs.
         chosen: returns the value that is chosen now.
         choose: called with the value of the entry that was triggered.
@@ -180,7 +180,7 @@ class ChooseMenus(QObject):
             lambda: controls.output,
             controls.choose_output,
         )
-        actions.menus["playback"].aboutToShow.connect(controls.present.look)
+        actions.menus["playback"].aboutToShow.connect(controls.present.refresh)
         controls.present.changed.connect(self.outputs.fill)
         screens = actions.add_menu("view", self.tr("Fullscreen &on"), "fullscreen")
         self.screens = ChoiceMenu(
@@ -190,15 +190,15 @@ class ChooseMenus(QObject):
         )
 
 
-LOOK, LANGUAGE = "look", "language"
+THEME, LANGUAGE = "look", "language"
 """Names in the settings."""
 
 
-class LookMenus(QObject):
-    """Asks how the window shall look and speak.
+class ThemeMenus(QObject):
+    """The choices of theme and language.
 
     Signals:
-        changed: the settings say something else; the window has to be made anew.
+        changed: the settings have changed; the window has to be rebuilt.
     """
 
     changed = Signal()
@@ -206,17 +206,17 @@ class LookMenus(QObject):
     def __init__(self, actions: Actions, settings: Settings) -> None:
         super().__init__()
         self._settings = settings
-        look = actions.add_menu("view", self.tr("&Theme"), "fullscreen")
-        self.looks = ChoiceMenu(
-            look,
+        themes = actions.add_menu("view", self.tr("&Theme"), "fullscreen")
+        self.themes = ChoiceMenu(
+            themes,
             lambda: [
                 (theme.SYSTEM, self.tr("System default")),
                 (theme.DARK, self.tr("Dark")),
                 (theme.LIGHT, self.tr("Light")),
                 (theme.CONTRAST, self.tr("High contrast")),
             ],
-            lambda: settings.text(LOOK, theme.DARK),
-            lambda value: self._choose(LOOK, value),
+            lambda: settings.text(THEME, theme.DARK),
+            lambda value: self._choose(THEME, value),
         )
         spoken = actions.add_menu("view", self.tr("&Language"), "fullscreen")
         self.languages = ChoiceMenu(

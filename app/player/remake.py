@@ -1,7 +1,7 @@
-"""The window that is open, made anew for another look or language.
+"""The open window, rebuilt for another theme or language.
 
-Every widget takes its texts and colours when it is made. So another look or language
-is another window around the same player. It is made in steps, a part at each turn of
+A widget takes its texts and colours when it is made. So another theme or language
+needs another window around the same player. It is made in steps, a part at each turn of
 the event loop, while the clip plays on in the window before.
 """
 
@@ -13,13 +13,13 @@ from PySide6.QtWidgets import QApplication, QWidget
 from app.bridge import languages
 from app.bridge.collector import Collector
 from app.bridge.settings import Settings
-from app.player.menus import LANGUAGE, LOOK
+from app.player.menus import LANGUAGE, THEME
 from app.player.video_surface import SurfaceSink, VideoSurface
 from app.player.window import PlayerWindow
 from app.widgets import theme
 
 PAUSE_MS = 10
-"""Between two steps: the picture has its turn."""
+"""Between two steps: frames are shown."""
 POLISHED = 40
 """Widgets in one step: each takes 0.1 to 0.2 ms."""
 
@@ -41,9 +41,9 @@ class OpenWindow(QObject):
         self._collector = Collector(self)
         self._next: PlayerWindow | None = None
         self._steps: Iterator[None] | None = None
-        self._is_stale = False  # another look is wanted than the one that is made
-        self._turn = QTimer(self, interval=PAUSE_MS)
-        self._turn.timeout.connect(self._go_on)
+        self._is_stale = False  # the settings have changed meanwhile
+        self._cadence = QTimer(self, interval=PAUSE_MS)
+        self._cadence.timeout.connect(self._go_on)
 
     @property
     def is_remaking(self) -> bool:
@@ -51,7 +51,7 @@ class OpenWindow(QObject):
         return self._steps is not None
 
     def begin(self) -> None:
-        """Let the window receive errors, media keys and its wish to be made anew."""
+        """Connect errors, media keys and requests for a rebuild."""
         self._collector.begin()
         self._attach()
 
@@ -67,13 +67,13 @@ class OpenWindow(QObject):
         self._is_stale = self.is_remaking
         if not self.is_remaking:
             self._steps = self._in_steps()
-            self._turn.start()
+            self._cadence.start()
 
     def _attach(self) -> None:
         window = self.window
         window.session.gateway.install()
         window.desktop.begin()
-        window.looks.changed.connect(self.remake)
+        window.themes.changed.connect(self.remake)
         if self._ended is not None:
             window.session.ended.connect(self._ended)
 
@@ -89,11 +89,11 @@ class OpenWindow(QObject):
                 self.remake()
         except BaseException:
             self._rest()
-            self.window.hold_still(is_wanted=False)
+            self.window.freeze_painting(is_wanted=False)
             raise
 
     def _rest(self) -> None:
-        self._turn.stop()
+        self._cadence.stop()
         self._steps = None
         self._drop_next()
 
@@ -108,8 +108,8 @@ class OpenWindow(QObject):
         old.session.jobs.cancel()
         old.extras.thumbnails.forget()
         yield from _until_idle(old)
-        old.hold_still(is_wanted=True)
-        yield from dress_in_steps(_application(), old.settings)
+        old.freeze_painting(is_wanted=True)
+        yield from appearance_in_steps(_application(), old.settings)
         surface, source = VideoSurface(), old.player.snapshot().source
         made = self._next = PlayerWindow(
             old.player, surface, old.clock, old.settings, plots=False, waits=True
@@ -133,7 +133,7 @@ class OpenWindow(QObject):
         old.deleteLater()
 
     def _exchange(self, old: PlayerWindow, made: PlayerWindow) -> None:
-        """Show the new window; it goes on with what the old one did."""
+        """Show the new window, which takes over from the old one."""
         geometry, is_maximised = old.geometry(), old.isMaximized()
         old.session.gateway.uninstall()
         old.hand_over()
@@ -155,21 +155,23 @@ class OpenWindow(QObject):
 def _until_idle(window: PlayerWindow) -> Iterator[None]:
     """Wait for what `hand_over` would wait for; people use the window meanwhile."""
     while window.is_working:
-        window.hold_still(is_wanted=False)
+        window.freeze_painting(is_wanted=False)
         yield
 
 
-def dress(application: QApplication, settings: Settings) -> None:
-    """Give the application the look and the language of the settings."""
-    for _ in dress_in_steps(application, settings):
+def apply_appearance(application: QApplication, settings: Settings) -> None:
+    """Apply theme and language of the settings."""
+    for _ in appearance_in_steps(application, settings):
         pass
 
 
-def dress_in_steps(application: QApplication, settings: Settings) -> Iterator[None]:
+def appearance_in_steps(
+    application: QApplication, settings: Settings
+) -> Iterator[None]:
     """Do so, a part at each turn."""
     languages.install(application, settings.text(LANGUAGE, languages.ENGLISH))
     yield
-    theme.apply(application, settings.text(LOOK, theme.DARK))
+    theme.apply(application, settings.text(THEME, theme.DARK))
     yield
 
 

@@ -19,9 +19,9 @@ from hapticplayer.model import ForceTrack
 from hapticplayer.playback.player import Player
 
 BINS = 600
-LEAST_PEAK_N = 1.0  # a clip that hardly moves the hand shall not look strong
+LEAST_PEAK_N = 1.0  # a clip with little force is not drawn as a strong one
 # From nearly nothing to strong along one line of growing lightness (after viridis and
-# inferno): told apart with every kind of colour vision, and in grey.
+# inferno): distinguishable with every kind of colour vision, and in grey.
 _STOPS = np.array(
     [[38, 44, 52, 255], [94, 60, 110, 255], [196, 84, 72, 255], [252, 208, 96, 255]],
     dtype=float,
@@ -53,7 +53,7 @@ def heat_of(
 
 
 def heat_image(heat_n: NDArray[np.float64]) -> QImage:
-    """Return a picture of one row; the strongest force of the clip is the brightest."""
+    """Return an image of one row; the strongest force of the clip is the brightest."""
     share = heat_n / max(LEAST_PEAK_N, float(heat_n.max(initial=0.0)))
     grid = np.linspace(0.0, 1.0, len(_STOPS))
     rgba = np.stack([np.interp(share, grid, _STOPS[:, k]) for k in range(4)], axis=1)
@@ -73,7 +73,7 @@ QLabel { color: #ffffff; }
 
 
 class ThumbnailTip(QWidget):
-    """A small picture and its time, above the seek bar."""
+    """A thumbnail and its time, above the seek bar."""
 
     def __init__(self, over: QWidget) -> None:
         super().__init__(over)
@@ -81,18 +81,18 @@ class ThumbnailTip(QWidget):
         self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
         self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
         self.setStyleSheet(_STYLE)
-        self.picture, self.time = QLabel(), QLabel()
+        self.image, self.time = QLabel(), QLabel()
         self.time.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        column_of(self.picture, self.time, spacing=2, margins=(4, 4, 4, 2), of=self)
+        column_of(self.image, self.time, spacing=2, margins=(4, 4, 4, 2), of=self)
         self._over = over
         self.hide()
 
-    def show_at(self, middle: QPoint, text: str, picture: QPixmap | None) -> None:
+    def show_at(self, middle: QPoint, text: str, image: QPixmap | None) -> None:
         """Show it with the middle of its lower edge at a point of its parent."""
         self.time.setText(text)
-        self.picture.setVisible(picture is not None)
-        if picture is not None:
-            self.picture.setPixmap(picture)
+        self.image.setVisible(image is not None)
+        if image is not None:
+            self.image.setPixmap(image)
         self.adjustSize()
         room_px = self._over.width() - self.width()
         left = min(max(0, middle.x() - self.width() // 2), max(0, room_px))
@@ -102,7 +102,7 @@ class ThumbnailTip(QWidget):
 
 
 class Thumbnails(QObject):
-    """Decodes them when somebody first points at the seek bar, in another process.
+    """Decodes them when the pointer first reaches the seek bar, in another process.
 
     While a real device is moved nothing is decoded: only the time is shown.
 
@@ -123,7 +123,7 @@ class Thumbnails(QObject):
 
     @property
     def is_busy(self) -> bool:
-        """Whether pictures are being decoded."""
+        """Whether thumbnails are being decoded."""
         return self._job is not None
 
     def forget(self) -> None:
@@ -158,9 +158,9 @@ class Thumbnails(QObject):
         self._begin()
         at = QPoint(round(self._slider.x_of(media_s)), 0)
         middle = self._slider.mapTo(self._over, at)
-        self.tip.show_at(middle, time_text(media_s), self._picture(media_s))
+        self.tip.show_at(middle, time_text(media_s), self._image_at(media_s))
 
-    def _picture(self, media_s: float) -> QPixmap | None:
+    def _image_at(self, media_s: float) -> QPixmap | None:
         row = bisect_right([time_s for time_s, _ in self._made], media_s) - 1
         return self._made[max(0, row)][1] if self._made else None
 

@@ -44,7 +44,7 @@ class Session(QObject):
         self.player = player
         self.gateway = ErrorGateway(show, self.halt)
         self.jobs = Jobs(self.gateway.report)
-        self.told = ""
+        self.last_problem = ""
         self._state: tuple[object, ...] = ()
 
     # --- opening -------------------------------------------------------------
@@ -83,7 +83,7 @@ class Session(QObject):
             )
             return
         self.jobs.run(title, work, self._play_source)
-        # even work that ends before the next look has been seen to begin
+        # also for work that ends before the next call of `watch`
         self._state = (*self._state[:-1], self.jobs.is_busy)
         self.changed.emit()
 
@@ -93,8 +93,8 @@ class Session(QObject):
         self.player.play()
 
     def show_source(self, source: Source, feedback: str | None = None) -> None:
-        """Load a source in place of what was open; it stands at its beginning."""
-        self.told = ""
+        """Load another source, paused at its beginning."""
+        self.last_problem = ""
         self.opening.emit(source)
         self.player.open(source, feedback)
         self.opened.emit()
@@ -142,7 +142,7 @@ class Session(QObject):
         self.player.seek(self.player.snapshot().media_s + by_s)
 
     def go_to_end(self) -> None:
-        """Go to the last picture."""
+        """Go to the last frame."""
         self.player.seek(self.player.snapshot().duration_s)
 
     def choose_device(self, name: str) -> None:
@@ -150,7 +150,7 @@ class Session(QObject):
         now = self.player.snapshot()
         if name == now.device and now.device_health not in _DEAD:
             return
-        self.told = ""
+        self.last_problem = ""
         try:
             self.player.set_device(name)
         except (DeviceError, HapticsError) as problem:
@@ -174,11 +174,11 @@ class Session(QObject):
     # --- what happens by itself ----------------------------------------------
 
     def watch(self) -> None:
-        """Look for what has changed since the last call, and tell."""
+        """Report what has changed since the last call."""
         self.gateway.poll()
         self.jobs.poll()
         now, phase_before = self.player.snapshot(), self._state[:1]
-        self._tell_problem(now)
+        self._report_problem(now)
         state = (
             now.phase,
             now.mode is Mode.TRIPPED,
@@ -197,11 +197,11 @@ class Session(QObject):
         self.player.set_end(self.player.snapshot().duration_s)
         self.ended.emit()
 
-    def _tell_problem(self, now: Snapshot) -> None:
+    def _report_problem(self, now: Snapshot) -> None:
         """Report once what the player or the device complains about."""
         text = now.problem or self._device_problem(now)
-        if text and text != self.told:
-            self.told = text
+        if text and text != self.last_problem:
+            self.last_problem = text
             self.gateway.report(HapticPlayerError(text))
 
     def _device_problem(self, now: Snapshot) -> str:

@@ -1,4 +1,4 @@
-"""Setting a device up: choosing it, its firmware, and homing with a live picture."""
+"""Setting a device up: choosing it, its firmware, and homing with a live drawing."""
 
 from collections.abc import Callable
 
@@ -15,9 +15,9 @@ from PySide6.QtWidgets import (
 from app.bridge.jobs import Jobs
 from app.bridge.jobs import Progress as Report
 from app.player import choices, setup_texts
-from app.player.choices import Plugged
+from app.player.choices import PluggedFalcons
 from app.player.firmware_dialog import ask_for_firmware
-from app.player.homing_view import HomingPicture, Ways, view_of
+from app.player.homing_view import HomingDrawing, TravelEstimate, view_of
 from app.player.setup_texts import Trouble, trouble
 from app.widgets import theme
 from app.widgets.buttons import text_button
@@ -30,7 +30,7 @@ from hapticplayer.devices.falcon.setting_up import Progress, Step, set_up
 
 POLL_MS = 33
 LOOK_MS = 1000
-"""How often to look what is plugged in, and to try again."""
+"""Period of looking for devices and of retries."""
 
 
 class SetupPage(QDialog):
@@ -46,8 +46,8 @@ class SetupPage(QDialog):
         find_reach: how to get at a Falcon by its name.
 
     Signals:
-        wanted: a device shall be used from now on.
-        demonstration_wanted: its forces shall be shown.
+        wanted: use this device.
+        demonstration_wanted: demonstrate its forces.
     """
 
     wanted = Signal(str)
@@ -57,7 +57,7 @@ class SetupPage(QDialog):
         self,
         clock: Clock,
         device: str,
-        plugged: Plugged,
+        plugged: PluggedFalcons,
         parent: QWidget | None = None,
         find_reach: Callable[[str], Reach] = reach_of,
     ) -> None:
@@ -66,9 +66,9 @@ class SetupPage(QDialog):
         self._jobs = Jobs(self._on_trouble)
         self._progress: Progress | None = None
         self._trouble: Trouble | None = None
-        self._ways, self._result = Ways(), 0
+        self._ways, self._result = TravelEstimate(), 0
         self._is_ending = False
-        self.picture, self.device = HomingPicture(), QComboBox()
+        self.drawing, self.device = HomingDrawing(), QComboBox()
         self.title = paragraph(is_centred=True)
         self.text, self.bar = paragraph(is_centred=True, lines=4), QProgressBar()
         self._make_buttons()
@@ -100,7 +100,7 @@ class SetupPage(QDialog):
 
     def begin(self) -> None:
         """Take the chosen device, once the one before is let go of."""
-        self._progress, self._trouble, self._ways = None, None, Ways()
+        self._progress, self._trouble, self._ways = None, None, TravelEstimate()
         self._jobs.cancel()
         self._start()
         self._show()
@@ -110,7 +110,7 @@ class SetupPage(QDialog):
         ask_for_firmware(self, self.begin, self.on_no_firmware)
 
     def freeze(self, progress: Progress) -> None:
-        """Show this from now on, for a picture in a book."""
+        """Freeze this state, for a screenshot."""
         self._look_timer.stop()
         self._poll_timer.stop()
         self._jobs.close()
@@ -174,7 +174,7 @@ class SetupPage(QDialog):
         fill_page(
             self,
             row_of(caption, (self.device, 1)),
-            (self.picture, 1),
+            (self.drawing, 1),
             self.title,
             self.text,
             self.bar,
@@ -192,7 +192,7 @@ class SetupPage(QDialog):
 
     def _look(self) -> None:
         """Look at the bus, and try again what may work by now."""
-        self._plugged.look()
+        self._plugged.refresh()
         self._start()
 
     def _start(self) -> None:
@@ -223,10 +223,14 @@ class SetupPage(QDialog):
         self._show()
 
     def _on_trouble(self, problem: BaseException) -> None:
-        self._progress, self._trouble, self._ways = None, trouble(problem), Ways()
+        self._progress, self._trouble, self._ways = (
+            None,
+            trouble(problem),
+            TravelEstimate(),
+        )
 
     def on_no_firmware(self, why: str) -> None:
-        """Say why a file is no firmware."""
+        """Show why a file is not a firmware image."""
         self._trouble = Trouble(self.tr("That file cannot be used"), why, False)
 
     def _on_plugged(self) -> None:
@@ -244,7 +248,7 @@ class SetupPage(QDialog):
 
     def _show(self) -> None:
         is_falcon, progress = _is_falcon(self.chosen), self._progress
-        self.picture.setVisible(is_falcon)
+        self.drawing.setVisible(is_falcon)
         self.firmware.setVisible(is_falcon)
         for button in (self.forces, self.use):
             button.setEnabled(self.is_ready)
@@ -254,12 +258,12 @@ class SetupPage(QDialog):
             self._say(*setup_texts.needs_nothing(self.chosen))
             return
         if self._trouble is not None:
-            self.picture.show_view(view_of(None, self._ways))
+            self.drawing.show_view(view_of(None, self._ways))
             self._say(self._trouble.title, self._trouble.text, theme.WARN)
             return
         progress = progress or Progress(Step.CONNECTING)
         self.bar.setValue(round(100 * progress.loaded))
-        self.picture.show_view(view_of(progress, self._ways))
+        self.drawing.show_view(view_of(progress, self._ways))
         colour = theme.GOOD if progress.step is Step.READY else theme.TEXT
         self._say(setup_texts.advice(progress), setup_texts.more(progress), colour)
 

@@ -22,7 +22,7 @@ translate = QCoreApplication.translate
 
 
 class Trouble(NamedTuple):
-    """What stands in the way.
+    """Why the device is not ready.
 
     Attributes:
         title: what is wrong.

@@ -1,4 +1,4 @@
-"""The statistics on the picture: everything the player knows about itself."""
+"""The statistics on the video: everything the player knows about itself."""
 
 import math
 from typing import Any
@@ -24,7 +24,7 @@ _SMALLEST_PX = 6
 
 
 class Statistics(OnPicture):
-    """Figures over the picture, in columns; costs nothing while hidden."""
+    """Figures over the video, in columns; costs nothing while hidden."""
 
     def __init__(self, over: QWidget) -> None:
         super().__init__(over)
@@ -40,7 +40,7 @@ class Statistics(OnPicture):
         self.show_text("\n".join(f"{name:<{wide}}  {text}" for name, text in rows))
 
     def _fit(self, lines: int) -> None:
-        """Take smaller letters where the picture is too low for the usual ones."""
+        """Take smaller letters where the video is too low for the usual ones."""
         room_px = self._over.height() - _AROUND_PX
         needed_px = lines * QFontMetrics(self._usual).lineSpacing()
         font = QFont(self._usual)

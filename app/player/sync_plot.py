@@ -1,4 +1,4 @@
-"""How much later than its picture and its sound the force came: the last half minute."""
+"""How much later than video and sound the force came: the last half minute."""
 
 from collections.abc import Callable
 from typing import NamedTuple
@@ -64,8 +64,8 @@ class SyncPlot(QWidget):
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Maximum)
         self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
         self.setFont(theme.scaled(self.font(), 0.85))
-        self.picture = self.sound = Trace(np.empty(0), np.empty(0))
-        self._turn = Cadence(REFRESH_HZ)
+        self.video = self.sound = Trace(np.empty(0), np.empty(0))
+        self._cadence = Cadence(REFRESH_HZ)
         self.hide()
 
     def sizeHint(self) -> QSize:
@@ -78,9 +78,9 @@ class SyncPlot(QWidget):
 
     def follow(self, now_s: float, sync_traces: Callable[[], SyncTraces]) -> None:
         """Show what the meters know, a few times a second and only where it is seen."""
-        if is_seen(self) and self._turn.is_due(now_s):
+        if is_seen(self) and self._cadence.is_due(now_s):
             traces = sync_traces()
-            self.picture = trace_of(traces.video, now_s)
+            self.video = trace_of(traces.video, now_s)
             self.sound = trace_of(traces.audio, now_s)
             self.update()
 
@@ -92,14 +92,14 @@ class SyncPlot(QWidget):
             painter.drawLine(0, 0, self.width(), 0)
             area = self.plot_area()
             self._draw_band(painter, area)
-            traces = (self.picture, self.sound)
+            traces = (self.video, self.sound)
             for trace, colour in zip(traces, _colours(), strict=True):
                 self._draw_points(painter, area, trace, QColor(colour))
             self._draw_legend(painter, area)
 
     def _traces(self) -> list[tuple[str, Trace]]:
         return [
-            (self.tr("Force \u2212 video"), self.picture),
+            (self.tr("Force \u2212 video"), self.video),
             (self.tr("Force \u2212 sound"), self.sound),
         ]
 

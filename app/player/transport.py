@@ -1,4 +1,4 @@
-"""The controls under the picture."""
+"""The controls under the video."""
 
 from collections.abc import Iterable
 

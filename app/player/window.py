@@ -16,12 +16,12 @@ from app.experimenter.study_menu import StudyMenu
 from app.player import choices
 from app.player.commands import Actions
 from app.player.dialogs import Dialogs
-from app.player.display import Display, PlotsPlace
+from app.player.display import Display, PlotArea
 from app.player.empty_page import EmptyPage
 from app.player.extras import Extras
-from app.player.fullscreen import EscapeEverywhere, Fullscreen
+from app.player.fullscreen import EscapeFilter, Fullscreen
 from app.player.health_line import HealthLine
-from app.player.menus import LookMenus
+from app.player.menus import ThemeMenus
 from app.player.session import SKIP_S, Session
 from app.player.sync_plot import SyncPlot
 from app.player.transport import Transport
@@ -37,8 +37,8 @@ from hapticplayer.playback.source import Source
 
 WIDTH_PX, HEIGHT_PX = 1280, 800
 LEAST_SCREEN_PX = 520  # on a lower screen the plots would push STOP out of it
-LEAST_PICTURE_PX = 150  # high, also on a screen of 540 with all that can be shown
-DRAW_HZ = 30.0  # what is shown beside the picture needs no more
+LEAST_VIDEO_PX = 150  # high, also on a screen of 540 with all that can be shown
+DRAW_HZ = 30.0  # what is shown beside the video needs no more
 WATCH_HZ = 15.0
 LONGEST_TITLE_PX = 600
 PLOTS_PX, _STAGE_PX = 190, 600  # only the proportion counts
@@ -50,7 +50,7 @@ class PlayerWindow(QMainWindow):
     """Shows one player; closing it closes the player.
 
     Args:
-        player: presents its pictures on `surface`.
+        player: presents its frames on `surface`.
         surface: becomes the middle of the window.
         clock: of the machine.
         settings: what is remembered.
@@ -75,7 +75,7 @@ class PlayerWindow(QMainWindow):
         self.session = Session(player, self.show_message)
         self.dialogs = Dialogs(self, self.session, settings)
         self.messages, self.job_bar = MessageBar(), JobBar()
-        self.empty_page, self.plots = EmptyPage(), PlotsPlace()
+        self.empty_page, self.plots = EmptyPage(), PlotArea()
         self.transport, self.health = Transport(), HealthLine()
         self.sync_plot = SyncPlot()
         self.commands = Actions(self, settings)
@@ -96,10 +96,10 @@ class PlayerWindow(QMainWindow):
         self.study_menu.running.connect(
             lambda is_on: self.desktop.set_study_mode(is_on=is_on)
         )
-        self.looks = LookMenus(self.commands, settings)
+        self.themes = ThemeMenus(self.commands, settings)
         self.pump = Pump(player.poll, clock, self._on_gap, self)
-        self._draw_turn, self._watch_turn = Cadence(DRAW_HZ), Cadence(WATCH_HZ)
-        self._escape = EscapeEverywhere(self.stop, self)
+        self._draw_cadence, self._watch_cadence = Cadence(DRAW_HZ), Cadence(WATCH_HZ)
+        self._escape = EscapeFilter(self.stop, self)
         self._connect()
         self.settings.restore_geometry(self, WIDTH_PX, HEIGHT_PX)
         self._offer_devices()
@@ -132,7 +132,7 @@ class PlayerWindow(QMainWindow):
             self.settings,
         )
         self.stage = QStackedWidget()
-        self.surface.setMinimumHeight(LEAST_PICTURE_PX)
+        self.surface.setMinimumHeight(LEAST_VIDEO_PX)
         self.stage.addWidget(self.empty_page)
         self.stage.addWidget(self.surface)
         splitter = QSplitter(Qt.Orientation.Vertical)
@@ -204,7 +204,7 @@ class PlayerWindow(QMainWindow):
         self.dialogs.settings_taken.connect(self._on_settings_taken)
         self.dialogs.device_wanted.connect(self._on_device_chosen)
         self.dialogs.plugged.changed.connect(self._offer_devices)
-        self.transport.device_opening.connect(self.dialogs.plugged.look)
+        self.transport.device_opening.connect(self.dialogs.plugged.refresh)
         commands.sync_plot.toggled.connect(
             lambda on: self.fullscreen.will_show(self.sync_plot, is_wanted=on)
         )
@@ -243,7 +243,7 @@ class PlayerWindow(QMainWindow):
         self.fullscreen.will_show(self.plots, is_wanted=are_wanted)
 
     def show_message(self, text: str) -> None:
-        """Say what went wrong; not behind a picture that fills the screen."""
+        """Say what went wrong; not behind a video that fills the screen."""
         self.fullscreen.leave()
         self.messages.show_text(text)
 
@@ -262,7 +262,7 @@ class PlayerWindow(QMainWindow):
 
     def _on_settings_taken(self) -> None:
         self.commands.apply_keys()
-        self.extras.take_settings()
+        self.extras.apply_settings()
 
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:
         """Take files and folders."""
@@ -280,16 +280,16 @@ class PlayerWindow(QMainWindow):
         else:
             self.dialogs.import_recording(paths)
 
-    # --- what the session tells ----------------------------------------------
+    # --- signals of the session ----------------------------------------------
 
     def _on_gap(self) -> None:
         now_s = self.clock.now_s()
-        if self._watch_turn.is_due(now_s):
+        if self._watch_cadence.is_due(now_s):
             self.session.watch()
             if not self.fullscreen.is_on:
                 self.job_bar.show_state(self.session.jobs.state(), now_s)
             self.extras.refresh(now_s)
-        if self._draw_turn.is_due(now_s):
+        if self._draw_cadence.is_due(now_s):
             self._display.refresh()
             self.sync_plot.follow(now_s, self.player.sync_traces)
 
@@ -352,12 +352,12 @@ class PlayerWindow(QMainWindow):
         event.accept()
         if self.is_over:
             return
-        self.study_menu.process.leave()  # a session goes on
+        self.study_menu.process.leave()  # a session continues
         self.hand_over()
         self.session.close()
 
-    def hold_still(self, *, is_wanted: bool) -> None:
-        """Paint nothing but the picture: another window will be here soon."""
+    def freeze_painting(self, *, is_wanted: bool) -> None:
+        """Paint only the video: another window will replace this one."""
         for part in (self.menuBar(), self.transport, self.plots, self.health):
             part.setUpdatesEnabled(not is_wanted)
         self._middle.setEnabled(not is_wanted)

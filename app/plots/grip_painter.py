@@ -36,7 +36,7 @@ from hapticplayer.model.device import Vector
 
 translate = QCoreApplication.translate
 
-# A sign of its own for each: colour alone tells some people nothing.
+# A sign for each: not everyone can tell the colours.
 _SIGNS = {
     Activity.OFF: "\u25cb",
     Activity.CHANGING: "\u25b2",
@@ -73,7 +73,7 @@ def headline(grip: Grip) -> str:
     """Return title and state as rich text of one line, or more where it is narrow."""
     sign, colour = _SIGNS[grip.activity], colours()[grip.activity]
     title = f"<b>{html.escape(grip.title)}</b>"
-    if grip.position_m is None:  # the picture says it, where there is room for it
+    if grip.position_m is None:  # the view says it, where there is room for it
         return title
     state = html.escape(grip.state)
     return f"{title} &nbsp; <span style='color:{colour}'>{sign}&nbsp;{state}</span>"
@@ -106,7 +106,7 @@ def _inside(view: Projection) -> QRectF:
 
 
 def _label_force(painter: QPainter, view: Projection, grip: Grip) -> None:
-    """Write the force beyond the tip of its arrow, inside the picture."""
+    """Write the force beyond the tip of its arrow, inside the view."""
     tip = arrow_tip(grip, grip.position_m) if grip.position_m else None
     if tip is None or grip.position_m is None:
         return
@@ -159,7 +159,7 @@ def _paint_plate(painter: QPainter, plate: QRectF) -> None:
 
 translate = QCoreApplication.translate
 
-LEAST_FOR_WORDS_PX = 130.0  # of the shorter side; a smaller picture names no axes
+LEAST_FOR_WORDS_PX = 130.0  # of the shorter side; a smaller view names no axes
 _GAP_PX = 4.0
 
 
@@ -173,11 +173,11 @@ class GripPainter:
     def paint(
         self, painter: QPainter, size: QSizeF, camera: Camera, grip: Grip
     ) -> None:
-        """Fill a picture of this size.
+        """Fill a view of this size.
 
         Args:
             painter: begun; its device gives the resolution, its font the words.
-            size: of the picture, in the painter's pixels.
+            size: of the view, in the painter's pixels.
             camera: where from.
             grip: what.
         """
@@ -293,7 +293,7 @@ def _paint_axes(painter: QPainter, view: Projection) -> None:
 def _paint_axis_word(
     painter: QPainter, view: Projection, word: str, end_px: Pixel
 ) -> None:
-    """Write beside the end of an axis, off the sphere's rim, inside the picture."""
+    """Write beside the end of an axis, off the sphere's rim, inside the view."""
     metrics = painter.fontMetrics()
     most_px = int(view.width_px / 2)
     word = metrics.elidedText(word, Qt.TextElideMode.ElideRight, most_px)

@@ -56,12 +56,12 @@ class Camera:
 
 @dataclass(frozen=True)
 class Projection:
-    """One camera before one workspace on one picture.
+    """One camera before one workspace in one view.
 
     Attributes:
         camera: where from.
         radius_m: of the workspace.
-        width_px: of the picture, like `height_px`.
+        width_px: of the view, like `height_px`.
     """
 
     camera: Camera
@@ -78,12 +78,12 @@ class Projection:
 
     @cached_property
     def right(self) -> Vector:
-        """Unit vector that goes to the right in the picture."""
+        """Unit vector that goes to the right in the view."""
         return math.cos(self.camera.yaw_rad), 0.0, -math.sin(self.camera.yaw_rad)
 
     @cached_property
     def up(self) -> Vector:
-        """Unit vector that goes up in the picture."""
+        """Unit vector that goes up in the view."""
         yaw, sine = self.camera.yaw_rad, math.sin(self.camera.pitch_rad)
         flat = math.cos(self.camera.pitch_rad)
         return -math.sin(yaw) * sine, flat, -math.cos(yaw) * sine
@@ -95,7 +95,7 @@ class Projection:
 
     @cached_property
     def middle_px(self) -> Pixel:
-        """Where the centre of the workspace is in the picture."""
+        """Where the centre of the workspace is in the view."""
         return 0.5 * self.width_px, _MIDDLE_SHARE * self.height_px
 
     @cached_property
@@ -124,7 +124,7 @@ class Projection:
         return self.focal_px / max(nearest_m, self.depth_m(point_m))
 
     def px(self, point_m: Vector) -> Pixel:
-        """Return where a point of frame D is in the picture."""
+        """Return where a point of frame D is in the view."""
         scale = self.px_per_m(point_m)
         x_px, y_px = self.middle_px
         return (
@@ -147,7 +147,7 @@ TRAIL_STEP_S = 0.020
 STEP_M, STEP_N = 5e-5, 0.01
 NEAR_SHARE, ZONE_SHARE = 0.8, 0.9  # of the radius; the zone is the outer 10 %
 ARROW_RADII = 0.5  # length of the arrow at the force that the device holds for ever
-LEAST_SHOWN_N = 0.05  # below it is no arrow: nobody feels so little
+LEAST_SHOWN_N = 0.05  # no arrow below it: too little to be felt
 GRIP_RADII = 0.15  # a ball that is seen, not the size of a real one
 _ZERO = (0.0, 0.0, 0.0)
 _CIRCLE_POINTS = 64
@@ -176,7 +176,7 @@ class Grip:
             that keeps the grip inside; the last is a share of the first.
         trail_m: where the grip was in the last half second, oldest first.
         radius_m: of the workspace.
-        full_force_n: what the longest arrow stands for.
+        full_force_n: force of the longest arrow.
     """
 
     title: str
@@ -208,7 +208,7 @@ class Grip:
 
 
 def position_of(tick: Any) -> Vector | None:
-    """Return where the grip was at a tick, None where that is no position."""
+    """Return where the grip was at a tick, None where it is not finite."""
     return _rounded(tick["position_m"], STEP_M)
 
 

@@ -42,8 +42,8 @@ _RESET_KEY = _KEYS.Key_0
 class GripView(QWidget):
     """Shows a grip; a drag or the arrow keys go round it.
 
-    Painted anew only when something that can be seen has changed. A click leaves the
-    keyboard where it is, so that the arrows go on to seek; Tab brings it here.
+    Repainted only when something visible has changed. A click leaves the keyboard focus
+    where it is, so that the arrow keys still seek; Tab brings it here.
     """
 
     def __init__(self) -> None:
@@ -150,7 +150,7 @@ class GripView(QWidget):
             self.look(turned.zoomed(_ZOOM_PER_NOTCH**nearer))
 
     def focusInEvent(self, event: QFocusEvent) -> None:
-        """Have the newest figures ready for whoever listens."""
+        """Update the description for screen readers."""
         self._describe()
         super().focusInEvent(event)
 

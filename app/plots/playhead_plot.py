@@ -114,7 +114,7 @@ class PlayheadPlot(pg.PlotWidget):
             curve.setData(page.time_s, page.values[:, axis])
 
     def new_page(self, media_s: float) -> tuple[float, float] | None:
-        """Return the span to draw anew, None while the present page covers the view."""
+        """Return the span to redraw, None while the present page covers the view."""
         first_s, last_s = self.span.around(media_s)
         if self.page_s[0] <= first_s and last_s <= self.page_s[1]:
             return None

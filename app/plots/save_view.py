@@ -1,4 +1,4 @@
-"""Saves what a plot shows: as a picture, as a drawing, or as numbers."""
+"""Saves what a plot shows: as PNG, SVG or CSV."""
 
 from collections.abc import Callable
 from pathlib import Path
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
 translate = QCoreApplication.translate
 
-SCALE = 2.0  # of a picture: fit for print
+SCALE = 2.0  # of a PNG: fit for print
 _ICON_PX = 16
 _NAMES = ("planned", "sent")
 

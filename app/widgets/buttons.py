@@ -14,7 +14,7 @@ _PRESSING = (Qt.Key.Key_Space, Qt.Key.Key_Return, Qt.Key.Key_Enter)
 class Button(QPushButton):
     """A button whose Space and Enter press it, whatever the window's shortcuts are.
 
-    A click leaves the focus where it is, so that Space goes on to play and pause.
+    A click leaves the focus where it is, so that Space still plays and pauses.
     """
 
     def __init__(self, text: str = "", parent: QWidget | None = None) -> None:
@@ -46,11 +46,11 @@ def text_button(text: str, tip: str, role: str = "") -> Button:
     return button
 
 
-def tool_button(picture: str, name: str, tip: str) -> Button:
+def tool_button(drawing: str, name: str, tip: str) -> Button:
     """Return a button with a drawing; its name is for screen readers."""
     button = Button()
     set_role(button, "tool")
-    button.setIcon(control_icon(picture, ICON_PX, theme.TEXT))
+    button.setIcon(control_icon(drawing, ICON_PX, theme.TEXT))
     button.setIconSize(QSize(ICON_PX, ICON_PX))
     button.setFixedSize(QSize(ICON_PX + 20, ICON_PX + 14))
     button.setAccessibleName(name)
@@ -59,7 +59,7 @@ def tool_button(picture: str, name: str, tip: str) -> Button:
 
 
 def set_role(button: QPushButton, role: str) -> None:
-    """Choose the look of a button by the role that the style sheet knows."""
+    """Style a button by a role of the style sheet."""
     if button.property("role") != role:
         button.setProperty("role", role)
         button.style().unpolish(button)

@@ -164,8 +164,8 @@ def framed(widget: QWidget) -> QWidget:
 def is_seen(widget: QWidget) -> bool:
     """Return whether a widget may be on a screen; else it need not be drawn.
 
-    Not hidden, not in a minimised window (which X11 without a window manager goes on
-    to expose). Whether another window covers it is known only where the desktop tells Qt
+    Not hidden, not in a minimised window (which X11 without a window manager still
+    exposes). Whether another window covers it is known only where the desktop reports it
     (macOS, some of Wayland's); on X11 it counts as seen, and so it does where in doubt.
     """
     if not widget.isVisible():
@@ -176,7 +176,7 @@ def is_seen(widget: QWidget) -> bool:
 
 
 BESIDE = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
-"""Of headings: over the beginning of what stands in their column."""
+"""Alignment of headings: over the left edge of their column."""
 
 
 class ElidedLabel(QWidget):

@@ -1,4 +1,4 @@
-"""The bar under the picture: where the clip is, and where it shall go."""
+"""The seek bar: position of the clip, and where to go."""
 
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import (
@@ -25,7 +25,7 @@ class SeekSlider(QSlider):
     """A slider in milliseconds: a click jumps, a drag scrubs, the arrows step.
 
     It is painted by hand: ten times a second a style sheet would cost more than
-    the picture.
+    the video.
     """
 
     sought = Signal(float)

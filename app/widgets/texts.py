@@ -22,7 +22,7 @@ def titled(title: str, text: str) -> str:
 
 
 def quoted(text: str) -> str:
-    """Return a text in the language's marks; the French ones stand off."""
+    """Return a text in the language's marks; the French ones with a space."""
     marked = QLocale().quoteString(text)
     is_french = marked.startswith("\u00ab") and QLocale().language() == _FRENCH
     return f"\u00ab\u00a0{text}\u00a0\u00bb" if is_french else marked

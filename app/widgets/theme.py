@@ -47,7 +47,7 @@ def _faded(drawing: QPixmap) -> QPixmap:
 
 
 DARK, LIGHT, CONTRAST, SYSTEM = "dark", "light", "contrast", "system"
-LOOKS = {
+THEMES = {
     DARK: {
         "BACKGROUND": "#14171b", "PANEL": "#1b1f25", "RAISED": "#282e36",
         "HOVER": "#343c46", "BORDER": "#3a434e", "TEXT": "#e8ebef", "DIM": "#a9b3bf",
@@ -82,7 +82,7 @@ PRIMARY_TEXT = CHOSEN = GRID = ZERO = FLOOR = ""
 STOP = "#c2303c"
 STOP_HOVER = "#d64450"
 
-# Okabe and Ito: told apart with every kind of colour vision, and of different
+# Okabe and Ito: distinguishable with every kind of colour vision, and of different
 # lightness; darker on light ground, in the same order of hue.
 AXES = {
     DARK: ("#e69f00", "#56b4e9", "#009e73"),
@@ -91,29 +91,29 @@ AXES = {
 }
 AXIS_COLOURS = AXES[DARK]
 name = DARK
-"""Of the look that is in use; its colours are names of this module."""
+"""Of the theme in use; its colours are names of this module."""
 
 
-def use(look: str) -> None:
-    """Take the colours of a look; what is shown already has to be made anew."""
-    global name  # noqa: PLW0603 - there is one look, as there is one application
-    name = look if look in LOOKS else DARK
-    globals().update(LOOKS[name], AXIS_COLOURS=AXES[name])
+def use(chosen: str) -> None:
+    """Take the colours of a theme; existing widgets have to be rebuilt."""
+    global name  # noqa: PLW0603 - one theme, as there is one application
+    name = chosen if chosen in THEMES else DARK
+    globals().update(THEMES[name], AXIS_COLOURS=AXES[name])
 
 
 use(DARK)
 
 _SMALLEST_PT = 10.0
-_WORN = "hapticplayer_look"  # property of the application that wears it
+_APPLIED = "hapticplayer_theme"  # property of the application that wears it
 _ICONS = FOLDER.as_posix()
 
 
 def style_sheet() -> str:
-    """Return the look of Qt's own widgets."""
+    """Return the style sheet of Qt's own widgets."""
     arrow = "down-dark" if name == LIGHT else "down"
     check = "check-dark" if name == LIGHT else "check"
     dot = CHOSEN if name == LIGHT else ACCENT
-    filled = "#9cc4ee" if name == LIGHT else CHOSEN  # the figure stands on it
+    filled = "#9cc4ee" if name == LIGHT else CHOSEN  # the percentage is drawn on it
     more = _edges() if name == CONTRAST else ""
     return f"""
 QMainWindow, QDialog {{ background: {BACKGROUND}; }}
@@ -237,21 +237,21 @@ QScrollBar::add-page, QScrollBar::sub-page {{ background: none; }}
 
 
 def wanted(application: QApplication, chosen: str) -> str:
-    """Return the look for what a person has chosen; the desktop's own for SYSTEM."""
-    if chosen in LOOKS:
+    """Return the theme for a setting; the desktop's own for SYSTEM."""
+    if chosen in THEMES:
         return chosen
     is_light = application.styleHints().colorScheme() is Qt.ColorScheme.Light
     return LIGHT if is_light else DARK
 
 
 def apply(application: QApplication, chosen: str = DARK) -> None:
-    """Give the application a look.
+    """Apply a theme to the application.
 
     Each call of Qt in here polishes every widget there is, in 30 to 60 ms: another
-    language keeps the look, and another look keeps style and font.
+    language keeps the theme, and another theme keeps style and font.
     """
     use(wanted(application, chosen))
-    before = application.property(_WORN)
+    before = application.property(_APPLIED)
     if before == name:
         return
     if before is None:
@@ -261,7 +261,7 @@ def apply(application: QApplication, chosen: str = DARK) -> None:
         application.setFont(fixed_digits(font))
     application.setPalette(palette())
     application.setStyleSheet(style_sheet())
-    application.setProperty(_WORN, name)
+    application.setProperty(_APPLIED, name)
 
 
 def palette() -> QPalette:

@@ -1,7 +1,7 @@
 """What one tick of the Falcon's driver costs and how exact it is, beside two others.
 
 The grip runs along a circle of 30 mm at 2 Hz; each tick gets encoder counts and gives
-a position and a frame with motor words. Beside ours (parse the reply, full Newton from
+a position and a frame with motor words. BackgroundLookup ours (parse the reply, full Newton from
 the last position, J^T F, saturation, frame): *numpy*, the same with numpy.linalg for
 three legs at once; *half steps*, the method of libnifalcon (half Newton steps until the
 angles before the step are within 0.01 rad, at most 15), in our scalars. Error: position

@@ -1,7 +1,7 @@
 """Lateness of the haptic loop with and without a record of every tick.
 
 Each round plays the same 720p30 clip with sound in a window with its live plots twice,
-with `--record` and without. Beside the ratios stand those of rounds without a record to
+with `--record` and without. BackgroundLookup the ratios stand those of rounds without a record to
 each other, which is what chance alone makes of them. The record is read back: ticks,
 lost ones, whether it is complete.
 """

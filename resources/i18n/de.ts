@@ -1282,6 +1282,21 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
 </context>
 <context>
+    <name>LatencyMonitor</name>
+    <message>
+        <source>The sound output {name} reports a latency of {ms:.0f} ms</source>
+        <translation type="unfinished">Die Tonausgabe {name} meldet eine Latenz von {ms:.0f} ms</translation>
+    </message>
+    <message>
+        <source>The sound output {name} seems to be wireless</source>
+        <translation type="unfinished">Die Tonausgabe {name} scheint drahtlos zu sein</translation>
+    </message>
+    <message>
+        <source>the actual latency may be higher. Use wired headphones, or measure it: Playback &gt; Measure latencies</source>
+        <translation type="unfinished">die tatsächliche Latenz kann höher sein. Benutzen Sie Kopfhörer mit Kabel, oder messen Sie sie: Wiedergabe &gt; Latenzen messen</translation>
+    </message>
+</context>
+<context>
     <name>LatencyPage</name>
     <message>
         <source>Preparing</source>
@@ -1370,21 +1385,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>{n} taps: {ms:.0f} ± {spread:.0f} ms</source>
         <translation>{n} Mal: {ms:.0f} ± {spread:.0f} ms</translation>
-    </message>
-</context>
-<context>
-    <name>LatencyWatch</name>
-    <message>
-        <source>The sound output {name} reports a latency of {ms:.0f} ms</source>
-        <translation>Die Tonausgabe {name} meldet eine Latenz von {ms:.0f} ms</translation>
-    </message>
-    <message>
-        <source>The sound output {name} seems to be wireless</source>
-        <translation>Die Tonausgabe {name} scheint drahtlos zu sein</translation>
-    </message>
-    <message>
-        <source>the actual latency may be higher. Use wired headphones, or measure it: Playback &gt; Measure latencies</source>
-        <translation>die tatsächliche Latenz kann höher sein. Benutzen Sie Kopfhörer mit Kabel, oder messen Sie sie: Wiedergabe &gt; Latenzen messen</translation>
     </message>
 </context>
 <context>
@@ -1602,33 +1602,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
 </context>
 <context>
-    <name>LookMenus</name>
-    <message>
-        <source>&amp;Theme</source>
-        <translation>&amp;Farbschema</translation>
-    </message>
-    <message>
-        <source>System default</source>
-        <translation>Wie das System</translation>
-    </message>
-    <message>
-        <source>Dark</source>
-        <translation>Dunkel</translation>
-    </message>
-    <message>
-        <source>Light</source>
-        <translation>Hell</translation>
-    </message>
-    <message>
-        <source>High contrast</source>
-        <translation>Hoher Kontrast</translation>
-    </message>
-    <message>
-        <source>&amp;Language</source>
-        <translation>&amp;Sprache</translation>
-    </message>
-</context>
-<context>
     <name>MessageBar</name>
     <message>
         <source>Close</source>
@@ -1805,6 +1778,13 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
 </context>
 <context>
+    <name>PlotArea</name>
+    <message>
+        <source>Live plots</source>
+        <translation type="unfinished">Kurven</translation>
+    </message>
+</context>
+<context>
     <name>PlotPanel</name>
     <message>
         <source>Acceleration around the playhead</source>
@@ -1869,13 +1849,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>Click: seek. Drag: pan. Wheel or + and −: zoom. Double-click or Enter: reset</source>
         <translation>Klick: springen. Ziehen: verschieben. Rad oder + und −: zoomen. Doppelklick oder Eingabe: zurücksetzen</translation>
-    </message>
-</context>
-<context>
-    <name>PlotsPlace</name>
-    <message>
-        <source>Live plots</source>
-        <translation>Kurven</translation>
     </message>
 </context>
 <context>
@@ -2935,6 +2908,33 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>{title}: {text}</source>
         <translation>{title}: {text}</translation>
+    </message>
+</context>
+<context>
+    <name>ThemeMenus</name>
+    <message>
+        <source>&amp;Theme</source>
+        <translation type="unfinished">&amp;Farbschema</translation>
+    </message>
+    <message>
+        <source>System default</source>
+        <translation type="unfinished">Wie das System</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation type="unfinished">Dunkel</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation type="unfinished">Hell</translation>
+    </message>
+    <message>
+        <source>High contrast</source>
+        <translation type="unfinished">Hoher Kontrast</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation type="unfinished">&amp;Sprache</translation>
     </message>
 </context>
 <context>

@@ -1282,6 +1282,21 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
 </context>
 <context>
+    <name>LatencyMonitor</name>
+    <message>
+        <source>The sound output {name} reports a latency of {ms:.0f} ms</source>
+        <translation type="unfinished">La sortie audio {name} annonce une latence de {ms:.0f} ms</translation>
+    </message>
+    <message>
+        <source>The sound output {name} seems to be wireless</source>
+        <translation type="unfinished">La sortie son {name} semble être sans fil</translation>
+    </message>
+    <message>
+        <source>the actual latency may be higher. Use wired headphones, or measure it: Playback &gt; Measure latencies</source>
+        <translation type="unfinished">la latence réelle peut être plus élevée. Utilisez un casque filaire, ou mesurez-la&#xa0;: Lecture &gt; Mesurer les latences</translation>
+    </message>
+</context>
+<context>
     <name>LatencyPage</name>
     <message>
         <source>Preparing</source>
@@ -1370,21 +1385,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>{n} taps: {ms:.0f} ± {spread:.0f} ms</source>
         <translation>{n} frappes&#xa0;: {ms:.0f} ± {spread:.0f} ms</translation>
-    </message>
-</context>
-<context>
-    <name>LatencyWatch</name>
-    <message>
-        <source>The sound output {name} reports a latency of {ms:.0f} ms</source>
-        <translation>La sortie audio {name} annonce une latence de {ms:.0f} ms</translation>
-    </message>
-    <message>
-        <source>The sound output {name} seems to be wireless</source>
-        <translation>La sortie son {name} semble être sans fil</translation>
-    </message>
-    <message>
-        <source>the actual latency may be higher. Use wired headphones, or measure it: Playback &gt; Measure latencies</source>
-        <translation>la latence réelle peut être plus élevée. Utilisez un casque filaire, ou mesurez-la&#xa0;: Lecture &gt; Mesurer les latences</translation>
     </message>
 </context>
 <context>
@@ -1602,33 +1602,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
 </context>
 <context>
-    <name>LookMenus</name>
-    <message>
-        <source>&amp;Theme</source>
-        <translation>&amp;Thème</translation>
-    </message>
-    <message>
-        <source>System default</source>
-        <translation>Par défaut du système</translation>
-    </message>
-    <message>
-        <source>Dark</source>
-        <translation>Sombre</translation>
-    </message>
-    <message>
-        <source>Light</source>
-        <translation>Clair</translation>
-    </message>
-    <message>
-        <source>High contrast</source>
-        <translation>Contraste élevé</translation>
-    </message>
-    <message>
-        <source>&amp;Language</source>
-        <translation>&amp;Langue</translation>
-    </message>
-</context>
-<context>
     <name>MessageBar</name>
     <message>
         <source>Close</source>
@@ -1805,6 +1778,13 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
 </context>
 <context>
+    <name>PlotArea</name>
+    <message>
+        <source>Live plots</source>
+        <translation type="unfinished">Courbes</translation>
+    </message>
+</context>
+<context>
     <name>PlotPanel</name>
     <message>
         <source>Acceleration around the playhead</source>
@@ -1869,13 +1849,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>Click: seek. Drag: pan. Wheel or + and −: zoom. Double-click or Enter: reset</source>
         <translation>Clic&#xa0;: aller à. Glisser&#xa0;: déplacer. Molette ou + et −&#xa0;: zoomer. Double clic ou Entrée&#xa0;: réinitialiser</translation>
-    </message>
-</context>
-<context>
-    <name>PlotsPlace</name>
-    <message>
-        <source>Live plots</source>
-        <translation>Courbes</translation>
     </message>
 </context>
 <context>
@@ -2935,6 +2908,33 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>{title}: {text}</source>
         <translation>{title}&#xa0;: {text}</translation>
+    </message>
+</context>
+<context>
+    <name>ThemeMenus</name>
+    <message>
+        <source>&amp;Theme</source>
+        <translation type="unfinished">&amp;Thème</translation>
+    </message>
+    <message>
+        <source>System default</source>
+        <translation type="unfinished">Par défaut du système</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation type="unfinished">Sombre</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation type="unfinished">Clair</translation>
+    </message>
+    <message>
+        <source>High contrast</source>
+        <translation type="unfinished">Contraste élevé</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation type="unfinished">&amp;Langue</translation>
     </message>
 </context>
 <context>

@@ -34,7 +34,7 @@ from app.experimenter.session_control import Mirror, SessionControl
 from app.experimenter.start_panel import StartPanel
 from app.experimenter.study_editor import StudyEditor
 from app.player import setup_texts
-from app.player.choices import Plugged
+from app.player.choices import PluggedFalcons
 from app.player.device_page import DevicePage
 from app.player.dialogs import about_dialog
 from app.player.fault_panel import FaultPanel
@@ -85,10 +85,10 @@ def dialogs(window: PlayerWindow, folder) -> dict[str, Callable[[], QWidget]]:
         "keyboard": lambda: KeysDialog(window.settings, window),
         "about": lambda: about_dialog(window),
         "set-up": lambda: SetupPage(
-            window.clock, "simulated", Plugged(list, window), window
+            window.clock, "simulated", PluggedFalcons(list, window), window
         ),
         "set-up-falcon": lambda: SetupPage(
-            window.clock, "falcon", Plugged(list, window), window, _no_reach
+            window.clock, "falcon", PluggedFalcons(list, window), window, _no_reach
         ),
         "licence": lambda: Question(window, setup_texts.licence(), "OK"),
         "unknown-image": lambda: Question(window, setup_texts.unknown_image(), "OK"),

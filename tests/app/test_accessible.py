@@ -19,7 +19,7 @@ from PySide6.QtWidgets import (
 from sitting import Person
 
 from app.bridge import languages
-from app.player.remake import dress
+from app.player.remake import apply_appearance
 from app.widgets import theme
 from hapticplayer.study.pages import PageKind
 
@@ -45,7 +45,7 @@ def dressed(application, settings):
     def set_to(**values) -> None:
         for name, value in values.items():
             settings.keep(name, value)
-        dress(application, settings)
+        apply_appearance(application, settings)
 
     yield set_to
     set_to(language=languages.ENGLISH, look=theme.DARK)
@@ -75,7 +75,7 @@ def _is_in_group(widget, reached) -> bool:
     return group is not None and any(b in reached for b in group.buttons())
 
 
-@pytest.mark.parametrize("look", list(theme.LOOKS))
+@pytest.mark.parametrize("look", list(theme.THEMES))
 def test_the_window_and_every_dialog_can_be_used_by_keyboard(
     make_window, dressed, source, look, tmp_path, qtbot
 ):

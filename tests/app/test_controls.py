@@ -139,9 +139,9 @@ def test_a_picture_is_shown_under_the_pointer(playing, wait_for, qtbot):
     assert thumbs.tip.time.text().startswith("00:0")
     wait_for(lambda: not thumbs.is_busy)
     slider.hovered.emit(1.6)
-    late = thumbs.tip.picture.pixmap().toImage()
+    late = thumbs.tip.image.pixmap().toImage()
     slider.hovered.emit(0.0)
-    early = thumbs.tip.picture.pixmap().toImage()
+    early = thumbs.tip.image.pixmap().toImage()
     assert late.height() == HEIGHT_PX
     middle = QPoint(80, 45)
     assert late.pixelColor(middle).lightness() > early.pixelColor(middle).lightness()

@@ -168,7 +168,7 @@ def test_without_a_session_bus_none_is_started(playing, monkeypatch, tmp_path):
     IdleInhibitor().set_wanted("playing a clip")
     made = Mpris(playing.player, playing.raise_, playing.close)
     made.switch(is_on=True)
-    made.tell()
+    made.publish()
     assert not made.is_on
 
 
@@ -187,7 +187,7 @@ def test_the_session_bus_is_found_by_its_socket(monkeypatch, address, saver, wai
 def test_a_bus_that_ends_is_left(mpris, bus_daemon, wait_for):
     bus_daemon.kill()
     wait_for(lambda: not mpris.is_on)
-    mpris.tell()
+    mpris.publish()
 
 
 def test_calls_that_are_wrong_get_an_error(mpris, ask):

@@ -93,7 +93,7 @@ def test_taps_to_frame_and_force_give_the_latency_between(make_page, wait_for):
             QTest.qWait(1)
         tap_along(page, clock, rng, late_s + HUMAN_S, taps)
         assert page.meters[mode].count == taps
-        assert f"{taps} taps" in page.rows[mode].told.text()
+        assert f"{taps} taps" in page.rows[mode].status.text()
     found = {part: row.number.value() for part, row in page.rows.items()}
     # the picture comes 70 ms after the sound: that is what is left of the three
     assert found[SOUND] == 0.0
@@ -215,7 +215,7 @@ def test_each_output_has_its_latency_and_bad_files_are_ignored(tmp_path):
 def test_a_late_output_is_warned_of_once(
     window, settings, monkeypatch, name, reported_s, is_told
 ):
-    watch, told = window.extras.latency_watch, []
+    watch, told = window.extras.latency_monitor, []
     monkeypatch.setattr(window.session.gateway, "report", told.append)
     window.pump.stop()
     late = Snapshot(sound_output=name, reported_latency_s=reported_s)

@@ -112,13 +112,13 @@ def test_deleting_asks_and_can_be_undone(page, library, monkeypatch):
 def test_verifying_tells_of_a_changed_byte(page, library, wait_for):
     page.list.setCurrentRow(0)
     page.buttons["check"].click()
-    wait_for(lambda: "intact" in page.told.text())
+    wait_for(lambda: "intact" in page.status.text())
     clip = library / "a" / "clip.mp4"
     content = bytearray(clip.read_bytes())
     content[-5] ^= 1
     clip.write_bytes(content)
     page.buttons["check"].click()
-    wait_for(lambda: "has changed" in page.told.text())
+    wait_for(lambda: "has changed" in page.status.text())
 
 
 def test_a_track_is_added_renamed_and_removed(page, library, wait_for, tmp_path):

@@ -22,7 +22,7 @@ from app.bridge import languages
 from app.experimenter.import_wizard import ImportWizard
 from app.experimenter.library_page import LibraryPage
 from app.player.keys_dialog import KeysDialog
-from app.player.remake import OpenWindow, dress
+from app.player.remake import OpenWindow, apply_appearance
 from app.widgets import theme
 from app.widgets.buttons import text_button
 from hapticplayer.playback.phases import Phase
@@ -35,7 +35,7 @@ def dressed(application, settings):
     def set_to(**values) -> None:
         for name, value in values.items():
             settings.keep(name, value)
-        dress(application, settings)
+        apply_appearance(application, settings)
 
     yield set_to
     set_to(language=languages.ENGLISH, look=theme.DARK)
@@ -54,7 +54,7 @@ def shown(make_window, source, dressed, wait_for):
 def test_another_language_keeps_clip_and_place(shown, wait_for):
     shown.window.player.seek(1.0)
     player, before = shown.window.player, shown.window
-    menu = shown.window.looks.languages
+    menu = shown.window.themes.languages
     menu.fill()
     next(a for a in menu.menu.actions() if a.data() == "de").trigger()
     wait_for(lambda: not shown.is_remaking)
@@ -78,7 +78,7 @@ def test_a_session_is_watched_by_the_window_that_takes_the_place(
     before, told = shown.window, []
     before.study_menu.process.start([])
     shown.window.settings.keep("look", theme.LIGHT)
-    before.looks.changed.emit()
+    before.themes.changed.emit()
     wait_for(lambda: not shown.is_remaking)
     after = shown.window
     monkeypatch.setattr(after.study_menu, "report", told.append)
@@ -89,14 +89,14 @@ def test_a_session_is_watched_by_the_window_that_takes_the_place(
     assert [str(problem) for problem in told] == ["it was the cable"]
 
 
-@pytest.mark.parametrize("look", list(theme.LOOKS))
+@pytest.mark.parametrize("look", list(theme.THEMES))
 def test_another_look_colours_everything(shown, look, wait_for):
     shown.window.settings.keep("look", look)
-    shown.window.looks.changed.emit()
+    shown.window.themes.changed.emit()
     wait_for(lambda: not shown.is_remaking)
     assert shown.window.isVisible()
     panel = shown.window.transport.grab().toImage().pixelColor(2, 30).name()
-    assert panel == theme.LOOKS[look]["PANEL"]
+    assert panel == theme.THEMES[look]["PANEL"]
 
 
 def test_a_scroll_bar_of_high_contrast_is_white_on_black(application, qtbot):

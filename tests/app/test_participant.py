@@ -275,8 +275,8 @@ def test_nothing_is_cut_off_in_any_language(make_study, sit, wait_for, qapp, siz
         if size[1] >= 768 and step != "post-test":
             assert content.needed_px(width) <= content.viewport().height(), step
             assert content.verticalScrollBar().maximum() == 0, step
-        letters_px = content.body.font().pixelSize()
-        assert letters_px >= size[1] / 36 - 1
+        font_px = content.body.font().pixelSize()
+        assert font_px >= size[1] / 36 - 1
 
 
 def test_a_page_has_its_height_before_it_is_painted_again(make_study, sit):

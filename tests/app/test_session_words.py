@@ -4,7 +4,7 @@ import pytest
 
 from app.bridge import languages
 from app.experimenter.start_panel import reason_text
-from app.player.remake import dress
+from app.player.remake import apply_appearance
 from hapticplayer.haptics.contract import Cause
 
 REASONS = [
@@ -36,7 +36,7 @@ REASONS = [
 def spoken(application, settings):
     def speak(language: str) -> None:
         settings.keep("language", language)
-        dress(application, settings)
+        apply_appearance(application, settings)
 
     yield speak
     speak(languages.ENGLISH)

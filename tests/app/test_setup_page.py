@@ -7,10 +7,10 @@ from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QFileDialog
 
 from app.player import choices
-from app.player.choices import Plugged
+from app.player.choices import PluggedFalcons
 from app.player.device_page import DevicePage
 from app.player.firmware_dialog import Question, offer_firmware
-from app.player.homing_view import HomingPicture, HomingView, Ways, view_of
+from app.player.homing_view import HomingDrawing, HomingView, TravelEstimate, view_of
 from app.player.setup_page import SetupPage
 from app.widgets import theme
 from hapticplayer.clock import SystemClock
@@ -37,7 +37,7 @@ def make_page(application, qtbot, falcon, wait_for, tmp_path, monkeypatch):
     made = []
 
     def make(device="falcon", serials=("SIM00001",), image=synthetic_image):
-        plugged = Plugged(lambda: list(serials))
+        plugged = PluggedFalcons(lambda: list(serials))
 
         def find_reach(_name):
             return Reach(lambda: open_falcon(backend=falcon.bus), image)
@@ -63,7 +63,7 @@ def test_from_power_up_to_a_grip_that_is_followed(make_page, wait_for):
 
     def is_ready():
         titles.append(page.title.text())
-        arrows.append(page.picture.view.arrow)
+        arrows.append(page.drawing.view.arrow)
         return page.is_ready
 
     wait_for(is_ready)
@@ -73,16 +73,16 @@ def test_from_power_up_to_a_grip_that_is_followed(make_page, wait_for):
     ]
     assert list(dict.fromkeys(t for t in titles if t in wanted)) == wanted
     assert {1, -1} <= set(arrows)
-    wait_for(lambda: page.picture.view.is_ready)
+    wait_for(lambda: page.drawing.view.is_ready)
     assert page.title.text() == "The Falcon is ready"
-    assert page.picture.view.homed == (True, True, True)
-    assert "lower left" in page.picture.accessibleDescription()
+    assert page.drawing.view.homed == (True, True, True)
+    assert "lower left" in page.drawing.accessibleDescription()
     wait_for(lambda: page.use.isEnabled() and page.forces.isEnabled())
 
 
 def test_it_cannot_be_used_before_it_is_homed(make_page, wait_for):
     page = make_page()
-    wait_for(lambda: page.picture.view.arrow == 1)
+    wait_for(lambda: page.drawing.view.arrow == 1)
     assert not page.use.isEnabled()
     assert not page.forces.isEnabled()
 
@@ -104,14 +104,14 @@ def test_each_trouble_is_said_and_goes_away_by_itself(
     page = make_page()
     wait_for(lambda: title in page.title.text())
     assert remedy in page.text.text()
-    assert page.picture.view == HomingView()
+    assert page.drawing.view == HomingView()
     falcon.bus.ports[0].refuses_with = 0
-    wait_for(lambda: page.picture.view.arrow == 1)
+    wait_for(lambda: page.drawing.view.arrow == 1)
 
 
 def test_pulling_the_cable_while_homing_is_said(make_page, falcon, wait_for):
     page = make_page()
-    wait_for(lambda: page.picture.view.arrow == 1)
+    wait_for(lambda: page.drawing.view.arrow == 1)
     falcon.chip.unplug()
     wait_for(lambda: "not plugged in" in page.title.text())
 
@@ -139,7 +139,7 @@ def test_missing_firmware_is_given_in_the_window(make_page, wait_for, tmp_path):
     offer_firmware(page, file, page.begin, page.on_no_firmware)
     answer(page, wait_for)
     assert "not a known firmware image" in answer(page, wait_for)
-    wait_for(lambda: page.picture.view.arrow == 1)
+    wait_for(lambda: page.drawing.view.arrow == 1)
     assert find_image().data == file.read_bytes()
 
 
@@ -170,11 +170,11 @@ def test_the_only_falcon_shows_its_number_and_keeps_its_name():
 
 def test_what_is_plugged_in_is_looked_for_beside_the_window(application, wait_for):
     found = [["B", "A"], ["A"], []]
-    plugged = Plugged(lambda: found.pop(0))
+    plugged = PluggedFalcons(lambda: found.pop(0))
     seen = []
     plugged.changed.connect(lambda: seen.append(plugged.falcons()))
     for count in (1, 2, 3):
-        plugged.look()
+        plugged.refresh()
         wait_for(lambda count=count: len(seen) == count)
     assert seen == [
         [("falcon:A", "A"), ("falcon:B", "B")],
@@ -188,7 +188,7 @@ def test_other_devices_need_nothing(make_page, falcon, wait_for):
     page = make_page("simulated")
     assert page.is_ready
     assert "simulated hand" in page.text.text()
-    assert not page.picture.isVisible()
+    assert not page.drawing.isVisible()
     assert not page.is_busy
 
 
@@ -233,7 +233,7 @@ def test_it_leads_on_to_the_forces(make_window, wait_for):
 
 
 def test_the_travel_of_a_leg_is_shown_from_end_to_end():
-    ways = Ways()
+    ways = TravelEstimate()
     assert ways.share(0, 0) == 0.5
     assert ways.share(0, WAY_COUNTS) == 1.0
     assert ways.share(0, 0) == 0.0
@@ -244,12 +244,14 @@ def test_the_travel_of_a_leg_is_shown_from_end_to_end():
 
 def test_a_view_says_what_the_guidance_says():
     guidance = Guidance(Advice.PUSH, (True, False, True), 600.0, (600, 0, 1200))
-    view = view_of(Progress(Step.HOMING, 1.0, guidance), Ways())
+    view = view_of(Progress(Step.HOMING, 1.0, guidance), TravelEstimate())
     assert (view.homed, view.arrow, view.is_ready) == ((True, False, True), -1, False)
     assert view.legs == (0.75, 0.5, 1.0)
-    view = view_of(Progress(Step.READY, 1.0, None, (0.02, -0.04, 0.08)), Ways())
+    view = view_of(
+        Progress(Step.READY, 1.0, None, (0.02, -0.04, 0.08)), TravelEstimate()
+    )
     assert (view.aside, view.out, view.is_ready) == ((0.5, -1.0), 1.0, True)
-    assert view_of(None, Ways()) == HomingView()
+    assert view_of(None, TravelEstimate()) == HomingView()
 
 
 def colours(picture):
@@ -264,7 +266,7 @@ def colours(picture):
 
 
 def test_the_picture_shows_rings_discs_and_arrows(application, qtbot):
-    picture = HomingPicture()
+    picture = HomingDrawing()
     qtbot.addWidget(picture)
     open_rings = HomingView((False,) * 3, (0.5,) * 3, 0.5)
     found = []

@@ -13,7 +13,7 @@ from PySide6.QtGui import QGuiApplication
 from app.bridge import languages
 from app.bridge.languages import translated
 from app.experimenter.import_wizard import ImportWizard
-from app.player.remake import dress
+from app.player.remake import apply_appearance
 from hapticplayer.capture.choices import LogQuestion
 from hapticplayer.errors import DeviceError, InputError, Message, message_of
 
@@ -30,10 +30,10 @@ def spoken(application):
 def german(make_window, settings, application):
     """A window that speaks German."""
     settings.keep("language", "de")
-    dress(application, settings)
+    apply_appearance(application, settings)
     yield make_window()
     settings.keep("language", languages.ENGLISH)
-    dress(application, settings)
+    apply_appearance(application, settings)
 
 
 def messages(code: str) -> list[tuple[str, str]]:

@@ -147,11 +147,11 @@ _PAIRS = (
     [
         *(
             (look[text], look[ground], least)
-            for look in theme.LOOKS.values()
+            for look in theme.THEMES.values()
             for text, ground, least in _PAIRS
         ),
         *(
-            (colour, theme.LOOKS[look]["PANEL"], 3.0)
+            (colour, theme.THEMES[look]["PANEL"], 3.0)
             for look, colours in theme.AXES.items()
             for colour in colours
         ),

@@ -14,8 +14,8 @@ from PySide6.QtWidgets import QLabel
 from app.bridge import languages
 from app.experimenter.import_wizard import ImportWizard
 from app.player.empty_page import EmptyPage
-from app.player.remake import dress
-from app.player.window import LEAST_PICTURE_PX
+from app.player.remake import apply_appearance
+from app.player.window import LEAST_VIDEO_PX
 from hapticplayer.haptics.contract import Mode
 from hapticplayer.haptics.processes import HapticsProcesses
 from hapticplayer.playback.phases import Phase
@@ -54,7 +54,7 @@ def test_all_that_can_be_shown_fits_a_screen_of_960_by_540(window, source, qtbot
     window.resize(960, 540)
     qtbot.wait(20)
     assert window.height() <= 540
-    assert window.stage.height() >= LEAST_PICTURE_PX
+    assert window.stage.height() >= LEAST_VIDEO_PX
 
 
 @pytest.mark.parametrize("code", languages.NAMES)
@@ -63,7 +63,7 @@ def test_the_first_page_with_a_long_message_fits_it_too(
 ):
     """Neither may the window grow beyond the screen, nor stay large afterwards."""
     settings.keep("language", code)
-    dress(application, settings)
+    apply_appearance(application, settings)
     try:
         window = make_window()
         window.resize(960, 540)
@@ -74,7 +74,7 @@ def test_the_first_page_with_a_long_message_fits_it_too(
         assert window.height() == 540
     finally:
         settings.keep("language", languages.ENGLISH)
-        dress(application, settings)
+        apply_appearance(application, settings)
 
 
 @pytest.mark.parametrize("width_px", [620, 900, 1500])

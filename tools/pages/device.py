@@ -1,7 +1,7 @@
 """Pictures of the device's pages: setting up, every trouble, forces, latencies."""
 
 from app.player import setup_texts
-from app.player.choices import Plugged
+from app.player.choices import PluggedFalcons
 from app.player.device_page import DevicePage, homing_text
 from app.player.firmware_dialog import Question
 from app.player.latency_page import LatencyPage
@@ -81,8 +81,8 @@ def _page(device: str, kind: type[DeviceError]) -> SetupPage:
     return page
 
 
-def _plugged() -> Plugged:
-    return Plugged(lambda: ["12PZ657E"])
+def _plugged() -> PluggedFalcons:
+    return PluggedFalcons(lambda: ["12PZ657E"])
 
 
 def _no(kind: type[DeviceError]) -> Reach:

@@ -1,4 +1,4 @@
-"""The look of the participant's pages: one size that fits, read from two metres.
+"""Pages of the participant: the largest font that fits, legible from two metres.
 
 A letter 1/22 of the picture's height is 14 mm on a 24-inch screen: capitals of 10 mm,
 1.7 times what an acuity of 0.5 needs at 2 m (5 minutes of arc / 0.5 = 5.8 mm). The
@@ -30,7 +30,7 @@ _BAR_PX = 20
 
 
 def style() -> str:
-    """Return the look of the participant's pages, in the colours that are in use."""
+    """Return the style sheet of the participant's pages, in the current theme."""
     is_strong = theme.name == theme.CONTRAST  # its blue has no edge on black
     edge = theme.BORDER if is_strong else theme.CHOSEN
     focus = theme.FOCUS if is_strong else theme.TEXT
@@ -62,9 +62,9 @@ QScrollBar::add-page:vertical, QScrollBar::sub-page:vertical {{ background: none
 
 
 class FittedPage(QScrollArea):
-    """A column of widgets whose letters are as large as the page allows.
+    """A column of widgets in the largest font that the page allows.
 
-    What does not fit even in small letters can be scrolled: nothing is cut off.
+    What does not fit even in the smallest font can be scrolled: nothing is cut off.
     """
 
     def __init__(self) -> None:
@@ -85,7 +85,7 @@ class FittedPage(QScrollArea):
         self.setWidget(self.body)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Choose the letters anew."""
+        """Choose the font size again."""
         super().resizeEvent(event)
         # also called when the scroll bar comes or goes, which depends on the letters
         if self.size() != self._fitted_for:
@@ -117,7 +117,7 @@ class FittedPage(QScrollArea):
 
     def _take_step(self) -> None:
         share = LARGEST + (SMALLEST - LARGEST) * self._size_step / (STEPS - 1)
-        self.set_letters(max(9, round(self._fitted_for.height() / share)))
+        self.set_font_size(max(9, round(self._fitted_for.height() / share)))
 
     def _shrink(self) -> None:
         """Take smaller letters while something is out of sight."""
@@ -129,21 +129,21 @@ class FittedPage(QScrollArea):
             self._size_step = SCROLLED
             self._take_step()
 
-    def set_letters(self, letters_px: int) -> None:
+    def set_font_size(self, font_px: int) -> None:
         """Use letters of this size."""
         font = QFont(self.body.font())
-        font.setPixelSize(letters_px)
+        font.setPixelSize(font_px)
         self.body.setFont(font)
         metrics = QFontMetrics(font)
         for child in self.body.findChildren(QWidget):
             child.setFont(font)
             if isinstance(child, QAbstractButton | QSpinBox):
-                child.setMinimumHeight(max(TOUCH_PX, round(_HIGH * letters_px)))
+                child.setMinimumHeight(max(TOUCH_PX, round(_HIGH * font_px)))
             if isinstance(child, QAbstractButton):
                 # the sheet's em is that of small letters
                 wide_px = metrics.horizontalAdvance(child.text())
-                child.setMinimumWidth(wide_px + round(_SIDES * letters_px))
-        self.column.setSpacing(letters_px // 2)
+                child.setMinimumWidth(wide_px + round(_SIDES * font_px))
+        self.column.setSpacing(font_px // 2)
         self.column.activate()
 
     def needed_px(self, width_px: int) -> int:
