@@ -112,7 +112,7 @@ def _python_is(version: str) -> bool:
     return sys.version_info >= tuple(map(int, version.split(".")))
 
 
-_PROOFS: dict[str, Callable[[str], bool]] = {
+PROOFS: dict[str, Callable[[str], bool]] = {
     "lib": _loads,
     "module": lambda name: importlib.util.find_spec(name) is not None,
     "file": lambda pattern: any(Path("/").glob(pattern.lstrip("/"))),
@@ -124,7 +124,7 @@ _PROOFS: dict[str, Callable[[str], bool]] = {
 def is_there(proof: str) -> bool:
     """Whether what a package brings is on this machine, wherever it came from."""
     kind, _, what = proof.partition(":")
-    return _PROOFS[kind](what)
+    return PROOFS[kind](what)
 
 
 def missing_packages(groups: Collection[str] = RUN_GROUPS) -> list[AptPackage]:
@@ -283,7 +283,7 @@ def _check_sound() -> Check:
     )
 
 
-def _may_use_fifo() -> bool:
+def may_use_fifo() -> bool:
     """Ask by doing: limits, capabilities and control groups all have a say."""
     policy, parameter = os.sched_getscheduler(0), os.sched_getparam(0)
     try:
@@ -313,7 +313,7 @@ def _limits() -> str:
 def _check_scheduling() -> Check:
     if not hasattr(os, "sched_setscheduler"):
         ok, detail = False, "normal: this system grants nothing else"
-    elif _may_use_fifo():
+    elif may_use_fifo():
         ok, detail = True, f"fifo: priority {LOOP_PRIORITY} is granted ({_limits()})"
     elif _kernel() >= OLDEST_SLICE_KERNEL:
         ok, detail = True, f"slice: short slices, as fifo is not allowed ({_limits()})"

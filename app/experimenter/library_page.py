@@ -298,10 +298,11 @@ class LibraryPage(QDialog):
 
     def _delete(self) -> None:
         entry = self.chosen()
-        if entry is not None and self._is_sure(entry):
+        if entry is not None and self.is_sure(entry):
             self.delete(entry)
 
-    def _is_sure(self, entry: Entry) -> bool:
+    def is_sure(self, entry: Entry) -> bool:
+        """Ask before a sequence is moved to the bin."""
         text = self.tr("Move {title} to the bin? You can restore it from there.")
         buttons = QMessageBox.StandardButton
         box = QMessageBox(

@@ -289,7 +289,7 @@ class SessionControl(QMainWindow):
         """Ask first while a session runs; it can be resumed."""
         runner = self._runner
         is_asked = not self._may_close and runner is not None and not runner.is_over
-        if is_asked and not self._is_sure():
+        if is_asked and not self.is_sure():
             event.ignore()
             return
         event.accept()
@@ -302,7 +302,8 @@ class SessionControl(QMainWindow):
         self._may_close = True
         self.close()
 
-    def _is_sure(self) -> bool:
+    def is_sure(self) -> bool:
+        """Ask before a session is closed."""
         answer = QMessageBox.question(
             self,
             self.tr("Close"),

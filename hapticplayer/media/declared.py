@@ -22,7 +22,7 @@ _NESTED = frozenset(b"moov trak mdia minf stbl moof traf".split())
 _COUNT_AT = {b"stsz": 8, b"stz2": 8, b"trun": 4}
 """Where the number of samples stands behind the box's header."""
 
-_MAX_BOXES = 1_000_000  # 48 h in fragments of 2 s
+MAX_BOXES = 1_000_000  # 48 h in fragments of 2 s
 
 
 class _Box(NamedTuple):
@@ -59,7 +59,7 @@ def declared_samples(file: Path) -> float:
             return 0
         boxes = _boxes(stream, file.stat().st_size, _NESTED)
         for number, box in enumerate(boxes):
-            if number == _MAX_BOXES:
+            if number == MAX_BOXES:
                 return math.inf
             if box.kind in _COUNT_AT:
                 stream.seek(box.content_at + _COUNT_AT[box.kind])

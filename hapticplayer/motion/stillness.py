@@ -98,10 +98,10 @@ def find_still(imu: ImuLog, interval_s: float | None = None) -> StillSpans:
     used = count * per_bin
     turning = _spread(imu.angular_rate_radps[:used], count)
     calm = turning[1] < _BINS * STILL_RATE_STD_LIMIT_RADPS**2
-    if not _may_be_still(calm):
+    if not may_be_still(calm):
         return none
     pushed = _spread(imu.specific_force_mps2[:used], count)
-    if not _may_be_still(calm & (pushed[1] < _BINS * STILL_ACCEL_STD_LIMIT_MPS2**2)):
+    if not may_be_still(calm & (pushed[1] < _BINS * STILL_ACCEL_STD_LIMIT_MPS2**2)):
         return none
     both = zip(turning, pushed, strict=True)
     norm, deviation = _windows(*(np.stack(pair) for pair in both))
@@ -183,7 +183,7 @@ def _averaging(count: int) -> Floats:
     return np.tile(np.eye(3) / count, (count, 1))
 
 
-def _may_be_still(calm: NDArray[np.bool_]) -> bool:
+def may_be_still(calm: NDArray[np.bool_]) -> bool:
     """Whether any window has only bins that are calm enough for it to be still.
 
     What varies inside the bins is part of what varies in the window, so most of a

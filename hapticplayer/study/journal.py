@@ -209,7 +209,7 @@ class Journal:
         line = b"\n" + line if self._is_torn else line
         try:
             self._is_torn = True
-            _write_whole(self._file, line)
+            write_whole(self._file, line)
             os.fsync(self._file)
             self._is_torn = False
             self._check_place()
@@ -260,7 +260,8 @@ def _lock(descriptor: int, path: Path) -> None:
         ) from problem
 
 
-def _write_whole(descriptor: int, line: bytes) -> None:
+def write_whole(descriptor: int, line: bytes) -> None:
+    """Write a line; raises OSError when the disk takes only a part of it."""
     if os.write(descriptor, line) != len(line):
         raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
 

@@ -140,7 +140,7 @@ def test_closing_in_the_middle_is_asked_once(make_study, sit, wait_for, monkeypa
     session, asked = sit(make_study()), []
     answers = iter([False, True])
     monkeypatch.setattr(
-        session.control, "_is_sure", lambda: asked.append(1) or next(answers)
+        session.control, "is_sure", lambda: asked.append(1) or next(answers)
     )
     session.control.close()
     assert session.control.isVisible()

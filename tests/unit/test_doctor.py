@@ -269,7 +269,7 @@ def test_a_sound_card_is_found(monkeypatch, tmp_path) -> None:
 def test_the_scheduling_that_can_be_had_is_named(
     monkeypatch, fifo, kernel, word
 ) -> None:
-    monkeypatch.setattr(doctor, "_may_use_fifo", lambda: fifo)
+    monkeypatch.setattr(doctor, "may_use_fifo", lambda: fifo)
     monkeypatch.setattr(doctor, "_kernel", lambda: kernel)
 
     check = _by_name("scheduling")

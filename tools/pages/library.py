@@ -84,7 +84,7 @@ def _library(stage: Stage) -> Pictures:
         stage.wait_until(lambda: ";" in page.details.preview.text())
         yield "library-gain", page.grab()
         entry = page.chosen()
-        yield "library-delete", stage.asked(lambda: page._is_sure(entry))
+        yield "library-delete", stage.asked(lambda: page.is_sure(entry))
         yield "library-rename", stage.asked(page._rename)
         page._tell(page.tr("Moved {title} to the bin.").format(title=entry.title))
         page.undo.show()

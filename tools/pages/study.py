@@ -127,7 +127,7 @@ def _while_it_runs(stage: Stage, session: StudySession) -> Pictures:
     yield "operator-paused", stage.picture(control, 200)
     yield "operator-skip", stage.asked(lambda: control._skip(runner))
     yield "operator-end", stage.asked(lambda: control._end(runner))
-    yield "operator-close", stage.asked(control._is_sure)
+    yield "operator-close", stage.asked(control.is_sure)
     control.show_message("study: answers.jsonl cannot be written (disk full)")
     resize_within_screen(control, control.width(), control.height())
     yield "operator-error", stage.picture(control)

@@ -25,7 +25,7 @@ from hapticplayer.study.analysis.statistic import (
     p_value,
 )
 
-_MOST_STEPS = 100_000_000
+MOST_STEPS = 100_000_000
 """Most additions for an exact p (about 0.2 s)."""
 
 
@@ -89,7 +89,7 @@ def exact_p(ranks: Floats, resampling: Resampling, label: str) -> tuple[float, s
     n, k = ranks.shape
     doubled = np.rint(2.0 * (ranks - 1.0)).astype(np.int64)
     cells = (2 * n * (k - 1) + 1) ** (k - 1)
-    if cells * math.factorial(k) * n <= _MOST_STEPS:
+    if cells * math.factorial(k) * n <= MOST_STEPS:
         return _counted_p(doubled), "exact"
     return _drawn_p(doubled, resampling, label), f"permutation, {resampling.count}"
 

@@ -74,7 +74,7 @@ def test_tables_are_found_and_damage_ends_the_search(
 def test_boxes_without_end_are_too_many(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("hapticplayer.media.declared._MAX_BOXES", 50)
+    monkeypatch.setattr("hapticplayer.media.declared.MAX_BOXES", 50)
     path = tmp_path / "boxes.mp4"
     path.write_bytes(box(b"free", b"") * 50)
     assert declared_samples(path) == 0

@@ -222,5 +222,5 @@ def test_what_is_skipped_in_motion_changes_nothing(monkeypatch, shaken_s):
         moving |= (log.time_s >= first_s) & (log.time_s < last_s)
     log = shaken(log, moving, rng)
     quick = find_still(log)
-    monkeypatch.setattr("hapticplayer.motion.stillness._may_be_still", lambda _: True)
+    monkeypatch.setattr("hapticplayer.motion.stillness.may_be_still", lambda _: True)
     assert np.array_equal(quick.bins, find_still(log).bins)

@@ -326,7 +326,7 @@ def test_once_the_disk_has_room_again_the_force_is_back(running, monkeypatch, at
     if at != "trial-begin":
         running.play() if at == "answers" else running.runner.proceed()
     with monkeypatch.context() as patch:
-        patch.setattr(journals, "_write_whole", no_room)
+        patch.setattr(journals, "write_whole", no_room)
         if at == "answers":
             running.runner.answer(VALUES)
         elif at == "trial":
@@ -352,7 +352,7 @@ def test_a_note_while_nothing_can_be_saved_takes_no_answer_away(running, monkeyp
     running.to_trials()
     running.play()
     with monkeypatch.context() as patch:
-        patch.setattr(journals, "_write_whole", no_room)
+        patch.setattr(journals, "write_whole", no_room)
         running.runner.answer(VALUES)
         running.runner.note("the disk is full")
         running.runner.retry()

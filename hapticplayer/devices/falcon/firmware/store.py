@@ -110,7 +110,7 @@ def install_image(source: Path, *, accept_unknown: bool = False) -> FirmwareImag
         )
     target = kept_path()
     try:
-        _write_whole(target, image.data)
+        write_whole(target, image.data)
     except OSError as problem:
         raise DeviceError(
             "{path}: the firmware cannot be kept there ({reason}); set {variable} "
@@ -122,7 +122,7 @@ def install_image(source: Path, *, accept_unknown: bool = False) -> FirmwareImag
     return image
 
 
-def _write_whole(target: Path, data: bytes) -> None:
+def write_whole(target: Path, data: bytes) -> None:
     """Write a file so that there is the old or the new one, never half of it."""
     target.parent.mkdir(parents=True, exist_ok=True)
     descriptor, name = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name}-")

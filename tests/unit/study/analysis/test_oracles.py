@@ -136,7 +136,7 @@ def test_the_drawn_p_of_friedman_is_near_the_counted_one(samples, monkeypatch):
     for values in [v for v in samples if v.shape[1] == 3][:6]:
         ranks = stats.rankdata(values, axis=1)
         counted, _ = exact_p(ranks, resampling, "test")
-        monkeypatch.setattr("hapticplayer.study.analysis.friedman._MOST_STEPS", 0)
+        monkeypatch.setattr("hapticplayer.study.analysis.friedman.MOST_STEPS", 0)
         drawn, method = exact_p(ranks, resampling, "test")
         monkeypatch.undo()
         assert method == "permutation, 4000"
