@@ -75,7 +75,7 @@ def _library(stage: Stage) -> Pictures:
     page = LibraryPage(stage.material.library)
     page.place.set_text(SHOWN)
     with stage.shown(page):
-        stage.wait_until(lambda: len(page._pictures) >= 3)
+        stage.wait_until(lambda: len(page._thumbnails) >= 3)
         for row in range(page.list.count()):
             page.list.setCurrentRow(row)
             yield f"library-{row + 1}", stage.picture(page)
@@ -86,7 +86,9 @@ def _library(stage: Stage) -> Pictures:
         entry = page.chosen()
         yield "library-delete", stage.asked(lambda: page.is_sure(entry))
         yield "library-rename", stage.asked(page._rename)
-        page._tell(page.tr("Moved {title} to the bin.").format(title=entry.title))
+        page._show_status(
+            page.tr("Moved {title} to the bin.").format(title=entry.title)
+        )
         page.undo.show()
         page.search.setText("nothing is called so")
         yield "library-nothing-found", stage.picture(page)
