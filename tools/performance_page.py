@@ -18,6 +18,7 @@ TEXT = """# Performance
 Written by `python -m tools.performance_page` from the results of the
 [benchmarks](../benchmarks/README.md). Each ran beside its reference in the same rounds; ratios are
 medians over the rounds. Error and run time of gravity removal are in [numerics.md](numerics.md).
+A row is of the code of its date; those before 2026-11-24 have not been measured again since.
 
 ## All benchmarks
 
