@@ -55,6 +55,18 @@ _KINDS = (
     *("ACCEL", "ANGACCEL", "GYRO", "JNTANG", "LATENCY"),
     *("MAGN", "MISC", "ORNT", "POS", "VEL"),
 )
+_TABLES = {
+    "participants.tsv": "a row for each participant",
+    "sub-*/beh/*_beh.tsv": "answers of each trial",
+    "sub-*/motion/*_motion.tsv": "the haptic device in the participant's hand at "
+    "1 kHz, in the frame of the device: x right, y up, z towards the participant; "
+    "force_x to force_z is the force that was sent (type MISC, BIDS has no type for "
+    "force), media the position in the clip",
+    "sub-*/motion/*_channels.tsv": "columns of the motion table",
+    "sub-*/motion/*_events.tsv": "start and end of each trial, with its condition, and "
+    "interruptions",
+    "sub-*/*_scans.tsv": "when each motion table begins, UTC",
+}
 _MAKERS = {"falcon": ("Novint", "Falcon")}
 # the end of a run is marked shortly after its last tick
 _MARKED_WITHIN_S = 1.0
@@ -64,13 +76,13 @@ def write_bids(data: StudyData, folder: Path) -> None:
     """Write a dataset into an empty folder."""
     definition = data.definition
     _json(folder / "dataset_description.json", _dataset(definition))
-    private.write_new(folder / "README", _readme(definition))
     _participants(data.answers, folder)
     _json(folder / f"task-{TASK}_beh.json", _beh_sidecar(definition))
     for session in data.sessions:
         _subject(session, data, folder / f"sub-{session.code}")
     if any(folder.rglob("*_events.tsv")):  # a sidecar without data is an error
         _json(folder / f"task-{TASK}_events.json", _events_sidecar())
+    private.write_new(folder / "README", _readme(definition, folder))
 
 
 def _dataset(definition: Definition) -> dict[str, Any]:
@@ -82,17 +94,19 @@ def _dataset(definition: Definition) -> dict[str, Any]:
     }
 
 
-def _readme(definition: Definition) -> bytes:
-    language = definition.languages[0]
+def _readme(definition: Definition, folder: Path) -> bytes:
+    """Return a description of the tables that are in the folder."""
+    tables = [
+        f"- {pattern}: {text}\n"
+        for pattern, text in _TABLES.items()
+        if any(folder.glob(pattern))
+    ]
     text = (
         f"{definition.title}\n\n"
-        "Participants watched clips while a haptic device moved their hand, and "
-        "answered questions after each. Codes were made by the program.\n\n"
-        "beh: answers of each trial. motion: the device at 1 kHz, in the frame of the "
-        "device: x right, y up, z towards the participant; force_x to force_z is the "
-        "force that was sent (type MISC, BIDS has no type for force), media the "
-        "position in the clip.\n\n"
-        f"{definition.texts.retention[language]}\n"
+        "Participants watched clips and answered questions after each. Codes were made "
+        "by the program.\n\n"
+        f"{''.join(tables)}\n"
+        f"{definition.texts.retention[definition.languages[0]]}\n"
     )
     return text.encode()
 
@@ -130,7 +144,7 @@ def _task(definition: Definition) -> dict[str, Any]:
 
 def _events_sidecar() -> dict[str, Any]:
     return {
-        "trial_type": {"Description": "what happened; `begin` names the condition"},
+        "trial_type": {"Description": "what happened; in a trial, and its condition"},
         "StimulusPresentation": {
             "SoftwareName": "hapticplayer",
             "SoftwareVersion": __version__,

@@ -13,6 +13,7 @@ from hapticplayer.study.answers import Answers
 from hapticplayer.study.definition import Definition
 from hapticplayer.study.session_folder import StoredSession
 from hapticplayer.study.session_setup import RECORD
+from hapticplayer.study.steps import position_of
 
 _MARKED = {
     "trial-begin": "begin",
@@ -50,7 +51,8 @@ class Marker:
 
     Attributes:
         monotonic_s: of the machine's clock.
-        text: such as `trial-03 begin bike/random`.
+        text: such as `trial-03 begin bike/random`; each marker of a trial names its
+            condition.
     """
 
     monotonic_s: float
@@ -63,12 +65,16 @@ def markers_of(session: StoredSession) -> list[Marker]:
     for record in session.records.intact:
         if record.kind not in _MARKED:
             continue
-        parts = [str(record.content.get("step") or ""), _MARKED[record.kind]]
-        condition = record.content.get("condition")
-        if record.kind == "trial-begin" and isinstance(condition, dict):
-            parts.append(f"{condition.get('sequence')}/{condition.get('feedback')}")
+        step = str(record.content.get("step") or "")
+        parts = [step, _MARKED[record.kind], _condition_key(session, step)]
         found.append(Marker(record.monotonic_s, " ".join(filter(None, parts))))
     return found
+
+
+def _condition_key(session: StoredSession, step: str) -> str:
+    """Return the condition of a trial; empty for other steps."""
+    position = position_of(step)
+    return session.plan.order[position - 1].key if position else ""
 
 
 def tick_files(session: StoredSession) -> list[Path]:

@@ -415,7 +415,8 @@ class SessionRunner:
 
     def _finish_trial(self, then: Callable[[], None], *reasons: str) -> None:
         played = self.last_trial = self.stage.played(*reasons)
-        self._mark(f"{self.step} end")
+        assert self.condition is not None
+        self._mark(f"{self.step} end {self.condition.key}")
         self._store(
             "trial",
             then,

@@ -4,6 +4,7 @@ import csv
 import getpass
 import io
 import json
+import re
 import shutil
 import socket
 import stat
@@ -119,7 +120,11 @@ def test_xdf_is_what_pyxdf_reads(study, tmp_path):
     force = device["time_series"][:, 4]
     assert force == pytest.approx(np.sin(1e-2 * np.arange(TICKS)), abs=1e-6)
     assert device["time_series"][:, 7] == pytest.approx(device["time_stamps"], abs=1e-6)
-    assert ["trial-12 end"] in markers["time_series"]
+    ends = [text for (text,) in markers["time_series"] if text.startswith("trial-")]
+    assert ends == [
+        f"trial-{number:02d} end {condition.sequence}/{condition.feedback}"
+        for number, condition in enumerate(study.session(file.name[:6]).plan.order, 1)
+    ]
     assert len(markers["time_series"]) == 13
     channel = device["info"]["desc"][0]["channels"][0]["channel"][3]
     assert channel["unit"] == ["newton"]
@@ -183,6 +188,33 @@ def test_bids_has_what_the_specification_requires(study, tmp_path):
     assert sidecar["TaskName"] == "qoe"
     assert sidecar["SamplingFrequencyEffective"] == pytest.approx(1000.0, abs=0.01)
     assert sidecar["MotionChannelCount"] == len(channels)
+
+
+@pytest.mark.parametrize("has_record", [True, False])
+def test_the_bids_readme_describes_what_is_there(study, tmp_path, has_record):
+    if not has_record:
+        next(study.folder.rglob("*.hprec")).unlink()
+    out = tmp_path / "out"
+    export_study(study, out, "bids")
+    readme = (out / "README").read_text()
+    listed = re.findall(r"^- (\S+): .+", readme, re.MULTILINE)
+    described = {path for pattern in listed for path in out.glob(pattern)}
+    assert described == set(out.rglob("*.tsv"))
+    assert all(any(out.glob(pattern)) for pattern in listed)
+    for word in ("force_x", "1 kHz"):
+        assert (word in readme) is has_record
+
+
+def test_markers_of_a_changed_force_name_delay_and_gain(tmp_path, manual_clock):
+    made = create_study(tmp_path / "study", "consistency")
+    write_scripted_session(
+        made, {}, lambda _c: {"consistent": True}, manual_clock, origin={"test": True}
+    )
+    export_study(open_study(made.folder), tmp_path / "out", "xdf")
+    (file,) = (tmp_path / "out").glob("*.xdf")
+    (markers,), _ = pyxdf.load_xdf(str(file))
+    ends = [text.split() for (text,) in markers["time_series"] if "trial" in text]
+    assert len({key for _, _, key in ends}) == len(ends)
 
 
 # what only those who publish the data can fill in

@@ -432,7 +432,7 @@ def test_an_observer_hears_markers_but_no_answers_and_no_code(study, manual_cloc
     texts = [text for text, _ in heard.markers]
     begins = [text for text in texts if text.startswith("trial-01 begin")]
     assert len(begins) == 1
-    assert "trial-01 end" in texts
+    assert f"trial-01 end {running.runner.plan.order[0].key}" in texts
     assert not any(running.code in text for text in texts)
     times = [at for _, at in heard.markers]
     assert times == sorted(times)
