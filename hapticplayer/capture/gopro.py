@@ -121,7 +121,8 @@ def _read(
 ) -> Recording:
     payloads, damaged = parse_packets(packets)
     camera = text_of(payloads[0].device.find("DVNM")) or "GoPro"
-    clock = Clock(first_stamp_us(payloads, _FRAME_KEYS), not is_raw)
+    # without stamps of the frames: the accelerometer begins within 5 ms of frame 0
+    clock = Clock(first_stamp_us(payloads, (*_FRAME_KEYS, "ACCL")), not is_raw)
     accel = _sensor(payloads, _ACCEL, camera, clock)
     rate = _sensor(payloads, _RATE, camera, clock)
     times, accel_first = accel.times, accel.first

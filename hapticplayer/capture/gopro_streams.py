@@ -28,17 +28,28 @@ OTHER_CAMERA = Message(
 
 
 def split_raw(content: bytes) -> list[TelemetryPacket]:
-    """Split a dump into its DEVC entries."""
-    packets: list[TelemetryPacket] = []
+    """Split a dump into payloads, which hold one DEVC entry of each device.
+
+    A payload ends where a device comes again: a drone or a Bluetooth sensor need not
+    be in all of them. A DEVC entry that does not begin with its DVID is a payload.
+    """
+    starts: list[int] = []
+    devices: set[bytes] = set()
     offset = 0
     while content[offset : offset + 4] == RAW_MAGIC and offset + 8 <= len(content):
+        device = content[offset + 8 : offset + 20]
+        if not starts or device in devices or not device.startswith(b"DVID"):
+            starts.append(offset)
+            devices = set()
+        devices.add(device)
         struct_bytes = content[offset + 5]
         repeat = int.from_bytes(content[offset + 6 : offset + 8], "big")
-        end = offset + 8 + -(-struct_bytes * repeat // 4) * 4
-        start_s = len(packets) * RAW_PAYLOAD_S
-        packets.append(TelemetryPacket(start_s, RAW_PAYLOAD_S, content[offset:end]))
-        offset = end
-    return packets
+        offset += 8 + -(-struct_bytes * repeat // 4) * 4
+    ends = [*starts, offset][1:]
+    return [
+        TelemetryPacket(number * RAW_PAYLOAD_S, RAW_PAYLOAD_S, content[begin:end])
+        for number, (begin, end) in enumerate(zip(starts, ends, strict=True))
+    ]
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,13 +58,11 @@ class Payload:
 
     Attributes:
         start_s: media time of its start.
-        duration_s: length of the span; nominal in the last payload.
         device: the camera's DEVC entry.
         streams: by key, the first STRM entry that holds it.
     """
 
     start_s: float
-    duration_s: float
     device: Entry
     streams: dict[str, Entry]
 
@@ -76,7 +85,7 @@ def parse_packets(packets: Sequence[TelemetryPacket]) -> tuple[list[Payload], in
         )
     identity = _identity(camera)
     payloads = [
-        Payload(packet.start_s, packet.duration_s, device, _streams_of(device))
+        Payload(packet.start_s, device, _streams_of(device))
         for packet, root in parsed
         for device in root.find_all("DEVC")
         if _identity(device) == identity
@@ -116,7 +125,6 @@ class SensorStream:
         first_index: (P,) index of the payload's first sample, lost samples counted.
         counts: (P,) samples.
         start_s: (P,) media time of the payload's start.
-        duration_s: (P,) its length.
         stamp_us: (P,) the camera's own time of the first sample, or NaN.
         first: the first STRM entry, for its axes.
     """
@@ -125,7 +133,6 @@ class SensorStream:
     first_index: NDArray[np.int64]
     counts: NDArray[np.int64]
     start_s: Floats
-    duration_s: Floats
     stamp_us: Floats
     first: Entry
 
@@ -172,7 +179,6 @@ def collect(payloads: Sequence[Payload], key: str) -> SensorStream | None:
         first_index=_first_index(counts, totals),
         counts=counts,
         start_s=np.array([payload.start_s for payload, _ in rows]),
-        duration_s=np.array([payload.duration_s for payload, _ in rows]),
         stamp_us=stamps_us,
         first=rows[0][1],
     )

@@ -8,7 +8,7 @@ from hapticplayer.capture import read_recording
 from hapticplayer.capture.gopro import read_gopro
 from hapticplayer.capture.recording import Recording
 from hapticplayer.errors import TelemetryError
-from hapticplayer.media.telemetry import TelemetryPacket
+from hapticplayer.media.telemetry import TelemetryPacket, read_telemetry_packets
 from hapticplayer.model import Sampling
 from tests.faults.import_cases import READ, REFUSED, judge, mutated
 from tests.faults.import_formats import FORMATS, put
@@ -100,7 +100,7 @@ def synthetic(
     *,
     rate_hz: float = 200.0,
     stamps: NDArray[np.int64] | None = None,
-    frame0_us: int = 0,
+    frame0_us: int | None = 0,
     totals: list[int] | None = None,
     **more: bytes,
 ) -> list[TelemetryPacket]:
@@ -116,7 +116,7 @@ def synthetic(
             sensor("ACCL", force, total=total, stamp_us=stamp),
             sensor("GYRO", rate, total=total, stamp_us=stamp),
         ]
-        if stamps is not None:
+        if stamps is not None and frame0_us is not None:
             shutter = [[1.0]] * 30
             streams.append(
                 sensor("SHUT", shutter, stamp_us=frame0_us + 1_001_000 * number)
@@ -225,10 +225,62 @@ def test_drone_that_carries_the_camera_is_ignored():
     drone = device("Karma", sensor("ACCL", np.full((200, 3), 3.0)), number=99)
     packets = [
         TelemetryPacket(p.start_s, p.duration_s, p.payload + drone)
-        for p in synthetic([200] * 3)
+        for p in synthetic([200] * 4)
     ]
     imu = read_gopro(packets).imu
     np.testing.assert_allclose(imu.specific_force_mps2[:, 2], 9.80665, atol=1e-5)
+
+
+@pytest.mark.parametrize("every", [1, 2])
+def test_devices_of_one_payload_share_its_time(tmp_path, every):
+    """One DEVC for the camera, one for a drone or a sensor that comes and goes."""
+    other = device("SENSORB6", sensor("acc1", np.full((80, 3), 3.0)), number=99)
+    path = tmp_path / "dump.raw"
+    path.write_bytes(
+        b"".join(
+            packet.payload + other * (number % every == 0)
+            for number, packet in enumerate(synthetic([199] * 12))
+        )
+    )
+    recording = read_recording(path)
+    assert len(recording.imu) == 12 * 199
+    rate_hz = recording.provenance["accelerometer_rate_hz"]
+    assert rate_hz == pytest.approx(199 / 1.001, abs=0.01)
+
+
+def test_dump_of_camera_and_drone_is_as_long_as_the_video(tmp_path):
+    """karma.mp4 has both in each packet; one after the other they are karma.raw."""
+    clip = recorded("gopro/karma.mp4")
+    path = tmp_path / "karma.raw"
+    path.write_bytes(
+        b"".join(packet.payload for packet in read_telemetry_packets(clip))
+    )
+    imu = read_recording(path).imu
+    assert imu.rate_hz == pytest.approx(198.7, abs=0.1)
+    assert imu.time_s[-1] - imu.time_s[0] == pytest.approx(12.06, abs=0.01)
+
+
+@pytest.mark.parametrize("count", [1, 2, 3])
+def test_few_payloads_without_stamps_tell_no_rate(count):
+    """By its counts the HERO7 would run at 234 Hz instead of 199."""
+    packets = synthetic([234, 199, 199][:count])
+    with pytest.raises(
+        TelemetryError, match=rf"too few payloads \({count}\)"
+    ) as caught:
+        read_gopro(packets)
+    assert "record at least 4 s" in str(caught.value)
+
+
+@pytest.mark.parametrize("shutter_us", [0, None])
+def test_stamps_of_two_payloads_give_the_rate(shutter_us):
+    """Also without the stamps of the frames; the payloads' starts say 233.8 Hz."""
+    stamps = np.array([0, round(234 / 199.0 * 1e6)])
+    packets = synthetic([234, 199], stamps=stamps, frame0_us=shutter_us)
+    recording = read_gopro(packets)
+    assert recording.provenance["accelerometer_rate_hz"] == pytest.approx(
+        199.0, abs=0.01
+    )
+    assert recording.imu.time_s[0] == pytest.approx(0.0, abs=1e-6)
 
 
 def test_scale_per_axis_is_divided():
@@ -239,7 +291,7 @@ def test_scale_per_axis_is_divided():
     gyro = sensor("GYRO", np.zeros((200, 3)))
     packets = [
         TelemetryPacket(float(k), 1.0, device("HERO9 Black", stream, gyro))
-        for k in range(2)
+        for k in range(4)
     ]
     imu = read_gopro(packets).imu
     np.testing.assert_allclose(imu.specific_force_mps2[0], [-0.5, -2.0, 9.81])
@@ -283,7 +335,7 @@ def test_scale_per_axis_is_divided():
 def test_unusable_telemetry_is_refused_in_one_sentence(streams, sentence):
     packets = [
         TelemetryPacket(float(k), 1.0, device("HERO9 Black", *streams))
-        for k in range(3)
+        for k in range(4)
     ]
     with pytest.raises(TelemetryError, match=sentence) as caught:
         read_gopro(packets, "ride.mp4")
@@ -293,24 +345,24 @@ def test_unusable_telemetry_is_refused_in_one_sentence(streams, sentence):
 
 
 @pytest.mark.parametrize(
-    ("limit", "value"), [("MAX_PAYLOADS", 3), ("MAX_SAMPLES", 600)]
+    ("limit", "value"), [("MAX_PAYLOADS", 4), ("MAX_SAMPLES", 800)]
 )
 def test_limits_hold_at_their_value_and_refuse_beyond(monkeypatch, limit, value):
     name = f"hapticplayer.capture.gopro_streams.{limit}"
     monkeypatch.setattr(name, value)
-    assert len(read_gopro(synthetic([200] * 3)).imu) == 600
+    assert len(read_gopro(synthetic([200] * 4)).imu) == 800
     monkeypatch.setattr(name, value - 1)
     with pytest.raises(TelemetryError, match=r"too many|more than is read"):
-        read_gopro(synthetic([200] * 3))
+        read_gopro(synthetic([200] * 4))
 
 
 def test_huge_dump_is_refused_before_it_is_read(tmp_path, monkeypatch):
     path = tmp_path / "dump.gpmf"
-    path.write_bytes(b"".join(p.payload for p in synthetic([200] * 3)))
+    path.write_bytes(b"".join(p.payload for p in synthetic([200] * 4)))
     size_bytes = path.stat().st_size
     name = "hapticplayer.capture.gopro.MAX_RAW_GPMF_BYTES"
     monkeypatch.setattr(name, size_bytes)
-    assert len(read_recording(path).imu) == 600
+    assert len(read_recording(path).imu) == 800
     monkeypatch.setattr(name, size_bytes - 1)
     with pytest.raises(TelemetryError, match="too many"):
         read_recording(path)

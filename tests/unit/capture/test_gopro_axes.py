@@ -214,6 +214,6 @@ def test_unknown_camera_without_axes_is_noted():
 
     streams = [sensor(key, np.full((200, 3), 5.7), orin="") for key in ("ACCL", "GYRO")]
     packets = [
-        TelemetryPacket(float(k), 1.0, device("Mystery", *streams)) for k in range(3)
+        TelemetryPacket(float(k), 1.0, device("Mystery", *streams)) for k in range(4)
     ]
     assert any("those of a HERO5" in note for note in read_gopro(packets).notes)

@@ -73,7 +73,7 @@ def test_synthetic_camera_file_is_read_with_its_times(tmp_path, mute_clip):
         sensor("GYRO", [[0.0] * 3] * 200),
     ]
     payload = device("HERO5 Black", *streams)
-    packets = [TelemetryPacket(float(k), 1.0, payload) for k in range(2)]
+    packets = [TelemetryPacket(float(k), 1.0, payload) for k in range(4)]
     path = tmp_path / "camera.mp4"
     add_telemetry(mute_clip, path, packets)
     recording = read_recording(path)
