@@ -4624,6 +4624,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>ist im Kopf abgeschnitten</translation>
     </message>
     <message>
+        <source>its telemetry has no usable timestamps and too few payloads ({count}) to tell the rate of its sensors</source>
+        <translation>die Telemetrie hat keine brauchbaren Zeitstempel und zu wenige Blöcke ({count}), um die Rate der Sensoren zu bestimmen</translation>
+    </message>
+    <message>
         <source>nothing is being recorded: {reason}</source>
         <translation>es wird nichts aufgezeichnet: {reason}</translation>
     </message>
@@ -4710,6 +4714,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>record at 100 Hz or more, or give --offset S</source>
         <translation>nehmen Sie mit 100 Hz oder mehr auf, oder geben Sie --offset S an</translation>
+    </message>
+    <message>
+        <source>record at least {least} s</source>
+        <translation>nehmen Sie mindestens {least} s auf</translation>
     </message>
     <message>
         <source>record both at once</source>

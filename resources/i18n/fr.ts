@@ -4624,6 +4624,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>est tronqué dans son en-tête</translation>
     </message>
     <message>
+        <source>its telemetry has no usable timestamps and too few payloads ({count}) to tell the rate of its sensors</source>
+        <translation>la télémétrie n&apos;a pas d&apos;horodatage utilisable et trop peu de blocs ({count}) pour déterminer la fréquence de ses capteurs</translation>
+    </message>
+    <message>
         <source>nothing is being recorded: {reason}</source>
         <translation>rien n’est enregistré&#xa0;: {reason}</translation>
     </message>
@@ -4710,6 +4714,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>record at 100 Hz or more, or give --offset S</source>
         <translation>enregistrez à 100 Hz ou plus, ou donnez --offset S</translation>
+    </message>
+    <message>
+        <source>record at least {least} s</source>
+        <translation>enregistrez au moins {least} s</translation>
     </message>
     <message>
         <source>record both at once</source>
