@@ -36,12 +36,9 @@ _MOST = 3.0
 
 @dataclass(frozen=True, slots=True)
 class Effect:
-    """What a population says of each feedback.
+    """What a population says of each of F feedbacks in K factors.
 
     Attributes:
-        name: as it was asked for.
-        feedbacks: names, F.
-        factors: names, K.
         factor_means: (F, K).
         qoe_sds: (F,), over participants, of their mean over the sequences.
     """
@@ -112,13 +109,7 @@ def effect_named(name: str) -> Effect:
 def drawn_ratings(
     effect: Effect, shape: tuple[int, int, int], rng: np.random.Generator
 ) -> Floats:
-    """Return ratings (studies, participants, sequences, F, K) of an effect.
-
-    Args:
-        effect: of the population.
-        shape: studies, participants, sequences.
-        rng: seeded.
-    """
+    """Return ratings (studies, participants, sequences, F, K); `shape` holds three."""
     studies, people, sequences = shape
     means, sds = _latent(effect.name)
     feedbacks, factors = effect.factor_means.shape

@@ -35,16 +35,11 @@ def simulated_answers(
     """Return the answers of simulated participants.
 
     For the effect "paper" the sample itself has the reported means and SDs (to the
-    printed decimal) and agreements near the reported ones: the draws from the population
-    that are nearest to the paper's W and SDs are taken, single ratings are moved by one
-    until means and SDs fit, and the one that is then nearest to the W is kept. Any other
-    effect is one draw from its population, whose sample scatters as samples do.
-
-    Args:
-        participants: how many, at least one.
-        effect: see `effects.effect_named`.
-        seed: the same seed gives the same answers.
-        sequences: names.
+    printed decimal) and agreements near the reported ones: the draws from the
+    population that are nearest to the paper's W and SDs are taken, single ratings are
+    moved by one until means and SDs fit, and the one that is then nearest to the W is
+    kept. Any other effect (see `effects.effect_named`) is one draw from its population,
+    whose sample scatters as samples do. The same seed gives the same answers.
 
     Raises:
         UsageError: for an unknown effect or a number of participants out of range.

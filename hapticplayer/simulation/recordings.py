@@ -39,12 +39,8 @@ def write_simulated_recording(
 ) -> Path:
     """Simulate a ride and write what a camera and a board would have, and the truth.
 
-    Args:
-        scenario: a name in RIDES.
-        target: the folder; it must not exist.
-        seed: the same gives the same files, bit for bit.
-        with_gopro: also the clip with a telemetry track, as a GoPro writes it.
-        progress: of the work.
+    The same seed gives the same files, bit for bit; `with_gopro` adds the clip with a
+    telemetry track, as a GoPro writes it.
 
     Raises:
         UsageError: for a scenario that is no ride.

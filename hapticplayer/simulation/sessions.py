@@ -25,13 +25,9 @@ def write_scripted_session(
 ) -> str:
     """Write a whole session as if a participant had taken part, and return its code.
 
-    Args:
-        study: to which it is added.
-        sheet: answers of the information sheet.
-        rate: gives a condition's answers by key of the question; None leaves the
-            trial out, as if it had been skipped.
-        clock: of the machine.
-        origin: why there was no participant, such as `{"simulated": true, "seed": 1}`.
+    `sheet` answers the information sheet, `rate` a condition's questions; None leaves
+    the trial out, as if it had been skipped. `origin` says why there was no
+    participant, such as `{"simulated": true, "seed": 1}`.
 
     Raises:
         StudyError: when it cannot be written.
@@ -52,14 +48,7 @@ def write_scripted_session(
 def write_answers(
     study: Study, answers: Answers, clock: Clock, *, origin: Mapping[str, Any]
 ) -> list[str]:
-    """Add simulated participants to a study, and return their codes there.
-
-    Args:
-        study: to which they are added.
-        answers: see `participants.simulated_answers`.
-        clock: of the machine.
-        origin: as in `write_scripted_session`.
-    """
+    """Add simulated participants to a study, and return their codes there."""
     found: dict[tuple[str, str, str], dict[str, int | None]] = {}
     for one in answers.ratings:
         cell = found.setdefault((one.participant, one.sequence, one.feedback), {})

@@ -13,12 +13,7 @@ from hapticplayer.playback.sound_ring import AudioRing
 
 
 class SilentOutput:
-    """An `AudioOut` whose DAC is `advance`.
-
-    Attributes:
-        is_alive: whether it consumes samples.
-        state: what `poll` returns.
-    """
+    """An `AudioOut` whose DAC is `advance`; `state` is what `poll` returns."""
 
     name = "silent"
 

@@ -13,13 +13,7 @@ from hapticplayer.simulation.falcon.simulation import Simulation
 class SimulatedFalcon:
     """A `HapticDevice` that answers at once, and whose faults are methods.
 
-    Args:
-        hand: that holds the grip; None for a free grip.
-        mechanism: inertia, friction, end stops.
-        electronics: packet hold time and delay.
-
-    Attributes:
-        simulation: the truth behind the readings.
+    `simulation` holds the truth behind the readings; None is a free grip.
     """
 
     name = "simulated"

@@ -16,12 +16,7 @@ _CLOSE_ENOUGH_M = 1e-12
 
 
 class Pose(NamedTuple):
-    """The joints at one position of the grip.
-
-    Attributes:
-        theta_rad: angles of the thighs.
-        rates: rows of d theta / d position, 1/m; the inverse of the Jacobian.
-    """
+    """The thighs' angles and d theta / d position, 1/m, the inverse of the Jacobian."""
 
     theta_rad: Vector
     rates: tuple[Vector, Vector, Vector]
@@ -76,9 +71,7 @@ class Kinematics:
     def forward(self, theta_rad: Vector, near_m: Vector) -> Vector:
         """Return the position for joint angles by Newton's method, to 1 pm.
 
-        Args:
-            theta_rad: angles of the thighs.
-            near_m: a position within a few millimetres.
+        `near_m` is a position within a few millimetres.
         """
         x, y, z = near_m
         for _ in range(_REFINEMENTS):

@@ -43,12 +43,6 @@ class Plant:
     """The mechanics of device and hand; no clock, no electronics, no chance.
 
     Positions m, velocities m/s, forces N, all in frame D.
-
-    Args:
-        kinematics: of the legs.
-        mechanism: inertia, friction and end stops.
-        hand: on the grip from the beginning, or None.
-        max_step_s: longest step.
     """
 
     def __init__(

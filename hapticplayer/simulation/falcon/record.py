@@ -18,11 +18,7 @@ RECORD_BYTES = RING_AT + RING_RECORDS * RECORD_FIELDS.size
 
 
 class Recorder:
-    """Writer of the ring.
-
-    Args:
-        descriptor: of a file or memfd, open for writing; it is given its size.
-    """
+    """Writer of the ring, into a file or memfd that is given its size."""
 
     def __init__(self, descriptor: int) -> None:
         os.ftruncate(descriptor, RECORD_BYTES)

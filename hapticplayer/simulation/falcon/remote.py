@@ -33,11 +33,9 @@ class RemoteFalcon:
     """A `HapticDevice` at the other end of a SOCK_SEQPACKET pair; never blocks.
 
     Every exchange writes a command and takes the newest reply that has arrived,
-    normally the one to the command before. A device that has stopped listening
-    is not an error here: `replied_s` then does not advance.
-
-    Args:
-        descriptor: one end of the pair; it belongs to this object from now on.
+    normally the one to the command before. A device that has stopped listening is not
+    an error here: `replied_s` then does not advance. The descriptor belongs to this
+    object from now on.
     """
 
     name = "simulated"
@@ -105,12 +103,8 @@ class RemoteFalcon:
     def _collect(self, awaited: int, fresh_s: float) -> bool:
         """Take the answers that have come; False when the other end is gone.
 
-        Behind a fresh answer to the command before there is none: to ask once more
-        would cost a call and an exception at every tick.
-
-        Args:
-            awaited: serial number of the command before.
-            fresh_s: time from which on an answer is fresh.
+        Behind a fresh answer to the command `awaited` (a serial number) there is none:
+        to ask once more would cost a call and an exception at every tick.
         """
         for _ in range(_MOST_REPLIES):
             try:
@@ -136,12 +130,9 @@ def silence(descriptor: int) -> Callable[[], bool]:
     """Return a function that writes one zero force, for a guard process.
 
     The function never blocks. It returns False when the device is gone, and True
-    otherwise, even if the device has stopped listening and the zero found no
-    place in its queue: the guard calls again.
-
-    Args:
-        descriptor: the end that the dead process used, inherited by the guard; it
-            stays the caller's.
+    otherwise, even if the device has stopped listening and the zero found no place in
+    its queue: the guard calls again. The descriptor is the end that the dead process
+    used; it stays the caller's.
     """
     os.set_blocking(descriptor, False)
     clock: Clock = SystemClock()
@@ -156,12 +147,8 @@ def silence(descriptor: int) -> Callable[[], bool]:
 class Controls:
     """What a test can do to the device from outside; every call is one packet.
 
-    Args:
-        descriptor: an end of the pair, or of the pair behind `--control`; it
-            belongs to this object from now on.
-
-    Raises:
-        DeviceError: from each method, when the device is gone.
+    The descriptor is an end of the pair, or of the pair behind `--control`, and belongs
+    to this object from now on. Each method raises DeviceError when the device is gone.
     """
 
     def __init__(self, descriptor: int) -> None:

@@ -24,14 +24,8 @@ _LONGEST_SLEEP_S = 0.020
 class Server:
     """Answers at one end of a SOCK_SEQPACKET pair until the other end is closed.
 
-    `turn` is public so that tests drive it on a virtual clock.
-
-    Args:
-        clock: of the commands' stamps.
-        line: the end.
-        simulation: the device.
-        recorder: where every turn is written down.
-        control: a second end, for acts only; its other side may close at any time.
+    `turn` is public so that tests drive it on a virtual clock. `control` is a second
+    end, for acts only; its other side may close at any time.
     """
 
     def __init__(

@@ -18,17 +18,10 @@ _PERIOD_S = 1.0 / FALCON.rate_hz
 
 
 class Simulation:
-    """Advances only when called, and deterministically.
+    """Advances only when called, and deterministically; no hand is a free grip.
 
     Vectors in frame D; times are those of the caller's clock, s, and never run
     backwards here.
-
-    Args:
-        hand: that holds the grip; None for a free grip.
-        mechanism: inertia, friction, end stops.
-        electronics: packet hold time and delay.
-        geometry: of the legs.
-        max_step_s: longest step of integration.
     """
 
     def __init__(
@@ -81,8 +74,7 @@ class Simulation:
     def command(self, force_n: Vector, now_s: float) -> bool:
         """Advance to `now_s` and put a force on the motors, after the delay.
 
-        Returns:
-            Whether it was accepted; one that is not finite is counted in `refused`.
+        False when it is not finite: then it is counted in `refused`.
         """
         self.advance(now_s)
         if not math.isfinite(force_n[0] + force_n[1] + force_n[2]):

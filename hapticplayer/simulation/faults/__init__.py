@@ -65,11 +65,7 @@ DEVICE_ACTS: dict[Fault, Callable[[Controls], None]] = {
 
 
 class DeviceFaults:
-    """The faults that happen in a simulated device.
-
-    Args:
-        descriptor: one end of the device's line; it belongs to this object.
-    """
+    """The faults that happen in a simulated device; owns one end of its line."""
 
     def __init__(self, descriptor: int) -> None:
         self._controls = Controls(descriptor)
@@ -107,12 +103,7 @@ class Outcome(NamedTuple):
 
 
 def outcome_of(ticks: NDArray[Any], fault_s: float) -> Outcome | None:
-    """Return what came of a fault, None while nothing has.
-
-    Args:
-        ticks: of the loop (see TICK), from before the fault on.
-        fault_s: monotonic time of the fault.
-    """
+    """Return what came of a fault, None while nothing has; ticks from before it on."""
     after = ticks[ticks["monotonic_s"] >= fault_s]
     reacts = np.isin(after["mode"], (Mode.RAMPING, Mode.TRIPPED))
     if not reacts.any():

@@ -35,15 +35,7 @@ COMMAND = (sys.executable, "-P", "-m", "hapticplayer.simulation.film.film")
 
 @dataclass(frozen=True, slots=True)
 class Film:
-    """What the camera of a ride sees.
-
-    Attributes:
-        scene: what is ridden.
-        seed: of the country and of what stands in it.
-        width: px.
-        height: px.
-        frame_rate_hz: of the frames.
-    """
+    """What the camera of a ride sees; the seed is that of the country."""
 
     scene: Scene
     seed: int
@@ -57,12 +49,7 @@ class Film:
         return round(self.scene.duration_s * self.frame_rate_hz)
 
     def frames(self, first: int, end: int) -> Iterator[NDArray[np.uint8]]:
-        """Yield frames (height, width, 4): RGB and an unused channel.
-
-        Args:
-            first: number of the first one.
-            end: number behind the last one.
-        """
+        """Yield frames (height, width, 4), RGB and an unused channel, before `end`."""
         maker, poses = self.studio()
         for group in _groups(poses[first:end]):
             travel_m = _apart_m(group[0], group[-1])
@@ -124,14 +111,7 @@ def _apart_m(one: Pose, other: Pose) -> float:
 
 
 class SecondPainter:
-    """A process that draws and encodes the rest of a film meanwhile.
-
-    Args:
-        film: of a scene that its name and seed make again.
-        target: the video it writes.
-        first: number of its first frame.
-        is_quick: as `media.write_clip` takes it.
-    """
+    """A process that draws and encodes the film from frame `first` on meanwhile."""
 
     def __init__(self, film: Film, target: Path, first: int, *, is_quick: bool) -> None:
         numbers = (film.seed, film.width, film.height, film.frame_rate_hz, first)

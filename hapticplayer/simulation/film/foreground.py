@@ -16,12 +16,9 @@ Reals = NDArray[np.floating[Any]]
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Painted:
-    """What a painter gives.
+    """Colours (rows, width, 3) 0 to 255 and cover (rows, width) 0 to 1.
 
-    Attributes:
-        rgb: (rows, width, 3) 0 to 255.
-        cover: (rows, width) 0 to 1.
-        spare: rows at the bottom that only show when it moves up.
+    The `spare` rows at the bottom only show when it moves up.
     """
 
     rgb: Floats32

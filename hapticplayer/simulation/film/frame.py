@@ -46,13 +46,7 @@ class Sky:
         )
 
     def draw(self, canvas: Pixels, view: View, rotation: Floats32) -> None:
-        """Paint all rows that reach above the horizon.
-
-        Args:
-            canvas: packed colours, the upper rows are overwritten.
-            view: of the canvas.
-            rotation: (3, 3) sensor to earth.
-        """
+        """Paint all rows above the horizon; `rotation` is sensor to earth."""
         above = np.flatnonzero(view.edges(rotation[2]).max(axis=1) > 0.0)
         rows = min(len(canvas), int(above[-1]) + 3 if len(above) else 0)
         if not rows:
@@ -127,10 +121,7 @@ _UPRIGHT_PX = 60.0
 class Sprite:
     """An upright sprite, foot at the middle of its lowest row.
 
-    Attributes:
-        pixels: (rows from the top, columns) packed colours.
-        solid: (rows, columns) whether something is there.
-        hazed: the pixels behind haze, made at first use.
+    `hazed` holds the pixels behind haze, made at first use.
     """
 
     pixels: Pixels
@@ -148,15 +139,7 @@ class Sprite:
 
 
 class Placement(NamedTuple):
-    """Where a sprite stands on the screen.
-
-    Attributes:
-        foot_x: px from the left.
-        foot_y: px from the top.
-        height_px: of the sprite.
-        lean: to the right, as sine of the angle.
-        distance_m: for the haze.
-    """
+    """Where a sprite stands on the screen; `lean` is a sine, to the right."""
 
     foot_x: float
     foot_y: float

@@ -119,11 +119,8 @@ _NOWHERE = np.iinfo(np.int64).min
 class GroundTexture:
     """A window on the ground that wraps around and is filled block by block.
 
-    Attributes:
-        paint: gives the colours.
-        pixel_m: size of a pixel.
-        reach_m: up to which distance ahead it is drawn.
-        pixels: (SIZE, SIZE); the place (row, column) lies at their remainders.
+    It is drawn up to `reach_m` ahead; the place (row, column) lies at the remainders of
+    (SIZE, SIZE).
     """
 
     paint: Paint
@@ -142,10 +139,8 @@ class GroundTexture:
     ) -> None:
         """Paint what can be seen from a place: the half disc before the camera.
 
-        Args:
-            position_m: (2,) east and north.
-            ahead: (2,) unit vector to where the camera looks.
-            margin_m: how much farther, for places near by.
+        `ahead` (2,) is the unit vector to where it looks, `margin_m` how much farther,
+        for places near by.
         """
         block_m = _BLOCK * self.pixel_m
         reach_m = _CORNER * self.reach_m + margin_m + block_m
@@ -182,24 +177,14 @@ _NEAREST_M = 0.12
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Face:
-    """A flat convex face.
-
-    Attributes:
-        corners_m: (K, 3) earth, in order around it.
-        tint: packed colour.
-    """
+    """A flat convex face; its corners (K, 3), earth, in order around it."""
 
     corners_m: Floats
     tint: np.uint32
 
 
 def stair_faces(risers_m: tuple[float, ...], west_m: float) -> tuple[Face, ...]:
-    """Return the faces of stairs from far to near.
-
-    Args:
-        risers_m: north of each riser.
-        west_m: earth x of the middle.
-    """
+    """Return the faces of stairs from far to near, given the norths of the risers."""
     faces: list[Face] = []
     ends_m = (*risers_m[1:], risers_m[-1] + _LANDING_M)
     for number, (north_m, end_m) in enumerate(zip(risers_m, ends_m, strict=True)):

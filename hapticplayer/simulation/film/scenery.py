@@ -33,13 +33,7 @@ TREE_KINDS = (1, 2, 3)
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Standing:
-    """The things beside the road, drawn as upright sprites.
-
-    Attributes:
-        foot_m: (N, 3) earth, on the ground.
-        height_m: (N,) of their tops.
-        kind: (N,) indices into the sprites.
-    """
+    """The N things beside the road, drawn as upright sprites of the kinds given."""
 
     foot_m: Floats
     height_m: Floats

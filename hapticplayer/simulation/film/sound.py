@@ -16,13 +16,8 @@ RATE_HZ = 48_000
 class Loudness:
     """How loud each part is; 1 is full scale.
 
-    Attributes:
-        wind: at top speed, growing with its square.
-        tyres: at top speed, growing with it.
-        engine: under load.
-        steps: of hooves or feet.
-        step_hz: their pitch.
-        top_speed_mps: where wind and tyres are as loud as said.
+    Wind grows with the square of the speed and tyres with it, up to `top_speed_mps`;
+    steps are of hooves or feet.
     """
 
     wind: float = 0.0

@@ -54,13 +54,10 @@ FIELD_OF_VIEW_RAD = np.radians(84.0)
 
 
 class Pose(NamedTuple):
-    """Where the camera is.
+    """Where the camera is; `rotation` is sensor (right, front, up) to earth.
 
-    Attributes:
-        position_m: (3,) earth.
-        rotation: (3, 3) sensor (right, front, up) to earth.
-        shake_px: how far the handlebar moves against the frame, down.
-        steering_rad: how far a steering wheel is turned, to the left.
+    `shake_px` is how far the handlebar moves against the frame, down, `steering_rad`
+    how far a steering wheel is turned, to the left.
     """
 
     position_m: NDArray[np.float64]
@@ -70,13 +67,7 @@ class Pose(NamedTuple):
 
 
 class View(NamedTuple):
-    """The rays of all pixels: (x, 1, z) in right, front, up.
-
-    Attributes:
-        x: (1, width).
-        z: (height, 1).
-        focal_px: focal length.
-    """
+    """The rays of all pixels, (x (1, width), 1, z (height, 1)) in right, front, up."""
 
     x: Floats32
     z: Floats32

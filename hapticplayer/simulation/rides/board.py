@@ -110,13 +110,9 @@ def record(
     board: Board,
     rng: np.random.Generator,
 ) -> BoardLog:
-    """Let a board record a trajectory.
+    """Let a board record a span of media time of a trajectory.
 
-    Args:
-        trajectory: from at least one reading before the span on.
-        span_s: begin and end of the log, media time.
-        board: its errors.
-        rng: of everything random.
+    The trajectory reaches from at least one reading before the span on.
     """
     step_s = 1.0 / board.sensor.rate_hz
     count = int((span_s[1] - span_s[0]) * board.sensor.rate_hz + 1e-6)

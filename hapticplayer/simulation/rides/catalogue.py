@@ -61,15 +61,7 @@ Script = Callable[[np.random.Generator, float, float], _Ridden]
 
 @dataclass(frozen=True, slots=True)
 class Ride:
-    """A scenario.
-
-    Attributes:
-        name: key in SCENES.
-        title: for people.
-        duration_s: of the clip.
-        vehicle: what the camera is on.
-        script: of the motion.
-    """
+    """A scenario: its name in SCENES, its title, and the script of the motion."""
 
     name: str
     title: str

@@ -17,12 +17,9 @@ Band = tuple[float, float]
 
 @dataclass(frozen=True, slots=True)
 class Style:
-    """How hard a person drives.
+    """How hard a person drives: bands of level and speed.
 
-    Attributes:
-        level_g: band of braking, accelerating and cornering.
-        speed_mps: band of the speeds between manoeuvres.
-        edge_s: how quickly a manoeuvre comes to its level.
+    `edge_s` is how quickly a manoeuvre comes to its level.
     """
 
     level_g: Band

@@ -26,9 +26,8 @@ _FRAMES_PER_S = 30
 def write_payloads(imu: ImuLog) -> Iterator[tuple[float, bytes]]:
     """Yield the media time and the bytes of each second's payload.
 
-    Args:
-        imu: on the clip's clock; its rate is the mean over the interval that ends at
-            each time (INSTANT), so that a camera's gyro reads it half a step earlier.
+    The log's rate is the mean over the interval that ends at each time (INSTANT), so
+    that a camera's gyro reads it half a step earlier.
     """
     assert imu.sampling is Sampling.INSTANT
     half_step_s = 0.5 / imu.rate_hz

@@ -59,12 +59,9 @@ EYE_M = 2.35
 
 @dataclass(frozen=True, slots=True, eq=False)
 class HorseRide:
-    """What comes of a ride.
+    """What comes of a ride: camera on the rider's chest, hoof beats (s, strength).
 
-    Attributes:
-        trajectory: of the camera on the rider's chest.
-        footfalls: when hooves land and how hard.
-        nod_rad: (N,) of the horse's head, at the knots.
+    `nod_rad` is that of the horse's head, at the knots.
     """
 
     trajectory: Trajectory

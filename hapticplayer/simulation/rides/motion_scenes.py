@@ -40,14 +40,7 @@ LONGEST_S = 12 * 3600.0
 
 @dataclass(frozen=True, slots=True)
 class MotionScene:
-    """A kind of ride.
-
-    Attributes:
-        name: key in MOTION_SCENES.
-        title: for people.
-        duration_s: when no other is asked for.
-        build: makes its trajectory from a generator and a duration.
-    """
+    """A kind of ride; `build` makes its trajectory from a generator and a duration."""
 
     name: str
     title: str
@@ -60,12 +53,8 @@ class SimulatedMotion:
     """A ride's log with its truth.
 
     Attributes:
-        name: of the scene.
-        title: for people.
-        seed: of everything random in it.
         truth: exact motion at the log's times, which for window means are the
             middles of the windows.
-        imu: the log, with the sensor's errors.
         vertical: (N, 3) true up in the sensor frame for what each sample stands
             for: at its time, or the mean over its window.
         acceleration_mps2: (N, 3) true gravity-free motion, likewise.
@@ -106,14 +95,9 @@ def simulate_motion(
     duration_s: float | None = None,
     sensor: str | SensorModel = "camera",
 ) -> SimulatedMotion:
-    """Ride a scene with an inertial sensor only.
+    """Ride a scene with an inertial sensor only; equal arguments give equal bits.
 
-    Args:
-        name: one of MOTION_SCENES.
-        seed: the same arguments give the same ride, bit for bit.
-        duration_s: of the log; None for the scene's own. Time and memory grow
-            linearly with it.
-        sensor: a name in SENSORS, or a model.
+    Time and memory grow linearly with the duration (None for the scene's own).
 
     Raises:
         UsageError: for a scene, sensor or duration that does not exist.

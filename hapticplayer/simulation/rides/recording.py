@@ -50,17 +50,11 @@ class SimulatedRecording:
     Time 0 of truth, log, sound and frames is the first frame.
 
     Attributes:
-        scene: what was ridden.
-        seed: of everything random in it.
         truth: exact motion at the log's times; of a ride, every millisecond.
         imu: the log, with noise and bias: specific force as it is at each time,
             angular rate as the mean over the interval that ends there.
         audio: (n, 2) float32.
         board: what a board with its own clock logged; None in the demo.
-        audio_rate_hz: of the sound.
-        frame_rate_hz: of the frames.
-        width: of the frames, px.
-        height: of the frames, px.
     """
 
     scene: Scene
@@ -112,11 +106,7 @@ class SimulatedRecording:
 
 
 def simulate(scene: str, seed: int) -> SimulatedRecording:
-    """Ride a scene.
-
-    Args:
-        scene: a name in SCENES.
-        seed: the same seed gives the same recording, bit for bit.
+    """Ride a scene; the same seed gives the same recording, bit for bit.
 
     Raises:
         UsageError: for a scene that does not exist.
@@ -182,12 +172,7 @@ def write_simulated_clip(
     path: str | os.PathLike[str],
     progress: Callable[[float], None] | None = None,
 ) -> None:
-    """Write frames and sound as MP4.
-
-    Args:
-        recorded: from `simulate`.
-        path: of the clip.
-        progress: called with the done fraction, 0 to 1; raises Cancelled to stop.
+    """Write frames and sound as MP4; `progress` is called with the share, 0 to 1.
 
     Raises:
         MediaError: when the clip cannot be written.
@@ -252,11 +237,6 @@ def write_gopro_clip(
     path: str | os.PathLike[str],
 ) -> None:
     """Write a copy of a clip with the camera's log as a GoPro's telemetry track.
-
-    Args:
-        recorded: from `simulate`.
-        clip: what `write_simulated_clip` has written of it.
-        path: of the new MP4.
 
     Raises:
         MediaError: when it cannot be written.

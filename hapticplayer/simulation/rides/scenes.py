@@ -21,12 +21,7 @@ _MARGIN_S = 0.5
 
 @dataclass(frozen=True, slots=True)
 class Bump:
-    """An edge that both wheels roll over.
-
-    Attributes:
-        time_s: when the front wheel meets it.
-        height_m: positive upwards.
-    """
+    """An edge that both wheels roll over, the front one at `time_s`; up is positive."""
 
     time_s: float
     height_m: float
@@ -34,20 +29,14 @@ class Bump:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Scene:
-    """A ride.
+    """A ride of the camera, which is the sensor.
 
     Attributes:
-        name: key in SCENES.
-        title: for people.
-        duration_s: of the recording.
-        trajectory: of the camera, which is the sensor.
         wheel_hits: (K, 2) time and strength (0 to 1) of each thump to be heard.
-        bumps: the edges on the road.
         route_m: (N, 2) middle of the lane in earth x, y, one point every 5 mm or
             less while riding.
         route_time_s: (N,) when the camera is there.
         speed_mps: (N,) along the route.
-        vehicle: what the camera is on.
         steering_rad: (N,) angle of the wheels, to the left; None for straight on.
         nod_rad: (N,) of a horse's head; None for none.
         footfalls: time and strength (0 to 1) of hooves or feet.

@@ -33,12 +33,7 @@ def snapped(length_s: float) -> float:
 
 @dataclass(slots=True)
 class Channel:
-    """A value over time: smooth steps from a start value.
-
-    Attributes:
-        start: value before the first step.
-        steps: (start_s, length_s, delta) each.
-    """
+    """A value over time: smooth steps (start_s, length_s, delta) from a start value."""
 
     start: float = 0.0
     steps: list[tuple[float, float, float]] = field(default_factory=list)
@@ -65,13 +60,11 @@ class Channel:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Path:
-    """A way over the ground at the knots.
+    """A way over the ground at N knots.
 
     Attributes:
-        time_s: (N,).
         position_m: (N, 3) earth.
-        speed_mps: (N,) along the path.
-        thrust_mps2: (N,) its derivative.
+        thrust_mps2: (N,) derivative of the speed along the path.
         yaw_rad: (N,) heading, counterclockwise from north.
         lateral_mps2: (N,) acceleration to the left.
         grade_rad: (N,) uphill.
@@ -92,12 +85,7 @@ class Drive:
     """Writes manoeuvres one after the other; `path` is where they lead."""
 
     def __init__(self, speed_mps: float = 0.0, edge_s: float = 0.5) -> None:
-        """Start the script.
-
-        Args:
-            speed_mps: at the beginning.
-            edge_s: how long a manoeuvre takes to reach its level.
-        """
+        """Start the script; a manoeuvre takes `edge_s` to reach its level."""
         self.clock_s = 0.0
         self.speed_mps = speed_mps
         self._first_speed_mps = speed_mps

@@ -93,16 +93,8 @@ class SensorModel:
     Its accelerometer measures the specific force at the time of the sample. With
     `averaged_to_hz`, samples in the middles of intervals of 1 / rate_hz are averaged
     over windows (a boxcar; a part of an interval counts as its part), as the firmware
-    of the paper's board does.
-
-    Attributes:
-        name: of the model.
-        rate_hz: of the sensor.
-        averaged_to_hz: rate of the log, whose samples are then window means; None
-            for a log of the sensor's samples as they are.
-        accelerometer: its errors, m/s^2.
-        gyro: its errors, rad/s.
-        seed: of the errors, beside the ride's.
+    of the paper's board does; None logs them as they are. The seed of the errors comes
+    beside the ride's.
 
     Raises:
         UsageError: when a rate is not positive, or the log's above the sensor's.
@@ -185,15 +177,7 @@ SENSORS = {model.name: model for model in (CAMERA, PHONE, PAPER_BOARD, IDEAL)}
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Measured:
-    """A log beside the truth of each of its samples.
-
-    Attributes:
-        imu: what the sensor wrote.
-        truth: exact motion at the log's times (the middles of averaged samples).
-        vertical: (N, 3) true up in the sensor frame for what each sample stands
-            for: at its time, or the mean over its window.
-        acceleration_mps2: (N, 3) gravity-free, likewise.
-    """
+    """A log beside the truth of each of its samples, as in `SimulatedMotion`."""
 
     imu: ImuLog
     truth: Motion
@@ -206,11 +190,7 @@ def measure(
 ) -> Measured:
     """Let a sensor record a trajectory from 0 to `duration_s`.
 
-    Args:
-        trajectory: from at least one sensor sample before 0 on.
-        duration_s: of the log.
-        model: of the sensor.
-        seed: of the errors, together with the model's.
+    The trajectory reaches from at least one sensor sample before 0 on.
     """
     rng = np.random.default_rng([seed, 1, model.seed])
     step_s = 1.0 / model.rate_hz

@@ -29,16 +29,7 @@ _BEYOND_S = 4.0  # the logger runs up to this much longer at either end
 
 @dataclass(frozen=True, slots=True, eq=False)
 class PatClip:
-    """A clip with its truth.
-
-    Attributes:
-        imu: the log, on the logger's own clock.
-        audio: (n,) float32 from media time 0.
-        audio_rate_hz: of the sound.
-        clock_map: the truth.
-        pats_s: (3,) or (6,) media times at which the pats begin.
-        duration_s: of the clip.
-    """
+    """A log on its own clock, sound (n,), the true clock map, onsets of the pats."""
 
     imu: ImuLog
     audio: Floats
@@ -72,12 +63,7 @@ def simulate_pats(
 ) -> PatClip:
     """Return a clip with three pats, after a few seconds (and before the end).
 
-    Args:
-        seed: the same seed gives the same clip.
-        hard: the pats are given while walking in wind.
-        rate_hz: of the log: 200, or 30 for averages.
-        duration_s: of the clip.
-        at_both_ends: whether there are three pats at the end as well.
+    `hard` ones are given while walking in wind; a log of 30 Hz holds averages.
     """
     rng = np.random.default_rng([seed, int(hard), round(duration_s)])
     clock = ClockMap(rng.uniform(-20.0, 20.0), 1.0 + rng.uniform(-1e-4, 1e-4))

@@ -23,16 +23,11 @@ _DEGREE = 5
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Motion:
-    """What a sensor goes through, all exact.
+    """What a sensor goes through at N times, all exact.
 
-    Attributes:
-        time_s: (N,).
-        position_m: (N, 3) earth.
-        velocity_mps: (N, 3) earth.
-        acceleration_mps2: (N, 3) gravity-free, sensor frame.
-        specific_force_mps2: (N, 3) R^T (a_earth + g z), sensor frame.
-        angular_rate_radps: (N, 3) sensor frame.
-        quaternion_wxyz: (N, 4) sensor to earth.
+    Position and velocity are in the earth's frame, what a sensor measures and the
+    gravity-free acceleration in its own: specific force is R^T (a_earth + g z), the
+    quaternion (N, 4) sensor to earth.
     """
 
     time_s: Floats
@@ -48,13 +43,10 @@ class Trajectory:
     """Splines through sampled coordinates."""
 
     def __init__(self, time_s: Floats, position_m: Floats, angles_rad: Floats) -> None:
-        """Lay splines through samples.
+        """Lay splines through samples (N, 3): position in earth, and yaw, pitch, roll.
 
-        Args:
-            time_s: (N,) equally spaced; reaching a little beyond what will be asked
-                for, because splines are loose at their ends.
-            position_m: (N, 3) earth.
-            angles_rad: (N, 3) yaw, pitch, roll.
+        The times are equally spaced and reach a little beyond what will be asked for,
+        because splines are loose at their ends.
         """
         self.time_s = time_s
         self._samples = (position_m, angles_rad)

@@ -31,8 +31,6 @@ class SimulatedPort:
     """A Falcon in a socket, and what the operating system makes of it.
 
     Attributes:
-        chip: the Falcon.
-        serial: its number.
         has_kernel_driver: whether a driver of the system sits on it.
         refuses_with: errno with which opening fails; 0 for none.
         is_claimed: whether a program, perhaps another one, uses it.

@@ -65,14 +65,8 @@ class BoardFaults:
 class Board:
     """Takes bytes from the line and returns those that it sends back.
 
-    Args:
-        mechanics: what the motors move.
-        stage: RUNNING for a Falcon that was used before.
-
-    Attributes:
-        faults: see there.
-        image: what was loaded.
-        accepts_any: whether an unknown image runs like a known one.
+    `mechanics` is what the motors move. A Falcon that was used before begins at
+    RUNNING; `accepts_any` runs an unknown image like a known one.
     """
 
     def __init__(self, mechanics: Mechanics, stage: Stage = Stage.DARK) -> None:

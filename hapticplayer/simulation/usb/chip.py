@@ -27,10 +27,6 @@ class UsbFault(OSError):  # noqa: N818 - becomes the USB library's own error
 class Chip:
     """One Falcon on the bus, seen through its chip; safe for two threads.
 
-    Args:
-        board: behind it.
-        clock: of the machine, or a virtual one.
-
     Attributes:
         most_payload: bytes of payload in a packet; fewer than 62 split answers.
         is_plugged: False from the moment of unplugging on.

@@ -18,15 +18,7 @@ from hapticplayer.simulation.usb.remote import RemoteChip
 
 @dataclass(frozen=True, slots=True)
 class SimulatedSet:
-    """A driver and all that it stands on, for faults and for the truth.
-
-    Attributes:
-        driver: not yet open.
-        simulation: hand, mechanics, forces.
-        board: processors and their faults.
-        chip: unplugging, stalls, split packets.
-        bus: what the system makes of it.
-    """
+    """A driver, not yet open, and all that it stands on, for faults and truth."""
 
     driver: FalconDriver
     simulation: Simulation
@@ -43,14 +35,10 @@ def make_set(
     options: Options = DEFAULTS,
     homing: Homing | None = None,
 ) -> SimulatedSet:
-    """Return a Falcon in a hand, with the real driver on it.
+    """Return a Falcon in a hand (a relaxed one by default), with the real driver on it.
 
-    Args:
-        simulation: of the physics; by default a relaxed hand.
-        clock: of the machine, or a virtual one.
-        stage: RUNNING for one that has its firmware, DARK for one just plugged in.
-        options: of the driver.
-        homing: an owner for a Falcon that does not know its zero yet.
+    It is RUNNING with its firmware or DARK when just plugged in; one that does not know
+    its zero yet needs a `homing` owner.
     """
     clock = clock or SystemClock()
     simulation = simulation or Simulation()

@@ -27,14 +27,7 @@ class Mechanics(Protocol):
 
 
 class BenchMechanics:
-    """Encoders that stand where a test has put them; commands are written down.
-
-    Attributes:
-        counts: of the encoders.
-        buttons: pressed ones.
-        homed: encoders that have found their zero.
-        commands: what came, and when.
-    """
+    """Encoders that stand where a test has put them; commands are written down."""
 
     def __init__(self, counts: Words = (-300, -300, -300), homed: int = 7) -> None:
         self.counts, self.buttons, self.homed = counts, 0, homed
@@ -78,12 +71,7 @@ class Homing:
 
 
 class SimulatedMechanics:
-    """The physics of `simulation.falcon` between motor words and encoder counts.
-
-    Args:
-        simulation: in frame D, from the workspace's centre.
-        kinematics: of the legs.
-    """
+    """The physics of `simulation.falcon` between motor words and encoder counts."""
 
     def __init__(
         self, simulation: Simulation, kinematics: Kinematics | None = None

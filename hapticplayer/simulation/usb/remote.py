@@ -94,9 +94,7 @@ _GONE = "No such device (it may have been disconnected)"
 class RemoteChip:
     """Does what `Chip` does, through a descriptor; one thread may read, one write.
 
-    Args:
-        descriptor: one end of a SOCK_SEQPACKET pair; it belongs to this object.
-        clock: for time limits.
+    The descriptor is one end of a SOCK_SEQPACKET pair and belongs to this object.
     """
 
     def __init__(self, descriptor: int, clock: Clock | None = None) -> None:
@@ -177,8 +175,7 @@ class _Line:
 def silence(descriptor: int) -> Callable[[], bool]:
     """Return what writes one zero frame beside a program that holds the device.
 
-    Args:
-        descriptor: of the same line, inherited by the guard; it stays the caller's.
+    The descriptor is inherited by the guard and stays the caller's.
     """
     os.set_blocking(descriptor, False)
     frame = encode_command((0, 0, 0))

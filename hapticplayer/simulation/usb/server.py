@@ -21,12 +21,7 @@ from hapticplayer.simulation.usb.remote import (
 
 
 class Server:
-    """Hands requests to a chip, and answers.
-
-    Args:
-        chip: in real time.
-        line: line A.
-    """
+    """Hands requests from line A to a chip in real time, and answers."""
 
     def __init__(self, chip: Chip, line: socket.socket) -> None:
         self._chip, self._line = chip, line
