@@ -67,12 +67,7 @@ def ahead_of(hand: Hand, centring: Centring) -> Vector:
 
 
 def centring_force(ahead_m: Vector, centring: Centring) -> Vector:
-    """Return the force towards the middle, N, frame D.
-
-    Args:
-        ahead_m: from `ahead_of`.
-        centring: the spring.
-    """
+    """Return the force towards the middle, N, frame D; `ahead_m` is from `ahead_of`."""
     x, y, z = ahead_m
     radius_m = math.hypot(x, y, z)
     past_m = radius_m - centring.from_m

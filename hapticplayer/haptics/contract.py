@@ -91,15 +91,13 @@ class Request(enum.IntEnum):
 
 
 class Supervision(NamedTuple):
-    """What the loop received or noticed since its last tick.
+    """What the loop received or noticed since its last tick; times are monotonic.
 
     Attributes:
-        heartbeat_s: monotonic time of the player's last beat.
         is_player_alive: whether its line is open and its main thread lives.
         request: of a person.
         is_device_gone: whether the device refused the last exchange for good.
         is_stale: whether the last command was too old to be sent.
-        guard_s: monotonic time of the guard's last beat.
         missed_share: periods skipped in the last 10 s.
     """
 
@@ -116,13 +114,8 @@ class State(NamedTuple):
     """All that one tick hands to the next; `force_n` is the command.
 
     Attributes:
-        mode, cause: what the loop does, and why.
-        force_n: command of this tick.
-        ticks_in_mode: since the mode was entered.
-        epoch: of the playback clock that is followed.
         planned_n: what the track says.
         centring_n: what keeps the grip inside.
-        media_s: position in the media.
         now_s: time of this tick; -inf before the first.
         hand: the grip as last seen.
         heat_n2: mean square force of the last seconds.
@@ -147,14 +140,10 @@ class Situation(NamedTuple):
     """All that one tick decides on.
 
     Attributes:
-        now_s: monotonic time of the tick.
         clock: the newest playback clock, None before the first.
         track: the track that the clock names, None while it is not loaded.
         state: what the last tick returned.
         hand: the grip as `observe` has it after the last exchange.
-        supervision: signs of life and requests.
-        limits: what no command may exceed.
-        centring: what keeps the grip inside.
     """
 
     now_s: float

@@ -32,10 +32,6 @@ class LoopProcess:
 
     Its lifeline reports its end at once, its pidfd only when its memory has been torn
     down: up to 10 ms later for locked memory.
-
-    Args:
-        pidfd: descriptor of the process.
-        lifeline: held by it.
     """
 
     def __init__(self, pidfd: int, lifeline: Lifeline) -> None:
@@ -53,13 +49,7 @@ class LoopProcess:
 
 
 class Guard:
-    """Checks the loop until it ends.
-
-    Args:
-        clock: of the machine.
-        block: shared with the loop.
-        send_zero: writes one zero command; False when the device is gone.
-    """
+    """Checks the loop until it ends; `send_zero` is False when the device is gone."""
 
     def __init__(
         self, clock: Clock, block: LoopBlock, send_zero: Callable[[], bool]

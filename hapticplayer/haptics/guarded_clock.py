@@ -35,12 +35,6 @@ class GuardedClock:
     not read the time there for 20 ms has stalled. Never give it to another thread, such
     as a driver's, which would beat for a dead one.
 
-    Args:
-        clock: of the machine.
-        device: its name.
-        device_options: command line of the process that simulates it.
-        device_descriptors: descriptors that these options name.
-
     Raises:
         DeviceError: when there is no such device.
         HapticsError: when the guard does not start.

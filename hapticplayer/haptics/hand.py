@@ -16,16 +16,14 @@ SMOOTHING_S = 0.004
 
 
 class Hand(NamedTuple):
-    """The grip as last seen.
+    """The grip as last seen, frame D from the centre of the workspace.
 
     Attributes:
-        position_m: frame D, from the centre of the workspace.
         velocity_mps: smoothed over 4 ms.
         replied_s: monotonic time of the newest good answer; -inf before the first.
         fast_samples: good answers in a row faster than the speed limit.
         malformed: bad answers in a row.
         is_homed: whether the position can be trusted.
-        buttons: mask of pressed buttons.
         pressed: mask of buttons that went down with this answer.
     """
 

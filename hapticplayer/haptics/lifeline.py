@@ -37,11 +37,7 @@ class _Timespec(ctypes.Structure):
 
 
 class Lifeline:
-    """The side of those who watch.
-
-    Args:
-        memory: LIFELINE_BYTES that are shared with the holder.
-    """
+    """The side of those who watch LIFELINE_BYTES that are shared with the holder."""
 
     def __init__(self, memory: memoryview) -> None:
         self._word = memory[:4].cast("I")
@@ -112,10 +108,8 @@ def _hold() -> int:
 def hold(memory: memoryview) -> Callable[[], None]:
     """Take a robust mutex there for this thread; return what gives it back.
 
-    The memory may not be unmapped before that.
-
-    Args:
-        memory: LIFELINE_BYTES of zeros that are shared with the watchers.
+    The memory, LIFELINE_BYTES of zeros that are shared with the watchers, may not be
+    unmapped before that.
     """
     library = ctypes.CDLL(None)
     if not hasattr(library, "pthread_mutexattr_setrobust"):

@@ -73,16 +73,11 @@ def is_finite(force_n: Vector) -> bool:
 
 
 def limit(target_n: Vector, previous_n: Vector, slew_n: float, cap_n: float) -> Vector:
-    """Return the force nearest to the target that the caps allow.
+    """Return the force nearest to the target that the caps on step and magnitude allow.
 
-    Both caps shorten vectors and keep their direction. A target that is not
-    finite counts as zero.
-
-    Args:
-        target_n: what is wanted.
-        previous_n: what was sent a tick ago, finite and within the cap.
-        slew_n: largest change of the vector, N per tick.
-        cap_n: largest magnitude, N.
+    Both caps shorten vectors and keep their direction. A target that is not finite
+    counts as zero. `previous_n`, what was sent a tick ago, is finite and within the
+    cap.
     """
     x, y, z = target_n
     magnitude = math.hypot(x, y, z)

@@ -47,13 +47,8 @@ class Received(NamedTuple):
 class Line:
     """One end of the socket pair; never blocks.
 
-    Args:
-        end: it is the line's from now on.
-        alarm: descriptor of the reading end of an `Alarm`, -1 for none.
-
-    Attributes:
-        is_open: whether the other end has not hung up, as far as is known.
-        is_alarmed: whether the alarm was on at the last `receive`.
+    The end is the line's from now on. `alarm` is the descriptor of the reading end of
+    an `Alarm`, -1 for none; `is_alarmed` is whether it was on at the last `receive`.
     """
 
     def __init__(self, end: socket.socket, alarm: int = -1) -> None:

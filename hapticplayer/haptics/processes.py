@@ -53,12 +53,6 @@ class HapticsProcesses:
         device_descriptors: descriptors that these options name.
         takes_faults: whether `inject` may be called; for simulated devices only.
 
-    Attributes:
-        device: its name.
-        health: of loop, guard and device.
-        scheduling: class of the loop, "" before it is known.
-        problem: what is wrong, "" for nothing.
-
     Raises:
         UsageError: when a real device shall take faults.
         DeviceError: when this version has no driver for the device.

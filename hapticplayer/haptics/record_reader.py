@@ -97,14 +97,9 @@ def read_record(path: Path) -> Record:
 class RecordReader:
     """Reads a record frame by frame, in little memory.
 
-    A record that is still being written can be read too, as far as it is.
-
-    Attributes:
-        header: provenance.
-        dtype: of the ticks.
-        size_bytes: of the file when it was opened.
-        done: share of the file that has been read, 0 to 1.
-        lost, is_complete, notice: as in `Record`, once all frames have been read.
+    A record that is still being written can be read too, as far as it is. `done` is the
+    share that has been read; lost, is_complete and notice, as in `Record`, are known
+    once all frames have been read.
 
     Raises:
         InputError: when it is not a record, or its header is damaged.

@@ -43,10 +43,6 @@ class Recording:
     starts. The process is started when the loop is ready and its scheduling is known;
     the ring keeps the ticks until then. It ends after the loop's process.
 
-    Args:
-        path: must not exist yet.
-        block_descriptor: of the shared block; stays the caller's.
-
     Raises:
         InputError: when the file cannot be created.
     """
@@ -72,11 +68,9 @@ class Recording:
         return self._problem
 
     def start(self, loop_pid: int, header: Mapping[str, Any]) -> None:
-        """Record a loop.
+        """Record a loop, a child that has not been waited for.
 
-        Args:
-            loop_pid: process id of the loop, a child that has not been waited for.
-            header: provenance beside what is always there: device, scheduling.
+        The header is provenance beside what is always there: device, scheduling.
         """
         if self._file < 0:  # closed
             return
@@ -121,13 +115,7 @@ class Recording:
 
 
 class Recorder:
-    """Moves ticks from the ring into the file.
-
-    Args:
-        clock: for the periods.
-        block: shared with the loop; only read.
-        writer: of a record that has its header.
-    """
+    """Moves ticks from the ring into the file of a writer that has its header."""
 
     def __init__(self, clock: Clock, block: SharedBlock, writer: RecordWriter) -> None:
         self._clock, self._block, self._writer = clock, block, writer

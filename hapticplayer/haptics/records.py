@@ -55,12 +55,9 @@ def encode_header(provenance: Mapping[str, Any]) -> bytes:
 
 
 def encode_frame(first: int, lost: int, ticks: NDArray[Any]) -> bytes:
-    """Return a frame; one without ticks is the end of the record.
+    """Return a frame of at most MAX_FRAME_TICKS; one without ticks ends the record.
 
-    Args:
-        first: number of its first tick since the loop began.
-        lost: ticks right before it that are missing.
-        ticks: TICK, at most MAX_FRAME_TICKS.
+    `first` counts since the loop began; `lost` ticks are missing right before it.
     """
     payload = ticks.tobytes()
     head = FRAME.pack(MARKER, len(ticks), first, lost, zlib.crc32(payload))

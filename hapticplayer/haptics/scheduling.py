@@ -42,9 +42,7 @@ def acquire(
 ) -> Scheduling:
     """Take the best class that this process may have, lock its memory, return the class.
 
-    Args:
-        wanted: None for the best; a class to be measured apart.
-        priority: within SCHED_FIFO.
+    `wanted` is a class to be measured apart; the priority is within SCHED_FIFO.
     """
     ctypes.CDLL(None).prctl(_PR_SET_TIMERSLACK, 1, 0, 0, 0)
     taken = grant(0, wanted, priority)
@@ -58,10 +56,7 @@ def grant(
 ) -> Scheduling:
     """Give a process the best class that it may have, and return the class.
 
-    Args:
-        pid: of the process; 0 for this one.
-        wanted: None for the best; a class to be measured apart.
-        priority: within SCHED_FIFO.
+    Its number is 0 for this one; else as in `acquire`.
     """
     if wanted in (None, Scheduling.FIFO) and _give_fifo(pid, priority):
         return Scheduling.FIFO
@@ -75,10 +70,8 @@ def lock_memory(*, on_fault: bool = True) -> bool:
 
     Under memory pressure the kernel drops pages of mapped files, code among them; a
     thread that needs one waits for the disk, often with the interpreter's lock in its
-    hand: windows froze for 0.1 to 1.1 s (`benchmarks.robustness eviction`).
-
-    Args:
-        on_fault: lock each page from its first use on; else all pages at once.
+    hand: windows froze for 0.1 to 1.1 s (`benchmarks.robustness eviction`). With
+    `on_fault` each page is locked from its first use on; else all are at once.
 
     Returns:
         False where the process may not lock without limit: later allocations would
@@ -130,10 +123,8 @@ class CpuLatencyRequest:
     `/dev/cpu_dma_latency` takes the longest wake-up time, us as a signed 32-bit number,
     for as long as it is open (Linux, Documentation/power/pm_qos_interface.rst);
     cyclictest asks for 0 as well. It costs power, so it is asked for only while a force
-    may be on. The kernel drops the request when the process ends.
-
-    Args:
-        path: of the device; root's, unless a udev rule gives it away.
+    may be on. The kernel drops the request when the process ends. The device is root's,
+    unless a udev rule gives it away.
     """
 
     def __init__(self, path: str | os.PathLike[str] = CPU_LATENCY) -> None:

@@ -15,14 +15,11 @@ _TRIES = 3
 
 
 class Slots:
-    """One writer, any readers.
+    """One writer, any readers of a value in shared memory.
 
-    Args:
-        memory: shared by them.
-        layout: of the value.
-        slots_at: offsets of the two slots, each with room for a checksum of 4 bytes.
-        newest_at: offset of 8 bytes that count the values; its last bit tells which
-            slot is the newest. The same count needs no second reading.
+    Both slots have room for a checksum of 4 bytes. The 8 bytes at `newest_at` count the
+    values; the last bit tells which slot is the newest. The same count needs no second
+    reading.
     """
 
     def __init__(

@@ -45,11 +45,8 @@ def start_device(
 ) -> tuple[int, int, Process | None]:
     """Make the line of a device, and start what simulates it.
 
-    Args:
-        stack: closes the line's ends in this process.
-        entry: the device.
-        options: command line of the process that simulates it.
-        descriptors: that these options name.
+    The stack closes the line's ends in this process; the descriptors are those that the
+    options of the simulating process name.
 
     Returns:
         descriptors for the loop and for the guard, see `DeviceEntry.server`; the
@@ -69,14 +66,9 @@ def start_device(
 def start_guard(
     entry: DeviceEntry, pid: int, block: int, handle: int, lifeline: int | None = None
 ) -> Process:
-    """Start the guard of a process.
+    """Start the guard of the process `pid`, with a handle from `start_device`.
 
-    Args:
-        entry: the device.
-        pid: of the process that commands it.
-        block: descriptor of the shared block.
-        handle: descriptor from `start_device`.
-        lifeline: descriptor; a loop has its lifeline in the block.
+    Only a loop has its lifeline in the block.
     """
     watch = os.pidfd_open(pid)
     try:
