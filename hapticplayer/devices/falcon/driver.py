@@ -93,15 +93,9 @@ class _Session:
 class FalconDriver:
     """A `HapticDevice`: `exchange` posts frame k and takes the reply to k - 1.
 
-    Positions and forces are in frame D, positions from the workspace's centre.
-
-    Args:
-        open_transport: finds and opens the device; by default the only one plugged in.
-        clock: for time limits and stamps.
-        image: returns the firmware, when it has to be loaded.
-        kinematics: of this Falcon.
-        make_link: how frames travel.
-        options: see there.
+    Positions and forces are in frame D, positions from the workspace's centre. `image`
+    returns the firmware, when it has to be loaded; by default the transport is that of
+    the only Falcon plugged in.
     """
 
     name = "falcon"
@@ -256,10 +250,8 @@ class FalconDriver:
 def opening(line: int, serial: str = "") -> OpenTransport:
     """Return what opens the Falcon that is plugged in, for a guard as well.
 
-    Args:
-        line: descriptor along which the guard is handed the open USB file; -1 where
-            there is no guard. It stays the caller's.
-        serial: number of the Falcon, where there are several.
+    `line` is the descriptor along which the guard is handed the open USB file, -1 where
+    there is none; it stays the caller's.
     """
 
     def open_and_share() -> Transport:

@@ -55,12 +55,7 @@ class OutOfReachError(ValueError):
 
 
 class Pose(NamedTuple):
-    """The grip and how it follows the joints.
-
-    Attributes:
-        position_m: in the device's frame.
-        jacobian: rows x, y, z of dp/dtheta, m/rad.
-    """
+    """The grip in the device's frame, and rows x, y, z of dp/dtheta, m/rad."""
 
     position_m: Vector
     jacobian: Rows
@@ -114,10 +109,8 @@ class Kinematics:
     def pose(self, theta_rad: Vector, near_m: Vector | None = None) -> Pose:
         """Return position and Jacobian for the thighs' angles, by Newton's method.
 
-        Args:
-            theta_rad: of the three thighs.
-            near_m: where the grip was a moment ago; saves steps, and keeps to the
-                same assembly of the legs.
+        `near_m`, where the grip was a moment ago, saves steps and keeps to the same
+        assembly of the legs.
 
         Raises:
             OutOfReachError: when the legs cannot be assembled at these angles.

@@ -33,13 +33,7 @@ _MOST_PACKETS = 64
 
 
 class Answer(NamedTuple):
-    """The newest well-formed reply.
-
-    Attributes:
-        reply: None before the first.
-        at_s: when it was read.
-        malformed: answers since then that made no sense.
-    """
+    """The newest well-formed reply, and how many malformed ones came after it."""
 
     reply: Reply | None
     at_s: float
@@ -112,18 +106,13 @@ class DirectLink:
 class ThreadedLink:
     """Never waits, neither in `post` nor in `newest`.
 
-    Of frames that were posted while a write was stalled only the last one is sent.
-    The threads inherit the scheduling of the one that makes the link. While one of
-    them has the interpreter the loop cannot wake, so they do as little as possible
-    (what was read is taken apart by whoever asks for it), and not when a tick is due:
-    there is one read for each frame that was sent. The chip's latency timer runs from
-    packet to packet, so answers that have drifted towards the next tick would stay
-    there; one frame without a read sets the timer back to early in the period.
-
-    Args:
-        ftdi: a Falcon whose firmware runs.
-        clock: for stamps.
-        idle_s: see `IDLE_S`; in the machine's time.
+    Of frames that were posted while a write was stalled only the last one is sent. The
+    threads inherit the scheduling of the one that makes the link. While one of them has
+    the interpreter the loop cannot wake, so they do as little as possible (what was
+    read is taken apart by whoever asks for it), and not when a tick is due: there is
+    one read for each frame that was sent. The chip's latency timer runs from packet to
+    packet, so answers that have drifted towards the next tick would stay there; one
+    frame without a read sets the timer back to early in the period.
     """
 
     def __init__(self, ftdi: Ftdi, clock: Clock, idle_s: float = IDLE_S) -> None:

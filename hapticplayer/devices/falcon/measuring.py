@@ -46,11 +46,7 @@ def round_trips(
 ) -> dict[str, float]:
     """Return how long zero frames take to be answered, ms, and the rate, Hz.
 
-    Args:
-        ftdi: a Falcon whose firmware runs.
-        clock: of the machine.
-        count: of frames.
-        event_character: whether the chip answers after '>' at once.
+    `event_character`: the chip answers after '>' at once.
     """
     ftdi.set_event_character(b">" if event_character else b"")
     frame, parser, took_s = encode_command(_ZERO_WORDS), ReplyParser(), []
@@ -148,13 +144,8 @@ def force_after_silence(
 
     1 N to the right pushes the hand aside. Then nothing is sent for a while; at the
     first frame after it the hand is still aside, or back. That includes the time in
-    which a hand swings back, about 0.1 s.
-
-    Args:
-        driver: of the Falcon.
-        clock: of the machine.
-        was_disturbed: whether another process may have sent a frame since the last call;
-            then that silence is measured again.
+    which a hand swings back, about 0.1 s. A silence is measured again if
+    `was_disturbed`: another process may have sent a frame since the last call.
 
     Returns:
         "pushes_at_least_s" and "lets_go_within_s" (inf: not in 2 s), and the share of

@@ -56,12 +56,9 @@ class Command(NamedTuple):
 
 
 class Reply(NamedTuple):
-    """What the Falcon answers.
+    """What the Falcon answers: encoders top, right, lower left, and bit masks.
 
-    Attributes:
-        counts: encoders top, right, lower left.
-        buttons: bit mask, see `Buttons`.
-        homed: bit mask of the encoders that have found their zero; 7 is all.
+    `homed` has the encoders that have found their zero; 7 is all.
     """
 
     counts: Words

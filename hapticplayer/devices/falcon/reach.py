@@ -20,12 +20,7 @@ from hapticplayer.errors import UsageError
 
 @dataclass(frozen=True, slots=True)
 class Reach:
-    """How to get at one Falcon.
-
-    Attributes:
-        open_transport: finds and opens it.
-        image: returns the firmware for it.
-    """
+    """How to get at one Falcon: what finds and opens it, what returns its firmware."""
 
     open_transport: OpenTransport
     image: Callable[[], FirmwareImage]
@@ -42,10 +37,8 @@ class Reach:
 def reach_of(name: str, line: int = NO_LINE) -> Reach:
     """Return how to get at the Falcon of this name.
 
-    Args:
-        name: of the device.
-        line: what a loop gets from the owner of its processes, where a guard watches:
-            for a simulated Falcon the way to its process, whose owner it becomes.
+    `line` is what a loop gets from the owner of its processes, where a guard watches:
+    for a simulated Falcon the way to its process, whose owner it becomes.
 
     Raises:
         UsageError: when it is not the name of a Falcon.

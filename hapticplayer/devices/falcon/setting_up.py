@@ -29,12 +29,8 @@ class Step(enum.Enum):
 class Progress(NamedTuple):
     """How far a Falcon has come.
 
-    Attributes:
-        step: what is being done.
-        loaded: part of the firmware, 0 to 1.
-        guidance: for the person, while homing.
-        position_m: of the grip from the middle, frame D, once ready.
-        buttons: pressed ones.
+    `loaded` is the part of the firmware, 0 to 1; the position is in frame D, from the
+    middle, once ready.
     """
 
     step: Step
@@ -47,13 +43,8 @@ class Progress(NamedTuple):
 def set_up(reach: Reach, clock: Clock, show: Callable[[Progress], None]) -> None:
     """Open a Falcon, load its firmware, guide its homing, then show its grip.
 
-    The device exerts no force. It continues until `show`, which is called 100 times a second (less
-    while the device is being opened), raises Cancelled.
-
-    Args:
-        reach: of the Falcon.
-        clock: of the machine.
-        show: takes what is new.
+    The device exerts no force. It continues until `show`, which is called 100 times a
+    second (less while the device is being opened), raises Cancelled.
 
     Raises:
         DeviceError: when it cannot be opened, or is gone.

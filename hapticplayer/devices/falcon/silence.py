@@ -33,10 +33,8 @@ _WRITE_S = 0.005
 class Silencer:
     """Writes one zero frame to the Falcon of a loop, when it is called.
 
-    Args:
-        backend: of pyusb; None for the machine's libusb.
-        line: descriptor along which the loop hands over its open USB file; it stays
-            the caller's. Without it: every Falcon that is not in use.
+    `line` is the descriptor along which the loop hands over its open USB file; it stays
+    the caller's. Without it: every Falcon that is not in use.
 
     Raises:
         DeviceError: when libusb is missing.

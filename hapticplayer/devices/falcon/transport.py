@@ -67,13 +67,7 @@ OpenTransport = Callable[[], Transport]
 
 @dataclass(frozen=True, slots=True)
 class FalconAddress:
-    """A Falcon on the bus.
-
-    Attributes:
-        serial: 8 characters; "" where the right to ask for it is missing.
-        bus: number of the USB bus, 0 where unknown.
-        address: of the device on it.
-    """
+    """A Falcon on the bus; the serial is "" without the right to ask for it."""
 
     serial: str
     bus: int
@@ -84,12 +78,6 @@ class PyUsbTransport:
     """A Falcon that was found with pyusb and is claimed for this process.
 
     Reading and writing may be done by two threads at the same time.
-
-    Args:
-        device: of pyusb.
-
-    Attributes:
-        bus, address: where it is on the bus.
 
     Raises:
         DeviceError: when it cannot be claimed; says what to do.
@@ -141,9 +129,6 @@ class PyUsbTransport:
 
 def list_falcons(backend: Any = None) -> list[FalconAddress]:
     """Return all Falcons on the bus, in the order of their addresses.
-
-    Args:
-        backend: of pyusb; None for the machine's libusb.
 
     Raises:
         DeviceError: when libusb is missing or fails.

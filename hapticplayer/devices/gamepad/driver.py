@@ -93,12 +93,8 @@ class ThreadedOutlet:
 class GamepadDriver:
     """A `HapticDevice` without a place: it reads as homed, in the middle.
 
-    Pads on USB report 250 times a second by themselves; that is the ear for buttons
-    and for the cable.
-
-    Args:
-        open_port: finds and opens the pad.
-        make_outlet: how reports travel.
+    Pads on USB report 250 times a second by themselves; that is the ear for buttons and
+    for the cable.
     """
 
     name = "gamepad"

@@ -42,14 +42,7 @@ class Block:
 
 @dataclass(frozen=True, slots=True)
 class FirmwareImage:
-    """A boot stream that has been checked.
-
-    Attributes:
-        data: as it is sent.
-        entry: address at which the program begins.
-        blocks: what is loaded where.
-        sha256: of the data, in hexadecimal digits.
-    """
+    """A boot stream that has been checked; `entry` is where the program begins."""
 
     data: bytes
     entry: int

@@ -75,12 +75,8 @@ def open_running(
 ) -> Ftdi:
     """Return an open Falcon whose firmware runs, loading it where necessary.
 
-    Args:
-        open_transport: opens the device.
-        find_image: returns the firmware; asked only when it is needed.
-        clock: for time limits.
-        patience: what they are.
-        progress: called with the share of the upload that is done.
+    `find_image` is called only when it is needed, `progress` with the share of the
+    upload.
 
     Raises:
         DeviceError: when the device cannot be opened, the firmware is missing, or

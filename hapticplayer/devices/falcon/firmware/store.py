@@ -90,10 +90,6 @@ def read_image(path: Path) -> FirmwareImage:
 def install_image(source: Path, *, accept_unknown: bool = False) -> FirmwareImage:
     """Check a firmware file and keep a copy of it; show `LICENCE_NOTE` before.
 
-    Args:
-        source: the file.
-        accept_unknown: whether an unknown image is accepted.
-
     Raises:
         DeviceError: when it is no firmware or cannot be kept.
         UnknownFirmwareError: when it is an unknown one and that was not accepted.
