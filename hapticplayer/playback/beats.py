@@ -135,9 +135,8 @@ def relative_latencies_s(
 ) -> dict[str, float]:
     """Return the latency of each output from the taps, s; none is negative.
 
-    Args:
-        display_s: known latency of the display: taps show only differences.
-        tapped_s: medians by output; the first one is the display.
+    The first of the medians is the display, whose latency is known: taps show only
+    differences.
     """
     reference_s = next(iter(tapped_s.values()))
     found = {name: display_s + at_s - reference_s for name, at_s in tapped_s.items()}

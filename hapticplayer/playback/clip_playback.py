@@ -28,13 +28,8 @@ DAMAGED = Message("the clip is damaged: some of its frames are missing or broken
 class ClipPlayback:
     """The state machine of a clip; everything on the thread that calls `advance`.
 
-    Args:
-        clock: of the machine.
-        sink: where frames go, see `VideoOutput`.
-        audio: makes the sound output; None plays without sound.
-        reporter: of events and notices.
-        presented: called with the monotonic time of each frame and its own time, s.
-        heard: called with each report of the sound output.
+    `presented` is called with the monotonic time of each frame and its own time, s;
+    without `audio` it plays without sound.
     """
 
     def __init__(
@@ -79,12 +74,7 @@ class ClipPlayback:
         return self.media.media_s(self._clock.now_s())
 
     def handle(self, event: Event, media_s: float = 0.0) -> bool:
-        """Do what an event asks for in this phase; False where it is ignored.
-
-        Args:
-            event: what happens.
-            media_s: the position that belongs to it.
-        """
+        """Do what an event asks for in this phase; False where it is ignored."""
         found = transition(self.phase, event)
         if found is None:
             return False

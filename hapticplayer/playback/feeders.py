@@ -25,9 +25,8 @@ DecoderT = TypeVar("DecoderT", VideoDecoder, AudioDecoder)
 class Feeder(threading.Thread, abc.ABC, Generic[DecoderT]):
     """A thread that decodes from wherever it is sent to.
 
-    Attributes:
-        problem: why it has ended, None while it has not.
-        is_at_end: whether nothing follows what it has decoded.
+    `problem` is why it has ended, None while it has not; `is_at_end` is whether nothing
+    follows what it has decoded.
     """
 
     _decoder: DecoderT
@@ -120,11 +119,7 @@ class Feeder(threading.Thread, abc.ABC, Generic[DecoderT]):
 
 
 class VideoFeeder(Feeder[VideoDecoder]):
-    """Decodes frames ahead of time; they are converted when they are shown.
-
-    Attributes:
-        damaged: see `VideoDecoder`.
-    """
+    """Decodes frames ahead of time; they are converted when they are shown."""
 
     def __init__(self, path: Path) -> None:
         super().__init__("video-decoder", path)

@@ -34,17 +34,8 @@ MakeProcesses = Callable[..., HapticsProcesses]
 class ForceOutput:
     """Owns the haptics processes of the chosen device, and measures what they do.
 
-    Args:
-        clock: of the machine.
-        reporter: of events and notices.
-        device: name of the device.
-        scheduling: of the loop; None for the best there is.
-        make: makes the owner of the processes.
-
-    Attributes:
-        processes: of the device.
-        history: the last ticks.
-        video, audio: how much later the force came than frame and sound.
+    `history` has the last ticks; `video` and `audio` measure how much later the force
+    came than frame and sound.
     """
 
     def __init__(

@@ -20,12 +20,7 @@ class ForcePlayer:
     """Opens a device and plays one track on it; poll it at 10 Hz or more.
 
     The media clock is paused until the device is ready and homed; from then on it runs
-    to the end of the track.
-
-    Args:
-        clock: of the machine.
-        device: name of the device.
-        track: what to play; it must have an end.
+    to the end of the track, which must have one.
 
     Raises:
         DeviceError: when this version has no driver for the device.

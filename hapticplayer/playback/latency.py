@@ -71,13 +71,7 @@ class Latency:
 
 @dataclass(frozen=True, slots=True)
 class Latencies:
-    """What was measured on this machine.
-
-    Attributes:
-        display_s: of the screen that frames are shown on.
-        sound_s: by the name of the sound output.
-        device_s: by the engine's name of the haptic device.
-    """
+    """What was measured on this machine: the screen's, and others by output."""
 
     display_s: float = 0.0
     sound_s: Mapping[str, float] = field(default_factory=dict)
@@ -109,12 +103,7 @@ def saved_latencies() -> Latencies:
 
 
 def latencies_in(table: Mapping[str, Any], screen: str = "") -> Latencies:
-    """Return what a table of the settings says.
-
-    Args:
-        table: by part, then by the name of the output, ms.
-        screen: that frames are shown on; "" for none.
-    """
+    """Return what a table of the settings, ms by part and output, says for a screen."""
     display_s = table_s(table, DISPLAY).get(screen, 0.0)
     return Latencies(display_s, table_s(table, SOUND), table_s(table, DEVICE))
 

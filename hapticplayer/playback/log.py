@@ -85,15 +85,7 @@ class PlaybackLog:
 
 
 class Reporter:
-    """Takes what happens while playing: events for the log, notices for people.
-
-    Args:
-        clock: of the machine.
-
-    Attributes:
-        log: None while nothing is logged.
-        notices: sentences so far, in order.
-    """
+    """Takes what happens while playing: events for the log, notices for people."""
 
     def __init__(self, clock: Clock) -> None:
         self.log: PlaybackLog | None = None

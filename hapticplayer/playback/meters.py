@@ -49,15 +49,6 @@ class Histogram:
 
     A percentile is the mean of the values in its step (nearest rank): off by less than
     a step, and exact where all of them are equal.
-
-    Args:
-        lowest: where the first step begins.
-        highest: where the last one ends.
-        step: width.
-
-    Attributes:
-        count: values so far.
-        most: the largest of them.
     """
 
     def __init__(self, lowest: float, highest: float, step: float) -> None:
@@ -166,13 +157,9 @@ class SyncMeter:
         self._pending.append((monotonic_s, media_s))
 
     def compare(self, ticks: NDArray[Any]) -> list[float]:
-        """Compare the noted events with the loop's record.
+        """Compare the noted events with ticks, oldest first; return what is new, ms.
 
-        Args:
-            ticks: recent ticks, oldest first; events newer than the last one wait.
-
-        Returns:
-            The differences that are new, ms.
+        Events newer than the last tick wait.
         """
         if not self._pending or not len(ticks):
             return []
@@ -214,14 +201,10 @@ class SyncMeter:
 
 
 class SyncAlarm:
-    """Watches one difference.
+    """Watches the difference from "picture" or "sound".
 
-    Args:
-        against: what the force is compared with, "picture" or "sound".
-
-    Attributes:
-        is_on: whether the median of the last half second lies outside the limits.
-        p50_ms: that median; 0 before there is one.
+    `is_on` is whether the median of the last half second, `p50_ms`, lies outside the
+    limits.
     """
 
     def __init__(self, against: str) -> None:

@@ -20,13 +20,10 @@ class Snapshot:
     """The player's state; without arguments: no clip and no device.
 
     Attributes:
-        source: what is open.
-        media_s: position in the clip.
         end_s: where the clip stops.
         loop_s: begin and end of the part that is repeated, None without one.
         speed: media seconds per second.
         epoch: of the playback clock; a new one interrupts the force.
-        feedback: name of the force track.
         clock: what leads, "audio" or "monotonic".
         audio: sound output, "lost" when it has gone, "" for none.
         sound_output: name of the output that plays, "" for none.
@@ -34,14 +31,10 @@ class Snapshot:
         latency: what is compensated.
         device: name, "none" without a device.
         device_problem: what is wrong with device or process, "" for nothing.
-        takes_faults: whether the device accepts injected faults.
-        loop_pid: process id of the haptic loop.
         scheduling: class of the haptic loop, "" without a device.
         record_problem: why the recording of the ticks is incomplete.
-        mode, cause: of the newest tick.
         tick: the newest tick, see `TICK`; None before the first.
         problem: what is wrong with the clip, "" for nothing.
-        notices: sentences for people so far, in order.
         log_problem: why the log is incomplete, once it is closed.
     """
 
@@ -92,7 +85,6 @@ class Measurements:
 
     Attributes:
         loop: of the last 10 s.
-        loop_total: since the device was chosen.
         force_minus_video: how much later than its frame the force came, the last
             600 events.
         force_minus_audio: the same for the sound.

@@ -38,11 +38,6 @@ class Sound:
     """What is heard of a clip; the player says where the clock is.
 
     An output stays open from clip to clip: opening one costs a process.
-
-    Args:
-        clock: of the machine.
-        media: the clock of the clip.
-        make: opens a sound output; None plays without sound.
     """
 
     def __init__(
@@ -179,15 +174,8 @@ class Sound:
 class OutputKeeper:
     """Opens an output where one is wanted, and another one where that is lost.
 
-    Args:
-        ring: that outputs empty.
-        media: the clock.
-        make: starts to open one; OSError means that there is none yet.
-
-    Attributes:
-        is_open: whether there is an output that plays.
-        was_lost: whether there is none any more, since the last one.
-        problem: why there is none.
+    `make` raises OSError where there is none yet. `was_lost` is whether there is none
+    any more, since the last one; `problem` says why.
     """
 
     def __init__(
@@ -248,15 +236,9 @@ class OutputKeeper:
         *,
         is_playing: bool,
     ) -> str:
-        """Do what is due.
+        """Do what is due, and return what has happened, "" for nothing.
 
-        Args:
-            now_s: monotonic time.
-            request: asks the decoder for sound of a generation from a position, s.
-            is_playing: whether something should be heard.
-
-        Returns:
-            What has happened, "" for nothing.
+        `request` asks the decoder for sound of a generation from a position, s.
         """
         happened = self._follow_output(now_s)
         is_silent = is_playing and self._media.source is Source.MONOTONIC

@@ -49,14 +49,11 @@ RETRY_S, SLOWEST_RETRY_S = 0.5, 5.0
 class DacClock:
     """Tells when each block sounds: by the count of the samples, checked against the DAC.
 
-    A sound server that stops for 30 to 100 ms states times that are off by 10 to 30 ms for
-    some ten seconds afterwards, while not one sample is late (its client fits a line to
-    few answers). The samples themselves tell the time without a break, except where the
-    output ran dry, which it reports. So a stated time that leaves their line is believed
-    only once it is steady.
-
-    Args:
-        rate_hz: of the samples.
+    A sound server that stops for 30 to 100 ms states times that are off by 10 to 30 ms
+    for some ten seconds afterwards, while not one sample is late (its client fits a
+    line to few answers). The samples themselves tell the time without a break, except
+    where the output ran dry, which it reports. So a stated time that leaves their line
+    is believed only once it is steady.
     """
 
     def __init__(self, rate_hz: int) -> None:
@@ -74,13 +71,10 @@ class DacClock:
     def place(
         self, now_s: float, stated_s: float, count: int, *, ran_dry: bool = False
     ) -> tuple[float, float]:
-        """Take the next block.
+        """Take the next block of `count` samples, for which the output asks at `now_s`.
 
-        Args:
-            now_s: monotonic time of being asked for it.
-            stated_s: monotonic time at which it sounds, as the output says.
-            count: its samples.
-            ran_dry: whether the output says that it had nothing left before it.
+        The output says that it sounds at `stated_s`, and whether it had nothing left
+        before.
 
         Returns:
             The monotonic time at which it sounds, and how much silence the output has
@@ -133,12 +127,7 @@ class DacClock:
 
 
 class SoundStream:
-    """A stream through PortAudio.
-
-    Args:
-        block: of memory, emptied by it.
-        clock: of the machine.
-        device: its name; "" for the default one.
+    """A stream through PortAudio that empties a block; "" is the default device.
 
     Raises:
         OSError: when PortAudio is missing or there is no device.

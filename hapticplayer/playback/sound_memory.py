@@ -64,9 +64,6 @@ class Heard(NamedTuple):
     """One block of sound: from `monotonic_s` on, `media_s` is heard.
 
     Attributes:
-        epoch: of the clock.
-        monotonic_s: when the DAC plays the first sample of the block.
-        media_s: media time of that sample.
         cue: number of the cue that it belongs to.
         read: the sample that comes next.
         missing: samples in all, since the first block, that had to be silence.
@@ -88,10 +85,7 @@ def block_bytes(capacity: int) -> int:
 class SoundBlock:
     """Typed access to the memory; both sides hold one.
 
-    Attributes:
-        rate_hz: of the samples.
-        capacity: sample number k lies in row k % capacity.
-        samples: bytes of float32, interleaved.
+    Sample number k, interleaved float32, lies in row k % capacity.
     """
 
     def __init__(self, descriptor: int) -> None:
@@ -173,13 +167,10 @@ class SoundReader:
         self._gain = self._cue.gain
 
     def render(self, out: memoryview, dac_s: float, silence_s: float = 0.0) -> None:
-        """Fill a block.
+        """Fill a block (writable bytes of interleaved float32) that sounds at `dac_s`.
 
-        Args:
-            out: bytes, writable; float32, interleaved.
-            dac_s: monotonic time at which its first sample sounds.
-            silence_s: that the output has put in before it for want of samples: so
-                much sound is left out, and the rest is as late as it was before.
+        `silence_s` is what the output has put in before it for want of samples: so much
+        sound is left out, and the rest is as late as it was before.
         """
         self._cue = cue = self._block.read_cue() or self._cue
         left_out = round(silence_s * self._block.rate_hz) if cue.is_playing else 0

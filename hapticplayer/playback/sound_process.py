@@ -23,12 +23,7 @@ class OutputState(enum.StrEnum):
 
 
 class AudioOut(Protocol):
-    """Something that empties a ring at its own pace.
-
-    Attributes:
-        name: of the device.
-        problem: why there is none, "" while nothing is wrong.
-    """
+    """Something that empties a ring at its own pace; `problem` is why there is none."""
 
     name: str
     problem: str
@@ -46,10 +41,6 @@ class SoundProcess:
     """A process that plays the ring through PortAudio, from now until `close`.
 
     It ends with the player however that ends: the line between them closes.
-
-    Args:
-        ring: emptied by it.
-        device: its name; "" for the default one.
 
     Raises:
         OSError: when the process cannot be started.

@@ -26,12 +26,8 @@ class AudioRing:
     """Samples by media time between the decoder and the process that plays them.
 
     At another speed the samples are time-stretched before they are written, and an
-    index counts stretched samples.
-
-    Attributes:
-        rate_hz: of the samples.
-        descriptor: of the shared memory, a `SoundBlock`.
-        latency_s: from the time that the output states to the ear.
+    index counts stretched samples. `descriptor` is that of the `SoundBlock`;
+    `latency_s` reaches from the time that the output states to the ear.
     """
 
     def __init__(self, rate_hz: int = RATE_HZ) -> None:
@@ -81,11 +77,7 @@ class AudioRing:
         return self._cue.is_complete
 
     def load(self, epoch: int, media_s: float, speed: float = 1.0) -> int:
-        """Drop all samples and stop at a position.
-
-        Returns:
-            The generation that new samples have to name.
-        """
+        """Drop all samples, stop at a position, and return the next generation."""
         with self._lock:
             self._generation += 1
             at = round(media_s / speed * self.rate_hz)
@@ -132,12 +124,9 @@ class AudioRing:
     def write(
         self, generation: int, media_s: float, samples: NDArray[np.float32]
     ) -> int:
-        """Append samples (n, 2) that start at a media time.
+        """Append samples (n, 2) that start at a media time, stretched to the speed.
 
-        Args:
-            generation: of the `load` that they were decoded for.
-            media_s: of the first one.
-            samples: float32, stretched to the speed of the `load`.
+        `generation` is that of the `load` that they were decoded for.
 
         Returns:
             How many rows were taken (late ones count as taken); fewer than n when

@@ -20,15 +20,10 @@ FROM_FILE = "file"
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Source:
-    """A clip with the force tracks that can go with it.
+    """A clip with the force tracks that can go with it, by name of the feedback.
 
-    Attributes:
-        title: for people.
-        path: what was opened.
-        clip: the video.
-        tracks: by name of the feedback; "none" is always there.
-        motion: gravity-free acceleration in media time, where it is known.
-        feedback: the name that plays unless another is chosen.
+    `motion` is gravity-free acceleration in media time, where it is known; `path` is
+    what was opened.
     """
 
     title: str
@@ -42,9 +37,8 @@ class Source:
 def open_source(path: str | Path, force: str | Path | None = None) -> Source:
     """Return what is at a path: the folder of a sequence, or a video.
 
-    Args:
-        path: folder or file; the description in a sequence's folder means the folder.
-        force: CSV with rows `time_s,fx_n,fy_n,fz_n`, held between rows.
+    The description in a sequence's folder means the folder. The force is a CSV file
+    with rows `time_s,fx_n,fy_n,fz_n`, held between rows.
 
     Raises:
         InputError: what is wrong, where, and what to do.

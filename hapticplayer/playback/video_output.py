@@ -44,18 +44,8 @@ class NullSink:
 class VideoOutput:
     """Shows the frames of a clip.
 
-    Args:
-        clock: of the machine.
-        sink: where frames go; None for nowhere.
-        presented: called for each frame that was played: monotonic time at which it was
-            on the screen, and its own time, s.
-
-    Attributes:
-        sink: where frames go; may be changed.
-        feeder: has the frames of the clip; None without one.
-        frame_s: time of the frame that is shown.
-        shown: frames that were shown, of all clips.
-        dropped: frames that came too late to be shown, of all clips.
+    `presented` is called for each frame that was played: monotonic time at which it was
+    on the screen, and its own time, s. `shown` and `dropped` count those of all clips.
     """
 
     def __init__(
@@ -145,12 +135,7 @@ class VideoOutput:
         return frame.pts_s
 
     def present(self, now_s: float, clock: PlaybackClock | None) -> float:
-        """Show the frame that is due and return when the next one is, s.
-
-        Args:
-            now_s: monotonic time.
-            clock: None while it is stopped.
-        """
+        """Show the frame that is due and return when the next one is, s."""
         feeder = self.feeder
         if feeder is None:
             return now_s + POLL_S
