@@ -32,12 +32,7 @@ LAYOUTS = {1: "mono", 2: "stereo"}
 
 @dataclass(frozen=True, slots=True, eq=False)
 class AudioBlock:
-    """Sound that is to be heard from `media_s` on.
-
-    Attributes:
-        media_s: media time of the first sample.
-        samples: (n, channels) float32, C-contiguous, read-only, 1.0 is full scale.
-    """
+    """Sound (n, channels) from `media_s` on: float32, C-contiguous, 1.0 full scale."""
 
     media_s: float
     samples: NDArray[np.float32]
@@ -46,12 +41,8 @@ class AudioBlock:
 class AudioDecoder(ClipDecoder[AudioFrame]):
     """The sound of a clip, resampled, from any position.
 
-    One thread at a time. Gaps and edit lists show in the times of the blocks: a
-    block that does not begin where the last one ended is preceded by silence.
-
-    Attributes:
-        rate_hz: of the blocks.
-        channels: of the blocks.
+    One thread at a time. Gaps and edit lists show in the times of the blocks: a block
+    that does not begin where the last one ended is preceded by silence.
     """
 
     _WHAT = Message("its sound cannot be set up")
@@ -63,12 +54,7 @@ class AudioDecoder(ClipDecoder[AudioFrame]):
         rate_hz: int = 48_000,
         channels: int = 2,
     ) -> None:
-        """Open the sound of a clip at media time 0.
-
-        Args:
-            path: a clip with sound.
-            rate_hz: of the blocks.
-            channels: 1 or 2; other layouts are mixed.
+        """Open the sound of a clip at media time 0; more than 2 channels are mixed.
 
         Raises:
             MediaError: when it cannot be opened or holds no sound.

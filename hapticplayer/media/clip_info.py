@@ -33,18 +33,15 @@ _LONGEST_NAME = 80
 
 @dataclass(frozen=True, slots=True)
 class ClipInfo:
-    """A clip as it is shown.
+    """A clip as it is shown; the path is absolute, with symbolic links resolved.
 
     Attributes:
-        path: absolute, with symbolic links resolved.
         duration_s: from the first frame to the end of the last.
-        width: px as shown: after rotation, with square pixels.
-        height: px as shown.
+        width: px as shown, like `height`: after rotation, with square pixels.
         frame_rate_hz: average; 0 where the file does not say.
         frame_count: as the file states it, else 0.
         has_audio: whether there is sound that can be decoded.
         audio_rate_hz: as stored; 0 without sound.
-        has_telemetry: whether a camera's motion track is embedded.
     """
 
     path: Path

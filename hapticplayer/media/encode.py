@@ -63,8 +63,8 @@ def write_clip(  # noqa: PLR0913 - two kinds of content, one file
 ) -> None:
     """Encode frames and sound; the file appears only when it is complete.
 
-    Both begin at media time 0. Colours are written as BT.709 and tagged so; the
-    index comes first, so that a truncated copy still plays its first part.
+    Both begin at media time 0. Colours are written as BT.709 and tagged so; the index
+    comes first, so that a truncated copy still plays its first part.
 
     Args:
         path: the file to write; an older one is replaced.

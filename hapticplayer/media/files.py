@@ -26,10 +26,6 @@ def resolve_regular(
 ) -> Path:
     """Return the absolute path of a readable, regular file that is not empty.
 
-    Args:
-        path: symbolic links are followed.
-        error: what to raise.
-
     Raises:
         MediaError: or `error`, when there is no such file.
     """

@@ -35,10 +35,7 @@ _ONE_THREAD, _AUTOMATIC = 1, 0
 class DecodedFrame:
     """A frame as it was decoded: a third of the memory that its pixels take.
 
-    Attributes:
-        pts_s: media time at which it appears.
-        duration_s: how long it stays.
-        native: PyAV's frame; only the media room looks inside.
+    It appears at the media time `pts_s`; only the media room looks inside `native`.
     """
 
     pts_s: float
@@ -48,13 +45,9 @@ class DecodedFrame:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class BgraImage:
-    """Pixels for a screen, top row first.
+    """Pixels for a screen, top row first: B, G, R, 255 (QImage.Format_RGB32).
 
-    Attributes:
-        width: px.
-        height: px.
-        stride_bytes: from one row to the next.
-        pixels: B, G, R, 255 for each pixel (QImage.Format_RGB32); keeps its memory alive.
+    `pixels` keeps its memory alive.
     """
 
     width: int
@@ -76,12 +69,9 @@ class FrameConverter:
         self._reformatter = VideoReformatter()
 
     def convert(self, frame: DecodedFrame, width_px: int, height_px: int) -> BgraImage:
-        """Return a frame's pixels.
+        """Return a frame's pixels in the size that is shown, after rotation.
 
-        Args:
-            frame: as it was decoded.
-            width_px: as shown, after rotation; rounded down to an even number.
-            height_px: as shown.
+        An odd width is rounded down.
 
         Raises:
             MediaError: when the size is absurd; PyAV's errors pass through.

@@ -41,9 +41,7 @@ CONVERT = Message(
 def open_media(path: str | os.PathLike[str]) -> InputContainer:
     """Open a media file; the container closes at the end of a `with` block.
 
-    Args:
-        path: an MP4, MOV, Matroska, WebM, AVI or WAV file; symbolic links are
-            followed.
+    It is MP4, MOV, Matroska, WebM, AVI or WAV; symbolic links are followed.
 
     Raises:
         MediaError: when it is missing, no regular file, of another kind, damaged,
@@ -71,13 +69,7 @@ def open_media(path: str | os.PathLike[str]) -> InputContainer:
 def media_errors(
     path: str | os.PathLike[str], what: str, remedy: str = COPY_AGAIN
 ) -> Iterator[None]:
-    """Turn whatever PyAV raises inside the block into a MediaError.
-
-    Args:
-        path: the file, for the message.
-        what: what is wrong with it.
-        remedy: what a person can do.
-    """
+    """Turn whatever PyAV raises inside the block into a MediaError."""
     try:
         yield
     except MediaError:

@@ -33,16 +33,10 @@ else:  # it takes no parameter at run time
 class Lookahead:
     """Packets read ahead of a seek, from a key frame to the wanted frame.
 
-    It is known then which of them holds the wanted frame, and frames before it that no
-    other frame refers to need not be decoded. What is shown stays the same to the bit:
-    H.264 marks such frames (`nal_ref_idc` is 0, ITU-T H.264 7.4.1).
-
-    Args:
-        is_marked: whether the codec marks frames that no other frame refers to.
-
-    Attributes:
-        wanted: time stamp of the frame that covers the position; None where the
-            packets do not tell.
+    It is known then which of them holds the wanted frame (`wanted` is its time stamp,
+    None where the packets do not tell), and frames before it that no other frame refers
+    to need not be decoded. What is shown stays the same to the bit: H.264 marks such
+    frames (`nal_ref_idc` is 0, ITU-T H.264 7.4.1).
     """
 
     def __init__(self, *, is_marked: bool) -> None:
@@ -52,13 +46,9 @@ class Lookahead:
         self._needed_from: int | None = None
 
     def read(self, packets: Iterator[AnyPacket], until: int) -> None:
-        """Read until nothing that follows can be shown at `until` or before.
+        """Read from a key frame until nothing that follows is shown by `until`.
 
         Whatever the reading raises passes through; `pop` has what was read.
-
-        Args:
-            packets: from a key frame on.
-            until: in the stream's time base.
         """
         if not self._read_past(packets, until):
             return
@@ -103,13 +93,8 @@ class Continuity:
 
     Three signs: a packet was read and later ones have become frames; frames came at
     even steps and then one step is longer; the last comes long before the end that the
-    index of the file (MP4, MOV) gives.
-
-    Args:
-        stream: of the video.
-
-    Attributes:
-        missing: frames, or rows of them, so far.
+    index of the file (MP4, MOV) gives. `missing` counts frames, or rows of them, so
+    far.
     """
 
     def __init__(self, stream: Stream) -> None:

@@ -34,12 +34,9 @@ HANDLER = "GoPro MET"
 
 @dataclass(frozen=True, slots=True)
 class TelemetryPacket:
-    """One payload of a camera's telemetry track.
+    """One payload of a camera's telemetry track, as the camera wrote it.
 
-    Attributes:
-        start_s: media time of the span it covers.
-        duration_s: length of that span; nominal in the last payload.
-        payload: the bytes as the camera wrote them.
+    It covers a span of media time, whose duration is nominal in the last payload.
     """
 
     start_s: float
@@ -125,10 +122,7 @@ def add_telemetry(
 ) -> None:
     """Copy a clip without encoding it again, with a telemetry track beside it.
 
-    Args:
-        source: a clip with video.
-        target: the MP4 file to write; another one than `source`.
-        packets: payloads (GPMF) with media times.
+    The target is an MP4 file, another one than the source; the payloads are GPMF.
 
     Raises:
         MediaError: when the clip cannot be read or the file not written.

@@ -19,15 +19,11 @@ _FASTEST_STAGE = 2.0
 
 
 class TempoFilter:
-    """Takes blocks of sound, returns blocks that last 1/speed as long.
+    """Takes blocks of sound, returns blocks that last 1/speed as long (0.5 to 4).
 
     The time of a returned block is the media time of its first sample; the next sample
-    lies `speed / rate_hz` later. Onsets come within 3 ms of the time that this gives them
-    at the median, single ones up to 25 ms before or after it.
-
-    Args:
-        speed: 0.5 to 4; what is left of one second of media is 1/speed seconds.
-        rate_hz: of the blocks.
+    lies `speed / rate_hz` later. Onsets come within 3 ms of the time that this gives
+    them at the median, single ones up to 25 ms before or after it.
     """
 
     def __init__(self, speed: float, rate_hz: int) -> None:
@@ -66,9 +62,8 @@ class TempoFilter:
 class _Run:
     """A filter graph for sound without a gap.
 
-    Attributes:
-        delay_s: media time of its first output after that of its first input. Each stage
-            begins with the middle of its first window (libavfilter/af_atempo.c).
+    `delay_s` is the media time of its first output after that of its first input: each
+    stage begins with the middle of its first window (libavfilter/af_atempo.c).
     """
 
     def __init__(self, speed: float, rate_hz: int, channels: int) -> None:

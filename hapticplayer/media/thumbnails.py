@@ -14,14 +14,7 @@ MOST = 400
 
 
 class Thumbnail(NamedTuple):
-    """A small picture of a frame.
-
-    Attributes:
-        media_s: of the frame.
-        width: px.
-        height: px.
-        rgb: width * height * 3 bytes, top row first.
-    """
+    """A small picture of a frame: width * height * 3 bytes, top row first."""
 
     media_s: float
     width: int
@@ -38,11 +31,8 @@ def thumbnails(
 ) -> list[Thumbnail]:
     """Return a thumbnail for each time, without those that cannot be decoded.
 
-    Args:
-        path: a clip.
-        times_s: in growing order; at most `MOST`.
-        height_px: of the thumbnails; their width follows.
-        progress: called before each frame; raises Cancelled to stop.
+    At most `MOST` times grow. `progress` is called before each and raises Cancelled to
+    stop.
 
     Raises:
         MediaError: when the clip cannot be opened.
@@ -74,10 +64,7 @@ def cover_thumbnails(
 ) -> list[Thumbnail | None]:
     """Return a thumbnail from the first third of each clip; None where that fails.
 
-    Args:
-        paths: of clips.
-        height_px: of the thumbnails; their width follows.
-        progress: called before each clip; raises Cancelled to stop.
+    `progress` is called before each clip and raises Cancelled to stop.
     """
     made: list[Thumbnail | None] = []
     for number, path in enumerate(paths):

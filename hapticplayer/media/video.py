@@ -42,19 +42,12 @@ _STEPS_BACK_S = (0.0, 1.0, 10.0, math.inf)
 class VideoDecoder(ClipDecoder[VideoFrame]):
     """The frames of a clip, in order, from any position.
 
-    One thread at a time. A damaged packet is skipped and counted in `damaged`;
-    only an error that ends the stream raises.
-
-    Args:
-        path: of the clip, opened at its beginning.
+    One thread at a time. A damaged packet is skipped and counted in `damaged`; only an
+    error that ends the stream raises. Sizes are as shown, after rotation and with
+    square pixels.
 
     Raises:
         MediaError: when it cannot be opened or holds no video.
-
-    Attributes:
-        width: px as shown, after rotation and with square pixels.
-        height: px as shown.
-        frame_rate_hz: average.
     """
 
     _WHAT = Message("its video cannot be set up")
