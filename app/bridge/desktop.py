@@ -52,14 +52,7 @@ class _UnknownPropertyError(LookupError):
 
 
 class Mpris:
-    """Offers the player on the session's bus while it is switched on.
-
-    Args:
-        player: what is controlled.
-        raise_window: brings the window to the front.
-        close: closes it.
-        address: of the bus; "" for the session's.
-    """
+    """Offers the player on the session's bus while it is switched on."""
 
     def __init__(
         self,
@@ -266,12 +259,7 @@ def _root_properties() -> dict[str, _Property]:
 
 
 class Desktop(QObject):
-    """Follows the player; the window calls it when something has changed.
-
-    Args:
-        player: what plays.
-        window: raised and closed by the desktop's controls.
-    """
+    """Follows the player; the window calls it when something has changed."""
 
     def __init__(self, player: Player, window: QMainWindow) -> None:
         super().__init__(window)

@@ -19,12 +19,9 @@ _MANY = 50
 class ErrorGateway:
     """Tells a person what went wrong, after the force is at rest where it must be.
 
-    What the engine refused (`HapticPlayerError`) is a sentence to show. Anything
-    else is a fault of this program: the force stops and the playback pauses first.
-
-    Args:
-        show: puts a sentence into the window.
-        halt: stops the force and pauses; must not raise.
+    What the engine refused (`HapticPlayerError`) is a sentence to show. Anything else
+    is a fault of this program: the force stops and the playback pauses first (`halt`,
+    which must not raise).
     """
 
     def __init__(self, show: Show, halt: Callable[[], None]) -> None:

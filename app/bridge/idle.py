@@ -43,11 +43,7 @@ EVERYTHING = (
 
 
 def connect(address: str = "") -> DBusConnection | None:
-    """Return a connection to the session's bus; None without one, none is started.
-
-    Args:
-        address: of another bus.
-    """
+    """Return a connection to the session's bus; None without one, none is started."""
     socket = Path(os.environ.get("XDG_RUNTIME_DIR", "/nowhere")) / "bus"
     address = address or os.environ.get("DBUS_SESSION_BUS_ADDRESS", "")
     if not address and socket.is_socket():
@@ -60,12 +56,7 @@ def connect(address: str = "") -> DBusConnection | None:
 
 
 class IdleInhibitor:
-    """Inhibits while it is wanted; without a bus it does nothing.
-
-    Args:
-        address: of the bus; "" for the session's.
-        services: what is inhibited.
-    """
+    """Inhibits while it is wanted; without a bus it does nothing."""
 
     def __init__(
         self, address: str = "", services: tuple[_Service, ...] = SERVICES

@@ -24,13 +24,10 @@ def hold_signals() -> None:
 
 @contextlib.contextmanager
 def closing_on_signals(close: Callable[[], None]) -> Iterator[None]:
-    """Call `close` from the event loop after SIGINT or SIGTERM.
+    """Call `close` from the event loop after SIGINT or SIGTERM; it must only post work.
 
-    Python runs its handlers between two steps of its own code: a byte on a socket
-    wakes the event loop, so that there is such a step at once.
-
-    Args:
-        close: called inside whatever step was running; it must only post work.
+    Python runs its handlers between two steps of its own code: a byte on a socket wakes
+    the event loop, so that there is such a step at once.
     """
     if threading.current_thread() is not threading.main_thread():
         yield

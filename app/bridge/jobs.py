@@ -30,10 +30,7 @@ class JobState:
 class Job(Generic[Result]):
     """Work in a Python thread, looked at by polling: nothing crosses into Qt.
 
-    Args:
-        title: for people.
-        work: called in the thread with a progress callback, which raises
-            `Cancelled` once the job is to stop.
+    The progress callback raises `Cancelled` once the job is to stop.
     """
 
     def __init__(self, title: str, work: Work[Result]) -> None:
@@ -86,8 +83,7 @@ class Job(Generic[Result]):
 class Jobs:
     """Runs one job and hands its outcome over on the thread that polls.
 
-    Args:
-        failed: called with the problem; a cancelled job is not a failure.
+    A cancelled job is not a failure.
     """
 
     def __init__(self, failed: Callable[[BaseException], None]) -> None:
@@ -241,15 +237,7 @@ POLL_MS = 50
 
 
 class BackgroundLookup(QObject):
-    """Runs a lookup in a thread when asked to; keeps the result.
-
-    Args:
-        work: returns names; called in a thread.
-        parent: Qt's owner.
-
-    Signals:
-        changed: there is something else than before.
-    """
+    """Runs a lookup of names in a thread when asked to; keeps the result."""
 
     changed = Signal()
 

@@ -32,11 +32,7 @@ def spoken() -> str:
 
 
 def install(application: QCoreApplication, chosen: str) -> str:
-    """Install a language; existing widgets have to be rebuilt.
-
-    Returns:
-        The language that is spoken.
-    """
+    """Install a language, and return it; existing widgets have to be rebuilt."""
     while _installed:
         application.removeTranslator(_installed.pop())
     language = wanted(chosen)

@@ -13,11 +13,7 @@ is not to be sent away every other time."""
 
 
 class Cadence:
-    """Says when it is time again; a late start does not lead to a burst.
-
-    Args:
-        rate_hz: times in a second.
-    """
+    """Says when it is time again; a late start does not lead to a burst."""
 
     def __init__(self, rate_hz: float) -> None:
         self._period_s = 1.0 / rate_hz
@@ -50,15 +46,10 @@ LONGEST_WITHOUT_GAP_S = 0.1
 class Pump(QObject):
     """Calls `poll` when it asks to be called, also in menus and modal dialogs.
 
-    A precise single-shot timer is armed again after each call, whatever happened in
-    it: an error reaches sys.excepthook, the next call comes all the same.
-
-    Args:
-        poll: does what is due and returns when to be called next, s.
-        clock: of the machine.
-        gap: called after `poll` when nothing is due for a while: the time to draw
-            everything but the video.
-        parent: Qt's owner.
+    A precise single-shot timer is armed again after each call, whatever happened in it:
+    an error reaches sys.excepthook, the next call comes all the same. `gap` is called
+    after `poll` when nothing is due for a while: the time to draw everything but the
+    video.
     """
 
     def __init__(

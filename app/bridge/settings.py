@@ -44,10 +44,8 @@ def default_path() -> Path:
 class Settings:
     """A small JSON file of names and values; losing it costs nothing.
 
-    A file of a newer version is left as it is, and nothing is remembered.
-
-    Args:
-        path: the file; None remembers nothing.
+    A file of a newer version is left as it is, and nothing is remembered, as without a
+    path.
     """
 
     def __init__(self, path: Path | None) -> None:

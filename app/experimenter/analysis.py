@@ -44,14 +44,7 @@ _ANALYSED = 0.7  # of the work
 
 @dataclass(frozen=True, slots=True)
 class Report:
-    """Text and figures, ready to be shown.
-
-    Attributes:
-        answers: that were analysed.
-        html: refers to the figures as SCHEME and their names.
-        figures: PNG, by name.
-        dpi: of the figures.
-    """
+    """Text whose figures (PNG, by name) are referred to as SCHEME and their names."""
 
     answers: Answers
     html: str
@@ -100,14 +93,7 @@ _PARTS = re.compile(r"(?=<h2>)")
 
 
 class AnalysisPage(QWidget):
-    """Analyses a study beside the window and shows what was found.
-
-    Args:
-        title: of the study.
-        read: gives its answers; called in a thread.
-        failed: called with the problem.
-        clock: of the machine.
-    """
+    """Analyses a study beside the window and shows what was found."""
 
     def __init__(
         self,
@@ -253,10 +239,7 @@ WIDTH_PX, HEIGHT_PX = 1040, 860
 class AnalysisWindow(QMainWindow):
     """Analyses a study at once; closing it stops what runs.
 
-    Args:
-        study: opened; its folder is read again for each analysis.
-        clock: of the machine.
-        parent: closes it too.
+    The study's folder is read again for each analysis.
     """
 
     def __init__(self, study: Study, clock: Clock, parent: QWidget) -> None:

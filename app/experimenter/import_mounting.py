@@ -62,11 +62,9 @@ class Triad(QWidget):
         self.show_axes(AS_RECORDED, None)
 
     def show_axes(self, axes: str, up: tuple[float, float, float] | None) -> None:
-        """Show a mounting.
+        """Show right, front and up of the actor, and where gravity says that up was.
 
-        Args:
-            axes: right, front and up of the actor in the recorder's axes.
-            up: where gravity says that up was, in the recorder's axes.
+        Both are in the recorder's axes.
         """
         self.axes, self._up = axes, up
         right, front, top = axes.split(",")
@@ -188,11 +186,7 @@ _TURNS = {
 
 
 class MountingPage(QWidget):
-    """Asks for mounting, direction of the device, gain, title and place.
-
-    Args:
-        library: the folder in which sequences are kept.
-    """
+    """Asks for mounting, direction of the device, gain, title and place."""
 
     def __init__(self, library: Path) -> None:
         super().__init__()

@@ -46,16 +46,7 @@ FILES, SYNC, MOUNTING, REPORT = range(4)
 
 
 class ImportWizard(QDialog):
-    """Leads through an import; what is uncertain has to be confirmed.
-
-    Signals:
-        play_wanted: the folder of a new sequence, to be played.
-        library_chosen: another library folder.
-
-    Args:
-        folder: where choosing files begins.
-        library: where sequences are kept.
-    """
+    """Leads through an import; what is uncertain has to be confirmed."""
 
     play_wanted = Signal(object)
     library_chosen = Signal(object)

@@ -57,11 +57,7 @@ Run = Callable[[str, Callable[[Progress], Any], Callable[[Any], None]], None]
 class LibraryDetails(QWidget):
     """Shows an entry of the library and changes its tracks.
 
-    Signals:
-        changed: what lies on the disk is another.
-
-    Args:
-        run: begins a piece of work: title, work, what is done with the result.
+    `run` begins a piece of work: title, work, what is done with the result.
     """
 
     changed = Signal()

@@ -43,16 +43,7 @@ _LONGEST = 80  # characters of a title in a question
 
 
 class LibraryPage(QDialog):
-    """Shows what lies in the library; one piece of work at a time.
-
-    Signals:
-        open_wanted: the folder of a sequence, to be played.
-        import_wanted: a person wants to bring in a recording.
-        library_chosen: another folder is the library.
-
-    Args:
-        library: the folder.
-    """
+    """Shows what lies in the library; one piece of work at a time."""
 
     open_wanted = Signal(object)
     import_wanted = Signal()

@@ -39,9 +39,6 @@ class Mirror(QWidget):
 
     Nothing is decoded, copied or kept: a frame takes 0.3 ms, ten times a second. The
     pages are not mirrored: their answers are the participant's.
-
-    Args:
-        surface: the participant's.
     """
 
     def __init__(self, surface: VideoSurface) -> None:
@@ -90,13 +87,7 @@ WIDTH_PX, HEIGHT_PX = 1280, 720  # the health line is whole
 class SessionControl(QMainWindow):
     """Shows a session to the operator; blind to the condition where that is wanted.
 
-    Signals:
-        closing: a person closes the window.
-
-    Args:
-        start: the panel that is shown until a session has begun.
-        mirror: shows the participant's picture.
-        shows_force: whether live plots may be seen: they reveal the condition.
+    Live plots reveal the condition: only with `shows_force` may they be seen.
     """
 
     closing = Signal()

@@ -86,17 +86,7 @@ _GOOD, _BAD = "\u25cf", "\u25a0"
 
 
 class StartPanel(QWidget):
-    """Chooses the participant and shows the checks.
-
-    Signals:
-        started: a person wants to begin.
-        clip_wanted: a person wants to hear the sound.
-        volume_chosen: per cent.
-
-    Args:
-        languages: of the study.
-        unfinished: codes of the sessions that can be resumed.
-    """
+    """Chooses the participant, or a session to be resumed, and shows the checks."""
 
     started = Signal()
     clip_wanted = Signal()

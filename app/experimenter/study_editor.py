@@ -34,12 +34,7 @@ _MOST = 2**31 - 1
 
 
 class StudyEditor(QDialog):
-    """Edits the definition of a study; sessions keep the one they began with.
-
-    Args:
-        study: opened.
-        parent: Qt's owner.
-    """
+    """Edits the definition of a study; sessions keep the one they began with."""
 
     def __init__(self, study: Study, parent: QWidget | None = None) -> None:
         super().__init__(parent)

@@ -86,15 +86,7 @@ FOLDER = "study_folder"
 class StudyMenu(QObject):
     """Adds the menu, and does what it offers.
 
-    Signals:
-        running: whether a session is running.
-
-    Args:
-        window: whose menu bar it joins.
-        clock: of the machine.
-        report: shows what went wrong.
-        release: stops playback, releases the device, and returns its name.
-        settings: keeps where the last study was.
+    `release` stops playback, releases the device, and returns its name.
     """
 
     running = Signal(bool)

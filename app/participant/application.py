@@ -53,16 +53,7 @@ SOUND_CHECK_S = 4.0
 
 
 class StudySession:
-    """Both windows of one participant's session.
-
-    Args:
-        study: opened.
-        material: of the study.
-        device: name of the haptic device.
-        clock: of the machine.
-        audio: makes the sound output; None plays without sound.
-        observer: notified of starts and ends.
-    """
+    """Both windows of one participant's session."""
 
     def __init__(
         self,
@@ -247,9 +238,6 @@ class StudySession:
 
 def run(options: argparse.Namespace) -> int:
     """Show the study's windows and return the exit status once they are closed.
-
-    Args:
-        options: of `hapticplayer study run`.
 
     Raises:
         HapticPlayerError: when the study cannot be run; no window is shown then.

@@ -25,15 +25,7 @@ _ENTER = (Qt.Key.Key_Return, Qt.Key.Key_Enter)
 
 
 class TextPage(FittedPage):
-    """A text, and up to a few buttons under it.
-
-    Signals:
-        pressed: the name of the button.
-
-    Args:
-        page: what it says.
-        buttons: (name, text); the last one continues.
-    """
+    """A text, and up to a few buttons (name, text) under it; the last one continues."""
 
     pressed = Signal(str)
 
@@ -70,15 +62,8 @@ class TextPage(FittedPage):
 class QuestionsPage(FittedPage):
     """Questions one under the other.
 
-    Signals:
-        finished: the participant continues.
-        replay_wanted: the token of a clip, see `Page.replays`.
-
-    Args:
-        page: its questions.
-        word: gives the words of the buttons.
-        scale: ends of the five-point scale.
-        draft: what was typed before a clip was played again.
+    A clip that is to be played again is named by its token, see `Page.replays`; `draft`
+    is what was typed before.
     """
 
     finished = Signal()

@@ -29,15 +29,7 @@ _BESIDE_PX = 14  # between a scale and the labels at its ends
 
 
 class QuestionRow(QFrame):
-    """One question with its answer.
-
-    Signals:
-        answered: a person has chosen something.
-        entered: the keyboard is here now.
-
-    Args:
-        asked: the question.
-    """
+    """One question with its answer; `entered` means that the keyboard is here now."""
 
     answered = Signal()
     entered = Signal()
@@ -92,13 +84,7 @@ class QuestionRow(QFrame):
 
 
 class ButtonsRow(QuestionRow):
-    """An answer out of a few.
-
-    Args:
-        asked: the question.
-        answers: (value, text) of the buttons.
-        ends: labels before the first and after the last.
-    """
+    """An answer out of a few (value, text), with labels before and after them."""
 
     def __init__(
         self,

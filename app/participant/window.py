@@ -21,11 +21,7 @@ _MEDIA_KEYS = range(Qt.Key.Key_VolumeDown, Qt.Key.Key_Launch0 + 1)
 
 
 class ParticipantWindow(QWidget):
-    """Shows the runner's page; whatever a person does goes to the runner.
-
-    Args:
-        surface: where clips are shown.
-    """
+    """Shows the runner's page; whatever a person does goes to the runner."""
 
     def __init__(self, surface: VideoSurface) -> None:
         super().__init__()

@@ -42,9 +42,6 @@ AT_REST_MS = 150  # the log includes the force at rest after the end
 def run(options: argparse.Namespace) -> int:
     """Show the window and return the exit status once it is closed.
 
-    Args:
-        options: of `hapticplayer` or `hapticplayer play`, see hapticplayer.cli.
-
     Raises:
         HapticPlayerError: when what the command line names cannot be played; no
             window has been shown then.

@@ -18,13 +18,7 @@ translate = QCoreApplication.translate
 
 
 class Choice(NamedTuple):
-    """An entry of a list.
-
-    Attributes:
-        name: the engine's.
-        text: for people.
-        refusal: why it cannot be chosen, "" where it can.
-    """
+    """An entry of a list; `refusal` is why it cannot be chosen, "" where it can."""
 
     name: str
     text: str
@@ -46,9 +40,7 @@ def devices(
 ) -> list[Choice]:
     """Return the devices that a person may choose, and the one that is chosen.
 
-    Args:
-        current: the one that is chosen.
-        falcons: name and serial number of each that is plugged in.
+    `falcons` are name and serial number of each that is plugged in.
     """
     found: list[Choice] = []
     for name in device_names():
@@ -68,12 +60,7 @@ def _is_hidden(name: str) -> bool:
 
 
 class PluggedFalcons(BackgroundLookup):
-    """Finds the serial numbers, "" for those that may not be read.
-
-    Args:
-        find: returns them.
-        parent: Qt's owner.
-    """
+    """Finds the serial numbers, "" for those that may not be read."""
 
     def __init__(
         self,

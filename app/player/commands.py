@@ -28,8 +28,6 @@ class Command(NamedTuple):
         menu: file, playback, view or help.
         group: commands of one group lie together in the menu.
         keys: at first.
-        needs_clip: cannot be done without one.
-        is_checkable: is on or off.
         is_fixed: keeps its keys.
     """
 
@@ -99,12 +97,7 @@ def text_of(command: Command) -> str:
 
 
 def keys_of(command: Command, chosen: dict[str, Any]) -> list[QKeySequence]:
-    """Return the keys of a command.
-
-    Args:
-        command: whose.
-        chosen: the table of the settings: texts by the command's name.
-    """
+    """Return the keys of a command; the table of the settings has texts by its name."""
     kept = chosen.get(command.name)
     is_list = isinstance(kept, list) and all(isinstance(key, str) for key in kept)
     texts = kept[:MOST_KEYS] if kept is not None and is_list else command.keys

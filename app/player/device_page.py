@@ -67,15 +67,8 @@ def step_text(step: DemonstrationStep) -> str:
 class DevicePage(QDialog):
     """Plays the demonstration on a device of its own; STOP and Escape end it at once.
 
-    The window has to let go of the device before.
-
-    Args:
-        clock: of the machine.
-        device: the engine's name of it.
-        parent: Qt's owner.
-
-    Signals:
-        homing_wanted: the Falcon does not know where its grip is; the page has closed.
+    The window has to let go of the device before. `homing_wanted` means that the Falcon
+    does not know where its grip is; the page has closed.
     """
 
     homing_wanted = Signal()

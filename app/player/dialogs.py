@@ -93,15 +93,7 @@ LATER = (
 class Dialogs(QObject):
     """Asks what to open, and remembers the folder.
 
-    Args:
-        window: their parent.
-        session: opens what was chosen.
-        settings: keeps the last folder.
-
-    Signals:
-        keys_changed: a command has other keys.
-        settings_taken: other settings came from a file.
-        device_wanted: a device was set up and is to be used.
+    `device_wanted` names a device that was set up and is to be used.
     """
 
     keys_changed = Signal()

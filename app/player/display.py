@@ -45,12 +45,7 @@ _ACTIVITIES = {
 
 
 def grip_of(now: Snapshot, ticks_since: TicksSince) -> Grip:
-    """Return what to show of a device that reports its position.
-
-    Args:
-        now: of the player.
-        ticks_since: `Player.ticks_since`.
-    """
+    """Return what to show of a device that reports its position."""
     title = _title(now.device)
     if now.device == NO_DEVICE:
         text = translate(
@@ -188,10 +183,7 @@ GRIP_HZ = 15.0  # a hand is slower than what scrolls
 class Display:
     """Refreshes position, plots and health; what is hidden costs nothing.
 
-    Args:
-        window: draws nothing while it is minimised or covered.
-        session: whose player is shown.
-        clock: of the machine.
+    Nothing is drawn while the window is minimised or covered.
     """
 
     def __init__(

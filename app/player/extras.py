@@ -25,13 +25,7 @@ translate = QCoreApplication.translate
 
 
 class LatencyMonitor(QObject):
-    """Looks once a second on which screen and through which output the clip plays.
-
-    Args:
-        session: whose player gets the latencies.
-        settings: hold what was measured.
-        surface: is on the screen.
-    """
+    """Looks once a second on which screen and through which output the clip plays."""
 
     def __init__(
         self, session: Session, settings: Settings, surface: VideoSurface
@@ -94,16 +88,7 @@ _SKIPS = {"far_back": -FAR_S, "far_forward": FAR_S}
 
 
 class Extras(QObject):
-    """Keys, menus and overlays of the video; the window calls it periodically.
-
-    Args:
-        session: whose player is controlled.
-        settings: what is remembered.
-        actions: what a person triggers.
-        transport: shows volume, speed, loop and force.
-        surface: the texts lie on it.
-        fullscreen: goes to the screen that was chosen.
-    """
+    """Keys, menus and overlays of the video; the window calls it periodically."""
 
     def __init__(
         self,

@@ -93,13 +93,7 @@ _COLUMNS, _WIDTH_PX, _HEIGHT_PX = 3, 620, 560
 
 
 class FaultPanel(QDialog):
-    """Stays beside the window; while it is open the simulated device takes faults.
-
-    Args:
-        clock: of the machine.
-        session: whose device it is.
-        parent: Qt's owner.
-    """
+    """Stays beside the window; while it is open the simulated device takes faults."""
 
     def __init__(self, clock: Clock, session: Session, parent: QWidget) -> None:
         super().__init__(parent)

@@ -24,10 +24,7 @@ def ask_for_firmware(
 ) -> None:
     """Let a person choose the file, accept its licence, and keep it.
 
-    Args:
-        parent: of the dialogs; none of them stops the event loop.
-        kept: called once there is a copy.
-        failed: called with the reason.
+    None of the dialogs stops the event loop; `kept` is called once there is a copy.
     """
     title = translate("FirmwareDialog", "The Falcon's firmware")
     kinds = translate("FirmwareDialog", "Firmware (*.bin *.BIN);;All files (*)")

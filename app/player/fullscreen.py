@@ -13,12 +13,9 @@ class EscapeFilter(QObject):
     """Sees the key before the dialog or menu that it closes.
 
     The window's own shortcut does not reach into modal dialogs and open menus. The
-    filter sits on the native windows, which get every key first and little else: on
-    the application it would be called for each of a thousand events a second.
-
-    Args:
-        stop: called for each press; the key still reaches its widget.
-        parent: Qt's owner.
+    filter sits on the native windows, which get every key first and little else: on the
+    application it would be called for each of a thousand events a second. The key still
+    reaches its widget.
     """
 
     def __init__(self, stop: Callable[[], None], parent: QObject) -> None:
@@ -63,13 +60,7 @@ CURSOR_STAYS_MS = 1500
 
 
 class Fullscreen(QObject):
-    """Hides everything but the surface and takes the whole screen, and back.
-
-    Args:
-        window: goes fullscreen.
-        surface: stays visible.
-        others: what is hidden meanwhile.
-    """
+    """Hides everything but the surface and takes the whole screen, and back."""
 
     def __init__(
         self, window: QMainWindow, surface: VideoSurface, others: list[QWidget]

@@ -24,7 +24,6 @@ class HomingView(NamedTuple):
         out: the same for the grip.
         aside: place of the grip right and up, -1 to 1.
         arrow: 1 pull, -1 push, 0 nothing to do.
-        is_ready: whether all is done.
     """
 
     homed: tuple[bool, bool, bool] = (False, False, False)
@@ -53,12 +52,7 @@ class TravelEstimate:
 
 
 def view_of(progress: Progress | None, ways: TravelEstimate) -> HomingView:
-    """Return what to show.
-
-    Args:
-        progress: None while there is no Falcon.
-        ways: of this homing; it learns.
-    """
+    """Return what to show; no progress means no Falcon, and the ways learn from it."""
     if progress is None:
         return HomingView()
     if progress.step is Step.READY:

@@ -81,17 +81,7 @@ class LatencyPage(QDialog):
     """Plays beats on a player of its own; Escape and STOP take the force away at once.
 
     The window has to let go of the device before. What is found is put into the
-    settings only by "Use".
-
-    Args:
-        clock: of the machine.
-        device: the engine's name of the haptic device; "none" leaves it out.
-        settings: hold what was measured before.
-        make_player: makes a player for a sink and a device.
-        parent: Qt's owner.
-
-    Signals:
-        measured: other latencies are in the settings.
+    settings only by "Use". The device "none" is left out.
     """
 
     measured = Signal()

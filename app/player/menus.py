@@ -80,14 +80,7 @@ LONGEST_NAME = 60
 
 
 class ChoiceMenu(QObject):
-    """A menu of which one entry is chosen.
-
-    Args:
-        menu: filled each time it opens.
-        entries: return (value, text) pairs.
-        chosen: returns the value that is chosen now.
-        choose: called with the value of the entry that was triggered.
-    """
+    """A menu of which one entry (value, text) is chosen; it is filled as it opens."""
 
     def __init__(
         self,

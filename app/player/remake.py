@@ -27,9 +27,7 @@ POLISHED = 40
 class OpenWindow(QObject):
     """Holds the window, and replaces it when it asks for that.
 
-    Args:
-        window: the first one.
-        ended: called when the clip of any of them has come to its end.
+    `ended` is called when the clip of any of them has come to its end.
     """
 
     def __init__(

@@ -31,16 +31,7 @@ _STOPS = np.array(
 def heat_of(
     track: ForceTrack, duration_s: float, bins: int = BINS
 ) -> NDArray[np.float64]:
-    """Return the largest amount of the force in each part of the clip.
-
-    Args:
-        track: whose force.
-        duration_s: of the clip.
-        bins: how many parts.
-
-    Returns:
-        (bins,), N.
-    """
+    """Return the largest amount of the force in each part of the clip (bins,), N."""
     edges_s = np.linspace(0.0, duration_s, bins + 1)
     at_edges = np.linalg.norm(track.at(edges_s), axis=1)
     # within a part a linear or held track is largest at one of its own times
@@ -105,11 +96,6 @@ class Thumbnails(QObject):
     """Decodes them when the pointer first reaches the seek bar, in another process.
 
     While a real device is moved nothing is decoded: only the time is shown.
-
-    Args:
-        slider: pointed at.
-        over: the window that the tip lies on.
-        player: what is open in it.
     """
 
     def __init__(self, slider: SeekSlider, over: QWidget, player: Player) -> None:

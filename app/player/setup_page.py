@@ -37,17 +37,6 @@ class SetupPage(QDialog):
     """Holds a Falcon, without force, until a person is done with it.
 
     The window has to let go of the device before.
-
-    Args:
-        clock: of the machine.
-        device: the engine's name of the one to begin with.
-        plugged: knows the Falcons on the bus.
-        parent: Qt's owner.
-        find_reach: how to get at a Falcon by its name.
-
-    Signals:
-        wanted: use this device.
-        demonstration_wanted: demonstrate its forces.
     """
 
     wanted = Signal(str)

@@ -22,12 +22,9 @@ translate = QCoreApplication.translate
 
 
 class Trouble(NamedTuple):
-    """Why the device is not ready.
+    """Why the device is not ready, and what to do.
 
-    Attributes:
-        title: what is wrong.
-        text: what to do.
-        is_watched: whether to try again by itself: it may have been done.
+    `is_watched` is whether to try again by itself: it may have been done.
     """
 
     title: str

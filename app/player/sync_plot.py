@@ -28,12 +28,7 @@ _BAND_ALPHA = 45
 
 
 class Trace(NamedTuple):
-    """What was measured against one thing.
-
-    Attributes:
-        ages_s: how long ago, (n,).
-        later_ms: how much later the force came, (n,).
-    """
+    """How much later the force came (n,) than one thing, and how long ago that was."""
 
     ages_s: NDArray[np.float64]
     later_ms: NDArray[np.float64]

@@ -29,12 +29,9 @@ class Box(NamedTuple):
 def letterbox(clip: tuple[int, int], area: tuple[int, int]) -> Box:
     """Return the largest box of the clip's shape in the middle of the area.
 
-    The width is even, as the converter wants it, and rounding never makes a bar
-    of a single column or row: a box within a pixel of the area fills it.
-
-    Args:
-        clip: width and height of the clip as shown, px.
-        area: width and height of the surface in device pixels.
+    The width is even, as the converter wants it, and rounding never makes a bar of a
+    single column or row: a box within a pixel of the area fills it. Sizes are width and
+    height, those of the area in device pixels.
     """
     wide, high = max(1, clip[0]), max(1, clip[1])
     room_x, room_y = max(2, area[0]), max(2, area[1])

@@ -47,15 +47,9 @@ DEVICE = "device"
 
 
 class PlayerWindow(QMainWindow):
-    """Shows one player; closing it closes the player.
+    """Shows one player, whose frames go to `surface`; closing it closes the player.
 
-    Args:
-        player: presents its frames on `surface`.
-        surface: becomes the middle of the window.
-        clock: of the machine.
-        settings: what is remembered.
-        plots: whether the live plots are shown at first.
-        waits: another window still has the player, until `begin`.
+    With `waits` another window still has the player, until `begin`.
     """
 
     def __init__(

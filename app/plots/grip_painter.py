@@ -173,13 +173,9 @@ class GripPainter:
     def paint(
         self, painter: QPainter, size: QSizeF, camera: Camera, grip: Grip
     ) -> None:
-        """Fill a view of this size.
+        """Fill a view of this size, in the painter's pixels.
 
-        Args:
-            painter: begun; its device gives the resolution, its font the words.
-            size: of the view, in the painter's pixels.
-            camera: where from.
-            grip: what.
+        The painter's device gives the resolution, its font the words.
         """
         view = Projection(camera, grip.radius_m, size.width(), size.height())
         has_grip = grip.position_m is not None

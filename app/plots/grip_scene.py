@@ -56,13 +56,7 @@ class Camera:
 
 @dataclass(frozen=True)
 class Projection:
-    """One camera before one workspace in one view.
-
-    Attributes:
-        camera: where from.
-        radius_m: of the workspace.
-        width_px: of the view, like `height_px`.
-    """
+    """One camera before one workspace in one view."""
 
     camera: Camera
     radius_m: float
@@ -168,14 +162,12 @@ class Grip:
     """All that is shown; equal values look the same.
 
     Attributes:
-        title: of the view.
         state: what happens, in words; long ones are wrapped.
         activity: the same as a colour.
         position_m: of the grip from the centre, frame D; None while nobody knows it.
         force_n: on the hand, like `planned_n` by the track, `centring_n` of the spring
             that keeps the grip inside; the last is a share of the first.
         trail_m: where the grip was in the last half second, oldest first.
-        radius_m: of the workspace.
         full_force_n: force of the longest arrow.
     """
 
@@ -218,13 +210,9 @@ def force_of(tick: Any, field: str) -> Vector:
 
 
 def trail_of(ticks: NDArray[Any]) -> tuple[Vector, ...]:
-    """Return where the grip was, every 20 ms of the last half second.
+    """Return where the grip was, every 20 ms of the last half second, oldest first.
 
-    Args:
-        ticks: records of TICK, oldest first.
-
-    Returns:
-        Positions, oldest first; none where the grip did not move.
+    The ticks are records of TICK, oldest first. None where the grip did not move.
     """
     if not len(ticks):
         return ()

@@ -123,12 +123,7 @@ class ForcePlot(PlayheadPlot):
 class PlotPanel(QWidget):
     """Both plots with their titles and legends, and the grip; each can be made wider.
 
-    Args:
-        acceleration: made before.
-        force: made before, over the same seconds.
-
-    Signals:
-        sought: a person wants to be at this time, s.
+    The plots were made before, over the same seconds; `sought` is a time, s.
     """
 
     sought = Signal(float)

@@ -44,10 +44,8 @@ class _Line(pg.PlotCurveItem):
 class PlayheadPlot(pg.PlotWidget):
     """Three lines for each group, over the seconds around the playhead.
 
-    Args:
-        name: for screen readers.
-        widths_px: pen width of each group of three lines; later ones lie on top.
-        span: which seconds are shown; shared by plots that go together.
+    Each group has its pen width; later ones lie on top. The span of seconds is shared
+    by plots that go together.
     """
 
     sought = Signal(float)

@@ -20,11 +20,7 @@ _LINE_PX, _PLATE_PX = 16.0, 6.0
 
 
 class PlotPointer(QObject):
-    """Watches the events of one plot.
-
-    Args:
-        plot: whose view is changed and read.
-    """
+    """Watches the events of one plot, whose view is changed and read."""
 
     def __init__(self, plot: "PlayheadPlot") -> None:
         super().__init__(plot)

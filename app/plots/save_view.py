@@ -33,11 +33,7 @@ _NAMES = ("planned", "sent")
 
 
 class SaveButton(Button):
-    """Asks where to, and saves what its plot shows now.
-
-    Args:
-        plot: whose view is saved.
-    """
+    """Asks where to, and saves what its plot shows now."""
 
     def __init__(self, plot: "PlayheadPlot") -> None:
         super().__init__()
@@ -78,11 +74,7 @@ class SaveButton(Button):
 
 
 def save_view(plot: "PlayheadPlot", path: Path) -> str:
-    """Write the view by the ending of the name; whole or not at all.
-
-    Returns:
-        What went wrong, "" when nothing did.
-    """
+    """Write the view by the ending of the name; return what went wrong, "" if nothing."""
     makers = {".png": _png, ".svg": _svg, ".csv": _csv}
     maker = makers.get(path.suffix.lower())
     if maker is None:

@@ -59,12 +59,7 @@ _TRAIL_MARGIN_S = 0.2  # behind the view, between two refreshes
 
 
 class Page(NamedTuple):
-    """What is drawn around a playhead.
-
-    Attributes:
-        time_s: (N,) media time.
-        values: (N, 3).
-    """
+    """Values (N, 3) at media times (N,), drawn around a playhead."""
 
     time_s: Floats
     values: Floats
@@ -130,11 +125,7 @@ class Trail:
         self.last_tick_s = float("-inf")
 
     def add(self, ticks: NDArray[Any]) -> bool:
-        """Append ticks that are newer than those before; return whether there are any.
-
-        Args:
-            ticks: records of TICK, oldest first; those already known are skipped.
-        """
+        """Append records of TICK that are newer; return whether there are any."""
         ticks = ticks[ticks["monotonic_s"] > self.last_tick_s]
         if not len(ticks):
             return False

@@ -33,14 +33,7 @@ def row_of(
     margins: tuple[int, int, int, int] = (0, 0, 0, 0),
     of: QWidget | None = None,
 ) -> QHBoxLayout:
-    """Return parts side by side.
-
-    Args:
-        *parts: from the left.
-        spacing: px; the style's own by default.
-        margins: left, top, right, bottom, px.
-        of: the widget that they fill.
-    """
+    """Return parts side by side, filling `of`; margins from the left clockwise, px."""
     made = QHBoxLayout(of) if of else QHBoxLayout()
     _fill(made, parts, spacing, margins)
     return made
@@ -87,13 +80,9 @@ def _fill(
 def paragraph(
     text: str = "", colour: str = "", *, is_centred: bool = False, lines: int = 0
 ) -> QLabel:
-    """Return a text that may have several lines.
+    """Return a text, plain or rich, that may have several lines.
 
-    Args:
-        text: in plain or rich text.
-        colour: other than the usual one.
-        is_centred: whether its lines are.
-        lines: for which it has room from the beginning.
+    It has room for `lines` from the beginning.
     """
     made = QLabel(text)
     made.setWordWrap(True)
@@ -123,17 +112,7 @@ def resize_within_screen(window: QWidget, width_px: int, height_px: int) -> None
 
 
 def ask_text(parent: QWidget, title: str, label: str, text: str = "") -> str | None:
-    """Ask for a line of text in a window in which it can be read.
-
-    Args:
-        parent: of the question.
-        title: of its window.
-        label: what is asked.
-        text: what it begins with.
-
-    Returns:
-        The line, None where a person declines.
-    """
+    """Ask for a line of text in a window in which it can be read; None is declined."""
     dialog = QInputDialog(parent)
     dialog.setWindowTitle(title)
     dialog.setLabelText(label)

@@ -120,12 +120,7 @@ class JobBar(QFrame):
         self.hide()
 
     def show_state(self, state: JobState | None, now_s: float) -> None:
-        """Show how far the work is; what is done at once is not worth a line.
-
-        Args:
-            state: of the job, None while nothing runs.
-            now_s: monotonic time.
-        """
+        """Show how far the work is; what is done at once is not worth a line."""
         if state is None:
             self._since_s = None
             self.cancel_button.setEnabled(True)
@@ -156,8 +151,7 @@ QLabel { background: rgba(12, 14, 17, 215); color: #ffffff; border-radius: 6px;
 class OnPicture(QLabel):
     """A box with a text in the upper left corner of another widget.
 
-    Args:
-        over: what it lies on; pointers and keys go through to it.
+    Pointers and keys go through to what it lies on.
     """
 
     def __init__(self, over: QWidget) -> None:
