@@ -15,8 +15,8 @@ from typing import Any
 
 from hapticplayer.capture.limits import MAX_TEMPLATE_BYTES
 from hapticplayer.errors import InputError, Message, UsageError, joined
-from hapticplayer.media.files import resolve_regular
 from hapticplayer.model import STANDARD_GRAVITY_MPS2, Sampling
+from hapticplayer.untrusted import resolve_regular
 
 OPTION = "--read-as"
 

@@ -23,7 +23,7 @@ from hapticplayer.capture.limits import (
     MAX_MEMBERS,
 )
 from hapticplayer.errors import InputError
-from hapticplayer.media.files import resolve_regular
+from hapticplayer.untrusted import resolve_regular
 
 HEAD_BYTES = 4096
 ZIP_MAGIC = b"PK\x03\x04"

@@ -11,7 +11,6 @@ from av.video.frame import VideoFrame
 from av.video.stream import VideoStream
 
 from hapticplayer.errors import MediaError, Message
-from hapticplayer.media.files import COPY_AGAIN
 from hapticplayer.media.frames import rotation_of
 from hapticplayer.media.limits import MAX_DURATION_S
 from hapticplayer.media.opening import (
@@ -24,6 +23,7 @@ from hapticplayer.media.opening import (
     read_only,
 )
 from hapticplayer.media.telemetry import find_telemetry
+from hapticplayer.untrusted import COPY_AGAIN
 
 _MAX_PACKETS_TO_FIRST_FRAME = 1000
 _MAKES = ("com.apple.quicktime.make", "com.android.manufacturer", "make")

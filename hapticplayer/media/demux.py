@@ -13,7 +13,6 @@ from av.stream import Stream
 from av.video.frame import VideoFrame
 
 from hapticplayer.errors import MediaError, Message
-from hapticplayer.media.files import COPY_AGAIN
 from hapticplayer.media.limits import MAX_DAMAGED_IN_A_ROW
 from hapticplayer.media.opening import media_errors, open_media
 from hapticplayer.media.packets import (
@@ -23,6 +22,7 @@ from hapticplayer.media.packets import (
     Continuity,
     Lookahead,
 )
+from hapticplayer.untrusted import COPY_AGAIN
 
 FrameT = TypeVar("FrameT")
 

@@ -12,7 +12,6 @@ from av.packet import Packet
 from av.stream import DataStream, Stream
 
 from hapticplayer.errors import MediaError, Message
-from hapticplayer.media.files import COPY_AGAIN
 from hapticplayer.media.limits import (
     MAX_TELEMETRY_BYTES,
     MAX_TELEMETRY_PACKET_BYTES,
@@ -24,6 +23,7 @@ from hapticplayer.media.opening import (
     origin_s,
     read_only,
 )
+from hapticplayer.untrusted import COPY_AGAIN
 
 _TICKS_PER_S = 1000
 """GoPro's own time base for the track."""

@@ -14,7 +14,6 @@ from hapticplayer.media.clip_info import (
     shown_size,
 )
 from hapticplayer.media.demux import ClipDecoder, PacketReader
-from hapticplayer.media.files import COPY_AGAIN
 from hapticplayer.media.frames import DecodedFrame, check_convertible, rotation_of
 from hapticplayer.media.limits import MAX_PIXELS
 from hapticplayer.media.opening import (
@@ -22,6 +21,7 @@ from hapticplayer.media.opening import (
     origin_s,
     read_only,
 )
+from hapticplayer.untrusted import COPY_AGAIN
 
 _FALLBACK_RATE_HZ = 30.0
 _LONGEST_FRAME_S = 60.0

@@ -15,7 +15,7 @@ from hapticplayer.capture.choices import LogChoices
 from hapticplayer.capture.mounting import ask_for_mounting, mounted
 from hapticplayer.capture.recording import Recording, find_gaps, refuse_gravity_free
 from hapticplayer.clock import utc_now_iso
-from hapticplayer.errors import InputError, Message
+from hapticplayer.errors import InputError, MediaError, Message
 from hapticplayer.media.clip_info import ClipInfo, probe
 from hapticplayer.model import (
     Feedback,
@@ -33,8 +33,9 @@ from hapticplayer.sequence.report import (
     notes_on_sequence,
 )
 from hapticplayer.sequence.synchronizing import SyncChoices, synchronized
+from hapticplayer.untrusted import HeldFile
 
-_COPY_SHARE = 0.4  # of the whole work; a long clip is mostly copied and hashed
+_COPY_SHARE = 0.6  # of the whole work; a long clip is mostly copied and hashed
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,24 +80,41 @@ def build_sequence(
         progress: called with each step; raises Cancelled to stop.
 
     Raises:
-        InputError: when the files cannot be used; no partial sequence remains.
+        InputError: when the files cannot be used, or change meanwhile; no partial
+            sequence remains.
         UsageError: when the synchronisation is uncertain, or gravity shows that the
             recorder was not upright and no mounting was given.
     """
     video, target = Path(video), Path(target)
     files.refuse_existing(target)
-    progress(0.0, Message("reading {name}", name=video.name))
-    clip = probe(video)
     choices = choices or Choices()
     source = video if imu_log is None else Path(imu_log)
-    recording = read_recording(source, choices.log)
-    refuse_gravity_free(recording)
-    if not choices.mounting and not (choices.log and choices.log.axes):
-        ask_for_mounting(recording.imu, source.name)
-    progress(0.02, Message("synchronising"))
-    recording = synchronized(clip, recording, choices.sync)
-    recording = _mounted(recording, choices.mounting)
-    return write_sequence(clip, recording, target, choices=choices, progress=progress)
+    with HeldFile(video, MediaError) as clip_file:
+
+        def report(fraction: float, step: str) -> None:
+            clip_file.refuse_changed()
+            progress(fraction, step)
+
+        report(0.0, Message("reading {name}", name=video.name))
+        clip = probe(video)
+        recording = _read_unchanged(source, choices.log)
+        refuse_gravity_free(recording)
+        if not choices.mounting and not (choices.log and choices.log.axes):
+            ask_for_mounting(recording.imu, source.name)
+        report(0.02, Message("synchronising"))
+        recording = synchronized(clip, recording, choices.sync)
+        recording = _mounted(recording, choices.mounting)
+        return write_sequence(clip, recording, target, choices=choices, progress=report)
+
+
+def _read_unchanged(source: Path, choices: LogChoices | None) -> Recording:
+    """Return the recording in a source that is the same before and after."""
+    if source.is_dir():
+        return read_recording(source, choices)
+    with HeldFile(source) as held:
+        recording = read_recording(source, choices)
+        held.refuse_changed()
+    return recording
 
 
 def _mounted(recording: Recording, axes: str) -> Recording:
@@ -130,7 +148,8 @@ def write_sequence(
         progress: called with each step.
 
     Raises:
-        InputError: when motion and clip do not overlap, or writing fails.
+        InputError: when motion and clip do not overlap, the clip changes, or writing
+            fails.
     """
     choices = choices or Choices()
     progress(0.05, Message("removing gravity"))
@@ -139,12 +158,8 @@ def write_sequence(
     _check_overlap(track, clip)
     with files.written_aside(target) as folder:
         clip_name = "clip" + clip.path.suffix.lower()
-        _copy_clip(clip.path, folder / clip_name, progress)
-        progress(0.7, Message("rendering the force"))
-        clip_hash = files.sha256_of(
-            folder / clip_name,
-            lambda f: progress(0.7 + 0.2 * f, Message("computing checksums")),
-        )
+        clip_hash = _copy_clip(clip.path, folder / clip_name, progress)
+        progress(0.85, Message("rendering the force"))
         tracks = _render(track, choices, clip_hash)
         excursions = _predict(tracks, clip, progress)
         _write_arrays(folder, recording.imu, track, tracks, extras or {})
@@ -204,21 +219,23 @@ def _check_overlap(track: MotionTrack, clip: ClipInfo) -> None:
         )
 
 
-def _copy_clip(source: Path, target: Path, progress: files.Progress) -> None:
-    free = shutil.disk_usage(target.parent).free
-    if free < source.stat().st_size:
-        raise InputError(
-            "needs {needed_mb} MB and only {free_mb} MB are free",
-            where=str(target.parent.parent),
-            remedy="free some space or choose another folder",
-            needed_mb=source.stat().st_size >> 20,
-            free_mb=free >> 20,
+def _copy_clip(clip: Path, target: Path, progress: files.Progress) -> str:
+    """Copy the clip and return its checksum."""
+    with HeldFile(clip, MediaError) as source:
+        free = shutil.disk_usage(target.parent).free
+        if free < source.size_bytes:
+            raise InputError(
+                "needs {needed_mb} MB and only {free_mb} MB are free",
+                where=str(target.parent.parent),
+                remedy="free some space or choose another folder",
+                needed_mb=source.size_bytes >> 20,
+                free_mb=free >> 20,
+            )
+        return files.copy_file(
+            source,
+            target,
+            lambda f: progress(0.2 + _COPY_SHARE * f, Message("copying the clip")),
         )
-    files.copy_file(
-        source,
-        target,
-        lambda f: progress(0.2 + _COPY_SHARE * f, Message("copying the clip")),
-    )
 
 
 def _render(

@@ -19,6 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hapticplayer.errors import Message, SequenceError
+from hapticplayer.untrusted import HeldFile
 
 MAX_JSON_BYTES = 4 << 20
 MAX_ARRAYS_BYTES = 2 << 30
@@ -174,17 +175,26 @@ def _sync(path: Path) -> None:
         os.close(descriptor)
 
 
-def copy_file(source: Path, target: Path, report: Callable[[float], None]) -> None:
-    """Copy in blocks, reporting the done fraction, and sync to disk."""
-    total = max(1, source.stat().st_size)
-    done = 0
-    with source.open("rb") as reader, target.open("xb") as writer:
-        while chunk := reader.read(_CHUNK_BYTES):
+def copy_file(source: HeldFile, target: Path, report: Callable[[float], None]) -> str:
+    """Copy in blocks, reporting the done fraction, and sync to disk.
+
+    Returns:
+        SHA-256 of what was copied.
+
+    Raises:
+        InputError: when the source has changed.
+    """
+    digest, done = hashlib.sha256(), 0
+    with target.open("xb") as writer:
+        while chunk := source.reader.read(_CHUNK_BYTES):
             writer.write(chunk)
+            digest.update(chunk)
             done += len(chunk)
-            report(done / total)
+            report(min(1.0, done / max(1, source.size_bytes)))
         writer.flush()
         os.fsync(writer.fileno())
+    source.refuse_changed()
+    return digest.hexdigest()
 
 
 def write_json(path: Path, content: dict[str, Any]) -> None:

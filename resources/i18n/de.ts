@@ -5576,10 +5576,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>ein einziges Feedback kann mit nichts verglichen werden</translation>
     </message>
     <message>
-        <source>computing checksums</source>
-        <translation>Prüfsummen</translation>
-    </message>
-    <message>
         <source>condition {key} is not in the study</source>
         <translation>die Bedingung {key} ist nicht in der Studie</translation>
     </message>
@@ -5894,6 +5890,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>use a file that &apos;hapticplayer play --record&apos; has written</source>
         <translation>eine Datei verwenden, die &apos;hapticplayer play --record&apos; geschrieben hat</translation>
+    </message>
+    <message>
+        <source>wait until nothing writes to it, then start again</source>
+        <translation>warten Sie, bis niemand mehr in die Datei schreibt, und beginnen Sie neu</translation>
+    </message>
+    <message>
+        <source>was changed or replaced while it was read</source>
+        <translation>wurde geändert oder ersetzt, während die Datei gelesen wurde</translation>
     </message>
     <message>
         <source>was written by another version of the program</source>

@@ -5576,10 +5576,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>un seul retour ne peut être comparé à rien</translation>
     </message>
     <message>
-        <source>computing checksums</source>
-        <translation>sommes de contrôle</translation>
-    </message>
-    <message>
         <source>condition {key} is not in the study</source>
         <translation>la condition {key} n’est pas dans l’étude</translation>
     </message>
@@ -5894,6 +5890,14 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>use a file that &apos;hapticplayer play --record&apos; has written</source>
         <translation>utilisez un fichier écrit par &apos;hapticplayer play --record&apos;</translation>
+    </message>
+    <message>
+        <source>wait until nothing writes to it, then start again</source>
+        <translation>attendez que plus rien n’y écrive, puis recommencez</translation>
+    </message>
+    <message>
+        <source>was changed or replaced while it was read</source>
+        <translation>a été modifié ou remplacé pendant sa lecture</translation>
     </message>
     <message>
         <source>was written by another version of the program</source>

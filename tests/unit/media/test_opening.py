@@ -1,3 +1,4 @@
+import errno
 import os
 from collections.abc import Callable
 from pathlib import Path
@@ -169,7 +170,10 @@ def test_relative_and_unicode_names_open(
 def test_file_that_may_not_be_read_is_refused(
     tmp_path: Path, clip: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(os, "access", lambda *_: False)  # tests may run as root
+    def refuse(*_arguments):  # tests may run as root
+        raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
+
+    monkeypatch.setattr(os, "open", refuse)
     with pytest.raises(MediaError, match="may not be read"):
         open_media(clip)
 

@@ -1,16 +1,20 @@
 """Importing writes all or nothing."""
 
 import dataclasses
+import hashlib
 import os
+import shutil
 
 import pytest
 
+from hapticplayer.capture import read_recording
 from hapticplayer.capture.si_csv import write_imu_csv
 from hapticplayer.errors import Cancelled, HapticPlayerError, InputError, SequenceError
 from hapticplayer.model import ClockMap
-from hapticplayer.sequence import files, open_sequence
+from hapticplayer.sequence import build, files, open_sequence
 from hapticplayer.sequence.build import Choices, build_sequence, write_sequence
 from hapticplayer.sequence.synchronizing import SyncChoices
+from hapticplayer.untrusted import HeldFile
 
 
 @pytest.fixture
@@ -100,12 +104,73 @@ def test_motion_that_misses_the_clip_is_refused(tmp_path, tiny_clip, recording):
 
 
 def test_a_file_is_copied_whole(tmp_path, rng):
-    source = tmp_path / "a"
-    source.write_bytes(rng.bytes(3_000_001))
-    told = []
-    files.copy_file(source, tmp_path / "b", told.append)
-    assert (tmp_path / "b").read_bytes() == source.read_bytes()
+    source, told, content = tmp_path / "a", [], rng.bytes(3_000_001)
+    source.write_bytes(content)
+    with HeldFile(source) as held:
+        checksum = files.copy_file(held, tmp_path / "b", told.append)
+    assert (tmp_path / "b").read_bytes() == content
+    assert checksum == hashlib.sha256(content).hexdigest()
     assert told[-1] == 1.0
+
+
+def truncated(path):
+    os.truncate(path, 0)
+
+
+def cut_in_half(path):
+    os.truncate(path, path.stat().st_size // 2)
+
+
+def replaced(path):
+    path.with_suffix(".new").write_bytes(b"another clip")
+    path.with_suffix(".new").replace(path)
+
+
+def written_over(path):
+    path.write_bytes(path.read_bytes()[::-1])
+
+
+@pytest.mark.parametrize("change", [truncated, cut_in_half, replaced, written_over])
+@pytest.mark.parametrize("step", ["synchronising", "copying the clip", "writing"])
+def test_a_clip_that_changes_meanwhile_is_refused(
+    tmp_path, tiny_clip, log_file, change, step
+):
+    clip = tmp_path / "ride.mp4"
+    shutil.copyfile(tiny_clip.path, clip)
+
+    def progress(_done, said):
+        if said == step:
+            change(clip)
+
+    with pytest.raises(InputError, match="changed or replaced while it was read"):
+        build_sequence(
+            clip,
+            tmp_path / "ride",
+            imu_log=log_file,
+            choices=Choices(sync=SyncChoices(offset_s=0.0)),
+            progress=progress,
+        )
+    assert sorted(p.name for p in tmp_path.iterdir()) == ["log.csv", "ride.mp4"]
+
+
+@pytest.mark.parametrize("change", [truncated, cut_in_half, replaced, written_over])
+def test_a_log_that_changes_meanwhile_is_refused(
+    tmp_path, tiny_clip, log_file, change, monkeypatch
+):
+    def read(path, choices):
+        found = read_recording(path, choices)
+        change(log_file)
+        return found
+
+    monkeypatch.setattr(build, "read_recording", read)
+    with pytest.raises(InputError, match="changed or replaced while it was read"):
+        build_sequence(
+            tiny_clip.path,
+            tmp_path / "ride",
+            imu_log=log_file,
+            choices=Choices(sync=SyncChoices(offset_s=0.0)),
+        )
+    assert [p.name for p in tmp_path.iterdir()] == ["log.csv"]
 
 
 def test_nothing_of_the_machine_gets_into_the_sequence(sequence_folder, tmp_path):

@@ -1,0 +1,171 @@
+"""Opens the files that others give: the one place in the program that does.
+
+A FIFO with the name of a clip would hang its reader for ever, a device could send
+without end. So a file is opened without waiting and read only if it is a regular one.
+"""
+
+import os
+import stat
+from pathlib import Path
+from types import TracebackType
+from typing import BinaryIO, NamedTuple, Self
+
+from hapticplayer.errors import InputError, MediaError, Message
+
+COPY_AGAIN = Message("copy it again from the camera, or choose another file")
+
+_KINDS = (
+    (stat.S_ISDIR, Message("is a folder, not a file")),
+    (stat.S_ISFIFO, Message("is a pipe, not a file")),
+    (stat.S_ISCHR, Message("is a device, not a file")),
+    (stat.S_ISBLK, Message("is a device, not a file")),
+    (stat.S_ISSOCK, Message("is a socket, not a file")),
+)
+_FLAGS = os.O_RDONLY | os.O_NONBLOCK | os.O_NOCTTY | os.O_CLOEXEC
+
+PathLike = str | os.PathLike[str]
+
+
+def open_regular(
+    path: PathLike, error: type[InputError] = InputError, remedy: str = ""
+) -> BinaryIO:
+    """Open a regular file for reading; never waits for anybody.
+
+    Raises:
+        InputError: or `error`, when there is no such file, or it cannot be read.
+    """
+    where = str(path)
+    try:
+        _refuse_special(
+            Path(path).stat(), where, error
+        )  # opening a device may act on it
+        descriptor = os.open(path, _FLAGS)
+    except FileNotFoundError:
+        raise error(
+            Message("there is no such file"),
+            where=where,
+            remedy=remedy or Message("check the name and the folder"),
+        ) from None
+    except PermissionError:
+        raise error(
+            Message("may not be read"),
+            where=where,
+            remedy=remedy or Message("change the rights of the file"),
+        ) from None
+    except (OSError, ValueError) as cause:
+        raise error(
+            Message("cannot be reached ({reason})", reason=cause),
+            where=where,
+            remedy=remedy or Message("check the name and the rights of its folder"),
+        ) from cause
+    try:
+        _refuse_special(os.fstat(descriptor), where, error)
+    except InputError:
+        os.close(descriptor)
+        raise
+    return os.fdopen(descriptor, "rb")
+
+
+def read_regular(
+    path: PathLike,
+    most_bytes: int,
+    error: type[InputError] = InputError,
+    remedy: str = "",
+) -> bytes:
+    """Return the content of a regular file.
+
+    Raises:
+        InputError: or `error`, when it cannot be read, or is too large.
+    """
+    try:
+        with open_regular(path, error, remedy) as reader:
+            content = reader.read(most_bytes + 1)
+    except OSError as problem:
+        what = Message("cannot be read ({reason})", reason=problem)
+        raise error(what, where=str(path), remedy=remedy) from problem
+    if len(content) > most_bytes:
+        raise error(Message("is too large"), where=str(path), remedy=remedy)
+    return content
+
+
+def resolve_regular(path: PathLike, error: type[InputError] = MediaError) -> Path:
+    """Return the absolute path of a regular file, for what opens files by name.
+
+    Raises:
+        MediaError: or `error`, when it cannot be read, or is empty.
+    """
+    with open_regular(path, error) as reader:
+        if os.fstat(reader.fileno()).st_size == 0:
+            raise error(
+                Message("is empty (0 bytes)"), where=str(path), remedy=COPY_AGAIN
+            )
+    return Path(path).resolve()
+
+
+class _Identity(NamedTuple):
+    """What tells one state of a file from another."""
+
+    device: int
+    inode: int
+    modified_ns: int
+    size_bytes: int
+
+
+class HeldFile:
+    """A file that is held open while its content is taken, so that a change is noticed.
+
+    Attributes:
+        size_bytes: when it was opened.
+
+    Raises:
+        InputError: or `error`, when it cannot be read.
+    """
+
+    def __init__(self, path: PathLike, error: type[InputError] = InputError) -> None:
+        self.path, self._error = Path(path), error
+        self.reader = open_regular(path, error)
+        self._identity = _identity(os.fstat(self.reader.fileno()))
+        self.size_bytes = self._identity.size_bytes
+
+    def __enter__(self) -> Self:
+        """Return itself."""
+        return self
+
+    def __exit__(
+        self,
+        _kind: type[BaseException] | None,
+        _problem: BaseException | None,
+        _trace: TracebackType | None,
+    ) -> None:
+        """Close it."""
+        self.reader.close()
+
+    def refuse_changed(self) -> None:
+        """Raise the error if the file, or what its name stands for, has changed."""
+        try:
+            found = {
+                _identity(os.fstat(self.reader.fileno())),
+                _identity(self.path.stat()),
+            }
+        except OSError:  # its name is gone
+            found = set()
+        if found != {self._identity}:
+            raise self._error(
+                Message("was changed or replaced while it was read"),
+                where=str(self.path),
+                remedy=Message("wait until nothing writes to it, then start again"),
+            )
+
+
+def _identity(status: os.stat_result) -> _Identity:
+    return _Identity(status.st_dev, status.st_ino, status.st_mtime_ns, status.st_size)
+
+
+def _refuse_special(
+    status: os.stat_result, where: str, error: type[InputError]
+) -> None:
+    if stat.S_ISREG(status.st_mode):
+        return
+    sentences = (sentence for is_kind, sentence in _KINDS if is_kind(status.st_mode))
+    sentence = next(sentences, Message("is not a regular file"))
+    raise error(sentence, where=where, remedy=Message("choose a file"))
