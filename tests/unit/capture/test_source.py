@@ -2,6 +2,7 @@
 
 import io
 import os
+import tracemalloc
 import zipfile
 
 import numpy as np
@@ -182,6 +183,27 @@ def test_integers_beyond_float64_are_subtracted_exactly():
 def test_what_is_no_table_is_refused(text, sentence):
     with pytest.raises(InputError, match=sentence):
         rows(text)
+
+
+def test_an_endless_line_is_refused_before_more_of_it_is_read():
+    text = io.BytesIO(b"1,2,3\n1,2,3\n" + b"7" * 30_000_000)
+    with pytest.raises(InputError, match="line 3: is longer than 4096 characters"):
+        read_numbers(text, Shape(3, (0, 1, 2)), "log")
+    assert text.tell() < 10_000_000
+
+
+@pytest.mark.parametrize("blank", [b"\n", b"\r", b"\r\n"])
+def test_blank_lines_take_no_memory_of_their_own(blank, monkeypatch):
+    monkeypatch.setattr(csv_table, "CHUNK_BYTES", 1 << 16)
+    text = b"1,2,3\n" + blank * 200_000 + b"4,5,6\n"
+    tracemalloc.start()
+    try:
+        held = rows(text)
+        peak_bytes = tracemalloc.get_traced_memory()[1]
+    finally:
+        tracemalloc.stop()
+    np.testing.assert_array_equal(held.values, [[1, 2, 3], [4, 5, 6]])
+    assert peak_bytes < 400_000  # a list of the lines of a chunk takes 500 kB more
 
 
 def test_more_rows_than_the_limit_are_refused(monkeypatch):
