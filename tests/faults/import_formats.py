@@ -123,7 +123,7 @@ def razor_dollar(s: Sampled) -> Files:
 
 
 def _sensor_logger(name: str, t: Floats, xyz: Floats) -> Files:
-    columns = [_stamps_ns(t), t - 0.25, xyz[:, 2], xyz[:, 1], xyz[:, 0]]
+    columns = [_stamps_ns(t), t, xyz[:, 2], xyz[:, 1], xyz[:, 0]]
     text = "time,seconds_elapsed,z,y,x\n"
     return {
         f"{name}.csv": (

@@ -1,9 +1,9 @@
 """Sensor Logger (Android and iOS): one CSV for each sensor, in a folder or a zip.
 
-Header `time,seconds_elapsed,z,y,x`: ns since 1970, seconds since the start, and the
-axes in that order, so they are read by name. Android's Accelerometer.csv has no
-gravity, TotalAcceleration.csv has; iOS logs acceleration and gravity separately, with
-opposite signs, unless "Standardise Units & Frames" is on.
+Header `time,seconds_elapsed,z,y,x`: ns since 1970, seconds since the start (the zero of
+the log's clock), and the axes in that order, so they are read by name. Android's
+Accelerometer.csv has no gravity, TotalAcceleration.csv has; iOS logs acceleration and
+gravity separately, with opposite signs, unless "Standardise Units & Frames" is on.
 
 Source: tszheichoi/awesome-sensor-logger (UNITS, COORDINATES, CROSSPLATFORM).
 """
@@ -19,6 +19,7 @@ from hapticplayer.capture.csv_table import Shape, column_names
 from hapticplayer.capture.formats import Confidence
 from hapticplayer.capture.source import Source
 from hapticplayer.capture.streams import (
+    NANO,
     RawLog,
     Sensor,
     Stream,
@@ -30,6 +31,9 @@ from hapticplayer.errors import InputError, Message
 _COLUMNS = ("time", "x", "y", "z")
 _IOS, _ANDROID = "ios", "android"
 _TRUE = ("true", "1", "yes")
+
+_MAX_ELAPSED_NS = 10**15
+"""Eleven days: a longer time since the start is damaged."""
 
 _TOTAL = "totalacceleration.csv"
 _LINEAR = "accelerometer.csv"
@@ -69,14 +73,16 @@ def read(source: Source, choices: LogChoices) -> RawLog:
     gyro = _read(source, found[gyro_name])
     field_name = next((name for name in _FIELD if name in found), None)
     field = _read(source, found[field_name]) if field_name else None
-    origin_ns = accel.origin_ns
+    origin_ns = _start_ns(source, found[gyro_name])
+    if origin_ns is None or abs(accel.origin_ns - origin_ns) > _MAX_ELAPSED_NS:
+        origin_ns = accel.origin_ns
     if field is not None:
         notes += field.notes
     return RawLog(
         name=Message(
             "Sensor Logger ({system})", system="iOS" if system == _IOS else "Android"
         ),
-        accel=accel.stream,
+        accel=accel.since(origin_ns),
         rate=gyro.since(origin_ns),
         field=None if field is None else field.since(origin_ns),
         accel_unit=unit,
@@ -176,6 +182,19 @@ def _with_gravity(
         Sensor(stream, linear.origin_ns, linear.notes),
         notes + linear.notes + gravity.notes,
     )
+
+
+def _start_ns(source: Source, name: str) -> int | None:
+    """Return the time at which `seconds_elapsed` is 0, by the first row that tells."""
+    columns = column_names(source.first_line(name))
+    at, elapsed = columns.index("time"), columns.index("seconds_elapsed")
+    for line in source.head(name).splitlines()[1:]:
+        cells = column_names(line)
+        try:
+            return int(cells[at]) - round(float(cells[elapsed]) / NANO)
+        except (ValueError, IndexError, OverflowError):
+            continue
+    return None
 
 
 def _read(source: Source, name: str) -> Sensor:

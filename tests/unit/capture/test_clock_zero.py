@@ -1,0 +1,101 @@
+"""What the offset of a person refers to: each format's clock zero, as documented."""
+
+import re
+import sys
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from hapticplayer.capture import formats, read_recording
+from hapticplayer.capture.assemble import assemble
+from hapticplayer.capture.choices import LogChoices, parse_choices
+from hapticplayer.capture.other_cameras import read_other_camera
+from tests.faults.import_formats import FORMATS, put
+from tests.faults.import_signal import Sampled, sample
+
+LATE_S = 2.5
+"""The first sample, on the clock that is written."""
+
+WRITTEN = {  # the format's name: what writes it, and the time of the first sample
+    "gopro": ("GoPro, raw", LATE_S),
+    "camera": (None, LATE_S),  # telemetry-parser's own times
+    "si-csv": ("own CSV", LATE_S),
+    "sensor-logger": ("Sensor Logger Android", LATE_S),  # its seconds_elapsed
+    "phyphox": ("phyphox tab", LATE_S),
+    "gcsv": ("gcsv", LATE_S),
+    "euroc": ("EuRoC", 0.0),
+    "mars": ("MARS", 0.0),
+    "razor": ("Razor-AHRS", 0.0),
+    "ultimate-imu": ("Ultimate IMU", LATE_S),
+    "razor-m0": ("Razor M0", LATE_S + 5.321),  # since its start
+    "opencamera": ("OpenCamera Sensors", 0.0),
+    "csv": ("generic CSV", LATE_S),
+}
+CHILD = """
+import json, sys, numpy as np
+count = np.arange(2000)
+noise = 0.01 * (count[:, None] % (5, 6, 7))
+accel, rate = noise + (0.0, 0.0, 9.8), noise
+np.savez(sys.argv[2], time_s=2.5 + count / 200.0, specific_force_mps2=accel,
+         angular_rate_degps=rate)
+print(json.dumps({"camera": "Sony", "model": "FX3"}))
+"""
+
+
+def late(apart: bool) -> Sampled:
+    clean = sample(apart=apart)
+    return replace(
+        clean,
+        force_s=clean.force_s + LATE_S,
+        rate_s=clean.rate_s + LATE_S,
+        field_s=clean.field_s + LATE_S,
+    )
+
+
+@pytest.mark.parametrize("name", [one.name for one in formats.FORMATS])
+def test_clock_reads_zero_where_the_table_says(tmp_path, name):
+    key, first_s = WRITTEN[name]
+    if key is None:
+        path, axes = tmp_path / "clip.mp4", LogChoices(axes="x,y,z")
+        path.write_text("video")
+        command = (sys.executable, "-c", CHILD)
+        recording = assemble(
+            read_other_camera(path, axes, command=command), axes, str(path)
+        )
+    else:
+        one = FORMATS[key]
+        path = put(one.write(late(one.apart)), tmp_path / "in")
+        recording = read_recording(path, parse_choices(one.choices))
+    assert recording.imu.time_s[0] == pytest.approx(first_s, abs=1e-3)
+
+
+def test_documents_say_where_each_clock_reads_zero():
+    text = (Path(__file__).parents[3] / "docs" / "recording.md").read_text()
+    table = text.partition("| format | its clock reads zero |")[2].partition("\n\n")[0]
+    rows = re.findall(r"^\| `([\w-]+)` \| \S", table, re.MULTILINE)
+    assert rows == [one.name for one in formats.FORMATS]
+
+
+def test_nanoseconds_of_a_table_count_from_its_first_row(tmp_path):
+    path = tmp_path / "log.csv"
+    rows = (
+        f"{1_700_000_000_000_000_000 + k * 10_000_000},0.0{k % 7},0,9.8{k % 3},0,0,0.0{k % 2}"
+        for k in range(500)
+    )
+    path.write_text("t,a,b,c,d,e,f\n" + "\n".join(rows) + "\n")
+    words = ["columns=time,ax,ay,az,gx,gy,gz", "time-unit=ns", "accel-unit=m/s2",
+             "rate-unit=rad/s"]  # fmt: skip
+    assert read_recording(path, parse_choices(words)).imu.time_s[0] == 0.0
+
+
+@pytest.mark.parametrize("cell", ["", "nan", "1e300", "oops"])
+def test_unusable_elapsed_times_leave_the_first_sample(tmp_path, cell):
+    files = FORMATS["Sensor Logger Android"].write(sample(apart=True))
+    elapsed = re.compile(rb"^(\d+),[^,]+,", re.MULTILINE)
+    files = {
+        name: elapsed.sub(rb"\1," + cell.encode() + b",", content)
+        for name, content in files.items()
+    }
+    imu = read_recording(put(files, tmp_path / "in")).imu
+    assert imu.time_s[0] == pytest.approx(0.0, abs=1e-3)
