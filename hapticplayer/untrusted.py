@@ -6,6 +6,7 @@ without end. So a file is opened without waiting and read only if it is a regula
 
 import os
 import stat
+from collections.abc import Callable
 from pathlib import Path
 from types import TracebackType
 from typing import BinaryIO, NamedTuple, Self
@@ -34,32 +35,28 @@ def open_regular(
     Raises:
         InputError: or `error`, when there is no such file, or it cannot be read.
     """
-    where = str(path)
+
+    def refusal(what: Message, usual_remedy: Message) -> InputError:
+        return error(what, where=str(path), remedy=remedy or usual_remedy)
+
     try:
-        _refuse_special(
-            Path(path).stat(), where, error
-        )  # opening a device may act on it
+        _refuse_special(Path(path).stat(), refusal)  # opening a device may act on it
         descriptor = os.open(path, _FLAGS)
     except FileNotFoundError:
-        raise error(
-            Message("there is no such file"),
-            where=where,
-            remedy=remedy or Message("check the name and the folder"),
+        raise refusal(
+            Message("there is no such file"), Message("check the name and the folder")
         ) from None
     except PermissionError:
-        raise error(
-            Message("may not be read"),
-            where=where,
-            remedy=remedy or Message("change the rights of the file"),
+        raise refusal(
+            Message("may not be read"), Message("change the rights of the file")
         ) from None
     except (OSError, ValueError) as cause:
-        raise error(
+        raise refusal(
             Message("cannot be reached ({reason})", reason=cause),
-            where=where,
-            remedy=remedy or Message("check the name and the rights of its folder"),
+            Message("check the name and the rights of its folder"),
         ) from cause
     try:
-        _refuse_special(os.fstat(descriptor), where, error)
+        _refuse_special(os.fstat(descriptor), refusal)
     except InputError:
         os.close(descriptor)
         raise
@@ -79,12 +76,17 @@ def read_regular(
     """
     try:
         with open_regular(path, error, remedy) as reader:
-            content = reader.read(most_bytes + 1)
+            size_bytes = os.fstat(reader.fileno()).st_size
+            content = reader.read(most_bytes + 1) if size_bytes <= most_bytes else b""
     except OSError as problem:
         what = Message("cannot be read ({reason})", reason=problem)
         raise error(what, where=str(path), remedy=remedy) from problem
-    if len(content) > most_bytes:
-        raise error(Message("is too large"), where=str(path), remedy=remedy)
+    if max(size_bytes, len(content)) > most_bytes:
+        raise error(
+            Message("is too large (limit: {most_bytes} bytes)", most_bytes=most_bytes),
+            where=str(path),
+            remedy=remedy or Message("choose another file"),
+        )
     return content
 
 
@@ -162,10 +164,10 @@ def _identity(status: os.stat_result) -> _Identity:
 
 
 def _refuse_special(
-    status: os.stat_result, where: str, error: type[InputError]
+    status: os.stat_result, refusal: Callable[[Message, Message], InputError]
 ) -> None:
     if stat.S_ISREG(status.st_mode):
         return
-    sentences = (sentence for is_kind, sentence in _KINDS if is_kind(status.st_mode))
-    sentence = next(sentences, Message("is not a regular file"))
-    raise error(sentence, where=where, remedy=Message("choose a file"))
+    kinds = (sentence for is_kind, sentence in _KINDS if is_kind(status.st_mode))
+    sentence = next(kinds, Message("is not a regular file"))
+    raise refusal(sentence, Message("choose a file"))

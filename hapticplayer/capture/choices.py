@@ -16,7 +16,7 @@ from typing import Any
 from hapticplayer.capture.limits import MAX_TEMPLATE_BYTES
 from hapticplayer.errors import InputError, Message, UsageError, joined
 from hapticplayer.model import STANDARD_GRAVITY_MPS2, Sampling
-from hapticplayer.untrusted import resolve_regular
+from hapticplayer.untrusted import read_regular
 
 OPTION = "--read-as"
 
@@ -165,11 +165,9 @@ def read_template(path: Path) -> dict[str, str]:
     Raises:
         InputError: when it is not a template.
     """
-    file = resolve_regular(path, InputError)
+    text = read_regular(path, MAX_TEMPLATE_BYTES)
     try:
-        if file.stat().st_size > MAX_TEMPLATE_BYTES:
-            raise ValueError(Message("it is too large"))  # noqa: TRY301
-        content: Any = json.loads(file.read_text(encoding="utf-8"))
+        content: Any = json.loads(text)
         is_fitting = isinstance(content, dict) and all(
             _current(key) in KEYS and isinstance(value, str)
             for key, value in content.items()
@@ -178,10 +176,10 @@ def read_template(path: Path) -> dict[str, str]:
             raise ValueError(  # noqa: TRY301
                 Message("it must hold texts for {known}", known=", ".join(KEYS))
             )
-    except (ValueError, OSError, RecursionError) as error:
+    except (ValueError, RecursionError) as error:
         raise InputError(
             "is not a template for logs ({reason})",
-            where=str(file),
+            where=str(path),
             remedy="write one with --save-template",
             reason=error,
         ) from error

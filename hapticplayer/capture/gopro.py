@@ -50,6 +50,7 @@ from hapticplayer.media.telemetry import (
 )
 from hapticplayer.model import ClockMap, ImuLog
 from hapticplayer.model.arrays import Floats
+from hapticplayer.untrusted import read_regular
 
 _FRAME_KEYS = ("SHUT", "CORI", "IORI", "ISOE", "WBAL")
 """Streams with one sample per frame; their first stamp is that of the first frame."""
@@ -82,12 +83,8 @@ def read(source: Source, _choices: LogChoices) -> Recording:
     path, where = source.path, str(source.path)
     if not _is_raw(source):
         return read_gopro(read_telemetry_packets(path), where)
-    size_bytes = path.stat().st_size
-    if size_bytes > MAX_RAW_GPMF_BYTES:
-        raise TelemetryError(
-            "has {count} bytes, too many", where=where, count=size_bytes
-        )
-    return read_gopro(split_raw(path.read_bytes()), where, is_raw=True)
+    content = read_regular(path, MAX_RAW_GPMF_BYTES, TelemetryError)
+    return read_gopro(split_raw(content), where, is_raw=True)
 
 
 READER = Reader(recognises, read)

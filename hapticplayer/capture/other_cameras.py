@@ -9,6 +9,7 @@ samples mean wrong times. It declares no frame, so a person gives the axes.
 
 import importlib.util
 import json
+import os
 import shutil
 import subprocess
 import sys
@@ -31,9 +32,10 @@ from hapticplayer.capture.limits import (
 from hapticplayer.capture.source import Source
 from hapticplayer.capture.streams import RawLog, Stream
 from hapticplayer.capture.telemetry_child import COLUMNS
-from hapticplayer.errors import Message, TelemetryError
+from hapticplayer.errors import InputError, Message, TelemetryError
 from hapticplayer.media.telemetry import data_track_names
 from hapticplayer.model.arrays import Floats
+from hapticplayer.untrusted import open_regular
 
 _COMMAND = (sys.executable, "-P", "-m", "hapticplayer.capture.telemetry_child")
 _MIN_SHARE = 0.98
@@ -124,7 +126,8 @@ def _read_copy(
         )
     copy, answer = folder / f"video{video.suffix}", folder / "answer.npz"
     try:
-        shutil.copyfile(video, copy)
+        with open_regular(video) as reader, copy.open("xb") as writer:
+            shutil.copyfileobj(reader, writer)
         done = subprocess.run(
             [
                 *command,
@@ -163,7 +166,7 @@ def _read_copy(
         about: Any = json.loads(done.stdout)
         name = f"{about['camera']} {about['model']}".strip()[:60]
         return name, _checked(answer, name)
-    except (ValueError, KeyError, TypeError, OSError, MemoryError) as error:
+    except (InputError, ValueError, KeyError, TypeError, MemoryError) as error:
         raise _refusal(
             video,
             Message("made telemetry-parser answer nonsense ({reason})", reason=error),
@@ -180,10 +183,11 @@ def _checked(answer: Path, name: str) -> dict[str, Floats]:
         raise ValueError(
             Message("a GoPro's telemetry is read without it, and is damaged")
         )
-    if answer.stat().st_size > MAX_ANSWER_BYTES:
-        raise ValueError(Message("it is too large"))
-    with np.load(answer, allow_pickle=False) as archive:
-        arrays = {name: np.asarray(archive[name], np.float64) for name in COLUMNS}
+    with open_regular(answer) as reader:
+        if os.fstat(reader.fileno()).st_size > MAX_ANSWER_BYTES:
+            raise ValueError(Message("it is too large"))
+        with np.load(reader, allow_pickle=False) as archive:
+            arrays = {name: np.asarray(archive[name], np.float64) for name in COLUMNS}
     time_s, accel, rate = (arrays[name] for name in COLUMNS)
     if time_s.ndim != 1 or accel.shape != (len(time_s), 3) or rate.shape != accel.shape:
         raise ValueError(Message("its arrays do not belong together"))

@@ -23,7 +23,7 @@ from hapticplayer.capture.limits import (
     MAX_MEMBERS,
 )
 from hapticplayer.errors import InputError
-from hapticplayer.untrusted import resolve_regular
+from hapticplayer.untrusted import open_regular, resolve_regular
 
 HEAD_BYTES = 4096
 ZIP_MAGIC = b"PK\x03\x04"
@@ -164,11 +164,11 @@ def _folder_members(folder: Path) -> dict[str, _Member]:
 
 
 def _file_member(file: Path) -> _Member:
-    return _Member(file.stat().st_size, lambda: file.open("rb"))
+    return _Member(file.stat().st_size, lambda: open_regular(file))
 
 
 def _zip_members(path: Path) -> dict[str, _Member]:
-    with zipfile.ZipFile(path) as archive:
+    with open_regular(path) as reader, zipfile.ZipFile(reader) as archive:
         infos = archive.infolist()
     if len(infos) > MAX_MEMBERS:
         raise _too_many(path)
@@ -183,7 +183,11 @@ def _zip_members(path: Path) -> dict[str, _Member]:
 
 @contextlib.contextmanager
 def _unzipped(path: Path, info: zipfile.ZipInfo) -> Iterator[BinaryIO]:
-    with zipfile.ZipFile(path) as archive, archive.open(info) as stream:
+    with (
+        open_regular(path) as reader,
+        zipfile.ZipFile(reader) as archive,
+        archive.open(info) as stream,
+    ):
         yield cast(BinaryIO, stream)
 
 

@@ -2,12 +2,11 @@
 
 import json
 import os
-import stat
 import zlib
 from collections.abc import Iterator
 from pathlib import Path
 from types import TracebackType
-from typing import Any, BinaryIO, NamedTuple, Self
+from typing import Any, NamedTuple, Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,6 +26,7 @@ from hapticplayer.haptics.records import (
     VERSION,
     dtype_described,
 )
+from hapticplayer.untrusted import open_regular
 
 _REMEDY = Message("use a file that 'hapticplayer play --record' has written")
 MAX_WHOLE_BYTES = 4 << 30
@@ -107,7 +107,7 @@ class RecordReader:
 
     def __init__(self, path: Path) -> None:
         self._path = path
-        self._file = _open(path)
+        self._file = open_regular(path, remedy=_REMEDY)
         try:
             self.size_bytes = os.fstat(self._file.fileno()).st_size
             self.header, self._at = self._read_header()
@@ -285,20 +285,6 @@ class RecordReader:
 
     def _refusal(self, what: Message) -> InputError:
         return InputError(what, where=str(self._path), remedy=_REMEDY)
-
-
-def _open(path: Path) -> BinaryIO:
-    """Open a regular file; anything else might block."""
-    try:
-        descriptor = os.open(path, os.O_RDONLY | os.O_NONBLOCK | os.O_CLOEXEC)
-    except (OSError, ValueError) as problem:
-        raise InputError(
-            "cannot be read ({reason})", where=str(path), remedy=_REMEDY, reason=problem
-        ) from problem
-    if not stat.S_ISREG(os.fstat(descriptor).st_mode):
-        os.close(descriptor)
-        raise InputError("is not a regular file", where=str(path), remedy=_REMEDY)
-    return os.fdopen(descriptor, "rb")
 
 
 def is_frame_head(head: bytes) -> bool:

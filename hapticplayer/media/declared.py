@@ -12,6 +12,9 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import BinaryIO, NamedTuple
 
+from hapticplayer.errors import MediaError
+from hapticplayer.untrusted import open_regular
+
 _RIFF_UNKNOWN = (0, 0xFFFFFFFF)
 _EBML, _SEGMENT = b"\x1a\x45\xdf\xa3", b"\x18\x53\x80\x67"
 _HEAD_BYTES = 64
@@ -36,7 +39,7 @@ class _Box(NamedTuple):
 
 def declared_bytes(file: Path) -> int:
     """Return the length that a file declares, 0 where it does not."""
-    with file.open("rb") as stream:
+    with open_regular(file, MediaError) as stream:
         head = stream.read(_HEAD_BYTES)
         if head[4:8] in _TOP:
             return _end_of_boxes(stream, file.stat().st_size)
@@ -54,7 +57,7 @@ def declared_samples(file: Path) -> float:
     0 for other containers, infinite where there are more boxes than any camera writes.
     """
     total = 0
-    with file.open("rb") as stream:
+    with open_regular(file, MediaError) as stream:
         if stream.read(8)[4:] not in _TOP:
             return 0
         boxes = _boxes(stream, file.stat().st_size, _NESTED)

@@ -13,8 +13,9 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from hapticplayer.errors import UsageError
+from hapticplayer.errors import InputError, UsageError
 from hapticplayer.sequence.files import config_home
+from hapticplayer.untrusted import read_regular
 
 MOST_S = 1.0
 LARGE_S = 0.200
@@ -118,10 +119,8 @@ def table_s(table: Mapping[str, Any], part: str) -> dict[str, float]:
 def read_settings(path: Path) -> dict[str, Any]:
     """Return the window's settings; none of a file that is not valid."""
     try:
-        if not path.is_file() or path.stat().st_size > _MAX_BYTES:
-            return {}
-        values = json.loads(path.read_text(encoding="utf-8"))
-    except (OSError, ValueError, RecursionError):
+        values = json.loads(read_regular(path, _MAX_BYTES))
+    except (InputError, ValueError, RecursionError):
         return {}
     return values if isinstance(values, dict) else {}
 

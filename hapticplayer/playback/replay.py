@@ -12,6 +12,7 @@ from hapticplayer.capture.limits import MAX_FORCE_N
 from hapticplayer.errors import InputError, Message
 from hapticplayer.model import ForceTrack
 from hapticplayer.playback.source import Source
+from hapticplayer.untrusted import open_regular
 
 FROM_LOG = "log"
 """Name of the feedback that a log adds."""
@@ -57,9 +58,7 @@ def read_force_log(path: Path) -> tuple[dict[str, Any], ForceTrack]:
     header: dict[str, Any] = {}
     rows: list[tuple[float, float, float, float]] = []
     try:
-        if not path.is_file():
-            raise InputError("is not a file", where=str(path), remedy=_REMEDY)
-        with path.open(encoding="utf-8") as reader:
+        with open_regular(path, remedy=_REMEDY) as reader:
             for number in range(1, MAX_LINES + 2):
                 text = reader.readline(MAX_LINE)
                 if not text:
@@ -69,7 +68,7 @@ def read_force_log(path: Path) -> tuple[dict[str, Any], ForceTrack]:
                     header = _header(line, path)
                 elif line.get("kind") == "force":
                     rows.append(_force(line, path, number))
-    except (OSError, UnicodeDecodeError) as problem:
+    except OSError as problem:
         raise InputError(
             "cannot be read ({reason})", where=str(path), remedy=_REMEDY, reason=problem
         ) from problem
@@ -87,7 +86,7 @@ def _last_pass(rows: np.ndarray[Any, np.dtype[np.float64]]) -> tuple[Any, Any]:
     return times_s[kept], rows[kept, 1:].astype(np.float32)
 
 
-def _parsed(text: str, path: Path, number: int) -> dict[str, Any]:
+def _parsed(text: bytes, path: Path, number: int) -> dict[str, Any]:
     try:
         line = json.loads(text)
     except (ValueError, RecursionError) as problem:

@@ -19,7 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hapticplayer.errors import Message, SequenceError
-from hapticplayer.untrusted import HeldFile
+from hapticplayer.untrusted import HeldFile, open_regular, read_regular
 
 MAX_JSON_BYTES = 4 << 20
 MAX_ARRAYS_BYTES = 2 << 30
@@ -40,6 +40,8 @@ _DAMAGED = (
 Progress = Callable[[float, str], None]
 """Called with the done fraction (0 to 1) and the step; raises Cancelled to stop."""
 
+_GIVE_SEQUENCE = Message("give the folder of a sequence")
+_IMPORT_AGAIN = Message("import it again")
 FOLDER, FILE = Message("folder"), Message("file")
 
 
@@ -230,21 +232,13 @@ def read_json(path: Path) -> dict[str, Any]:
         SequenceError: when it is missing, too large, not an object, or holds a
             number that is not finite.
     """
+    text = read_regular(path, MAX_JSON_BYTES, SequenceError, _GIVE_SEQUENCE)
     try:
-        if path.stat().st_size > MAX_JSON_BYTES:
-            raise SequenceError("is too large", where=str(path))
         content = json.loads(
-            path.read_text(encoding="utf-8"),
+            text.decode("utf-8"),
             parse_constant=_refuse_constant,
             parse_float=_finite_float,
         )
-    except OSError as problem:
-        raise SequenceError(
-            "cannot be read ({reason})",
-            where=str(path),
-            remedy="give the folder of a sequence",
-            reason=problem,
-        ) from problem
     except (ValueError, RecursionError) as problem:
         raise SequenceError(
             "is not valid ({reason})",
@@ -272,12 +266,14 @@ def read_arrays(path: Path) -> dict[str, NDArray[Any]]:
         SequenceError: when it is missing, damaged or larger than the limit.
     """
     try:
-        with zipfile.ZipFile(path) as archive:
-            total = sum(entry.file_size for entry in archive.infolist())
-        if total > MAX_ARRAYS_BYTES:
-            raise SequenceError("is too large", where=str(path))
-        with np.load(path, allow_pickle=False) as archive:
-            return {name: archive[name] for name in archive.files}
+        with open_regular(path, SequenceError, _IMPORT_AGAIN) as reader:
+            with zipfile.ZipFile(reader) as archive:
+                total = sum(entry.file_size for entry in archive.infolist())
+            if total > MAX_ARRAYS_BYTES:
+                raise SequenceError("is too large", where=str(path))
+            reader.seek(0)
+            with np.load(reader, allow_pickle=False) as archive:
+                return {name: archive[name] for name in archive.files}
     except OSError as problem:
         raise SequenceError(
             "cannot be read ({reason})",
@@ -296,9 +292,9 @@ def read_arrays(path: Path) -> dict[str, NDArray[Any]]:
 
 def sha256_of(path: Path, report: Callable[[float], None] = lambda _f: None) -> str:
     """Return the checksum of a file, reporting the done fraction."""
-    total, done = max(1, path.stat().st_size), 0
-    digest = hashlib.sha256()
-    with path.open("rb") as reader:
+    digest, done = hashlib.sha256(), 0
+    with open_regular(path, SequenceError, _IMPORT_AGAIN) as reader:
+        total = max(1, os.fstat(reader.fileno()).st_size)
         while chunk := reader.read(_CHUNK_BYTES):
             digest.update(chunk)
             done += len(chunk)

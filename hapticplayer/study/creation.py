@@ -9,6 +9,7 @@ from typing import Any
 from hapticplayer.errors import StudyError, UsageError
 from hapticplayer.study import private
 from hapticplayer.study.definition_reader import DEFINITION, parse_definition
+from hapticplayer.study.json_files import read_file
 from hapticplayer.study.plan import LETTERS
 from hapticplayer.study.session_folder import sha256
 from hapticplayer.study.study_folder import Study, open_study
@@ -100,7 +101,7 @@ def clip_checksums(study: Study) -> dict[str, str]:
         StudyError: when a sequence is missing.
     """
     return {
-        s.key: sha256((sequence_folder(study, s.key) / "sequence.json").read_bytes())
+        s.key: sha256(read_file(sequence_folder(study, s.key) / "sequence.json"))
         for s in study.definition.sequences
     }
 

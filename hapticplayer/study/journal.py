@@ -240,7 +240,7 @@ class Journal:
 def refuse_if_open(path: Path) -> None:
     """Raise StudyError when another program has locked the file."""
     try:
-        descriptor = os.open(path, os.O_RDONLY | os.O_NOFOLLOW)
+        descriptor = os.open(path, os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK)
     except OSError:
         return  # a `Journal` could not open it either
     try:

@@ -10,6 +10,7 @@ import msgspec
 from msgspec import inspect
 
 from hapticplayer.errors import Message, StudyError
+from hapticplayer.untrusted import read_regular
 
 MAX_BYTES = 4 << 20
 MAX_TEXT = 20_000
@@ -26,6 +27,7 @@ _KINDS = {
     "object": Message("an object"),
 }
 
+GIVE_STUDY = Message("give the folder of a study")
 _CORRECT = Message("correct it")
 
 Kind = TypeVar("Kind")
@@ -37,17 +39,7 @@ def read_file(path: Path, max_bytes: int = MAX_BYTES) -> bytes:
     Raises:
         StudyError: when it cannot be read.
     """
-    try:
-        if path.stat().st_size > max_bytes:
-            raise StudyError("is too large", where=str(path))
-        return path.read_bytes()
-    except OSError as problem:
-        raise StudyError(
-            "cannot be read ({reason})",
-            where=str(path),
-            remedy="give the folder of a study",
-            reason=problem,
-        ) from problem
+    return read_regular(path, max_bytes, StudyError, GIVE_STUDY)
 
 
 def parse(content: bytes, path: str) -> Any:

@@ -6,9 +6,11 @@ from pathlib import Path
 
 from hapticplayer.errors import StudyError
 from hapticplayer.study import private
-from hapticplayer.study.journal import decode
+from hapticplayer.study.journal import MAX_BYTES, decode
+from hapticplayer.study.json_files import read_file
 from hapticplayer.study.session_folder import ANSWERS, sha256
 from hapticplayer.study.study_folder import CONSENTS, SESSIONS, Study
+from hapticplayer.untrusted import open_regular
 
 
 @dataclass(frozen=True, slots=True)
@@ -93,20 +95,29 @@ def _copy_session(study: Study, other: Study, code: str) -> str:
                 _copy(path, aside / path.name)
     consent = other.folder / CONSENTS / f"{code}.json"
     if consent.is_file():
-        private.replace(study.folder / CONSENTS / consent.name, consent.read_bytes())
+        private.replace(study.folder / CONSENTS / consent.name, read_file(consent))
     return ""
 
 
 def _copy(source: Path, target: Path) -> None:
     private.write_new(target, b"")
-    with source.open("rb") as reader, target.open("wb") as writer:
+    with open_regular(source, StudyError) as reader, target.open("wb") as writer:
         shutil.copyfileobj(reader, writer)
         private.sync_file(writer)
 
 
 def _difference(ours: Path, theirs: Path) -> str:
     """Return how two sessions of one code differ, or ""."""
-    left, right = (decode((f / ANSWERS).read_bytes()).intact for f in (ours, theirs))
+    try:
+        left, right = (read_file(f / ANSWERS, MAX_BYTES) for f in (ours, theirs))
+    except StudyError as problem:
+        return f"cannot be compared ({problem})"
+    return _different(left, right)
+
+
+def _different(ours: bytes, theirs: bytes) -> str:
+    """Return how two journals of one code differ, or ""."""
+    left, right = decode(ours).intact, decode(theirs).intact
     if left == right:
         return ""
     shared = min(len(left), len(right))
@@ -118,6 +129,6 @@ def _difference(ours: Path, theirs: Path) -> str:
             "move the shorter one here out of the study and merge again"
         )
     return (
-        f"two sessions of one code ({sha256((ours / ANSWERS).read_bytes())[:8]} here, "
-        f"{sha256((theirs / ANSWERS).read_bytes())[:8]} there)"
+        f"two sessions of one code ({sha256(ours)[:8]} here, "
+        f"{sha256(theirs)[:8]} there)"
     )

@@ -33,6 +33,7 @@ from hapticplayer.study.session_folder import (
     read_session,
     sha256,
 )
+from hapticplayer.untrusted import open_regular
 
 SESSIONS, CONSENTS, DELETED = "sessions", "consents", "deleted"
 _LEAVING = ".leaving-"
@@ -270,7 +271,7 @@ def _files_with(folder: Path, code: bytes) -> list[str]:
 
 def _contains(path: Path, code: bytes) -> bool:
     kept = b""
-    with path.open("rb") as reader:
+    with open_regular(path, StudyError) as reader:
         while chunk := reader.read(1 << 20):
             if code in kept + chunk:
                 return True

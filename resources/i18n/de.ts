@@ -4048,10 +4048,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>hat {count} Bytes statt {expected}</translation>
     </message>
     <message>
-        <source>has {count} bytes, too many</source>
-        <translation>hat {count} Bytes, zu viele</translation>
-    </message>
-    <message>
         <source>has {count} columns, and a Razor M0 does not declare them</source>
         <translation>hat {count} Spalten, und ein Razor M0 sagt nicht, welche es sind</translation>
     </message>
@@ -4238,10 +4234,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>is no video</source>
         <translation>ist kein Video</translation>
-    </message>
-    <message>
-        <source>is not a file</source>
-        <translation>ist keine Datei</translation>
     </message>
     <message>
         <source>is not a regular file</source>
@@ -4618,6 +4610,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>give the folder of one of them instead</source>
         <translation>nichts, aber geben Sie den Ordner von einer an</translation>
+    </message>
+    <message>
+        <source>is too large (limit: {most_bytes} bytes)</source>
+        <translation>ist zu groß (Grenze: {most_bytes} Byte)</translation>
     </message>
     <message>
         <source>is truncated in its header</source>
@@ -6026,10 +6022,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>{path}: cannot be brought back ({reason})</source>
         <translation>{path}: kann nicht zurückgeholt werden ({reason})</translation>
-    </message>
-    <message>
-        <source>{path}: cannot be read ({reason}); choose another file</source>
-        <translation>{path}: kann nicht gelesen werden ({reason}); wählen Sie eine andere Datei</translation>
     </message>
     <message>
         <source>{path}: is not a log of {name}</source>

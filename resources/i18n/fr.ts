@@ -4048,10 +4048,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>a {count} octets au lieu de {expected}</translation>
     </message>
     <message>
-        <source>has {count} bytes, too many</source>
-        <translation>a {count} octets, c’est trop</translation>
-    </message>
-    <message>
         <source>has {count} columns, and a Razor M0 does not declare them</source>
         <translation>a {count} colonnes, et un Razor M0 ne dit pas lesquelles</translation>
     </message>
@@ -4238,10 +4234,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>is no video</source>
         <translation>n’est pas une vidéo</translation>
-    </message>
-    <message>
-        <source>is not a file</source>
-        <translation>n’est pas un fichier</translation>
     </message>
     <message>
         <source>is not a regular file</source>
@@ -4618,6 +4610,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>give the folder of one of them instead</source>
         <translation>rien, mais donnez le dossier de l’un d’eux</translation>
+    </message>
+    <message>
+        <source>is too large (limit: {most_bytes} bytes)</source>
+        <translation>est trop grand (limite&#xa0;: {most_bytes} octets)</translation>
     </message>
     <message>
         <source>is truncated in its header</source>
@@ -6026,10 +6022,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>{path}: cannot be brought back ({reason})</source>
         <translation>{path}&#xa0;: ne peut pas être récupéré ({reason})</translation>
-    </message>
-    <message>
-        <source>{path}: cannot be read ({reason}); choose another file</source>
-        <translation>{path}&#xa0;: ne peut pas être lu ({reason})&#xa0;; choisissez un autre fichier</translation>
     </message>
     <message>
         <source>{path}: is not a log of {name}</source>

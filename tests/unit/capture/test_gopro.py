@@ -364,7 +364,7 @@ def test_huge_dump_is_refused_before_it_is_read(tmp_path, monkeypatch):
     monkeypatch.setattr(name, size_bytes)
     assert len(read_recording(path).imu) == 800
     monkeypatch.setattr(name, size_bytes - 1)
-    with pytest.raises(TelemetryError, match="too many"):
+    with pytest.raises(TelemetryError, match="is too large"):
         read_recording(path)
 
 

@@ -134,5 +134,5 @@ def test_unknown_templates_and_sequences_are_wrong_usage(tmp_path):
 
 
 def test_a_missing_folder_is_one_sentence(tmp_path):
-    with pytest.raises(StudyError, match="cannot be read"):
+    with pytest.raises(StudyError, match="no such file; give the folder of a study"):
         read_definition(tmp_path / "nowhere")

@@ -11,7 +11,8 @@ from hapticplayer.devices.falcon.firmware.image import (
     FirmwareImage,
     parse_image,
 )
-from hapticplayer.errors import DeviceError, UsageError
+from hapticplayer.errors import DeviceError, InputError, UsageError, message_of
+from hapticplayer.untrusted import read_regular
 
 OVERRIDE = "HAPTICPLAYER_FALCON_FIRMWARE"
 """Environment variable with the path of an image to be used instead of the kept one."""
@@ -73,14 +74,9 @@ def read_image(path: Path) -> FirmwareImage:
         DeviceError: when it cannot be read or is none.
     """
     try:
-        with path.open("rb") as file:
-            data = file.read(MAX_IMAGE_BYTES + 1)
-    except OSError as problem:
-        raise DeviceError(
-            "{path}: cannot be read ({reason}); choose another file",
-            path=path,
-            reason=problem,
-        ) from problem
+        data = read_regular(path, MAX_IMAGE_BYTES + 1)
+    except InputError as problem:
+        raise DeviceError(message_of(problem)) from problem
     try:
         return parse_image(data)
     except DeviceError as problem:
