@@ -17,7 +17,10 @@ from hapticplayer.model import quaternions as quat
 from hapticplayer.playback.player import ClipPlayback, Player
 from hapticplayer.sequence.build import Choices, write_sequence
 
-os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+TWO_SCREENS = Path(__file__).parent / "data" / "two_screens.json"
+os.environ["QT_QPA_PLATFORM"] = os.environ.get(
+    "HAPTICPLAYER_TEST_PLATFORM", f"offscreen:configfile={TWO_SCREENS}"
+)
 # a run in the background ignores Ctrl-C, and so would every program that a test starts
 signal.signal(signal.SIGINT, signal.default_int_handler)
 

@@ -2,11 +2,6 @@
 
 import os
 import sys
-
-os.environ["QT_QPA_PLATFORM"] = os.environ.get(
-    "HAPTICPLAYER_TEST_PLATFORM", "offscreen"
-)
-
 import threading
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -36,9 +31,6 @@ from sitting import make_study, sit  # noqa: F401 - fixtures
 RATE_HZ, CLIP_S, WIDTH, HEIGHT = 25, 2, 160, 90
 LONG_TITLE = "A ride whose title is as long as titles can be. " * 8
 PATIENCE_MS = 60_000  # for a busy machine; nothing waits that long where all is well
-
-CACHE = "HAPTICPLAYER_TEST_CACHE"
-"""Variable that names the folder, for tests in a process of their own."""
 
 MakeWindow = Callable[..., PlayerWindow]
 
@@ -77,8 +69,7 @@ def source(sequence):
 @pytest.fixture(scope="session")
 def cache(tmp_path_factory) -> Path:
     """Holds what the program makes once: the clip of the demonstration takes 3 s."""
-    given = os.environ.get(CACHE)
-    return Path(given) if given else tmp_path_factory.mktemp("cache")
+    return tmp_path_factory.mktemp("cache")
 
 
 @pytest.fixture(autouse=True)

@@ -1,14 +1,4 @@
-"""Two screens: the clip on the one that was chosen, the operator on the other.
-
-Qt's offscreen platform takes its screens when it begins, so the tests that need two run in
-a process of their own; there, `beside` is the only one that is run.
-"""
-
-import json
-import os
-import subprocess
-import sys
-from pathlib import Path
+"""Two screens: the clip on the one that was chosen, the operator on the other."""
 
 import pytest
 from PySide6.QtCore import Qt
@@ -22,44 +12,11 @@ from hapticplayer.clock import SystemClock
 from hapticplayer.study.pages import PageKind
 from hapticplayer.study.session_setup import load_material
 
-ROOT = Path(__file__).resolve().parents[2]
-SCREENS = [
-    {"name": "left", "x": 0, "y": 0, "width": 1000, "height": 700},
-    {"name": "right", "x": 1000, "y": 0, "width": 1280, "height": 720},
-]
-_MORE = {"logicalDpi": 96, "logicalBaseDpi": 96, "dpr": 1}
-HERE = "HAPTICPLAYER_TEST_PLATFORM"
-beside = pytest.mark.skipif(HERE not in os.environ, reason="needs two screens")
-
-
-@pytest.mark.realtime
-def test_everything_that_needs_two_screens(tmp_path, cache):
-    if HERE in os.environ:
-        pytest.skip("this is that process")
-    config = tmp_path / "screens.json"
-    config.write_text(json.dumps({"screens": [{**s, **_MORE} for s in SCREENS]}))
-    command = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider"]
-    done = subprocess.run(
-        [*command, f"--basetemp={tmp_path / 'beside'}", __file__],
-        env={
-            **os.environ,
-            HERE: f"offscreen:configfile={config}",
-            "HAPTICPLAYER_TEST_CACHE": str(cache),
-        },
-        cwd=ROOT,
-        capture_output=True,
-        text=True,
-        check=False,
-    )
-    assert done.returncode == 0, done.stdout[-6000:]
-    assert "4 passed" in done.stdout
-
 
 def screens():
     return {screen.name(): screen for screen in QGuiApplication.screens()}
 
 
-@beside
 def test_fullscreen_goes_to_the_screen_that_was_chosen_and_back(playing, wait_for):
     left, right = screens()["left"], screens()["right"]
     before = playing.geometry()
@@ -77,7 +34,6 @@ def test_fullscreen_goes_to_the_screen_that_was_chosen_and_back(playing, wait_fo
     wait_for(lambda: playing.geometry() == before)
 
 
-@beside
 def test_a_screen_that_is_gone_leaves_the_window_where_it_is(playing, wait_for):
     playing.fullscreen.screen_name = "a screen of yesterday"
     playing.toggle_fullscreen()
@@ -94,7 +50,6 @@ def session(make_study, application):
     made.close()
 
 
-@beside
 def test_the_participants_screen_shows_only_the_clip(session, wait_for):
     mine = session.control.screen()
     (theirs,) = set(QGuiApplication.screens()) - {mine}
@@ -114,7 +69,6 @@ def test_the_participants_screen_shows_only_the_clip(session, wait_for):
     assert session.control.mirror.screen() is mine
 
 
-@beside
 def test_escape_on_either_screen_stops_the_force(session, wait_for):
     session.begin_session("", "en")
     person = Person(session, wait_for)

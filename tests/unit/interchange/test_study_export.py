@@ -5,11 +5,8 @@ import getpass
 import io
 import json
 import re
-import shutil
 import socket
 import stat
-import subprocess
-import sys
 from pathlib import Path
 
 import numpy as np
@@ -28,6 +25,7 @@ from hapticplayer.study.creation import create_study
 from hapticplayer.study.journal import Journal
 from hapticplayer.study.plan import describe
 from hapticplayer.study.study_folder import begin_session, open_study
+from tests.bids import errors_in, validated
 
 VALUES = {"realism": 3, "sensory": 2, "comfort": 5, "satisfaction": 1}
 SHEET = {"age": 31, "gender": "female", "handedness": "left"}
@@ -225,26 +223,11 @@ LEFT_TO_PEOPLE = {
 }
 
 
-@pytest.fixture
-def validate():
-    """Return what the official validator says of a dataset."""
-    program = shutil.which("bids-validator-deno", path=Path(sys.executable).parent)
-    if program is None:
-        pytest.skip("bids-validator-deno is not installed")
-
-    def run(folder) -> dict:
-        command = [program, "--format", "json", "--max-rows", "-1", str(folder)]
-        done = subprocess.run(command, capture_output=True, text=True, check=False)
-        return json.loads(done.stdout)
-
-    return run
-
-
-def test_the_official_validator_finds_no_error(study, tmp_path, validate):
+def test_the_official_validator_finds_no_error(study, tmp_path):
     export_study(study, tmp_path / "out", "bids")
-    report = validate(tmp_path / "out")
+    report = validated(tmp_path / "out")
     issues = report["issues"]["issues"]
-    assert [i for i in issues if i["severity"] == "error"] == []
+    assert "error" not in {i["severity"] for i in issues}
     assert set(report["summary"]["modalities"]) == {"motion", "beh"}
     left = {i.get("subCode") for i in issues if i["code"].endswith("_RECOMMENDED")}
     assert left <= LEFT_TO_PEOPLE
@@ -252,13 +235,10 @@ def test_the_official_validator_finds_no_error(study, tmp_path, validate):
     assert others <= {"TOO_FEW_AUTHORS", "NO_AUTHORS"}
 
 
-def test_the_official_validator_finds_no_error_without_device(
-    study, tmp_path, validate
-):
+def test_the_official_validator_finds_no_error_without_device(study, tmp_path):
     next(study.folder.rglob("*.hprec")).unlink()
     export_study(study, tmp_path / "out", "bids")
-    issues = validate(tmp_path / "out")["issues"]["issues"]
-    assert [i for i in issues if i["severity"] == "error"] == []
+    assert errors_in(tmp_path / "out") == []
 
 
 def test_simulated_participants_and_answer_times_are_exported(
@@ -306,11 +286,10 @@ def test_nothing_is_exported_of_a_study_without_answers(tmp_path):
         assert not (tmp_path / form).exists()
 
 
-def test_the_official_validator_would_find_an_error(study, tmp_path, validate):
+def test_the_official_validator_would_find_an_error(study, tmp_path):
     export_study(study, tmp_path / "out", "bids")
     next((tmp_path / "out").rglob("*_channels.tsv")).unlink()
-    issues = validate(tmp_path / "out")["issues"]["issues"]
-    assert "error" in {i["severity"] for i in issues}
+    assert errors_in(tmp_path / "out")
 
 
 def test_an_export_is_whole_or_not_there(study, tmp_path):

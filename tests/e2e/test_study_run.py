@@ -1,0 +1,191 @@
+"""A session on two screens with the simulated Falcon, to valid BIDS and XDF files."""
+
+import csv
+import json
+import os
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+import pyxdf
+
+from hapticplayer.capture.recording import Recording
+from hapticplayer.haptics.contract import Mode
+from hapticplayer.haptics.record_reader import read_record
+from hapticplayer.media.clip_info import probe
+from hapticplayer.model import STANDARD_GRAVITY_MPS2, ClockMap, ImuLog
+from hapticplayer.playback.source import open_source
+from hapticplayer.sequence.build import Choices, write_sequence
+from hapticplayer.study.creation import change_definition, create_study
+from hapticplayer.study.study_folder import open_study
+from tests.bids import errors_in
+from tests.e2e.command import ROOT, hapticplayer, report_of
+
+CLIP_S = 2.0
+SHAKES_HZ = {"bike": 2.0, "horse": 3.0}
+FEEDBACKS = ("realistic", "none")
+FACTORS = ("realism", "sensory", "comfort", "satisfaction")
+TRIALS = {
+    f"trial-{number:02d}": dict(zip(FACTORS, digits, strict=True))
+    for number, digits in enumerate(
+        [(1, 2, 3, 4), (5, 4, 3, 2), (2, 2, 5, 1), (4, 1, 1, 5)], 1
+    )
+}
+SHEET = {"age": 28, "gender": "other", "handedness": "left", "used_device_before": True}
+
+
+def make_sequence(clip, shake_hz, folder):
+    """Write a sequence of a sensor that is shaken up and down, with 3 m/s^2."""
+    time_s = np.arange(0.0, CLIP_S, 1 / 200)
+    force = np.zeros((len(time_s), 3))
+    shaken = 3.0 * np.sin(2 * np.pi * shake_hz * time_s)
+    force[:, 2] = STANDARD_GRAVITY_MPS2 + shaken
+    log = ImuLog(time_s, force, np.zeros_like(force), source="shake")
+    recording = Recording(log, ClockMap(), "test camera")
+    choices = Choices(title=folder.name, seed=1)
+    return write_sequence(probe(clip), recording, folder, choices=choices)
+
+
+@pytest.fixture
+def study(clip, tmp_path):
+    """Two sequences, with and without force; any machine is good enough."""
+    made = create_study(tmp_path / "study")
+    content = json.loads(made.content)
+    content["sequences"] = [
+        {**entry, "folder": str(make_sequence(clip, shake_hz, tmp_path / key))}
+        for entry in content["sequences"]
+        for key, shake_hz in SHAKES_HZ.items()
+        if entry["key"] == key
+    ]
+    content["feedbacks"] = list(FEEDBACKS)
+    content["checks"].update(sound=False, disk_free_mb=1)
+    return change_definition(made, content)
+
+
+def run_session(study, tmp_path):
+    """Run a participant to the end; return what was on the screens, page by page."""
+    answers = tmp_path / "answers.json"
+    answers.write_text(json.dumps({"sheet": SHEET, **TRIALS}))
+    script = [sys.executable, "-m", "tests.e2e.scripted_participant", str(answers)]
+    command = ["study", "run", str(study.folder), "--device", "simulated"]
+    done = subprocess.run(
+        [*script, *command, "--language", "en"],
+        env={
+            **os.environ,
+            "XDG_CONFIG_HOME": str(tmp_path / "config"),
+            "XDG_CACHE_HOME": str(tmp_path / "cache"),
+        },
+        cwd=ROOT,
+        capture_output=True,
+        text=True,
+        timeout=300,
+        check=False,
+    )
+    assert done.returncode == 0, done.stderr
+    assert "Traceback" not in done.stderr
+    return [json.loads(line) for line in done.stdout.splitlines()]
+
+
+def export(study, form, target):
+    return report_of(
+        hapticplayer(
+            *("study", "export", study.folder, "-o", target),
+            *("--format", form, "--json"),
+        )
+    )
+
+
+def table(path):
+    return list(csv.DictReader(path.read_text().splitlines(), delimiter="\t"))
+
+
+def check_screens(shown):
+    """The participant had one screen as a whole, the operator was on the other."""
+    steps = [one["step"] for one in shown]
+    assert steps.count("clip") == len(TRIALS)
+    for one in shown:
+        assert len(one["screens"]) == 2
+        assert one["is_fullscreen"]
+        assert one["participant"] in one["screens"]
+        (theirs,) = [s for s in one["screens"] if s != one["participant"]]
+        assert theirs[0] <= one["operator"][0] < theirs[0] + theirs[2]
+
+
+def check_bids(out, ticks, code):
+    assert errors_in(out) == []
+    (motion,) = out.rglob("*_motion.tsv")
+    values = np.loadtxt(motion)
+    names = [row["name"] for row in table(next(out.rglob("*_channels.tsv")))]
+    assert values.shape == (len(ticks), len(names))
+    columns = dict(zip(names, values.T, strict=True))
+    begun_s = ticks["monotonic_s"][0]
+    assert columns["latency"] == pytest.approx(ticks["monotonic_s"] - begun_s, abs=1e-6)
+    for place, axis in enumerate("xyz"):
+        for name, field in (("force", "force_n"), ("grip", "position_m")):
+            given = columns[f"{name}_{axis}"]
+            assert given == pytest.approx(ticks[field][:, place], abs=6e-5)
+    answered = table(next(out.rglob("*_beh.tsv")))
+    assert [
+        {factor: int(row[factor]) for factor in FACTORS} for row in answered
+    ] == list(TRIALS.values())
+    (person,) = table(out / "participants.tsv")
+    assert person["participant_id"] == f"sub-{code}"
+    assert (person["age"], person["handedness"]) == ("28", "left")
+    assert person["simulated"] == "false"
+
+
+def check_xdf(out, ticks):
+    """The file has every tick; return when each trial began and ended, by its marker."""
+    (file,) = out.iterdir()
+    streams, _ = pyxdf.load_xdf(str(file), dejitter_timestamps=False)
+    by_name = {stream["info"]["name"][0]: stream for stream in streams}
+    device, markers = by_name["device"], by_name["markers"]
+    assert device["time_stamps"] == pytest.approx(ticks["monotonic_s"], abs=1e-9)
+    assert device["time_series"][:, 3:6] == pytest.approx(ticks["force_n"])
+    return {
+        text: time_s
+        for (text,), time_s in zip(
+            markers["time_series"], markers["time_stamps"], strict=True
+        )
+    }
+
+
+def check_playback(ticks, marked_s, session):
+    """Each clip was played to its end, with the force of the condition in the marker."""
+    folders = {one.key: one.folder for one in session.definition.sequences}
+    time_s = ticks["monotonic_s"]
+    for number, condition in enumerate(session.plan.order, 1):
+        key = f"{condition.sequence}/{condition.feedback}"
+        begin_s = marked_s[f"trial-{number:02d} begin {key}"]
+        end_s = marked_s[f"trial-{number:02d} end {key}"]
+        played = ticks[(time_s > begin_s) & (time_s < end_s)]
+        assert np.nanmax(played["media_s"]) > CLIP_S - 0.2
+        if condition.feedback == "none":
+            assert not np.any(played["planned_n"])
+            continue
+        assert np.any(played["force_n"])
+        follows = played[played["mode"] == Mode.FOLLOWING]
+        assert len(follows)
+        track = open_source(folders[condition.sequence]).tracks["realistic"]
+        for place in range(3):
+            track_n = np.interp(
+                follows["media_s"], track.time_s, track.force_n[:, place]
+            )
+            assert follows["planned_n"][:, place] == pytest.approx(track_n, abs=1e-4)
+
+
+@pytest.mark.realtime
+def test_a_session_on_two_screens_becomes_valid_data(study, tmp_path):
+    check_screens(run_session(study, tmp_path))
+    study = open_study(study.folder)
+    (code,) = study.codes()
+    session = study.session(code)
+    record = read_record(session.folder / "ticks-01.hprec")
+    assert record.is_complete, record.notice
+    for form in ("bids", "xdf"):
+        report = export(study, form, tmp_path / form)
+        assert (report["participants"], report["remarks"]) == (1, [])
+    check_bids(tmp_path / "bids", record.ticks, code)
+    marked_s = check_xdf(tmp_path / "xdf", record.ticks)
+    check_playback(record.ticks, marked_s, session)
