@@ -4,12 +4,14 @@ A FIFO with the name of a clip would hang its reader for ever, a device could se
 without end. So a file is opened without waiting and read only if it is a regular one.
 """
 
+import json
+import math
 import os
 import stat
 from collections.abc import Callable
 from pathlib import Path
 from types import TracebackType
-from typing import BinaryIO, NamedTuple, Self
+from typing import Any, BinaryIO, NamedTuple, Self
 
 from hapticplayer.errors import InputError, MediaError, Message
 
@@ -88,6 +90,44 @@ def read_regular(
             remedy=remedy or Message("choose another file"),
         )
     return content
+
+
+def parse_json(content: bytes, where: str, error: type[InputError], remedy: str) -> Any:
+    """Return the value of a JSON text, all numbers finite and no entry twice.
+
+    Raises:
+        InputError: `error`, when it is not such a text.
+    """
+    try:
+        return json.loads(
+            content.decode("utf-8-sig"),
+            object_pairs_hook=_object,
+            parse_constant=_refuse_constant,
+            parse_float=_finite_float,
+        )
+    except (ValueError, RecursionError) as problem:
+        what = Message("is not valid JSON ({reason})", reason=problem)
+        raise error(what, where=where, remedy=remedy) from problem
+
+
+def _object(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+    made: dict[str, Any] = {}
+    for name, value in pairs:
+        if name in made:
+            raise ValueError(Message("duplicate entry {twice!r}", twice=name))
+        made[name] = value
+    return made
+
+
+def _refuse_constant(name: str) -> float:
+    raise ValueError(Message("{name} is not a number", name=name))
+
+
+def _finite_float(text: str) -> float:
+    value = float(text)
+    if not math.isfinite(value):
+        raise ValueError(Message("{name} is out of range", name=text))
+    return value
 
 
 def resolve_regular(path: PathLike, error: type[InputError] = MediaError) -> Path:

@@ -11,12 +11,11 @@ import secrets
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 from hapticplayer.capture.limits import MAX_TEMPLATE_BYTES
 from hapticplayer.errors import InputError, Message, UsageError, joined
 from hapticplayer.model import STANDARD_GRAVITY_MPS2, Sampling
-from hapticplayer.untrusted import read_regular
+from hapticplayer.untrusted import parse_json, read_regular
 
 OPTION = "--read-as"
 
@@ -165,24 +164,20 @@ def read_template(path: Path) -> dict[str, str]:
     Raises:
         InputError: when it is not a template.
     """
+    remedy = Message("write one with --save-template")
     text = read_regular(path, MAX_TEMPLATE_BYTES)
-    try:
-        content: Any = json.loads(text)
-        is_fitting = isinstance(content, dict) and all(
-            _current(key) in KEYS and isinstance(value, str)
-            for key, value in content.items()
-        )
-        if not is_fitting:
-            raise ValueError(  # noqa: TRY301
-                Message("it must hold texts for {known}", known=", ".join(KEYS))
-            )
-    except (ValueError, RecursionError) as error:
+    content = parse_json(text, str(path), InputError, remedy)
+    is_fitting = isinstance(content, dict) and all(
+        _current(key) in KEYS and isinstance(value, str)
+        for key, value in content.items()
+    )
+    if not is_fitting:
         raise InputError(
-            "is not a template for logs ({reason})",
+            "is not a template for logs (it must hold texts for {known})",
             where=str(path),
-            remedy="write one with --save-template",
-            reason=error,
-        ) from error
+            remedy=remedy,
+            known=", ".join(KEYS),
+        )
     return {_current(key).replace("-", "_"): value for key, value in content.items()}
 
 

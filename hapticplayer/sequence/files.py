@@ -3,7 +3,6 @@
 import atexit
 import hashlib
 import json
-import math
 import os
 import shutil
 import struct
@@ -19,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hapticplayer.errors import Message, SequenceError
-from hapticplayer.untrusted import HeldFile, open_regular, read_regular
+from hapticplayer.untrusted import HeldFile, open_regular, parse_json, read_regular
 
 MAX_JSON_BYTES = 4 << 20
 MAX_ARRAYS_BYTES = 2 << 30
@@ -229,23 +228,11 @@ def read_json(path: Path) -> dict[str, Any]:
     """Return the object in a JSON file.
 
     Raises:
-        SequenceError: when it is missing, too large, not an object, or holds a
-            number that is not finite.
+        SequenceError: when it is missing, too large, not an object, or holds an entry
+            twice or a number that is not finite.
     """
     text = read_regular(path, MAX_JSON_BYTES, SequenceError, _GIVE_SEQUENCE)
-    try:
-        content = json.loads(
-            text.decode("utf-8"),
-            parse_constant=_refuse_constant,
-            parse_float=_finite_float,
-        )
-    except (ValueError, RecursionError) as problem:
-        raise SequenceError(
-            "is not valid ({reason})",
-            where=str(path),
-            remedy="import it again",
-            reason=problem,
-        ) from problem
+    content = parse_json(text, str(path), SequenceError, _IMPORT_AGAIN)
     if not isinstance(content, dict):
         raise SequenceError("is not a JSON object", where=str(path))
     return content
@@ -300,17 +287,6 @@ def sha256_of(path: Path, report: Callable[[float], None] = lambda _f: None) -> 
             done += len(chunk)
             report(done / total)
     return digest.hexdigest()
-
-
-def _refuse_constant(name: str) -> float:
-    raise ValueError(Message("{name} is not a number", name=name))
-
-
-def _finite_float(text: str) -> float:
-    value = float(text)
-    if not math.isfinite(value):
-        raise ValueError(Message("{name} is out of range", name=text))
-    return value
 
 
 def cache_root() -> Path:

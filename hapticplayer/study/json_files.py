@@ -1,6 +1,5 @@
 """Reads JSON files that people edit; errors name the field."""
 
-import json
 import re
 from collections.abc import Iterable
 from pathlib import Path
@@ -10,7 +9,7 @@ import msgspec
 from msgspec import inspect
 
 from hapticplayer.errors import Message, StudyError
-from hapticplayer.untrusted import read_regular
+from hapticplayer.untrusted import parse_json, read_regular
 
 MAX_BYTES = 4 << 20
 MAX_TEXT = 20_000
@@ -50,19 +49,7 @@ def parse(content: bytes, path: str) -> Any:
     """
     if len(content) > MAX_BYTES:
         raise StudyError("is too large", where=path)
-    try:
-        return json.loads(
-            content.decode("utf-8-sig"),
-            object_pairs_hook=_object,
-            parse_constant=_constant,
-        )
-    except (ValueError, RecursionError) as problem:
-        raise StudyError(
-            "is not valid JSON ({reason})",
-            where=path,
-            remedy="correct that line",
-            reason=problem,
-        ) from problem
+    return parse_json(content, path, StudyError, Message("correct that line"))
 
 
 def convert(value: Any, kind: type[Kind], path: str, *, strict: bool = True) -> Kind:
@@ -151,16 +138,3 @@ def _entry(value: Any, found: Any, place: str) -> tuple[str, Any]:
 
 def _is_line(value: Any) -> bool:
     return isinstance(value, str) and value.strip() != "" and len(value) <= MAX_TEXT
-
-
-def _object(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
-    made = dict(pairs)
-    if len(made) < len(pairs):
-        names = [name for name, _ in pairs]
-        twice = next(name for name in names if names.count(name) > 1)
-        raise ValueError(Message("duplicate entry {twice!r}", twice=twice))
-    return made
-
-
-def _constant(name: str) -> NoReturn:
-    raise ValueError(Message("{name} is not a number", name=name))

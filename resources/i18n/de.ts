@@ -4228,10 +4228,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>ist kein Protokoll</translation>
     </message>
     <message>
-        <source>is not a template for logs ({reason})</source>
-        <translation>ist keine Vorlage für ein Protokoll ({reason})</translation>
-    </message>
-    <message>
         <source>is no video</source>
         <translation>ist kein Video</translation>
     </message>
@@ -4254,10 +4250,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>is not finite or too large</source>
         <translation>ist nicht endlich oder zu groß</translation>
-    </message>
-    <message>
-        <source>is not valid ({reason})</source>
-        <translation>ist nicht gültig ({reason})</translation>
     </message>
     <message>
         <source>is nothing that telemetry-parser can read ({reason})</source>
@@ -4366,10 +4358,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>it looks like milliseconds: divide time_s by 1000</source>
         <translation>es sieht nach Millisekunden aus: Teilen Sie time_s durch 1000</translation>
-    </message>
-    <message>
-        <source>it must hold texts for {known}</source>
-        <translation>sie darf Texte enthalten für {known}</translation>
     </message>
     <message>
         <source>it seems to be in deg/s: multiply it by 0.0174532925</source>
@@ -4610,6 +4598,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>give the folder of one of them instead</source>
         <translation>nichts, aber geben Sie den Ordner von einer an</translation>
+    </message>
+    <message>
+        <source>is not a template for logs (it must hold texts for {known})</source>
+        <translation>ist keine Vorlage für ein Protokoll (sie darf Texte enthalten für {known})</translation>
     </message>
     <message>
         <source>is too large (limit: {most_bytes} bytes)</source>

@@ -4228,10 +4228,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>n’est pas un journal</translation>
     </message>
     <message>
-        <source>is not a template for logs ({reason})</source>
-        <translation>n’est pas un modèle de journal ({reason})</translation>
-    </message>
-    <message>
         <source>is no video</source>
         <translation>n’est pas une vidéo</translation>
     </message>
@@ -4254,10 +4250,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>is not finite or too large</source>
         <translation>n’est pas fini ou est trop grand</translation>
-    </message>
-    <message>
-        <source>is not valid ({reason})</source>
-        <translation>n’est pas valable ({reason})</translation>
     </message>
     <message>
         <source>is nothing that telemetry-parser can read ({reason})</source>
@@ -4366,10 +4358,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>it looks like milliseconds: divide time_s by 1000</source>
         <translation>cela ressemble à des millisecondes&#xa0;: divisez time_s par 1000</translation>
-    </message>
-    <message>
-        <source>it must hold texts for {known}</source>
-        <translation>il peut contenir des textes pour {known}</translation>
     </message>
     <message>
         <source>it seems to be in deg/s: multiply it by 0.0174532925</source>
@@ -4610,6 +4598,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>give the folder of one of them instead</source>
         <translation>rien, mais donnez le dossier de l’un d’eux</translation>
+    </message>
+    <message>
+        <source>is not a template for logs (it must hold texts for {known})</source>
+        <translation>n’est pas un modèle de journal (il peut contenir des textes pour {known})</translation>
     </message>
     <message>
         <source>is too large (limit: {most_bytes} bytes)</source>

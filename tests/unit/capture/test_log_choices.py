@@ -79,7 +79,7 @@ def test_keys_of_earlier_versions_are_understood(tmp_path):
 def test_what_is_no_template_is_refused(tmp_path, content):
     template = tmp_path / "mine.json"
     template.write_text(content)
-    with pytest.raises(InputError, match=r"not a template|is too large"):
+    with pytest.raises(InputError, match=r"not a template|not valid JSON|is too large"):
         parse_choices([f"template={template}"])
 
 

@@ -138,6 +138,17 @@ def test_a_description_that_is_no_json_is_refused(sequence_folder, text):
         open_sequence(sequence_folder)
 
 
+@pytest.mark.parametrize("at", ["{", '"clip": {'])
+def test_an_entry_that_is_there_twice_is_refused(sequence_folder, at):
+    path = sequence_folder / "sequence.json"
+    name = "title" if at == "{" else "file"
+    text = path.read_text().replace(at, f'{at}"{name}": "other",', 1)
+    path.write_text(text)
+    assert json.loads(text)  # which keeps the last and says nothing
+    with pytest.raises(SequenceError, match=f"duplicate entry '{name}'"):
+        open_sequence(sequence_folder)
+
+
 @pytest.mark.parametrize("name", ["motion.npz", "force_realistic.npz", "clip.mp4"])
 def test_a_missing_file_is_named(sequence_folder, name):
     (sequence_folder / name).unlink()
