@@ -98,12 +98,18 @@ class Session(QObject):
         self.opening.emit(source)
         self.player.open(source, feedback)
         self.opened.emit()
+        self._report_coverage()
         if not source.path.is_dir():
             return
         from hapticplayer.sequence.excursion import stored_texts
 
         for text in stored_texts(source.path, self.player.snapshot().feedback):
             self.gateway.report(HapticPlayerError(text))
+
+    def _report_coverage(self) -> None:
+        now = self.player.snapshot()
+        if now.source and (notice := now.source.coverage_notice(now.feedback)):
+            self.gateway.report(HapticPlayerError(notice))
 
     # --- controls ------------------------------------------------------------
 
@@ -161,6 +167,7 @@ class Session(QObject):
     def choose_feedback(self, name: str) -> None:
         """Play another force track."""
         self.player.set_feedback(name)
+        self._report_coverage()
         self.changed.emit()
 
     def halt(self) -> None:

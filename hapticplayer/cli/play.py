@@ -149,6 +149,8 @@ def play(options: argparse.Namespace) -> int:
 def advise(source: Source, feedback: str) -> None:
     """Say on stderr what a user of this source may not expect."""
     track = source.tracks[feedback]
+    if notice := source.coverage_notice(feedback):
+        say_aside(notice)
     cap_n = Limits().force_cap_n
     if track.peak_n() > cap_n + ROUNDING_N:
         say_aside(f"forces above {cap_n} N are capped")

@@ -1,9 +1,25 @@
 """Maps between the clocks of a recording, of the media and of the machine."""
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 
-from hapticplayer.errors import InputError
+from hapticplayer.errors import InputError, Message
+
+_UNIT_REMEDIES = (
+    (1e3, Message("it looks like milliseconds: divide time_s by 1000")),
+    (1e6, Message("it looks like microseconds: divide time_s by 1000000")),
+    (1e9, Message("it looks like nanoseconds: divide time_s by 1000000000")),
+)
+
+
+def time_unit_remedy(fits: Callable[[float], bool]) -> Message | None:
+    """Return what to do about times that are not in seconds; None for no known unit.
+
+    Args:
+        fits: whether the times are plausible with so many of their unit in a second.
+    """
+    return next((remedy for per_s, remedy in _UNIT_REMEDIES if fits(per_s)), None)
 
 
 @dataclass(frozen=True, slots=True)

@@ -7,10 +7,10 @@ from pathlib import Path
 import numpy as np
 
 from hapticplayer.capture.si_csv import read_force_csv
-from hapticplayer.errors import InputError, MediaError, UsageError
+from hapticplayer.errors import MediaError, Message, UsageError
 from hapticplayer.media.clip_info import ClipInfo, probe
 from hapticplayer.model import Feedback, ForceTrack, MotionTrack
-from hapticplayer.rendering import no_feedback
+from hapticplayer.rendering import coverage_notice, no_feedback, refuse_late
 from hapticplayer.sequence import open_sequence
 from hapticplayer.sequence.store import DESCRIPTION
 
@@ -33,6 +33,10 @@ class Source:
     motion: MotionTrack | None
     feedback: str
 
+    def coverage_notice(self, feedback: str) -> Message | None:
+        """Return a notice if a track covers hardly anything of the clip."""
+        return coverage_notice(self.tracks[feedback], self.clip.duration_s)
+
 
 def open_source(path: str | Path, force: str | Path | None = None) -> Source:
     """Return what is at a path: the folder of a sequence, or a video.
@@ -49,14 +53,7 @@ def open_source(path: str | Path, force: str | Path | None = None) -> Source:
     if force is None:
         return source
     track = read_force_csv(Path(force))
-    if track.time_s[0] >= source.clip.duration_s:
-        raise InputError(
-            "starts at {time_s:.3f} s, but the clip ends at {duration_s:.3f} s",
-            where=str(force),
-            remedy="give times in seconds of the clip",
-            time_s=track.time_s[0],
-            duration_s=source.clip.duration_s,
-        )
+    refuse_late(track, source.clip.duration_s, str(force))
     tracks = {FROM_FILE: track, **source.tracks}
     return Source(
         source.title, source.path, source.clip, tracks, source.motion, FROM_FILE

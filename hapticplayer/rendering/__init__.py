@@ -3,6 +3,7 @@
 A pure room: no I/O, no threads, no clocks.
 """
 
+from hapticplayer.rendering.coverage import coverage_notice, refuse_late
 from hapticplayer.rendering.demonstration import circle, demonstration
 from hapticplayer.rendering.feedback import (
     FEEDBACKS,
@@ -17,8 +18,10 @@ __all__ = [
     "FeedbackCondition",
     "adapted",
     "circle",
+    "coverage_notice",
     "demonstration",
     "no_feedback",
     "random_feedback",
+    "refuse_late",
     "render_force",
 ]

@@ -56,21 +56,13 @@ def add_track(
 
     Raises:
         UsageError: for a name that is taken or invalid.
-        InputError: when the CSV cannot be read.
+        InputError: when the CSV cannot be read, or begins after the clip.
         SequenceError: when the sequence is damaged or cannot be written.
     """
     sequence = store.open_sequence(folder)
     _check_new(name, sequence.description)
     track = read_force_csv(csv)
-    duration_s = _duration_s(sequence.description)
-    if track.time_s[0] >= duration_s:
-        raise SequenceError(
-            "starts at {time_s:.3f} s, but the clip ends at {duration_s:.3f} s",
-            where=csv.name,
-            remedy="give times in seconds of the clip",
-            time_s=track.time_s[0],
-            duration_s=duration_s,
-        )
+    rendering.refuse_late(track, _duration_s(sequence.description), csv.name)
     _replace_tracks(folder, sequence.description, {name: track}, progress)
 
 

@@ -4612,6 +4612,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>ist im Kopf abgeschnitten</translation>
     </message>
     <message>
+        <source>it looks like microseconds: divide time_s by 1000000</source>
+        <translation>es sieht nach Mikrosekunden aus: Teilen Sie time_s durch 1000000</translation>
+    </message>
+    <message>
+        <source>it looks like nanoseconds: divide time_s by 1000000000</source>
+        <translation>es sieht nach Nanosekunden aus: Teilen Sie time_s durch 1000000000</translation>
+    </message>
+    <message>
         <source>its telemetry has no usable timestamps and too few payloads ({count}) to tell the rate of its sensors</source>
         <translation>die Telemetrie hat keine brauchbaren Zeitstempel und zu wenige Blöcke ({count}), um die Rate der Sensoren zu bestimmen</translation>
     </message>
@@ -5002,6 +5010,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>the force is {ms:.0f} ms behind the video: the computer may be overloaded; close other programs</source>
         <translation>die Kraft kommt {ms:.0f} ms nach dem Video: der Rechner ist möglicherweise überlastet; schließen Sie andere Programme</translation>
+    </message>
+    <message>
+        <source>the force track goes from {first_s:.6g} s to {last_s:.6g} s, the clip to {duration_s:.6g} s</source>
+        <translation>die Kraftspur reicht von {first_s:.6g} s bis {last_s:.6g} s, das Video bis {duration_s:.6g} s</translation>
     </message>
     <message>
         <source>the force track was rejected: {reason}</source>

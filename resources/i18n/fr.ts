@@ -4612,6 +4612,14 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>est tronqué dans son en-tête</translation>
     </message>
     <message>
+        <source>it looks like microseconds: divide time_s by 1000000</source>
+        <translation>cela ressemble à des microsecondes&#xa0;: divisez time_s par 1000000</translation>
+    </message>
+    <message>
+        <source>it looks like nanoseconds: divide time_s by 1000000000</source>
+        <translation>cela ressemble à des nanosecondes&#xa0;: divisez time_s par 1000000000</translation>
+    </message>
+    <message>
         <source>its telemetry has no usable timestamps and too few payloads ({count}) to tell the rate of its sensors</source>
         <translation>la télémétrie n&apos;a pas d&apos;horodatage utilisable et trop peu de blocs ({count}) pour déterminer la fréquence de ses capteurs</translation>
     </message>
@@ -5002,6 +5010,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>the force is {ms:.0f} ms behind the video: the computer may be overloaded; close other programs</source>
         <translation>la force est en retard de {ms:.0f} ms sur la vidéo&#xa0;: l’ordinateur est peut-être surchargé&#xa0;; fermez d’autres programmes</translation>
+    </message>
+    <message>
+        <source>the force track goes from {first_s:.6g} s to {last_s:.6g} s, the clip to {duration_s:.6g} s</source>
+        <translation>la piste de force va de {first_s:.6g} s à {last_s:.6g} s, la vidéo jusqu’à {duration_s:.6g} s</translation>
     </message>
     <message>
         <source>the force track was rejected: {reason}</source>

@@ -1,4 +1,4 @@
-"""The window says when a sequence would push a hand far out."""
+"""The window says when a sequence would push a hand far out, or hardly plays."""
 
 import json
 import shutil
@@ -19,3 +19,11 @@ def test_a_sequence_that_would_push_far_is_announced(window, sequence, tmp_path)
     )
     window.session.show_source(open_source(sequence))
     assert window.messages.text() == ""
+
+
+def test_a_track_in_milliseconds_is_announced(window, sequence, tmp_path):
+    force = tmp_path / "force.csv"
+    force.write_text("time_s,fx_n,fy_n,fz_n\n0,0,0,0\n500,1,0,0\n2000,0,0,0\n")
+    source = open_source(sequence, force)
+    window.session.show_source(source)
+    assert "it looks like milliseconds" in window.messages.text()

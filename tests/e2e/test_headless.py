@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from hapticplayer.media.encode import write_clip
-from tests.e2e.command import forces_of, in_process, read_log
+from tests.e2e.command import forces_of, hapticplayer, in_process, read_log
 
 DEVICE_MS, DISPLAY_MS = 40.0, 300.0
 
@@ -83,3 +83,13 @@ def test_mute_plays_the_same_pictures_without_sound(clip, home, tmp_path):
     assert np.allclose(
         np.array(frames) * 30, np.round(np.array(frames) * 30), atol=0.01
     )
+
+
+def test_a_force_track_in_milliseconds_is_noticed(clip, tmp_path):
+    force = tmp_path / "force.csv"
+    force.write_text("time_s,fx_n,fy_n,fz_n\n0,0,0,0\n300,1,0,0\n1000,0,0,0\n")
+    options = ("--headless", "--mute", "--device", "none", "--duration", 0.1)
+    done = hapticplayer("play", clip, "--force", force, *options)
+    assert done.returncode == 0
+    assert "note: the force track goes from 0 s to 1000 s" in done.stderr
+    assert "it looks like milliseconds" in done.stderr

@@ -14,11 +14,18 @@ from numpy.typing import NDArray
 
 from hapticplayer.errors import InputError, Message
 from hapticplayer.model.arrays import Floats
+from hapticplayer.model.timing import time_unit_remedy
 
 Rows = NDArray[np.intp]
 
 MIN_RATE_HZ = 5.0
-"""Slower than this is no motion log; mostly it is time in milliseconds."""
+"""Slower than this is no motion log; mostly it is time in another unit."""
+
+MAX_USUAL_RATE_HZ = 2000.0
+"""Faster than motion sensors are logged."""
+
+# A sensor at exactly the lowest rate has times that are rounded.
+ROUNDING = 0.99
 
 MAX_TIME = 1e20
 """No clock counts so far, not even in nanoseconds since 1970."""
@@ -341,14 +348,16 @@ def _note(
 
 def _check_steps(time_s: Floats, rows: Rows, interval_s: float, source: str) -> None:
     rate_hz = 1.0 / interval_s
-    if rate_hz < MIN_RATE_HZ:
-        is_milliseconds = 1000.0 * rate_hz >= MIN_RATE_HZ
+    least_hz = ROUNDING * MIN_RATE_HZ
+    if rate_hz < least_hz:
+        other_unit = time_unit_remedy(
+            lambda per_s: least_hz <= per_s * rate_hz <= MAX_USUAL_RATE_HZ
+        )
         raise InputError(
             "time_s runs at {rate_hz:.3g} samples a second",
             where=source,
-            remedy=Message("it looks like milliseconds: divide time_s by 1000")
-            if is_milliseconds
-            else Message(
+            remedy=other_unit
+            or Message(
                 "give at least {least_hz:g} samples a second", least_hz=MIN_RATE_HZ
             ),
             rate_hz=rate_hz,

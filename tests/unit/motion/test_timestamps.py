@@ -123,13 +123,21 @@ def test_a_gap_of_hours_is_refused_but_a_lone_first_row_dropped(true_s, values):
 
 @pytest.mark.parametrize(
     ("factor", "says"),
-    [(1e3, "milliseconds"), (1e9, "at least 5 samples"), (0.0, "same time")],
-)
+    [(1e3, "milliseconds: divide time_s by 1000"), (1e6, "microseconds"),
+     (1e9, "nanoseconds"), (40.0, "at least 5 samples"), (0.0, "same time")],
+)  # fmt: skip
 def test_times_in_other_units_are_refused(true_s, values, factor, says):
     with pytest.raises(InputError, match=says):
         repair_times(factor * true_s, [values])
 
 
 def test_rows_in_no_order_are_refused(true_s, values, rng):
-    with pytest.raises(InputError, match=r"time_s (jumps|runs) back"):
+    with pytest.raises(InputError, match=r"time_s (jumps|runs) back") as caught:
         repair_times(rng.permutation(true_s), [values])
+    assert "looks like" not in str(caught.value)
+
+
+@pytest.mark.parametrize("begin_s", [0.0, 0.1, 1.7e9 + 0.3])
+def test_five_samples_a_second_are_enough(values, begin_s):
+    time_s = begin_s + 0.2 * np.arange(len(values))
+    assert len(repair_times(time_s, [values]).time_s) == len(values)
