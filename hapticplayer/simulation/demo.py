@@ -38,7 +38,7 @@ def write_simulated_sequence(
             recorded.recording(),
             target,
             choices=Choices(title=f"Simulated ride: {scenario}", seed=seed),
-            extras={"truth": recorded.truth_arrays()},
+            extras={"truth": recorded.truth.arrays()},
             progress=lambda f, step: progress(0.8 + 0.2 * f, step),
         )
 

@@ -67,7 +67,7 @@ def write_simulated_recording(
             write_gopro_clip(recorded, clip, aside / GOPRO)
         progress(0.97, Message("writing the logs"))
         write_imu_csv(aside / LOG, recorded.board.imu)
-        files.write_arrays(aside / TRUTH, **recorded.truth_arrays())
+        files.write_arrays(aside / TRUTH, **recorded.truth.arrays())
         files.write_json(aside / ABOUT, describe(recorded))
     return target
 

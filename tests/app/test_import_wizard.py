@@ -15,6 +15,7 @@ from scipy.signal import resample_poly
 from app.experimenter.import_mounting import Triad
 from app.experimenter.import_wizard import FILES, MOUNTING, REPORT, SYNC, ImportWizard
 from app.experimenter.sync_strip import SyncStrip, columns, tick_step_s
+from benchmarks.sync.pat_clips import simulate_pats
 from hapticplayer.capture import formats, read_recording
 from hapticplayer.capture.si_csv import write_imu_csv
 from hapticplayer.capture.sync import methods
@@ -25,7 +26,6 @@ from hapticplayer.playback.phases import Phase
 from hapticplayer.sequence import open_sequence
 from hapticplayer.sequence.synchronizing import stored_skews
 from hapticplayer.simulation.rides.gpmf_writer import write_payloads
-from hapticplayer.simulation.rides.sync_clips import simulate_pats
 
 SECONDS = 20
 

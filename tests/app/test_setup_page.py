@@ -19,8 +19,7 @@ from hapticplayer.devices.falcon.homing import WAY_COUNTS, Advice, Guidance
 from hapticplayer.devices.falcon.reach import Reach
 from hapticplayer.devices.falcon.setting_up import Progress, Step
 from hapticplayer.devices.falcon.transport import open_falcon
-from hapticplayer.simulation.usb import Stage
-from hapticplayer.simulation.usb.board import synthetic_image
+from hapticplayer.simulation.usb.board import Stage, synthetic_image
 from hapticplayer.simulation.usb.driver import make_set
 from hapticplayer.simulation.usb.mechanics import Homing
 

@@ -12,8 +12,10 @@ from hapticplayer.devices.falcon.kinematics import Kinematics, OutOfReachError
 from hapticplayer.devices.falcon.link import NO_ANSWER, Freshness, updated
 from hapticplayer.devices.falcon.protocol import ReplyParser
 from hapticplayer.devices.falcon.transport import open_falcon
-from hapticplayer.simulation.usb import BenchMechanics, Board, Chip, Stage
 from hapticplayer.simulation.usb.backend import SimulatedBus, SimulatedPort
+from hapticplayer.simulation.usb.board import Board, Stage
+from hapticplayer.simulation.usb.chip import Chip
+from tests.falcons import BenchMechanics
 
 ALWAYS = 10**9
 PERIOD_S = 0.001

@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 from scipy.signal import resample_poly
 
+from benchmarks.sync.pat_clips import simulate_pats
 from hapticplayer.capture.choices import LogQuestion
 from hapticplayer.capture.si_csv import write_imu_csv
 from hapticplayer.media.encode import write_clip
@@ -15,7 +16,6 @@ from hapticplayer.sequence.build import build_sequence
 from hapticplayer.sequence.editing import rename_sequence
 from hapticplayer.sequence.recognising import Recognised, recognise
 from hapticplayer.simulation.demo import demo_folder
-from hapticplayer.simulation.rides.sync_clips import simulate_pats
 
 SECONDS, RATE_HZ, WIDE, HIGH = 20, 25, 320, 180
 SEED = 41_001

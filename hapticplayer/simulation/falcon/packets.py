@@ -31,16 +31,6 @@ class Command(NamedTuple):
     force_n: Vector
 
 
-class Reply(NamedTuple):
-    """What the device knows at `stamp_s`; position in m, frame D."""
-
-    serial: int
-    stamp_s: float
-    position_m: Vector
-    buttons: int
-    is_homed: bool
-
-
 class Act(enum.IntEnum):
     """Something that a test makes happen to the device; `value` says how much."""
 
@@ -61,7 +51,7 @@ class Control(NamedTuple):
     value: float = 0.0
 
 
-Packet = Command | Reply | Control
+Packet = Command | Control
 
 
 def command_bytes(serial: int, stamp_s: float, force_n: Vector) -> bytes:
@@ -71,18 +61,11 @@ def command_bytes(serial: int, stamp_s: float, force_n: Vector) -> bytes:
     return body + zlib.crc32(body).to_bytes(4, "little")
 
 
-def pack_reply(reply: Reply) -> bytes:
-    """Return the bytes of a reply."""
-    return _sealed(
-        _REPLY.pack(
-            _REPLY_MAGIC,
-            reply.serial & SERIAL_MASK,
-            reply.stamp_s,
-            *reply.position_m,
-            reply.buttons,
-            reply.is_homed,
-        )
-    )
+def pack_reply(serial: int, reading: DeviceReading) -> bytes:
+    """Return the bytes of the answer to a command, as of `replied_s`."""
+    position_m, buttons, is_homed, stamp_s, _ = reading
+    fields = (serial & SERIAL_MASK, stamp_s, *position_m, buttons, is_homed)
+    return _sealed(_REPLY.pack(_REPLY_MAGIC, *fields))
 
 
 def pack_control(control: Control) -> bytes:
@@ -91,7 +74,7 @@ def pack_control(control: Control) -> bytes:
 
 
 def unpack(data: bytes) -> Packet | None:
-    """Return what the bytes say, or None if they make no sense.
+    """Return the command or act in the bytes, or None if they make no sense.
 
     None covers another size, kind or checksum, and numbers that are not finite.
     """
@@ -101,12 +84,8 @@ def unpack(data: bytes) -> Packet | None:
     kind, size = body[:4], len(body)
     if kind == _COMMAND_MAGIC and size == _COMMAND.size:
         _, serial, stamp_s, x, y, z = _COMMAND.unpack(body)
-        found: Packet = Command(serial, stamp_s, (x, y, z))
-        return found if math.isfinite(stamp_s + x + y + z) else None
-    if kind == _REPLY_MAGIC and size == _REPLY.size:
-        _, serial, stamp_s, x, y, z, buttons, homed = _REPLY.unpack(body)
-        found = Reply(serial, stamp_s, (x, y, z), buttons, bool(homed))
-        return found if math.isfinite(stamp_s + x + y + z) else None
+        is_finite = math.isfinite(stamp_s + x + y + z)
+        return Command(serial, stamp_s, (x, y, z)) if is_finite else None
     if kind == _CONTROL_MAGIC and size == _CONTROL.size:
         _, _, value, act = _CONTROL.unpack(body)
         known = act in Act.__members__.values() and math.isfinite(value)
@@ -115,7 +94,7 @@ def unpack(data: bytes) -> Packet | None:
 
 
 def read_reply(data: bytes) -> tuple[int, DeviceReading] | None:
-    """Return serial number and reading of a reply; None where `unpack` finds none."""
+    """Return serial number and reading of a reply; None as for `unpack`."""
     if len(data) != _SEALED_REPLY.size:
         return None
     kind, serial, stamp_s, x, y, z, buttons, homed, checksum = _SEALED_REPLY.unpack(

@@ -8,7 +8,7 @@ import mmap
 import os
 import struct
 
-from hapticplayer.model.device import Vector
+from hapticplayer.simulation.falcon.simulation import Simulation
 
 RING_RECORDS = 1 << 16
 RECORD_FIELDS = struct.Struct("<dd9fI")
@@ -27,15 +27,7 @@ class Recorder:
         self._head = memoryview(self._map)[8:16].cast("Q")
         self._head[0] = 0
 
-    def write(
-        self,
-        now_s: float,
-        since_s: float,
-        commanded_n: Vector,
-        applied_n: Vector,
-        position_m: Vector,
-        refused: int,
-    ) -> None:
+    def write(self, now_s: float, simulation: Simulation) -> None:
         """Append one turn, then publish it."""
         count = self._head[0]
         at = RING_AT + (count % RING_RECORDS) * RECORD_FIELDS.size
@@ -43,10 +35,10 @@ class Recorder:
             self._map,
             at,
             now_s,
-            since_s,
-            *commanded_n,
-            *applied_n,
-            *position_m,
-            refused,
+            simulation.applied_since_s,
+            *simulation.commanded_n,
+            *simulation.applied_n,
+            *simulation.position_m,
+            simulation.refused,
         )
         self._head[0] = count + 1

@@ -9,7 +9,6 @@ from hapticplayer.simulation.falcon.packets import (
     Act,
     Command,
     Control,
-    Reply,
     pack_reply,
     unpack,
 )
@@ -151,8 +150,7 @@ class Server:
             self._simulation.act(control)
 
     def _reply(self, serial: int, now_s: float) -> None:
-        position_m, buttons, is_homed, _, _ = self._simulation.reading(now_s)
-        data = pack_reply(Reply(serial, now_s, position_m, buttons, is_homed))
+        data = pack_reply(serial, self._simulation.reading(now_s))
         if self._corrupt > 0:
             self._corrupt -= 1
             middle = len(data) // 2
@@ -164,12 +162,4 @@ class Server:
 
     def _write_down(self, now_s: float) -> None:
         if self._recorder is not None:
-            simulation = self._simulation
-            self._recorder.write(
-                now_s,
-                simulation.applied_since_s,
-                simulation.commanded_n,
-                simulation.applied_n,
-                simulation.position_m,
-                simulation.refused,
-            )
+            self._recorder.write(now_s, self._simulation)

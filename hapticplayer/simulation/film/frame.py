@@ -297,7 +297,7 @@ class PictureMaker:
         for face in self._country.faces:
             draw_face(canvas, self._view, pose, face)
         if self._foreground is not None:
-            self._foreground.lay_over(canvas, pose.shake_px, pose.steering_rad)
+            self._foreground(canvas, pose.shake_px, pose.steering_rad)
         return canvas.view(np.uint8).reshape(*canvas.shape, 4)
 
     def prepare(self, poses: list[Pose], margin_m: float) -> None:

@@ -11,6 +11,7 @@ from hapticplayer.simulation.film.view import Floats32, Pixels, Pose, View, colo
 from hapticplayer.simulation.rides.scenes import Vehicle
 
 Rgb = tuple[float, float, float]
+Corner = tuple[float, float, float]
 
 
 @dataclass(frozen=True, slots=True)
@@ -187,65 +188,37 @@ def stair_faces(risers_m: tuple[float, ...], west_m: float) -> tuple[Face, ...]:
     """Return the faces of stairs from far to near, given the norths of the risers."""
     faces: list[Face] = []
     ends_m = (*risers_m[1:], risers_m[-1] + _LANDING_M)
-    for number, (north_m, end_m) in enumerate(zip(risers_m, ends_m, strict=True)):
+    left, right = west_m - _HALF_M, west_m + _HALF_M
+    for number, (near_m, far_m) in enumerate(zip(risers_m, ends_m, strict=True)):
         low_m, high_m = number * RISER_M, (number + 1) * RISER_M
+        top_m = high_m + _WALL_HEIGHT_M
         uneven = 6.0 * ((number * 7) % 5 - 2)
         steps = [
-            Face(_level(west_m, north_m, end_m, high_m), _stone(196.0 + 0.5 * uneven)),
-            Face(_upright(west_m, north_m, low_m, high_m), _stone(146.0 + uneven)),
+            _stone(
+                (left, near_m, high_m), (right, far_m, high_m), 196.0 + 0.5 * uneven
+            ),
+            _stone((left, near_m, low_m), (right, near_m, high_m), 146.0 + uneven),
         ]
-        for side in (-1.0, 1.0):
-            steps += _walls(west_m, side, (north_m, end_m), high_m)
+        # inner face, front and top of the low walls beside a step
+        for inner, outer, level in (
+            (left, left - _WALL_M, 134.0),
+            (right, right + _WALL_M, 118.0),
+        ):
+            steps += [
+                _stone((inner, near_m, high_m), (inner, far_m, top_m), level),
+                _stone((inner, near_m, 0.0), (outer, near_m, top_m), 128.0),
+                _stone((inner, near_m, top_m), (outer, far_m, top_m), 176.0),
+            ]
         faces = steps + faces
     return tuple(faces)
 
 
-def _stone(level: float) -> np.uint32:
-    return colour(level, 0.97 * level, 0.90 * level)
-
-
-def _upright(west_m: float, north_m: float, low_m: float, high_m: float) -> Floats:
-    left, right = west_m - _HALF_M, west_m + _HALF_M
-    return np.array([(left, north_m, low_m), (right, north_m, low_m),
-                     (right, north_m, high_m), (left, north_m, high_m)])  # fmt: skip
-
-
-def _level(west_m: float, north_m: float, end_m: float, height_m: float) -> Floats:
-    left, right = west_m - _HALF_M, west_m + _HALF_M
-    return np.array([(left, north_m, height_m), (right, north_m, height_m),
-                     (right, end_m, height_m), (left, end_m, height_m)])  # fmt: skip
-
-
-def _walls(
-    west_m: float, side: float, span_m: tuple[float, float], height_m: float
-) -> list[Face]:
-    """Return the inner face and the top of the low wall beside a step."""
-    inner, outer = west_m + side * _HALF_M, west_m + side * (_HALF_M + _WALL_M)
-    near, far = span_m
-    top_m = height_m + _WALL_HEIGHT_M
-    face = [
-        (inner, near, height_m),
-        (inner, far, height_m),
-        (inner, far, top_m),
-        (inner, near, top_m),
-    ]
-    top = [
-        (inner, near, top_m),
-        (inner, far, top_m),
-        (outer, far, top_m),
-        (outer, near, top_m),
-    ]
-    front = [
-        (inner, near, 0.0),
-        (outer, near, 0.0),
-        (outer, near, top_m),
-        (inner, near, top_m),
-    ]
-    return [
-        Face(np.array(face), _stone(118.0 if side > 0 else 134.0)),
-        Face(np.array(front), _stone(128.0)),
-        Face(np.array(top), _stone(176.0)),
-    ]
+def _stone(first: Corner, last: Corner, level: float) -> Face:
+    """Return the rectangle between corners that differ in two axes only."""
+    corners = np.array([first, first, last, last])
+    axis = np.flatnonzero(corners[0] != corners[2])[0]
+    corners[[1, 3], axis] = corners[[3, 1], axis]
+    return Face(corners, colour(level, 0.97 * level, 0.90 * level))
 
 
 def draw_face(canvas: Pixels, view: View, pose: Pose, face: Face) -> None:

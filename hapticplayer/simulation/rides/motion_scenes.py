@@ -6,12 +6,10 @@ people who walk and run, cameras in hands that are almost still.
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from typing import Any
 
 import numpy as np
 
 from hapticplayer.errors import UsageError
-from hapticplayer.model import ImuLog
 from hapticplayer.model.arrays import Floats
 from hapticplayer.simulation.rides import drives
 from hapticplayer.simulation.rides.people import (
@@ -22,8 +20,13 @@ from hapticplayer.simulation.rides.people import (
     hold_still,
 )
 from hapticplayer.simulation.rides.script import Drive
-from hapticplayer.simulation.rides.sensors import SENSORS, SensorModel, measure
-from hapticplayer.simulation.rides.trajectory import Motion, Trajectory
+from hapticplayer.simulation.rides.sensors import (
+    SENSORS,
+    Measured,
+    SensorModel,
+    measure,
+)
+from hapticplayer.simulation.rides.trajectory import Trajectory
 from hapticplayer.simulation.rides.vehicles import (
     BICYCLE,
     MOUNTAIN_BIKE,
@@ -49,40 +52,16 @@ class MotionScene:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class SimulatedMotion:
-    """A ride's log with its truth.
+class SimulatedMotion(Measured):
+    """A scene's log with its truth, at other times that of the trajectory."""
 
-    Attributes:
-        truth: exact motion at the log's times, which for window means are the
-            middles of the windows.
-        vertical: (N, 3) true up in the sensor frame for what each sample stands
-            for: at its time, or the mean over its window.
-        acceleration_mps2: (N, 3) true gravity-free motion, likewise.
-        trajectory: for the truth at other times.
-    """
-
-    name: str
     title: str
-    seed: int
-    truth: Motion
-    imu: ImuLog
-    vertical: Floats
-    acceleration_mps2: Floats
     trajectory: Trajectory
 
-    def truth_arrays(self) -> dict[str, Any]:
+    def truth_arrays(self) -> dict[str, Floats]:
         """Return the truth as arrays by name, for a `.npz`."""
-        names = (
-            "time_s",
-            "position_m",
-            "velocity_mps",
-            "specific_force_mps2",
-            "angular_rate_radps",
-            "quaternion_wxyz",
-        )
-        exact = {name: getattr(self.truth, name) for name in names}
         return {
-            **exact,
+            **self.truth.arrays(),
             "acceleration_mps2": self.acceleration_mps2,
             "vertical": self.vertical,
         }
@@ -120,14 +99,12 @@ def simulate_motion(
     trajectory = scene.build(np.random.default_rng([seed, 0]), length_s)
     measured = measure(trajectory, length_s, _sensor(sensor), seed)
     return SimulatedMotion(
-        name=name,
-        title=scene.title,
-        seed=seed,
-        truth=measured.truth,
-        imu=replace(measured.imu, source=f"simulated: {scene.title}"),
-        vertical=measured.vertical,
-        acceleration_mps2=measured.acceleration_mps2,
-        trajectory=trajectory,
+        replace(measured.imu, source=f"simulated: {scene.title}"),
+        measured.truth,
+        measured.vertical,
+        measured.acceleration_mps2,
+        scene.title,
+        trajectory,
     )
 
 

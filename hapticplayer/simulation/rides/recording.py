@@ -8,34 +8,27 @@ written: the truth with noise and bias, its gyro integrating between samples. A 
 import os
 import secrets
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from hapticplayer.capture.recording import Recording
 from hapticplayer.errors import UsageError
-from hapticplayer.model import ClockMap, ImuLog, Sampling
-from hapticplayer.model.arrays import Floats
+from hapticplayer.model import ClockMap, ImuLog
 from hapticplayer.simulation.film.film import Film, SecondPainter
 from hapticplayer.simulation.film.sound import RATE_HZ, ride_sound
 from hapticplayer.simulation.rides.board import PAPER, BoardLog, record
 from hapticplayer.simulation.rides.catalogue import RIDES, SCENES
 from hapticplayer.simulation.rides.scenes import Scene
+from hapticplayer.simulation.rides.sensors import CAMERA, measure
 from hapticplayer.simulation.rides.trajectory import Motion
 
-IMU_RATE_HZ = 200
 FRAME_RATE_HZ = 30
 WIDTH_PX, HEIGHT_PX = 960, 540
 RIDE_WIDTH_PX, RIDE_HEIGHT_PX = 1280, 720
 TRUTH_RATE_HZ = 1000
-
-_FORCE_NOISE_MPS2 = 0.035  # per sample at 200 Hz; a camera's sensor, better than 0.065
-_FORCE_BIAS_MPS2 = 0.04  # SD per axis, what a factory calibration leaves
-_RATE_NOISE_RADPS = 0.003
-_RATE_BIAS_RADPS = 0.004
 
 WORTH_PX = 150_000_000
 """So many pixels are drawn by two processes; the second has to load what it needs."""
@@ -91,19 +84,6 @@ class SimulatedRecording:
             },
         )
 
-    def truth_arrays(self) -> dict[str, Any]:
-        """Return the truth as arrays by name, for a `.npz`."""
-        names = (
-            "time_s",
-            "position_m",
-            "velocity_mps",
-            "acceleration_mps2",
-            "specific_force_mps2",
-            "angular_rate_radps",
-            "quaternion_wxyz",
-        )
-        return {name: getattr(self.truth, name) for name in names}
-
 
 def simulate(scene: str, seed: int) -> SimulatedRecording:
     """Ride a scene; the same seed gives the same recording, bit for bit.
@@ -118,17 +98,17 @@ def simulate(scene: str, seed: int) -> SimulatedRecording:
             known=", ".join(sorted(SCENES)),
         )
     ridden = SCENES[scene](np.random.default_rng([seed, 0]))
-    rng = np.random.default_rng([seed, 1])
-    imu = _measure(ridden, rng)
-    audio = ride_sound(ridden, rng)
+    measured = measure(ridden.trajectory, ridden.duration_s, CAMERA, seed)
+    imu = replace(measured.imu, source=f"simulated: {ridden.title}")
+    audio = ride_sound(ridden, np.random.default_rng([seed, 4]))
     if scene not in RIDES:
-        truth = ridden.trajectory.at(imu.time_s)
-        return SimulatedRecording(ridden, seed, truth, imu, audio)
+        return SimulatedRecording(ridden, seed, measured.truth, imu, audio)
+    times_s = np.arange(round(ridden.duration_s * TRUTH_RATE_HZ) + 1) / TRUTH_RATE_HZ
     span_s = (-ridden.lead_s, ridden.duration_s + ridden.tail_s)
     return SimulatedRecording(
         scene=ridden,
         seed=seed,
-        truth=ridden.trajectory.at(_times(ridden.duration_s, TRUTH_RATE_HZ)),
+        truth=ridden.trajectory.at(times_s),
         imu=imu,
         audio=audio,
         board=record(
@@ -137,34 +117,6 @@ def simulate(scene: str, seed: int) -> SimulatedRecording:
         width=RIDE_WIDTH_PX,
         height=RIDE_HEIGHT_PX,
     )
-
-
-def _times(duration_s: float, rate_hz: float) -> Floats:
-    return np.asarray(np.arange(round(duration_s * rate_hz) + 1) / rate_hz)
-
-
-def _measure(scene: Scene, rng: np.random.Generator) -> ImuLog:
-    """Return what a sensor in the camera logs."""
-    truth = scene.trajectory.at(_times(scene.duration_s, IMU_RATE_HZ))
-    mean_rate = scene.trajectory.mean_rate_radps(truth.time_s, 1.0 / IMU_RATE_HZ)
-    return ImuLog(
-        time_s=truth.time_s,
-        specific_force_mps2=_disturbed(
-            truth.specific_force_mps2, _FORCE_NOISE_MPS2, _FORCE_BIAS_MPS2, rng
-        ),
-        angular_rate_radps=_disturbed(
-            mean_rate, _RATE_NOISE_RADPS, _RATE_BIAS_RADPS, rng
-        ),
-        sampling=Sampling.INSTANT,
-        source=f"simulated: {scene.title}",
-    )
-
-
-def _disturbed(
-    values: Floats, noise: float, bias: float, rng: np.random.Generator
-) -> Floats:
-    offset = rng.normal(0.0, bias, values.shape[1])
-    return values + offset + rng.normal(0.0, noise, values.shape)
 
 
 def write_simulated_clip(

@@ -9,6 +9,7 @@ from scipy.signal import lfilter
 from hapticplayer.model import STANDARD_GRAVITY_MPS2
 from hapticplayer.model.arrays import Floats
 from hapticplayer.simulation.rides.pats import Pat
+from hapticplayer.simulation.rides.script import integral
 from hapticplayer.simulation.rides.trajectory import Trajectory, smooth_step
 
 Vehicle = Literal["bicycle", "horse", "car", "foot", "tripod"]
@@ -73,9 +74,9 @@ def demo(rng: np.random.Generator) -> Scene:
     speed = 5.0 * (smooth_step(time_s, 1.5, 3.2) - smooth_step(time_s, 7.75, 1.75))
     yaw = np.radians(75.0) * smooth_step(time_s, 3.7, 2.9)
     bumps = (Bump(6.70, 0.045), Bump(7.30, -0.045))
-    travel_m = _integral(speed, time_s)
+    travel_m = integral(speed, 1.0 / _DESIGN_HZ)
     ahead = np.stack([-np.sin(yaw), np.cos(yaw)], axis=1)
-    route_m = _integral(speed[:, None] * ahead, time_s)
+    route_m = integral(speed[:, None] * ahead, 1.0 / _DESIGN_HZ)
     ride = _Ride(time_s, speed, yaw, travel_m, bumps)
     position_m, angles_rad = ride.camera(route_m, rng)
     step = _DESIGN_HZ // _SPLINE_HZ
@@ -190,12 +191,6 @@ class _Ride:
         )
         turn = 2.0 * np.pi * _CADENCE_HZ * (self._time_s - 1.5)
         return np.asarray(np.radians(2.2) * effort * np.sin(turn))
-
-
-def _integral(rate: Floats, time_s: Floats) -> Floats:
-    """Return the integral from the first sample on (trapezoids), axis 0."""
-    steps = 0.5 * (rate[1:] + rate[:-1]) * (time_s[1] - time_s[0])
-    return np.concatenate([np.zeros_like(rate[:1]), np.cumsum(steps, axis=0)])
 
 
 def _oscillator(drive: Floats, *, frequency_hz: float, damping: float) -> Floats:

@@ -158,7 +158,7 @@ class Drive:
         )
 
 
-def integral(rate: Floats) -> Floats:
+def integral(rate: Floats, step_s: float = _GRID_S) -> Floats:
     """Return the integral over the knots from the first on (trapezoids), axis 0."""
-    steps = 0.5 * _GRID_S * (rate[1:] + rate[:-1])
+    steps = 0.5 * step_s * (rate[1:] + rate[:-1])
     return np.concatenate([np.zeros_like(rate[:1]), np.cumsum(steps, axis=0)])

@@ -177,7 +177,15 @@ SENSORS = {model.name: model for model in (CAMERA, PHONE, PAPER_BOARD, IDEAL)}
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Measured:
-    """A log beside the truth of each of its samples, as in `SimulatedMotion`."""
+    """A log beside the truth of each of its samples.
+
+    Attributes:
+        truth: exact motion at the log's times, which for window means are the
+            middles of the windows.
+        vertical: (N, 3) true up in the sensor frame for what each sample stands
+            for: at its time, or the mean over its window.
+        acceleration_mps2: (N, 3) true gravity-free motion, likewise.
+    """
 
     imu: ImuLog
     truth: Motion

@@ -9,7 +9,7 @@ sensor to earth: yaw counterclockwise seen from above, pitch lifts the nose, rol
 lowers the right side.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 
 import numpy as np
 from scipy.interpolate import make_interp_spline
@@ -37,6 +37,10 @@ class Motion:
     specific_force_mps2: Floats
     angular_rate_radps: Floats
     quaternion_wxyz: Floats
+
+    def arrays(self) -> dict[str, Floats]:
+        """Return all of it by name, for a `.npz`."""
+        return {field.name: getattr(self, field.name) for field in fields(self)}
 
 
 class Trajectory:

@@ -10,6 +10,8 @@ others; what else an FT232R says is from memory.
 
 import errno
 from array import array
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from types import SimpleNamespace
 from typing import Any
@@ -56,21 +58,11 @@ class SimulatedBus(IBackend):  # type: ignore[misc]
     def get_device_descriptor(self, port: SimulatedPort) -> SimpleNamespace:
         """Return the device's descriptor."""
         address = self.ports.index(port) + 2
-        return SimpleNamespace(
-            bLength=18,
-            bDescriptorType=1,
-            bcdUSB=0x0200,
-            bDeviceClass=0,
-            bDeviceSubClass=0,
-            bDeviceProtocol=0,
-            bMaxPacketSize0=8,
-            idVendor=VENDOR_ID,
-            idProduct=PRODUCT_ID,
-            bcdDevice=0x0600,
-            iManufacturer=1,
-            iProduct=2,
-            iSerialNumber=3,
-            bNumConfigurations=1,
+        return _descriptor(
+            "bLength bDescriptorType bcdUSB bDeviceClass bDeviceSubClass "
+            "bDeviceProtocol bMaxPacketSize0 idVendor idProduct bcdDevice "
+            "iManufacturer iProduct iSerialNumber bNumConfigurations",
+            (18, 1, 0x0200, 0, 0, 0, 8, VENDOR_ID, PRODUCT_ID, 0x0600, 1, 2, 3, 1),
             bus=1,
             address=address,
             port_number=address,
@@ -84,16 +76,10 @@ class SimulatedBus(IBackend):  # type: ignore[misc]
         """Return the only configuration."""
         if config:
             raise IndexError("one configuration only")
-        return SimpleNamespace(
-            bLength=9,
-            bDescriptorType=2,
-            wTotalLength=32,
-            bNumInterfaces=1,
-            bConfigurationValue=1,
-            iConfiguration=0,
-            bmAttributes=0xA0,
-            bMaxPower=45,
-            extra_descriptors=b"",
+        return _descriptor(
+            "bLength bDescriptorType wTotalLength bNumInterfaces bConfigurationValue "
+            "iConfiguration bmAttributes bMaxPower",
+            (9, 2, 32, 1, 1, 0, 0xA0, 45),
         )
 
     def get_interface_descriptor(
@@ -102,33 +88,20 @@ class SimulatedBus(IBackend):  # type: ignore[misc]
         """Return the only interface."""
         if intf or alt or config:
             raise IndexError("one interface only")
-        return SimpleNamespace(
-            bLength=9,
-            bDescriptorType=4,
-            bInterfaceNumber=0,
-            bAlternateSetting=0,
-            bNumEndpoints=2,
-            bInterfaceClass=0xFF,
-            bInterfaceSubClass=0xFF,
-            bInterfaceProtocol=0xFF,
-            iInterface=2,
-            extra_descriptors=b"",
+        return _descriptor(
+            "bLength bDescriptorType bInterfaceNumber bAlternateSetting bNumEndpoints "
+            "bInterfaceClass bInterfaceSubClass bInterfaceProtocol iInterface",
+            (9, 4, 0, 0, 2, 0xFF, 0xFF, 0xFF, 2),
         )
 
     def get_endpoint_descriptor(
         self, port: SimulatedPort, ep: int, intf: int, alt: int, config: int
     ) -> SimpleNamespace:
         """Return bulk in, bulk out."""
-        return SimpleNamespace(
-            bLength=7,
-            bDescriptorType=5,
-            bEndpointAddress=(0x81, 0x02)[ep],
-            bmAttributes=2,
-            wMaxPacketSize=64,
-            bInterval=0,
-            bRefresh=0,
-            bSynchAddress=0,
-            extra_descriptors=b"",
+        return _descriptor(
+            "bLength bDescriptorType bEndpointAddress bmAttributes wMaxPacketSize "
+            "bInterval bRefresh bSynchAddress",
+            (7, 5, (0x81, 0x02)[ep], 2, 64, 0, 0, 0),
         )
 
     def open_device(self, port: SimulatedPort) -> SimulatedPort:
@@ -215,15 +188,19 @@ class SimulatedBus(IBackend):  # type: ignore[misc]
         return 0
 
 
-class _as_usb:  # noqa: N801 - reads as a statement
-    """Turns the chip's trouble into the library's error."""
+@contextmanager
+def _as_usb() -> Iterator[None]:
+    """Turn the chip's trouble into the library's error."""
+    try:
+        yield
+    except UsbFault as problem:
+        raise _usb_error(problem.errno or errno.EIO) from problem
 
-    def __enter__(self) -> None:
-        return None
 
-    def __exit__(self, _kind: object, problem: object, _trace: object) -> None:
-        if isinstance(problem, UsbFault):
-            raise _usb_error(problem.errno or errno.EIO) from problem
+def _descriptor(fields: str, values: tuple[int, ...], **more: Any) -> SimpleNamespace:
+    """Return a descriptor (USB 2.0, section 9.6) with what libusb adds to it."""
+    described = dict(zip(fields.split(), values, strict=True))
+    return SimpleNamespace(**described, **{"extra_descriptors": b"", **more})
 
 
 def _string_descriptor(port: SimulatedPort, value: int) -> bytes:

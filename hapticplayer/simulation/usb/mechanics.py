@@ -4,7 +4,7 @@ from typing import Protocol
 
 from hapticplayer.devices.falcon.kinematics import WORDS_PER_NM, Kinematics
 from hapticplayer.devices.falcon.matrix3 import cross, dot
-from hapticplayer.devices.falcon.protocol import Command, Lights, Reply, Words
+from hapticplayer.devices.falcon.protocol import Command, Lights, Reply
 from hapticplayer.model.device import Vector
 from hapticplayer.simulation.falcon.record import Recorder
 from hapticplayer.simulation.falcon.simulation import Simulation
@@ -24,22 +24,6 @@ class Mechanics(Protocol):
     def reply(self, at_s: float) -> Reply:
         """Return encoders and buttons."""
         ...
-
-
-class BenchMechanics:
-    """Encoders that stand where a test has put them; commands are written down."""
-
-    def __init__(self, counts: Words = (-300, -300, -300), homed: int = 7) -> None:
-        self.counts, self.buttons, self.homed = counts, 0, homed
-        self.commands: list[tuple[float, Words]] = []
-
-    def command(self, command: Command, at_s: float) -> None:
-        """Write the words down."""
-        self.commands.append((at_s, command.words))
-
-    def reply(self, at_s: float) -> Reply:  # noqa: ARG002 - they do not move
-        """Return what the test wants."""
-        return Reply(self.counts, self.buttons, self.homed)
 
 
 class Homing:
@@ -119,12 +103,4 @@ class RecordedMechanics(SimulatedMechanics):
     def command(self, command: Command, at_s: float) -> None:
         """Let the motors push, and write it down."""
         super().command(command, at_s)
-        simulation = self.simulation
-        self._recorder.write(
-            at_s,
-            simulation.applied_since_s,
-            simulation.commanded_n,
-            simulation.applied_n,
-            simulation.position_m,
-            simulation.refused,
-        )
+        self._recorder.write(at_s, self.simulation)

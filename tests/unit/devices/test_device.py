@@ -5,8 +5,8 @@ import pytest
 from hapticplayer.devices import DEVICES, find_device
 from hapticplayer.devices.capabilities import FALCON
 from hapticplayer.errors import DeviceError
-from hapticplayer.simulation.falcon.device import SimulatedFalcon
 from hapticplayer.simulation.falcon.parameters import Electronics
+from tests.falcons import SimulatedFalcon
 
 ZERO = (0.0, 0.0, 0.0)
 PUSH = (2.0, 0.0, 0.0)

@@ -16,7 +16,7 @@ from hapticplayer.haptics.scheduling import CpuLatencyRequest
 from hapticplayer.haptics.shared import BLOCK_BYTES, SharedBlock
 from hapticplayer.haptics.track import anonymous_memory, to_shared_memory
 from hapticplayer.model import ForceTrack, PlaybackClock
-from hapticplayer.simulation.falcon.device import SimulatedFalcon
+from tests.falcons import SimulatedFalcon
 
 
 class StallingClock(ManualClock):

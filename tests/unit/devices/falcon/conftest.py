@@ -12,8 +12,10 @@ from hapticplayer.devices.falcon.firmware import Block, build_image, parse_image
 from hapticplayer.devices.falcon.ftdi import Ftdi
 from hapticplayer.devices.falcon.link import DirectLink
 from hapticplayer.devices.falcon.transport import open_falcon
-from hapticplayer.simulation.usb import BenchMechanics, Board, Chip, Stage
 from hapticplayer.simulation.usb.backend import SimulatedBus, SimulatedPort
+from hapticplayer.simulation.usb.board import Board, Stage
+from hapticplayer.simulation.usb.chip import Chip
+from tests.falcons import BenchMechanics
 
 
 @pytest.fixture(scope="session")

@@ -12,7 +12,7 @@ from hapticplayer.devices.falcon import firmware
 from hapticplayer.devices.falcon.firmware import Block, build_image, loader, parse_image
 from hapticplayer.devices.falcon.firmware import image as image_module
 from hapticplayer.errors import Cancelled, DeviceError, UsageError
-from hapticplayer.simulation.usb import Stage
+from hapticplayer.simulation.usb.board import Stage
 
 QUICK = replace(firmware.PATIENCE, attempts=3)
 

@@ -13,7 +13,7 @@ from hapticplayer.devices.falcon.setting_up import Step, set_up
 from hapticplayer.devices.falcon.transport import FalconGoneError, open_falcon
 from hapticplayer.errors import Cancelled, DeviceError
 from hapticplayer.simulation.falcon.simulation import Simulation
-from hapticplayer.simulation.usb import Stage
+from hapticplayer.simulation.usb.board import Stage
 from hapticplayer.simulation.usb.driver import make_set
 from hapticplayer.simulation.usb.mechanics import Homing
 

@@ -3,8 +3,7 @@
 from hapticplayer.devices.falcon.driver import make
 from hapticplayer.devices.falcon.ftdi import RUN_BAUD
 from hapticplayer.devices.falcon.silence import Silencer
-from hapticplayer.simulation.usb import Stage
-from hapticplayer.simulation.usb.board import synthetic_image
+from hapticplayer.simulation.usb.board import Stage, synthetic_image
 from hapticplayer.simulation.usb.driver import make_set
 
 PUSH = (3.0, 0.0, 0.0)

@@ -13,8 +13,10 @@ from hapticplayer.devices.falcon.transport import (
     open_falcon,
 )
 from hapticplayer.errors import DeviceError
-from hapticplayer.simulation.usb import BenchMechanics, Board, Chip, Stage
 from hapticplayer.simulation.usb.backend import SimulatedBus, SimulatedPort
+from hapticplayer.simulation.usb.board import Board, Stage
+from hapticplayer.simulation.usb.chip import Chip
+from tests.falcons import BenchMechanics
 
 
 def another_port(bench, serial):

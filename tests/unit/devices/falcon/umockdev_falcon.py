@@ -31,9 +31,9 @@ from hapticplayer.devices.falcon.transport import (
     open_falcon,
 )
 from hapticplayer.errors import DeviceError
-from hapticplayer.simulation.usb import BenchMechanics, Board, Chip
-from hapticplayer.simulation.usb.board import synthetic_image
-from hapticplayer.simulation.usb.chip import UsbFault
+from hapticplayer.simulation.usb.board import Board, synthetic_image
+from hapticplayer.simulation.usb.chip import Chip, UsbFault
+from tests.falcons import BenchMechanics
 
 CONTROL, BULK = 0xC0185500, 0xC0185502
 SUBMIT, DISCARD, REAP, REAP_NOW = 0x8038550A, 0x550B, 0x4008550C, 0x4008550D

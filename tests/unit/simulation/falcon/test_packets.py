@@ -11,7 +11,6 @@ from hapticplayer.simulation.falcon.packets import (
     Act,
     Command,
     Control,
-    Reply,
     command_bytes,
     pack_control,
     pack_reply,
@@ -20,13 +19,13 @@ from hapticplayer.simulation.falcon.packets import (
 )
 
 COMMAND = Command(7, 1234.5, (1.25, -2.5, 0.125))
-REPLY = Reply(8, 99.0, (0.01, -0.02, 0.03), 0b1010, is_homed=True)
+READING = DeviceReading((0.01, -0.02, 0.03), 0b1010, is_homed=True, replied_s=99.0)
 CONTROL = Control(Act.STALL, 0.25)
-PACKED = [command_bytes(*COMMAND), pack_reply(REPLY), pack_control(CONTROL)]
+PACKED = [command_bytes(*COMMAND), pack_reply(8, READING), pack_control(CONTROL)]
 
 
 @pytest.mark.parametrize(
-    ("packet", "data"), list(zip([COMMAND, REPLY, CONTROL], PACKED, strict=True))
+    ("packet", "data"), [(COMMAND, PACKED[0]), (CONTROL, PACKED[2])]
 )
 def test_a_packet_comes_back_as_it_was(packet, data):
     assert unpack(data) == packet
@@ -57,11 +56,10 @@ def test_numbers_that_are_none_are_not_taken(bad):
     for place in range(3):
         vector = tuple(bad if place == axis else 0.0 for axis in range(3))
         assert unpack(command_bytes(*COMMAND._replace(force_n=vector))) is None
-        reply = pack_reply(REPLY._replace(position_m=vector))
-        assert unpack(reply) is None
+        reply = pack_reply(8, READING._replace(position_m=vector))
         assert read_reply(reply) is None
     assert unpack(command_bytes(*COMMAND._replace(stamp_s=bad))) is None
-    assert read_reply(pack_reply(REPLY._replace(stamp_s=bad))) is None
+    assert read_reply(pack_reply(8, READING._replace(replied_s=bad))) is None
     assert unpack(pack_control(Control(Act.STALL, bad))) is None
 
 
@@ -72,8 +70,8 @@ def test_serial_numbers_wrap_around():
 
 
 def test_a_reply_is_read_as_a_reading_and_nothing_else_is():
-    reading = DeviceReading(REPLY.position_m, REPLY.buttons, True, REPLY.stamp_s)
-    assert read_reply(PACKED[1]) == (REPLY.serial, reading)
+    assert read_reply(PACKED[1]) == (8, READING)
+    assert unpack(PACKED[1]) is None
     assert read_reply(PACKED[0]) is None
     assert read_reply(PACKED[2]) is None
     other_kind = b"HPx1" + PACKED[1][4:-4]

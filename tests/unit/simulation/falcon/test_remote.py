@@ -6,10 +6,10 @@ from types import SimpleNamespace
 import pytest
 
 from hapticplayer.errors import DeviceError
+from hapticplayer.model.device import DeviceReading
 from hapticplayer.simulation.falcon import remote
 from hapticplayer.simulation.falcon.packets import (
     MAX_BYTES,
-    Reply,
     pack_reply,
     unpack,
 )
@@ -51,7 +51,9 @@ class Bench:
         return self.ours
 
     def answer(self, serial, age_s=0.0, x_m=0.0, spoil=False):
-        data = pack_reply(Reply(serial, self.now_s - age_s, (x_m, 0.0, 0.0), 0, True))
+        data = pack_reply(
+            serial, DeviceReading((x_m, 0.0, 0.0), 0, True, self.now_s - age_s)
+        )
         self.end.send(data[:-1] + bytes([data[-1] ^ spoil]))
 
     def tick(self, period_s=0.001):

@@ -228,9 +228,9 @@ def test_every_tick_is_logged_once_with_its_refusals(bench):
 
 def test_the_record_is_a_ring_of_the_newest():
     descriptor = os.memfd_create("record")
-    recorder = Recorder(descriptor)
+    recorder, simulation = Recorder(descriptor), Simulation()
     for count in range(RING_RECORDS + 10):
-        recorder.write(float(count), 0.0, ZERO, ZERO, ZERO, 0)
+        recorder.write(float(count), simulation)
     found = read_record(descriptor)
     np.testing.assert_array_equal(
         found["monotonic_s"], np.arange(10, RING_RECORDS + 10)

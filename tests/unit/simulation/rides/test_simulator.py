@@ -217,7 +217,7 @@ def test_recording_and_truth_are_handed_on(ride: SimulatedRecording) -> None:
     assert recording.imu is ride.imu
     assert recording.clock_map.confidence == 1.0
     assert recording.provenance["seed"] == SEED
-    arrays = ride.truth_arrays()
+    arrays = ride.truth.arrays()
     assert {"time_s", "acceleration_mps2", "quaternion_wxyz"} <= set(arrays)
     assert all(len(array) == 2001 for array in arrays.values())
 

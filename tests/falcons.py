@@ -1,7 +1,8 @@
-"""The simulated Falcon in the caller's own process and time, for tests."""
+"""Falcons in the test's own process and time."""
 
 from hapticplayer.devices.capabilities import FALCON
 from hapticplayer.devices.dynamics import RELAXED, Hand, Mechanism
+from hapticplayer.devices.falcon.protocol import Command, Reply, Words
 from hapticplayer.errors import DeviceError
 from hapticplayer.model.device import DeviceReading, Vector
 from hapticplayer.simulation.falcon.packets import Act, Control
@@ -98,3 +99,19 @@ class SimulatedFalcon:
             raise DeviceError(
                 "the simulated Falcon was unplugged; choose the device again"
             )
+
+
+class BenchMechanics:
+    """Encoders that stand where a test has put them; commands are written down."""
+
+    def __init__(self, counts: Words = (-300, -300, -300), homed: int = 7) -> None:
+        self.counts, self.buttons, self.homed = counts, 0, homed
+        self.commands: list[tuple[float, Words]] = []
+
+    def command(self, command: Command, at_s: float) -> None:
+        """Write the words down."""
+        self.commands.append((at_s, command.words))
+
+    def reply(self, at_s: float) -> Reply:
+        """Return what the test wants."""
+        return Reply(self.counts, self.buttons, self.homed)
