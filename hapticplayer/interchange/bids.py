@@ -23,7 +23,6 @@ from hapticplayer.interchange.study_csv import (
 from hapticplayer.interchange.study_data import (
     StudyData,
     markers_of,
-    tick_chunks,
     tick_files,
 )
 from hapticplayer.study import private
@@ -180,7 +179,7 @@ def _subject(session: StoredSession, data: StudyData, folder: Path) -> None:
     scans: list[tuple[str, str]] = []
     for number, path in enumerate(tick_files(session), 1):
         base = f"{name}_task-{TASK}_tracksys-{SYSTEM}_run-{number}"
-        span_s = _motion(path, folder / "motion" / base, data)
+        span_s = _motion(session, path, folder / "motion" / base, data)
         if span_s is not None:
             _events(session, span_s, folder / "motion" / f"{base}_events.tsv")
             scans.append((f"motion/{base}_motion.tsv", _utc(session, span_s[0])))
@@ -203,7 +202,9 @@ def _beh_row(trial: AnsweredTrial, keys: list[str]) -> tuple[Any, ...]:
     )
 
 
-def _motion(path: Path, base: Path, data: StudyData) -> tuple[float, float] | None:
+def _motion(
+    session: StoredSession, path: Path, base: Path, data: StudyData
+) -> tuple[float, float] | None:
     """Write the ticks of one run; return the monotonic times of first and last."""
     begun_s: float | None = None
     count, last_s = 0, 0.0
@@ -211,7 +212,7 @@ def _motion(path: Path, base: Path, data: StudyData) -> tuple[float, float] | No
     table = base.with_name(f"{base.name}_motion.tsv")
     private.write_new(table, b"")
     with table.open("ab") as out:
-        for ticks in tick_chunks(path, data.remarks):
+        for ticks in data.ticks(session, path):
             time_s = np.asarray(ticks["monotonic_s"], np.float64)
             begun_s = float(time_s[0]) if begun_s is None else begun_s
             out.write(_motion_lines(ticks, begun_s))

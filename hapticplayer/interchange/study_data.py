@@ -7,8 +7,9 @@ from typing import Any
 
 from numpy.typing import NDArray
 
-from hapticplayer.errors import InputError
+from hapticplayer.errors import InputError, Message, joined
 from hapticplayer.haptics.record_reader import RecordReader
+from hapticplayer.sequence.files import Progress
 from hapticplayer.study.answers import Answers
 from hapticplayer.study.definition import Definition
 from hapticplayer.study.session_folder import StoredSession
@@ -37,12 +38,21 @@ class StudyData:
         answers: of all participants with answers.
         sessions: of the same participants.
         remarks: list to which exporters add what is damaged or left out.
+        progress: called with the fraction done and the step; raises to cancel.
     """
 
     definition: Definition
     answers: Answers
     sessions: list[StoredSession]
     remarks: list[str]
+    progress: Progress
+
+    def ticks(self, session: StoredSession, path: Path) -> Iterator[NDArray[Any]]:
+        """Yield the intact ticks of a session's record, with progress."""
+        fraction = self.sessions.index(session) / len(self.sessions)
+        for ticks in tick_chunks(path, self.remarks):
+            self.progress(fraction, Message("writing {code}", code=session.code))
+            yield ticks
 
 
 @dataclass(frozen=True, slots=True)
@@ -89,11 +99,12 @@ def tick_chunks(path: Path, remarks: list[str]) -> Iterator[NDArray[Any]]:
     try:
         with RecordReader(path) as reader:
             if not set(_WANTED) <= set(reader.dtype.names or ()):
-                remarks.append(f"{name}: lacks what is to be exported")
+                what = Message("lacks what is to be exported")
+                remarks.append(joined(": ", (name, what)))
                 return
             for frame in reader.frames():
                 yield frame.ticks
             if reader.notice:
-                remarks.append(f"{name}: {reader.notice}")
+                remarks.append(joined(": ", (name, reader.notice)))
     except InputError as problem:
-        remarks.append(f"{name}: {problem.what}")
+        remarks.append(joined(": ", (name, problem.what)))

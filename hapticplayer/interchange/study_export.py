@@ -9,11 +9,12 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from hapticplayer.errors import StudyError, UsageError
+from hapticplayer.errors import Message, StudyError, UsageError
 from hapticplayer.interchange.bids import write_bids
 from hapticplayer.interchange.study_csv import write_csv
 from hapticplayer.interchange.study_data import StudyData
 from hapticplayer.interchange.xdf import write_xdf
+from hapticplayer.sequence.files import Progress
 from hapticplayer.study import private
 from hapticplayer.study.answers import collect_answers
 from hapticplayer.study.study_folder import Study
@@ -25,7 +26,7 @@ class Exporter:
 
     Attributes:
         name: of `--format`.
-        text: description for people.
+        text: description for people, translated in the window.
         write: fills an empty folder.
     """
 
@@ -37,20 +38,26 @@ class Exporter:
 EXPORTERS: dict[str, Exporter] = {
     one.name: one
     for one in (
-        Exporter("csv", "tidy CSV with a data dictionary", write_csv),
-        Exporter("bids", "BIDS (behaviour, and motion at 1 kHz)", write_bids),
-        Exporter("xdf", "XDF, a file for each run", write_xdf),
+        Exporter("csv", Message("tidy CSV with a data dictionary"), write_csv),
+        Exporter("bids", Message("BIDS (behaviour, and motion at 1 kHz)"), write_bids),
+        Exporter("xdf", Message("XDF, a file for each run"), write_xdf),
     )
 }
 
 
-def export_study(study: Study, target: Path, form: str) -> dict[str, Any]:
+def export_study(
+    study: Study,
+    target: Path,
+    form: str,
+    progress: Progress = lambda _fraction, _step: None,
+) -> dict[str, Any]:
     """Export a study into a new folder, and return a report.
 
     Args:
         study: opened.
         target: folder, must not exist yet.
         form: name of an exporter.
+        progress: called with the fraction done and the step; raises to cancel.
 
     Raises:
         UsageError: for an unknown format.
@@ -73,10 +80,13 @@ def export_study(study: Study, target: Path, form: str) -> dict[str, Any]:
     left_out = sum(not answer.reviewed for answer in answers.open_answers)
     if left_out:
         remarks.append(
-            f"{left_out} text answers were left out: they have not been reviewed"
+            Message(
+                "{count} text answers were left out: they have not been reviewed",
+                count=left_out,
+            )
         )
     with private.folder_written_aside(target.absolute()) as folder:
-        data = StudyData(study.definition, answers, sessions, remarks)
+        data = StudyData(study.definition, answers, sessions, remarks, progress)
         EXPORTERS[form].write(data, folder)
     return {
         "format": form,

@@ -14,11 +14,11 @@ from xml.sax.saxutils import escape
 import numpy as np
 from numpy.typing import NDArray
 
+from hapticplayer.errors import Message
 from hapticplayer.interchange.study_data import (
     Marker,
     StudyData,
     markers_of,
-    tick_chunks,
     tick_files,
 )
 from hapticplayer.study import private
@@ -129,21 +129,22 @@ class XdfWriter:
 def write_xdf(data: StudyData, folder: Path) -> None:
     """Write a file for each run of a session, or markers only without a device."""
     for session in data.sessions:
-        _write_session(session, folder, data.remarks)
+        _write_session(session, folder, data)
 
 
-def _write_session(session: StoredSession, folder: Path, remarks: list[str]) -> None:
+def _write_session(session: StoredSession, folder: Path, data: StudyData) -> None:
     """Write the files of a session, device and markers on the same clock."""
     markers = markers_of(session)
     if not tick_files(session):
-        remarks.append(f"{session.code}: no record of a device, markers only")
+        what = Message("{code}: no record of a device, markers only", code=session.code)
+        data.remarks.append(what)
         _write_markers_alone(folder / f"{session.code}_markers.xdf", markers)
     for number, path in enumerate(tick_files(session), 1):
         target = folder / f"{session.code}_run-{number}.xdf"
         private.write_new(target, b"")
         with target.open("wb") as out:
             writer = XdfWriter(out)
-            span_s = _write_device(writer, path, remarks)
+            span_s = _write_device(writer, data.ticks(session, path))
             if span_s is not None:
                 inside = [
                     (marker.monotonic_s, marker.text)
@@ -165,7 +166,7 @@ def _write_markers_alone(target: Path, markers: list[Marker]) -> None:
 
 
 def _write_device(
-    writer: XdfWriter, path: Path, remarks: list[str]
+    writer: XdfWriter, chunks: Iterable[NDArray[Any]]
 ) -> tuple[float, float] | None:
     channels = [
         *_channels(["PositionX", "PositionY", "PositionZ"], "Position", "meters"),
@@ -179,7 +180,7 @@ def _write_device(
     ]
     writer.begin_stream(_DEVICE, "device", "MoCap", channels, 1000.0)
     first_s, last_s, count = None, 0.0, 0
-    for ticks in tick_chunks(path, remarks):
+    for ticks in chunks:
         time_s = np.asarray(ticks["monotonic_s"], np.float64)
         values = _columns(
             ticks["position_m"], ticks["force_n"], ticks["media_s"], time_s

@@ -191,6 +191,18 @@
         <translation>Bericht, Abbildungen und Daten in einen neuen Ordner schreiben</translation>
     </message>
     <message>
+        <source>&amp;Export data</source>
+        <translation>Daten &amp;exportieren</translation>
+    </message>
+    <message>
+        <source>Write the answers and the records of the device for other programs</source>
+        <translation>Antworten und Aufzeichnungen des Geräts für andere Programme schreiben</translation>
+    </message>
+    <message>
+        <source>Exporting the data</source>
+        <translation>Daten werden exportiert</translation>
+    </message>
+    <message>
         <source>The report is in English, ready for publication.</source>
         <translation>Der Bericht ist auf Englisch, fertig zur Veröffentlichung.</translation>
     </message>
@@ -201,6 +213,10 @@
     <message>
         <source>Choose where to create the report folder</source>
         <translation>Wo soll der Ordner des Berichts angelegt werden?</translation>
+    </message>
+    <message>
+        <source>Choose where to create the data folder</source>
+        <translation>Wo soll der Ordner mit den Daten angelegt werden?</translation>
     </message>
     <message>
         <source>&amp;Save report…</source>
@@ -4596,6 +4612,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>nichts, aber geben Sie die Datei oder den Ordner von einem an</translation>
     </message>
     <message>
+        <source>BIDS (behaviour, and motion at 1 kHz)</source>
+        <translation>BIDS (Verhalten, und Bewegung mit 1 kHz)</translation>
+    </message>
+    <message>
+        <source>XDF, a file for each run</source>
+        <translation>XDF, eine Datei je Durchgang</translation>
+    </message>
+    <message>
         <source>give the folder of one of them instead</source>
         <translation>nichts, aber geben Sie den Ordner von einer an</translation>
     </message>
@@ -4622,6 +4646,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>its telemetry has no usable timestamps and too few payloads ({count}) to tell the rate of its sensors</source>
         <translation>die Telemetrie hat keine brauchbaren Zeitstempel und zu wenige Blöcke ({count}), um die Rate der Sensoren zu bestimmen</translation>
+    </message>
+    <message>
+        <source>lacks what is to be exported</source>
+        <translation>enthält nicht, was zu exportieren ist</translation>
     </message>
     <message>
         <source>nothing is being recorded: {reason}</source>
@@ -5182,10 +5210,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>the simulated Falcon was unplugged: its process has ended; choose the device again to start a new one</source>
         <translation>der simulierte Falcon wurde abgezogen: Sein Prozess ist beendet; wählen Sie das Gerät noch einmal, um einen neuen zu starten</translation>
-    </message>
-    <message>
-        <source>the simulated Falcon was unplugged; choose the device again</source>
-        <translation>der simulierte Falcon wurde abgezogen; wählen Sie das Gerät noch einmal</translation>
     </message>
     <message>
         <source>the smoother has no heading; choose one of ekf, vqf, offline-vqf for it</source>
@@ -5872,6 +5896,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>diese haptische Schleife nimmt keine eingespielten Fehler an</translation>
     </message>
     <message>
+        <source>tidy CSV with a data dictionary</source>
+        <translation>CSV-Tabellen mit einem Verzeichnis der Spalten</translation>
+    </message>
+    <message>
         <source>unknown entry {name!r}</source>
         <translation>hat den unbekannten Eintrag {name!r}</translation>
     </message>
@@ -5916,12 +5944,24 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Zahlen werden geschrieben</translation>
     </message>
     <message>
+        <source>writing {code}</source>
+        <translation>{code} wird geschrieben</translation>
+    </message>
+    <message>
         <source>writing {file}</source>
         <translation>{file} wird geschrieben</translation>
     </message>
     <message>
         <source>yes</source>
         <translation>ja</translation>
+    </message>
+    <message>
+        <source>{code}: no record of a device, markers only</source>
+        <translation>{code}: keine Aufzeichnung eines Geräts, nur Marker</translation>
+    </message>
+    <message>
+        <source>{count} text answers were left out: they have not been reviewed</source>
+        <translation>{count} Textantworten wurden weggelassen: Sie wurden nicht durchgesehen</translation>
     </message>
     <message>
         <source>{device} is a real device and does not accept injected faults</source>

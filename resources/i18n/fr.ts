@@ -191,6 +191,18 @@
         <translation>Écrire le rapport, les figures et les données dans un nouveau dossier</translation>
     </message>
     <message>
+        <source>&amp;Export data</source>
+        <translation>&amp;Exporter les données</translation>
+    </message>
+    <message>
+        <source>Write the answers and the records of the device for other programs</source>
+        <translation>Écrire les réponses et les enregistrements de l’appareil pour d’autres programmes</translation>
+    </message>
+    <message>
+        <source>Exporting the data</source>
+        <translation>Exportation des données</translation>
+    </message>
+    <message>
         <source>The report is in English, ready for publication.</source>
         <translation>Le rapport est en anglais, prêt à être publié.</translation>
     </message>
@@ -201,6 +213,10 @@
     <message>
         <source>Choose where to create the report folder</source>
         <translation>Où créer le dossier du rapport&#xa0;?</translation>
+    </message>
+    <message>
+        <source>Choose where to create the data folder</source>
+        <translation>Où créer le dossier des données&#xa0;?</translation>
     </message>
     <message>
         <source>&amp;Save report…</source>
@@ -4596,6 +4612,14 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>rien, mais donnez le fichier ou le dossier de l’un d’eux</translation>
     </message>
     <message>
+        <source>BIDS (behaviour, and motion at 1 kHz)</source>
+        <translation>BIDS (comportement, et mouvement à 1 kHz)</translation>
+    </message>
+    <message>
+        <source>XDF, a file for each run</source>
+        <translation>XDF, un fichier par passage</translation>
+    </message>
+    <message>
         <source>give the folder of one of them instead</source>
         <translation>rien, mais donnez le dossier de l’un d’eux</translation>
     </message>
@@ -4622,6 +4646,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>its telemetry has no usable timestamps and too few payloads ({count}) to tell the rate of its sensors</source>
         <translation>la télémétrie n&apos;a pas d&apos;horodatage utilisable et trop peu de blocs ({count}) pour déterminer la fréquence de ses capteurs</translation>
+    </message>
+    <message>
+        <source>lacks what is to be exported</source>
+        <translation>ne contient pas ce qu’il faut exporter</translation>
     </message>
     <message>
         <source>nothing is being recorded: {reason}</source>
@@ -5182,10 +5210,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>the simulated Falcon was unplugged: its process has ended; choose the device again to start a new one</source>
         <translation>le Falcon simulé a été débranché&#xa0;: son processus s’est terminé&#xa0;; choisissez de nouveau l’appareil pour en lancer un autre</translation>
-    </message>
-    <message>
-        <source>the simulated Falcon was unplugged; choose the device again</source>
-        <translation>le Falcon simulé a été débranché&#xa0;; choisissez de nouveau l’appareil</translation>
     </message>
     <message>
         <source>the smoother has no heading; choose one of ekf, vqf, offline-vqf for it</source>
@@ -5872,6 +5896,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>cette boucle haptique n’accepte pas de pannes injectées</translation>
     </message>
     <message>
+        <source>tidy CSV with a data dictionary</source>
+        <translation>tableaux CSV avec un dictionnaire des données</translation>
+    </message>
+    <message>
         <source>unknown entry {name!r}</source>
         <translation>a l’entrée inconnue {name!r}</translation>
     </message>
@@ -5916,12 +5944,24 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>écriture des nombres</translation>
     </message>
     <message>
+        <source>writing {code}</source>
+        <translation>écriture de {code}</translation>
+    </message>
+    <message>
         <source>writing {file}</source>
         <translation>écriture de {file}</translation>
     </message>
     <message>
         <source>yes</source>
         <translation>oui</translation>
+    </message>
+    <message>
+        <source>{code}: no record of a device, markers only</source>
+        <translation>{code}&#xa0;: aucun enregistrement d’un appareil, marqueurs seulement</translation>
+    </message>
+    <message>
+        <source>{count} text answers were left out: they have not been reviewed</source>
+        <translation>{count} réponses en texte ont été omises&#xa0;: elles n’ont pas été relues</translation>
     </message>
     <message>
         <source>{device} is a real device and does not accept injected faults</source>

@@ -98,9 +98,15 @@ def dialogs(window: PlayerWindow, folder) -> dict[str, Callable[[], QWidget]]:
             window.clock, "simulated", window.settings, _no_player, window
         ),
         "study": lambda: StudyEditor(study, window),
-        "analysis": lambda: AnalysisPage("Rides", list, print, window.clock),
+        "analysis": lambda: AnalysisPage(
+            "Rides", list, _no_export, print, window.clock
+        ),
         "session": lambda: _operator(window.surface),
     }
+
+
+def _no_export(_target, _form, _progress) -> list[str]:
+    return []
 
 
 def close(face: QWidget) -> None:

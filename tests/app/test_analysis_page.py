@@ -1,17 +1,23 @@
 import threading
 
 import pytest
+from PySide6.QtWidgets import QFileDialog
 
+from app.experimenter import analysis
 from app.experimenter.analysis import AnalysisPage, AnalysisWindow
 from hapticplayer import cli
 from hapticplayer.clock import SystemClock
 from hapticplayer.errors import InputError
+from hapticplayer.interchange.study_export import EXPORTERS, Exporter
 from hapticplayer.simulation.participants import simulated_answers
+from hapticplayer.study.analysis.analysis import STATISTICS
+from hapticplayer.study.analysis.statistic import Statistic
 from hapticplayer.study.creation import create_study
+from hapticplayer.study.study_folder import open_study
 
 
 @pytest.fixture
-def failures() -> list[BaseException]:
+def failures() -> list[str]:
     return []
 
 
@@ -20,7 +26,8 @@ def make_page(application, qtbot, failures):
     made = []
 
     def make(read=lambda: simulated_answers(6, seed=1)) -> AnalysisPage:
-        page = AnalysisPage("Rides", read, failures.append, SystemClock())
+        export, say = (lambda *_: []), failures.append
+        page = AnalysisPage("Rides", read, export, say, SystemClock())
         qtbot.addWidget(page)
         page.resize(1000, 800)
         page.show()
@@ -110,3 +117,69 @@ def test_the_work_can_be_stopped(make_page, wait_for, failures):
     wait_for(lambda: not page.is_busy)
     assert page.text.toPlainText() == ""
     assert failures == []
+
+
+@pytest.fixture
+def report_of(window, monkeypatch, wait_for):
+    """Open the report of a study of six simulated participants, in this process."""
+
+    def here(work, *arguments, progress):
+        return work(*arguments, progress=progress)
+
+    def open_report(folder):
+        arguments = ["study", "simulate", str(folder), "--participants", "6"]
+        assert cli.main([*arguments, "--seed", "1"], None) == 0
+        monkeypatch.setattr(analysis, "in_child", here)
+        monkeypatch.setattr(window.study_menu, "ask_folder", lambda: folder)
+        window.study_menu.analyse()
+        (report,) = window.findChildren(AnalysisWindow)
+        wait_for(lambda: not report.page.is_busy)
+        return report
+
+    yield open_report
+    window.close()
+
+
+def test_a_new_statistic_is_in_the_report_of_the_window(
+    report_of, tmp_path, monkeypatch
+):
+    entry = Statistic("dummy", "Number of answers", lambda *_: {"n": {"n": 7.5}})
+    monkeypatch.setitem(STATISTICS, "dummy", entry)
+    shown = report_of(tmp_path / "s").page.text.toPlainText()
+    assert "Number of answers" in shown
+    assert "7.5" in shown
+
+
+def test_a_new_exporter_is_in_the_menu_and_is_used(
+    report_of, tmp_path, monkeypatch, wait_for
+):
+    def write(data, folder):
+        data.remarks.append("nothing is left out")
+        (folder / "n.txt").write_text(str(len(data.sessions)))
+
+    monkeypatch.setitem(EXPORTERS, "dummy", Exporter("dummy", "a number", write))
+    page = (report := report_of(tmp_path / "s")).page
+    choices = {one.text(): one for one in page.export_button.menu().actions()}
+    assert list(choices) == [one.text for one in EXPORTERS.values()]
+    choices["a number"].trigger()
+    (dialog,) = page.findChildren(QFileDialog)
+    dialog.fileSelected.emit(str(tmp_path))
+    dialog.reject()
+    wait_for(lambda: not page.is_busy)
+    assert (tmp_path / "dummy" / "n.txt").read_text() == "6"
+    assert "nothing is left out" in report.messages.text()
+
+
+@pytest.mark.parametrize("form", EXPORTERS)
+def test_data_are_exported_beside_the_window(window, tmp_path, wait_for, form):
+    folder = tmp_path / "s"
+    assert cli.main(["study", "simulate", str(folder), "--participants", "2"]) == 0
+    report = AnalysisWindow(open_study(folder), SystemClock(), window)
+    report.page.export(form, tmp_path / "out")
+    assert not report.page.export_button.isEnabled()
+    wait_for(lambda: not report.page.is_busy)
+    assert any(path.is_file() for path in (tmp_path / "out").rglob("*"))
+    report.page.export(form, tmp_path / "out")
+    wait_for(lambda: not report.page.is_busy)
+    assert "already exists" in report.messages.text()
+    report.close()
