@@ -15,6 +15,10 @@ from typing import Any, BinaryIO, NamedTuple, Self
 
 from hapticplayer.errors import InputError, MediaError, Message
 
+ESCAPED = "backslashreplace"
+"""For encoding text that may hold the name of a file which is not UTF-8: its bytes are
+surrogates in a `str`, and are written as JSON escapes them."""
+
 COPY_AGAIN = Message("copy it again from the camera, or choose another file")
 
 _KINDS = (

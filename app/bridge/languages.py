@@ -53,10 +53,15 @@ def translated(message: str) -> str:
     What has no translation stays English; a text that is not a message is looked up whole.
     """
     if not isinstance(message, Message):
-        return QCoreApplication.translate(ENGINE, message)
-    text = QCoreApplication.translate(ENGINE, message.template)
+        return _looked_up(message)
+    text = _looked_up(message.template)
     values = {
         name: translated(value) if isinstance(value, Message) else value
         for name, value in message.values.items()
     }
     return text.format(**values) if values else text
+
+
+def _looked_up(text: str) -> str:
+    """Return the translation; Qt takes no text with bytes that are not UTF-8."""
+    return QCoreApplication.translate(ENGINE, text.encode(errors="replace").decode())

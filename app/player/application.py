@@ -164,7 +164,8 @@ def _run_until_closed(
     window = shown.window
     if options.json:
         say(json.dumps(window.player.summary()))
-    problem = window.player.snapshot().record_problem
+    now = window.player.snapshot()
+    problem = now.record_problem or now.log_problem
     if options.close_at_end:
         problem = window.session.last_problem or problem
     if problem:

@@ -7,12 +7,14 @@ is the one that was asked for: `--help` needs neither numpy nor PyAV nor Qt.
 
 import argparse
 import importlib
+import io
 import sys
 from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
 from hapticplayer import __version__
 from hapticplayer.errors import HapticPlayerError, UsageError
+from hapticplayer.untrusted import ESCAPED
 
 OpenWindow = Callable[[argparse.Namespace], int]
 """Shows the window for a command, and returns the exit status."""
@@ -57,6 +59,9 @@ def main(
         open_window: shows the window for `play` or no command at all; None where
             there is no display, and everything plays headless.
     """
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper):
+            stream.reconfigure(errors=ESCAPED)
     words = list(sys.argv[1:] if argv is None else argv)
     command = next((word for word in words if not word.startswith("-")), None)
     try:

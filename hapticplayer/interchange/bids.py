@@ -5,7 +5,6 @@ force: it is MISC with the unit N.
 """
 
 import datetime as dt
-import json
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -25,6 +24,7 @@ from hapticplayer.interchange.study_data import (
     markers_of,
     tick_files,
 )
+from hapticplayer.sequence.files import json_text
 from hapticplayer.study import private
 from hapticplayer.study.answers import Answers
 from hapticplayer.study.definition import Definition
@@ -107,7 +107,7 @@ def _readme(definition: Definition, folder: Path) -> bytes:
         f"{''.join(tables)}\n"
         f"{definition.texts.retention[definition.languages[0]]}\n"
     )
-    return text.encode()
+    return text.encode(errors="replace")
 
 
 def _participants(answers: Answers, folder: Path) -> None:
@@ -297,8 +297,7 @@ def _utc(session: StoredSession, monotonic_s: float) -> str:
 
 
 def _json(path: Path, content: Any) -> None:
-    text = json.dumps(content, indent=2, ensure_ascii=False) + "\n"
-    private.write_new(path, text.encode())
+    private.write_new(path, json_text(content))
 
 
 def _table(path: Path, table: DataTable) -> None:

@@ -193,7 +193,7 @@ def separated(table: DataTable, mark: str = ",", missing: str = "") -> bytes:
     writer = csv.writer(out, delimiter=mark, lineterminator="\n")
     writer.writerow([column.name for column in table.columns])
     writer.writerows([_cell(value, missing) for value in row] for row in table.rows)
-    return out.getvalue().encode()
+    return out.getvalue().encode(errors="replace")
 
 
 def _cell(value: Any, missing: str) -> Any:

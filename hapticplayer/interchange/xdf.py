@@ -96,7 +96,7 @@ class XdfWriter:
         """Write (time in s, text) samples of a stream with one channel."""
         parts = []
         for time_s, text in samples:
-            content = text.encode()
+            content = text.encode(errors="replace")
             length = b"\x04" + struct.pack("<I", len(content))
             parts.append(_WIDE + struct.pack("<d", time_s) + length + content)
         if parts:

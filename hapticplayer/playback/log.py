@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from hapticplayer.clock import Clock
 from hapticplayer.errors import InputError, Message
+from hapticplayer.untrusted import ESCAPED
 
 
 class _Line(NamedTuple):
@@ -38,7 +39,7 @@ class PlaybackLog:
                 "is a pipe, not a file", where=str(path), remedy="choose another file"
             )
         try:
-            self._file = path.open("w", encoding="utf-8")
+            self._file = path.open("w", encoding="utf-8", errors=ESCAPED)
         except OSError as problem:
             raise InputError(
                 "the log cannot be written ({reason})",
@@ -71,16 +72,15 @@ class PlaybackLog:
         except OSError as problem:
             self._note(problem)
 
-    def _note(self, problem: OSError) -> None:
+    def _note(self, problem: Exception) -> None:
         self.problem = Message("the log is incomplete ({reason})", reason=problem)
 
     def _run(self) -> None:
         while (item := self._queue.get()) is not None:
-            text = _force_lines(item) if isinstance(item, np.ndarray) else _json(item)
             if not self.problem:
                 try:
-                    self._file.write(text)
-                except OSError as problem:  # a full disk must not stop the playback
+                    self._file.write(_text(item))
+                except Exception as problem:  # noqa: BLE001 - a full disk must not stop the playback
                     self._note(problem)
 
 
@@ -104,6 +104,10 @@ class Reporter:
         """Log one line of a kind."""
         if self.log is not None:
             self.log.line(kind, **fields)
+
+
+def _text(item: _Line | NDArray[Any]) -> str:
+    return _force_lines(item) if isinstance(item, np.ndarray) else _json(item)
 
 
 def _json(line: _Line) -> str:

@@ -18,7 +18,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hapticplayer.errors import Message, SequenceError
-from hapticplayer.untrusted import HeldFile, open_regular, parse_json, read_regular
+from hapticplayer.untrusted import (
+    ESCAPED,
+    HeldFile,
+    open_regular,
+    parse_json,
+    read_regular,
+)
 
 MAX_JSON_BYTES = 4 << 20
 MAX_ARRAYS_BYTES = 2 << 30
@@ -198,11 +204,16 @@ def copy_file(source: HeldFile, target: Path, report: Callable[[float], None]) -
     return digest.hexdigest()
 
 
+def json_text(content: Any) -> bytes:
+    """Return indented JSON without NaN for people to read."""
+    text = json.dumps(content, indent=2, allow_nan=False, ensure_ascii=False)
+    return f"{text}\n".encode(errors=ESCAPED)
+
+
 def write_json(path: Path, content: dict[str, Any]) -> None:
-    """Write indented JSON without NaN, and sync to disk."""
-    with path.open("x", encoding="utf-8") as writer:
-        json.dump(content, writer, indent=2, allow_nan=False, ensure_ascii=False)
-        writer.write("\n")
+    """Write JSON as `json_text` does, and sync to disk."""
+    with path.open("xb") as writer:
+        writer.write(json_text(content))
         writer.flush()
         os.fsync(writer.fileno())
 

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from hapticplayer.errors import StudyError, UsageError
+from hapticplayer.sequence.files import json_text
 from hapticplayer.study import private
 from hapticplayer.study.definition_reader import DEFINITION, parse_definition
 from hapticplayer.study.json_files import read_file
@@ -73,7 +74,7 @@ def change_definition(study: Study, content: Mapping[str, Any]) -> Study:
 
 def definition_text(content: Mapping[str, Any]) -> bytes:
     """Return a definition as readable JSON."""
-    return (json.dumps(content, indent=2, ensure_ascii=False) + "\n").encode()
+    return json_text(content)
 
 
 def sequence_folder(study: Study, key: str) -> Path:

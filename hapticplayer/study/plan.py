@@ -14,8 +14,10 @@ import msgspec
 from msgspec import Meta
 
 from hapticplayer.errors import Message, StudyError
+from hapticplayer.sequence.files import json_text
 from hapticplayer.study import json_files
 from hapticplayer.study.definition import Condition, JsonObject, Key, OrderMethod, Seed
+from hapticplayer.untrusted import ESCAPED
 
 SCHEMA = "hapticplayer.session"
 VERSION = 1
@@ -71,7 +73,7 @@ def plan_file(plan: Plan) -> bytes:
     """Return the content of `session.json`."""
     described = describe(plan)
     whole = {**described, "sha256": _digest(described)}
-    return (json.dumps(whole, indent=2, ensure_ascii=False) + "\n").encode()
+    return json_text(whole)
 
 
 def parse_plan_file(content: bytes, path: str) -> Plan:
@@ -103,7 +105,7 @@ def plan_of_record(content: Any, path: str) -> Plan:
 
 def _digest(described: dict[str, Any]) -> str:
     text = json.dumps(described, sort_keys=True, ensure_ascii=False)
-    return hashlib.sha256(text.encode()).hexdigest()
+    return hashlib.sha256(text.encode(errors=ESCAPED)).hexdigest()
 
 
 def new_code(taken: Collection[str]) -> str:

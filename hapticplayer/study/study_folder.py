@@ -264,7 +264,7 @@ def _files_with(folder: Path, code: bytes) -> list[str]:
     for path in sorted(folder.rglob("*")):
         if path.is_symlink() or not path.is_file():
             continue
-        if code in path.name.encode() or _contains(path, code):
+        if code in os.fsencode(path.name) or _contains(path, code):
             found.append(str(path.relative_to(folder)))
     return found
 

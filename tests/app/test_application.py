@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QApplication
 from app.player import application
 from app.player.window import PlayerWindow
 from hapticplayer import __version__, cli
+from hapticplayer.playback.log import PlaybackLog
 from hapticplayer.playback.phases import Phase
 from hapticplayer.sequence import files
 
@@ -66,6 +67,29 @@ def test_a_clip_plays_to_its_end_and_writes_the_log(qapp, sequence, tmp_path):
     last = [line for line in lines if line["kind"] == "force"][-1]
     assert last["force_n"] == [0.0, 0.0, 0.0]
     assert lines[-1]["kind"] == "summary"
+
+
+class FailingLog(PlaybackLog):
+    """Has lines that cannot be written."""
+
+    def line(self, kind, **_fields) -> None:
+        super().line(kind, value=float("nan"))
+
+
+def test_a_log_that_fails_is_told_when_the_window_closes(
+    qapp, clip, tmp_path, capsys, monkeypatch
+):
+    monkeypatch.setattr("hapticplayer.cli.play.PlaybackLog", FailingLog)
+    words = ("--close-at-end", "--duration", 0.2, "--log", tmp_path / "log.jsonl")
+    assert run("play", clip, "--device", "none", *words) == 1
+    assert "the log is incomplete" in capsys.readouterr().err
+
+
+def test_a_clip_with_other_bytes_in_its_name_plays_in_the_window(qapp, clip, tmp_path):
+    path = tmp_path / os.fsdecode(b"ride \xff.mp4")
+    path.write_bytes(clip.read_bytes())
+    words = ("--close-at-end", "--duration", 0.2)
+    assert run("play", path, "--device", "none", *words) == 0
 
 
 def test_a_missing_source_is_one_sentence_and_no_window(qapp, tmp_path, capsys):

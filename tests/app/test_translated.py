@@ -124,6 +124,12 @@ def test_a_missing_file_is_shown_in_german_and_copied_in_both(
     assert lines == [said, english]
 
 
+def test_bytes_in_a_name_that_are_no_text_are_replaced(spoken):
+    spoken("de")
+    assert translated("ride \udcff.mp4") == "ride ?.mp4"
+    assert translated(Message("ride \udcff.mp4")) == "ride ?.mp4"
+
+
 def test_a_damaged_sequence_is_told_in_german(german, sequence, wait_for, tmp_path):
     broken = tmp_path / "broken"
     shutil.copytree(sequence, broken)

@@ -102,6 +102,7 @@ def write_report(
         Cancelled: by `progress`; nothing is written.
     """
     parts = parts_of(analysis)
+    title = title.encode(errors="replace").decode()  # of a folder, in whatever bytes
     with files.written_aside(target, private.FOLDER_MODE) as aside:
         for place, (name, figure) in enumerate(parts.draw().items()):
             progress(0.2 + 0.2 * place, Message("drawing {name}", name=name))
@@ -127,7 +128,7 @@ def write_report(
 
 
 def _write_text(path: Path, text: str) -> None:
-    path.write_text(text, encoding="utf-8")
+    path.write_text(text, encoding="utf-8", errors="replace")
 
 
 def _condition_rows(analysis: Analysis) -> Iterator[list[Any]]:

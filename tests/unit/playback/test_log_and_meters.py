@@ -44,6 +44,21 @@ def test_a_log_that_cannot_be_written_is_refused(tmp_path):
         PlaybackLog(tmp_path / "no" / "log.jsonl", {})
 
 
+def test_bytes_of_a_name_that_are_no_text_are_escaped(tmp_path):
+    path = tmp_path / "log.jsonl"
+    PlaybackLog(path, {"clip": "ä\udcff.mp4"}).close({})
+    assert b'"\xc3\xa4\\udcff.mp4"' in path.read_bytes()
+    assert json.loads(path.read_text().splitlines()[0])["clip"] == "ä\udcff.mp4"
+
+
+def test_a_line_that_cannot_be_written_is_told_at_the_end(tmp_path):
+    log = PlaybackLog(tmp_path / "log.jsonl", {})
+    log.line("event", value=float("nan"))
+    log.ticks(ticks(3))
+    log.close({})
+    assert log.problem.startswith("the log is incomplete (")
+
+
 @pytest.mark.parametrize("late_ms", [-15.0, 0.0, 3.0, 50.0])
 def test_a_known_difference_is_found(late_ms):
     meter = SyncMeter()
