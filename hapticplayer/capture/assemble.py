@@ -51,6 +51,25 @@ def log_reader(
     return Reader(recognises, read)
 
 
+def only_one(found: list[str], source: Source) -> str:
+    """Return the one member that was found.
+
+    Raises:
+        LogQuestion: when there are several.
+    """
+    if len(found) > 1:
+        raise LogQuestion(
+            Message(
+                "holds {count} logs ({known})",
+                count=len(found),
+                known=", ".join(found)[:120],
+            ),
+            (Message("give the file or folder of one of them instead"),),
+            str(source.path),
+        )
+    return found[0]
+
+
 def assemble(raw: RawLog, choices: LogChoices, where: str) -> Recording:
     """Return the recording that a raw log holds, in SI and frame A.
 

@@ -346,6 +346,14 @@ def find_separator(line: str) -> str:
     return max((",", ";", "\t"), key=line.count)
 
 
+def head_lines(source: Source, name: str) -> list[str]:
+    """Return the first lines of a member, without one that may be cut."""
+    text = source.head(name)
+    text = text.replace("\r", "") if "\n" in text else text.replace("\r", "\n")
+    lines = text.split("\n")
+    return lines[: max(1, len(lines) - 1)]
+
+
 def first_numbers(source: Source, name: str) -> list[list[float]]:
     """Return the rows of numbers at the beginning of a member, or [].
 
@@ -386,7 +394,7 @@ def header_fault(
         what = Message("the columns are separated by semicolons instead of commas")
     elif line.count("\t") >= len(required) - 1:
         what = Message("the columns are separated by tabs instead of commas")
-    elif all(_is_number(cell) for cell in names):
+    elif all(is_number(cell) for cell in names):
         what = Message("there is no header, the file begins with numbers")
     elif sorted(names) in (sorted(required), sorted(required + optional)):
         what = Message("the columns are in another order")
@@ -399,7 +407,8 @@ def header_fault(
     )
 
 
-def _is_number(cell: str) -> bool:
+def is_number(cell: str) -> bool:
+    """Whether a cell holds a number."""
     try:
         float(cell)
     except ValueError:

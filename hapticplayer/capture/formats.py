@@ -73,6 +73,10 @@ FORMATS: tuple[RecordingFormat, ...] = (
     RecordingFormat("ultimate-imu", Message("Ultimate IMU, stock firmware"), f"{_HERE}.logs.ultimate_imu:READER"),
     RecordingFormat("razor-m0", Message("Razor M0"), f"{_HERE}.logs.razor_m0:READER"),
     RecordingFormat("opencamera", Message("OpenCamera Sensors"), f"{_HERE}.logs.opencamera:READER"),
+    RecordingFormat("androsensor", Message("AndroSensor"), f"{_HERE}.logs.named_tables:ANDROSENSOR"),
+    RecordingFormat("racechrono", Message("RaceChrono"), f"{_HERE}.logs.named_tables:RACECHRONO"),
+    RecordingFormat("xsens-dot", Message("Xsens DOT"), f"{_HERE}.logs.named_tables:XSENS_DOT"),
+    RecordingFormat("xsens-mt", Message("Xsens MT Manager"), f"{_HERE}.logs.named_tables:XSENS_MT"),
     RecordingFormat("csv", Message("CSV with chosen columns"), f"{_HERE}.logs.any_table:READER"),
 )  # fmt: skip
 """In the order in which they are listed."""

@@ -27,6 +27,8 @@ from hapticplayer.untrusted import open_regular, resolve_regular
 
 HEAD_BYTES = 4096
 ZIP_MAGIC = b"PK\x03\x04"
+_MAX_FOREIGN_SHARE = 0.05
+"""Of the characters of a text in Latin-1: units and names."""
 
 _NO_TEXT = frozenset(
     [
@@ -96,8 +98,7 @@ class Source:
 
     def head(self, name: str) -> str:
         """Return the beginning as text; "" if it is not text."""
-        content = self.beginning(name)
-        return content.decode("utf-8-sig", "replace") if is_text(content) else ""
+        return _decoded(self.beginning(name)) or ""
 
     def first_line(self, name: str) -> str:
         """Return the first line without its end."""
@@ -227,15 +228,28 @@ def open_file(path: str | os.PathLike[str]) -> Source:
 
 
 def is_text(content: bytes) -> bool:
-    """Whether the beginning of a file is text in UTF-8."""
+    """Whether the beginning of a file is text in UTF-8 or Latin-1."""
+    return _decoded(content) is not None
+
+
+def _decoded(content: bytes) -> str | None:
+    """Return the beginning of a file as text, or None."""
     try:
-        text = content.decode("utf-8")
+        text = content.decode("utf-8-sig")
     except UnicodeDecodeError as error:
         # a character may be cut at the end of the sample
-        if error.start < len(content) - 3:
-            return False
-        text = content[: error.start].decode("utf-8")
-    return "\0" not in text
+        is_cut = error.start >= len(content) - 3
+        if not is_cut and not _is_latin_1(content):
+            return None
+        text = content.decode("utf-8-sig" if is_cut else "latin-1", "replace")
+    return None if "\0" in text else text
+
+
+def _is_latin_1(content: bytes) -> bool:
+    """Whether nearly all is ASCII, and nothing is a control character."""
+    foreign = sum(byte > 0x7F for byte in content)
+    controls = sum(byte < 0x20 and byte not in b"\t\n\r\f" for byte in content)
+    return not controls and foreign <= _MAX_FOREIGN_SHARE * len(content)
 
 
 def is_wanted(name: str) -> bool:

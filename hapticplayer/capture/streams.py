@@ -20,6 +20,8 @@ from hapticplayer.model.arrays import Floats, all_of_rows
 
 NANO = 1e-9
 _MOSTLY = 0.5
+_UNPAIRED = 0.1
+"""Share of rows with one sensor only, of each kind, that makes separate streams."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -112,6 +114,39 @@ def split(
     """
     accel, rate, *field = (Stream(time_s, values[:, at : at + 3]) for at in starts)
     return accel, rate, field[0] if field else None
+
+
+def split_sensors(
+    time_s: Floats, accel: Floats, rate: Floats | None, field: Floats | None
+) -> tuple[Stream, Stream | None, Stream | None]:
+    """Return the sensors of one table; rows with only one become separate streams.
+
+    Args:
+        time_s: (rows,).
+        accel: (rows, 3), NaN in empty cells.
+        rate: the same, or None.
+        field: the same, or None.
+    """
+    parts = [part for part in (accel, rate, field) if part is not None]
+    streams = [Stream(time_s, part) for part in parts]
+    if rate is not None:
+        has_accel, has_rate = (np.isfinite(part).all(axis=1) for part in (accel, rate))
+        alone = (
+            np.count_nonzero(has_accel & ~has_rate),
+            np.count_nonzero(has_rate & ~has_accel),
+        )
+        if min(alone) > _UNPAIRED * len(time_s):
+            streams = [_own_rows(time_s, part) for part in parts]
+    return (
+        streams[0],
+        None if rate is None else streams[1],
+        None if field is None else streams[-1],
+    )
+
+
+def _own_rows(time_s: Floats, part: Floats) -> Stream:
+    held = ~np.isnan(part).all(axis=1)
+    return Stream(time_s[held], part[held])
 
 
 class Samples(NamedTuple):

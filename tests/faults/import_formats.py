@@ -3,7 +3,10 @@
 Each writer returns the files of a recording by name; what is one file only has one.
 """
 
+import heapq
 import io
+import operator
+import re
 import zipfile
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -192,6 +195,18 @@ def phyphox(separator: str, decimal: str = ".") -> Callable[[Sampled], Files]:
     return write
 
 
+def phyphox_plain(s: Sampled) -> Files:
+    """An experiment of a user's own: the names of the files tell the sensors apart."""
+    files = phyphox(",")(s)
+    free = s.force - np.array([0.0, 0.0, GRAVITY_MPS2])
+    files["Linear Acceleration.csv"] = _phyphox("", "m/s^2", s.force_s, free, ",")
+    named = re.compile(rb'"(?:Acceleration|Gyroscope|Magnetic field|) ([xyz]) \(')
+    return {
+        name: named.sub(lambda found: b'"' + found[1].upper() + b" (", content)
+        for name, content in files.items()
+    }
+
+
 def phyphox_linear(s: Sampled) -> Files:
     free = s.force - np.array([0.0, 0.0, GRAVITY_MPS2])
     return {
@@ -265,6 +280,102 @@ GENERIC = ("columns=-,time,ax,ay,az,gx,gy,gz", "time-unit=us", "accel-unit=g",
            "rate-unit=deg/s")  # fmt: skip
 
 
+def androsensor(s: Sampled) -> Files:
+    sensors = [
+        *(f"ACCELEROMETER {axis} (m/s²)" for axis in "XYZ"),
+        *(f"LINEAR ACCELERATION {axis} (m/s²)" for axis in "XYZ"),
+        *(f"GYROSCOPE {axis} (rad/s)" for axis in "XYZ"),
+        "LIGHT (lux)",
+        *(f"MAGNETIC FIELD {axis} (μT)" for axis in "XYZ"),
+    ]
+    head = ";".join([*sensors, "Time since start in ms ", "YYYY-MO-DD HH-MI-SS_SSS"])
+    free = s.force - np.array([0.0, 0.0, GRAVITY_MPS2])
+    count = len(s.force_s)
+    columns = [*s.force.T, *free.T, *s.rate.T, np.full(count, 12.0), *s.field.T,
+               1e3 * s.force_s, ["2018-04-04 21:39:36:123"] * count]  # fmt: skip
+    formats = ["%.6f"] * 13 + ["%.0f", ""]
+    return {
+        "Sensor_record.csv": (head + "\n" + _rows(columns, formats, ";", "\n")).encode()
+    }
+
+
+_RACECHRONO = (
+    "This file is created using RaceChrono v9.1.3 ( http://racechrono.com/ ).\n"
+    'Format,{format}\nSession title,"Ride, with a comma"\nSession type,Lap timing\n'
+    "Track name,\nDriver name,\nCreated,21/02/2026,22:12\nNote,\n\n"
+)
+
+
+def _interleaved(s: Sampled) -> str:
+    """Rows of speed, accelerometer and gyro, with empty cells between."""
+    accel, rate = s.force / GRAVITY_MPS2, np.degrees(s.rate)
+    rows = heapq.merge(
+        ((t, "3.9,,,,,,") for t in s.force_s[50::100]),
+        ((t, f",{x:.6f},{y:.6f},{z:.6f},,,")
+         for t, (x, y, z) in zip(s.force_s, accel, strict=True)),
+        ((t, f",,,,{x:.6f},{y:.6f},{z:.6f}")
+         for t, (x, y, z) in zip(s.rate_s, rate, strict=True)),
+        key=operator.itemgetter(0),
+    )  # fmt: skip
+    begin_s = 1_767_150_797.44
+    lines = (f"{begin_s + t:.4f},0,,{cells}\n" for t, cells in rows)
+    return "".join(lines).replace("nan", "")
+
+
+def racechrono(s: Sampled) -> Files:
+    head = (
+        "timestamp,fragment_id,lap_number,speed,x_acc,y_acc,z_acc,"
+        "x_rate_of_rotation,y_rate_of_rotation,z_rate_of_rotation\n"
+        "unix time,,,m/s,G,G,G,deg/s,deg/s,deg/s\n"
+        ",,,100: gps,101: acc,101: acc,101: acc,102: gyro,102: gyro,102: gyro\n"
+    )
+    return {
+        "session.csv": (_RACECHRONO.format(format=3) + head + _interleaved(s)).encode()
+    }
+
+
+def racechrono_2(s: Sampled) -> Files:
+    head = "Time (s),Session fragment #,Lap #,Speed (m/s) *calc," + ",".join(
+        [f"{axis} acceleration (G) *acc" for axis in "XYZ"]
+        + [f"{axis} rate of rotation (deg/s) *gyro" for axis in "XYZ"]
+    )
+    return {
+        "session.csv": (
+            _RACECHRONO.format(format=2) + head + "\n" + _interleaved(s)
+        ).encode()
+    }
+
+
+def xsens_dot(s: Sampled) -> Files:
+    """The counter of microseconds has 32 bits and starts again after 0.97 s."""
+    head = (
+        "sep=,\nDeviceTag:,D1\nFirmwareVersion:,3.0.0\nOutputRate:,60Hz\n"
+        "Measurement Mode:,Sensor fusion Mode - Custom Mode 5\n"
+        "© Movella Technologies B. V. 2005-2025\n\n"
+        "PacketCounter,SampleTimeFine,Euler_X,Euler_Y,Euler_Z,"
+        "Acc_X,Acc_Y,Acc_Z,Gyr_X,Gyr_Y,Gyr_Z,Status\n"
+    )
+    count = len(s.force_s)
+    zero = np.zeros(count)
+    columns = [np.arange(float(count)), (4_294_000_000 + 1e6 * s.force_s) % 2.0**32,
+               zero, zero, zero, *s.force.T, *np.degrees(s.rate).T, zero]  # fmt: skip
+    formats = ["%.0f", "%.0f"] + ["%.6f"] * 9 + ["%.0f"]
+    return {"D1_20250711.csv": (head + _rows(columns, formats, ",", "\n")).encode()}
+
+
+def xsens_mt(s: Sampled) -> Files:
+    """The counter of rows has 16 bits and starts again after 5.36 s."""
+    head = (
+        "// Start Time: Unknown\n// Update Rate: 100.0Hz\n"
+        "// Filter Profile: human (46.1)\n// Firmware Version: 4.6.0\n"
+        "PacketCounter\tSampleTimeFine\tAcc_X\tAcc_Y\tAcc_Z\tGyr_X\tGyr_Y\tGyr_Z\n"
+    )
+    columns = [np.rint(65_000 + 100.0 * s.force_s) % 65_536, np.full(len(s.force_s), np.nan),
+               *s.force.T, *s.rate.T]  # fmt: skip
+    text = _rows(columns, ["%05.0f", ""] + ["%.6f"] * 6, "\t", "\r\n")
+    return {"MT_00B4D7D3.txt": (head + text).encode()}
+
+
 def own_csv(s: Sampled) -> Files:
     head = "time_s,ax,ay,az,gx,gy,gz,mx,my,mz\n"
     columns = [s.force_s, *s.force.T, *s.rate.T, *s.field.T]
@@ -324,6 +435,12 @@ FORMATS = {
         Written("EuRoC", euroc, has_field=False),
         Written("MARS", mars, has_field=False),
         Written("OpenCamera Sensors", opencamera, apart=True),
+        Written("phyphox X Y Z", phyphox_plain, apart=True),
+        Written("AndroSensor", androsensor),
+        Written("RaceChrono", racechrono, apart=True, has_field=False),
+        Written("RaceChrono 2", racechrono_2, apart=True, has_field=False),
+        Written("Xsens DOT", xsens_dot, has_field=False),
+        Written("Xsens MTw", xsens_mt, has_field=False),
         Written("generic CSV", generic, choices=GENERIC, has_field=False),
     )
 }  # fmt: skip

@@ -1,7 +1,8 @@
 """Any other table of numbers, whose columns a person names.
 
-Separator, decimal sign and header lines are detected; columns and units are not guessed.
-The answers can be saved as a template (`choices`) for all logs of the same logger.
+Separator, decimal sign and header lines are detected, a semicolon behind each row (data
+set SisFall) is passed over; columns and units are not guessed. The answers can be saved
+as a template (`choices`) for all logs of the same logger.
 """
 
 from typing import NamedTuple
@@ -18,10 +19,10 @@ from hapticplayer.capture.choices import (
     LogQuestion,
     factor,
 )
-from hapticplayer.capture.csv_table import Shape, read_table
+from hapticplayer.capture.csv_table import Shape, head_lines, read_table
 from hapticplayer.capture.formats import Confidence
 from hapticplayer.capture.source import Source
-from hapticplayer.capture.streams import RawLog, Stream
+from hapticplayer.capture.streams import RawLog, split_sensors
 from hapticplayer.errors import Message, UsageError, joined
 from hapticplayer.model.arrays import Floats
 
@@ -29,7 +30,6 @@ _MIN_COLUMNS = 4
 _SAMPLE_LINES = 60
 _SENSORS = (("ax", "ay", "az"), ("gx", "gy", "gz"), ("mx", "my", "mz"))
 _TIME, _SKIP = "time", "-"
-_UNPAIRED = 0.1
 
 
 class _Layout(NamedTuple):
@@ -78,12 +78,18 @@ def read(source: Source, choices: LogChoices) -> RawLog:
             layout.decimal,
             integer,
             layout.skip_lines,
+            marks=() if layout.separator == ";" else ((b";\n", b"\n"),),
         ),
     )
     place = {column: number for number, column in enumerate(at)}
     values = numbers.values
     time_s = _times(values, place, choices, time_unit)
-    accel, rate, field = _streams(values, time_s, place)
+    parts = [
+        values[:, [place[axis] for axis in sensor]] if sensor[0] in place else None
+        for sensor in _SENSORS
+    ]
+    assert parts[0] is not None  # checked by _columns
+    accel, rate, field = split_sensors(time_s, parts[0], *parts[1:])
     return RawLog(
         name=Message("CSV with chosen columns"),
         accel=accel,
@@ -177,40 +183,9 @@ def _times(
     return np.asarray(time_s)
 
 
-def _streams(
-    values: Floats, time_s: Floats, place: dict[str, int]
-) -> tuple[Stream, Stream, Stream | None]:
-    """Return the sensors; rows with only one of them become separate streams."""
-    parts = [
-        values[:, [place[axis] for axis in sensor]] if sensor[0] in place else None
-        for sensor in _SENSORS
-    ]
-    accel, rate, field = parts
-    assert accel is not None and rate is not None  # noqa: PT018 - checked by _columns
-    has_accel, has_rate = (np.isfinite(part).all(axis=1) for part in (accel, rate))
-    alone = (
-        np.count_nonzero(has_accel & ~has_rate),
-        np.count_nonzero(has_rate & ~has_accel),
-    )
-    if min(alone) <= _UNPAIRED * len(values):
-        return (
-            Stream(time_s, accel),
-            Stream(time_s, rate),
-            None if field is None else Stream(time_s, field),
-        )
-    own = [_own_rows(time_s, part) for part in (accel, rate)]
-    return own[0], own[1], None if field is None else _own_rows(time_s, field)
-
-
-def _own_rows(time_s: Floats, part: Floats) -> Stream:
-    held = ~np.isnan(part).all(axis=1)
-    return Stream(time_s[held], part[held])
-
-
 def _layout(source: Source, name: str) -> _Layout | None:
     """Return the layout of a table, or None."""
-    lines = source.head(name).replace("\r\n", "\n").replace("\r", "").split("\n")
-    lines = lines[: max(1, len(lines) - 1)]
+    lines = head_lines(source, name)
     for separator, decimal in (
         (",", "."),
         (";", "."),
@@ -236,6 +211,8 @@ def _width(line: str, separator: str, decimal: str) -> int:
     if not line.strip():
         return 0
     text = line.replace('"', "")
+    if separator != ";":
+        text = text.rstrip().removesuffix(";")
     text = text.replace(",", ".") if decimal == "," else text
     cells = [cell.strip() for cell in text.split(separator)]
     held = 0

@@ -10,8 +10,8 @@ Source: projects.asl.ethz.ch (EuRoC MAV, ASL format); OSUPCVLab/mobile-ar-sensor
 
 import re
 
-from hapticplayer.capture.assemble import log_reader
-from hapticplayer.capture.choices import LogChoices, LogQuestion
+from hapticplayer.capture.assemble import log_reader, only_one
+from hapticplayer.capture.choices import LogChoices
 from hapticplayer.capture.csv_table import Shape, column_names, read_table
 from hapticplayer.capture.formats import Confidence
 from hapticplayer.capture.limits import FIRST_FRAME_S
@@ -41,7 +41,7 @@ def recognises_mars(source: Source) -> Confidence:
 
 def read_euroc(source: Source, _choices: LogChoices) -> RawLog:
     """Return the log."""
-    name = _only(_tables(source, _EUROC), source)
+    name = only_one(_tables(source, _EUROC), source)
     frame_lists = [
         n
         for n in source.names
@@ -52,7 +52,7 @@ def read_euroc(source: Source, _choices: LogChoices) -> RawLog:
 
 def read_mars(source: Source, _choices: LogChoices) -> RawLog:
     """Return the log."""
-    name = _only(_tables(source, _MARS), source)
+    name = only_one(_tables(source, _MARS), source)
     frame_lists = [n for n in source.names if source.base(n) == "frame_timestamps.txt"]
     words = Message("the phone's axes: x right, y top, z out of the screen")
     return _read(
@@ -69,20 +69,6 @@ def _tables(source: Source, mark: re.Pattern[str]) -> list[str]:
         if fits and all(_AXES[(at - 1) // 3].match(columns[at]) for at in range(1, 7)):
             found.append(name)
     return found
-
-
-def _only(found: list[str], source: Source) -> str:
-    if len(found) > 1:
-        raise LogQuestion(
-            Message(
-                "holds {count} logs ({known})",
-                count=len(found),
-                known=", ".join(found)[:120],
-            ),
-            (Message("give the file or folder of one of them instead"),),
-            str(source.path),
-        )
-    return found[0]
 
 
 def _read(

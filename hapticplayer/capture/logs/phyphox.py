@@ -1,8 +1,9 @@
 """phyphox: a CSV for each sensor (or one for all), in a zip or alone.
 
 Headers name quantity and unit: "Time (s)","Acceleration x (m/s^2)" (with gravity),
-"Linear Acceleration x (m/s^2)" (without), "Gyroscope x (rad/s)". Separator comma,
-semicolon or tab, decimal point or comma. meta/time.csv maps the start to the clock.
+"Linear Acceleration x (m/s^2)" (without), "Gyroscope x (rad/s)", or "X (m/s^2)" in
+Accelerometer.csv or Linear Acceleration.csv. Separator comma, semicolon or tab, decimal
+point or comma. meta/time.csv maps the start to the clock.
 
 Source: phyphox.org, data export; checked on exports of Android and iOS.
 """
@@ -19,35 +20,33 @@ from hapticplayer.capture.csv_table import (
     read_table,
 )
 from hapticplayer.capture.formats import Confidence
+from hapticplayer.capture.logs.named_tables import UNITS
 from hapticplayer.capture.source import Source
 from hapticplayer.capture.streams import RawLog, Stream
 from hapticplayer.errors import InputError, Message
 
 _TIME = "Time (s)"
 _AXIS = re.compile(
-    r"^(Linear Acceleration|Linear Accelerometer|Acceleration|Accelerometer|"
-    r"Gyroscope|Gyroscope rate|Magnetic field|Magnetometer) ([xyz]) \((.+)\)$"
+    r"^(?:(Linear Acceleration|Linear Accelerometer|Acceleration|Accelerometer|"
+    r"Gyroscope|Gyroscope rate|Magnetic field|Magnetometer) )?([xyz]) \((.+)\)$",
+    re.IGNORECASE,
 )
 _KINDS = {
-    "Linear Acceleration": "linear",
-    "Linear Accelerometer": "linear",
-    "Acceleration": "accel",
-    "Accelerometer": "accel",
-    "Gyroscope": "rate",
-    "Gyroscope rate": "rate",
-    "Magnetic field": "field",
-    "Magnetometer": "field",
+    "linear acceleration": "linear",
+    "linear accelerometer": "linear",
+    "acceleration": "accel",
+    "accelerometer": "accel",
+    "gyroscope": "rate",
+    "gyroscope rate": "rate",
+    "magnetic field": "field",
+    "magnetometer": "field",
 }
-_UNITS = {
-    "m/s^2": "m/s2",
-    "m/s²": "m/s2",
-    "g": "g",
-    "rad/s": "rad/s",
-    "°/s": "deg/s",
-    "deg/s": "deg/s",
-    "µT": "uT",
-    "μT": "uT",
-    "uT": "uT",
+_KINDS_BY_UNIT = {
+    "m/s2": "accel",
+    "g": "accel",
+    "rad/s": "rate",
+    "deg/s": "rate",
+    "uT": "field",
 }
 
 
@@ -146,13 +145,28 @@ def _sensors(source: Source) -> dict[str, _Found]:
             continue
         axes: dict[tuple[str, str], dict[str, int]] = {}
         for number, column in enumerate(columns):
-            if match := _AXIS.match(column):
-                axes.setdefault((_KINDS[match[1]], match[3]), {})[match[2]] = number
+            match = _AXIS.match(column)
+            if match and (kind := _kind(match[1], match[3], source.base(name))):
+                axes.setdefault((kind, match[3]), {})[match[2].lower()] = number
         for (kind, unit), at in axes.items():
-            if set(at) == set("xyz") and unit in _UNITS and kind not in found:
+            if set(at) == set("xyz") and unit in UNITS and kind not in found:
                 where = (0, at["x"], at["y"], at["z"])
-                found[kind] = _Found(name, separator, len(columns), where, _UNITS[unit])
+                found[kind] = _Found(name, separator, len(columns), where, UNITS[unit])
     return found
+
+
+def _kind(sensor: str | None, unit: str, base: str) -> str:
+    """Return what a column holds; "" if it is no sensor's.
+
+    Experiments of a user's own name the axis and the unit only; then the name of the
+    member tells linear acceleration from acceleration.
+    """
+    if sensor:
+        return _KINDS[sensor.lower()]
+    if "grav" in base:
+        return ""
+    kind = _KINDS_BY_UNIT.get(UNITS.get(unit, ""), "")
+    return "linear" if kind == "accel" and "linear" in base else kind
 
 
 READER = log_reader(recognises, read)

@@ -30,6 +30,10 @@ WRITTEN = {  # the format's name: what writes it, and the time of the first samp
     "ultimate-imu": ("Ultimate IMU", LATE_S),
     "razor-m0": ("Razor M0", LATE_S + 5.321),  # since its start
     "opencamera": ("OpenCamera Sensors", 0.0),
+    "androsensor": ("AndroSensor", LATE_S),
+    "racechrono": ("RaceChrono", 0.0),
+    "xsens-dot": ("Xsens DOT", 0.0),
+    "xsens-mt": ("Xsens MTw", 0.0),
     "csv": ("generic CSV", LATE_S),
 }
 CHILD = """

@@ -73,6 +73,17 @@ def test_another_table_may_be_quoted(tmp_path, separator, decimal, quote):
     check(path, CHOICES)
 
 
+@pytest.mark.parametrize("separator", [",", ";", "\t"])
+def test_empty_last_cells_are_holes(tmp_path, separator):
+    path = tmp_path / "log.csv"
+    lines = log("t,a,b,c,d,e,f", separator=separator).splitlines()
+    lines[50] = separator.join([*lines[50].split(separator)[:-1], ""])
+    path.write_text("\n".join(lines))
+    imu = read_recording(path, CHOICES).imu
+    assert imu.valid is not None
+    assert np.flatnonzero(~imu.valid).tolist() == [49]
+
+
 def test_commas_that_are_decimal_and_separate_are_not_guessed_at(tmp_path):
     path = tmp_path / "log.csv"
     path.write_text(log("t,a,b,c,d,e,f", decimal=",", quote='"'))

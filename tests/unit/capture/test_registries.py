@@ -67,7 +67,7 @@ def test_a_new_format_is_recognised_and_chosen(tmp_path):
     path.write_text("dummy\n")
     assert read_recording(path).camera == "dummy camera"
     assert read_recording(path, parse_choices(["format=dummy"])).camera
-    with pytest.raises(UsageError, match="opencamera, csv, dummy"):
+    with pytest.raises(UsageError, match="xsens-mt, csv, dummy"):
         read_recording(path, parse_choices(["format=nonsense"]))
 
 
