@@ -4612,16 +4612,44 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>nichts, aber geben Sie die Datei oder den Ordner von einem an</translation>
     </message>
     <message>
+        <source>AndroSensor</source>
+        <translation>AndroSensor</translation>
+    </message>
+    <message>
         <source>BIDS (behaviour, and motion at 1 kHz)</source>
         <translation>BIDS (Verhalten, und Bewegung mit 1 kHz)</translation>
+    </message>
+    <message>
+        <source>RaceChrono</source>
+        <translation>RaceChrono</translation>
     </message>
     <message>
         <source>XDF, a file for each run</source>
         <translation>XDF, eine Datei je Durchgang</translation>
     </message>
     <message>
+        <source>Xsens DOT</source>
+        <translation>Xsens DOT</translation>
+    </message>
+    <message>
+        <source>Xsens MT Manager</source>
+        <translation>Xsens MT Manager</translation>
+    </message>
+    <message>
+        <source>does not declare its rate</source>
+        <translation>gibt seine Rate nicht an</translation>
+    </message>
+    <message>
+        <source>export the accelerometer and the gyroscope too</source>
+        <translation>exportieren Sie auch Beschleunigungssensor und Gyroskop</translation>
+    </message>
+    <message>
         <source>give the folder of one of them instead</source>
         <translation>nichts, aber geben Sie den Ordner von einer an</translation>
+    </message>
+    <message>
+        <source>is a table of {program} without the acceleration of three axes</source>
+        <translation>ist eine Tabelle von {program} ohne die Beschleunigung dreier Achsen</translation>
     </message>
     <message>
         <source>is not a template for logs (it must hold texts for {known})</source>
@@ -5190,6 +5218,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>the sensor rotated so much that gravity does not show its axes</source>
         <translation>der Sensor drehte sich so sehr, dass die Schwerkraft seine Achsen nicht zeigt</translation>
+    </message>
+    <message>
+        <source>the sensor&apos;s axes</source>
+        <translation>die Achsen des Sensors</translation>
     </message>
     <message>
         <source>the sequence {key!r} has changed since this session began</source>

@@ -4612,16 +4612,44 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>rien, mais donnez le fichier ou le dossier de l’un d’eux</translation>
     </message>
     <message>
+        <source>AndroSensor</source>
+        <translation>AndroSensor</translation>
+    </message>
+    <message>
         <source>BIDS (behaviour, and motion at 1 kHz)</source>
         <translation>BIDS (comportement, et mouvement à 1 kHz)</translation>
+    </message>
+    <message>
+        <source>RaceChrono</source>
+        <translation>RaceChrono</translation>
     </message>
     <message>
         <source>XDF, a file for each run</source>
         <translation>XDF, un fichier par passage</translation>
     </message>
     <message>
+        <source>Xsens DOT</source>
+        <translation>Xsens DOT</translation>
+    </message>
+    <message>
+        <source>Xsens MT Manager</source>
+        <translation>Xsens MT Manager</translation>
+    </message>
+    <message>
+        <source>does not declare its rate</source>
+        <translation>n&apos;indique pas sa fréquence</translation>
+    </message>
+    <message>
+        <source>export the accelerometer and the gyroscope too</source>
+        <translation>exportez aussi l&apos;accéléromètre et le gyroscope</translation>
+    </message>
+    <message>
         <source>give the folder of one of them instead</source>
         <translation>rien, mais donnez le dossier de l’un d’eux</translation>
+    </message>
+    <message>
+        <source>is a table of {program} without the acceleration of three axes</source>
+        <translation>est un tableau de {program} sans l&apos;accélération de trois axes</translation>
     </message>
     <message>
         <source>is not a template for logs (it must hold texts for {known})</source>
@@ -5190,6 +5218,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>the sensor rotated so much that gravity does not show its axes</source>
         <translation>le capteur a tant tourné que la pesanteur ne montre pas ses axes</translation>
+    </message>
+    <message>
+        <source>the sensor&apos;s axes</source>
+        <translation>les axes du capteur</translation>
     </message>
     <message>
         <source>the sequence {key!r} has changed since this session began</source>
