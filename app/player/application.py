@@ -21,7 +21,6 @@ from hapticplayer.cli.play import (
     record_target,
     until_s,
     wanted_scheduling,
-    wanted_speed,
 )
 from hapticplayer.clock import SystemClock
 from hapticplayer.devices import NO_DEVICE, installed_devices
@@ -49,7 +48,6 @@ def run(options: argparse.Namespace) -> int:
     source = open_source(options.source, options.force) if options.source else None
     feedback = choose_feedback(source, options.feedback) if source else None
     end_s = until_s(options, source) if source else 0.0
-    speed = wanted_speed(options) if source else 1.0
     settings = Settings(default_path())
     application = make_application(settings)
     clock, surface = SystemClock(), VideoSurface()
@@ -80,8 +78,8 @@ def run(options: argparse.Namespace) -> int:
     _begin(window, options, source)
     if options.mute:
         window.extras.controls.begin_muted()
-    if speed != 1.0:
-        window.extras.controls.set_speed(speed)
+    if options.speed != 1.0:
+        window.extras.controls.set_speed(options.speed)
     if source:
         player.set_end(min(player.snapshot().end_s, end_s))
     return _run_until_closed(application, window, options)

@@ -5,6 +5,7 @@ rates, and a person is asked if it fails.
 """
 
 import dataclasses
+import math
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
@@ -268,7 +269,7 @@ def _is_constant(time_s: Floats, accel: Reals, rate: Reals) -> bool:
     return bool(
         len(time_s) > 1
         and (accel[:2] == accel[0]).all()  # fails early for nearly all logs
-        and low <= np.linalg.norm(accel[0]) <= high
+        and low <= math.hypot(*accel[0]) <= high
         and np.isfinite(time_s).all()
         and (np.diff(time_s) > 0.0).all()
         and np.median(np.diff(time_s)) <= 1.0 / MIN_RATE_HZ

@@ -15,6 +15,7 @@ from pathlib import Path
 from hapticplayer.capture.limits import MAX_TEMPLATE_BYTES
 from hapticplayer.errors import InputError, Message, UsageError, joined
 from hapticplayer.model import STANDARD_GRAVITY_MPS2, Sampling
+from hapticplayer.model.ranges import SAMPLE_RATE_HZ, UNIT_FACTOR
 from hapticplayer.untrusted import parse_json, read_regular
 
 OPTION = "--read-as"
@@ -79,16 +80,7 @@ class LogChoices:
         """
         if not self.rate_hz:
             return None
-        try:
-            value = float(self.rate_hz)
-        except ValueError:
-            value = math.nan
-        if not (math.isfinite(value) and value > 0.0):
-            raise UsageError(
-                "rate-hz={rate_hz} is not a rate; give 100, for example",
-                rate_hz=self.rate_hz,
-            )
-        return value
+        return SAMPLE_RATE_HZ.parse("rate-hz", self.rate_hz)
 
 
 _OLD_KEYS = {"force-unit": "accel-unit", "force-sign": "accel-sign"}
@@ -110,17 +102,16 @@ def factor(unit: str, table: Mapping[str, float], key: str) -> float:
     """
     if unit in table:
         return table[unit]
-    try:
-        value = float(unit)
-    except ValueError:
-        value = math.nan
-    if not math.isfinite(value) or value <= 0.0:
+    value = UNIT_FACTOR.find(unit)
+    if value is None:
         raise UsageError(
             "{key}={unit} is not a unit; choose {known}, or give the factor to SI as "
-            "a number above zero",
+            "a number between {least:g} and {largest:g}",
             key=key,
             unit=unit,
             known=", ".join(table),
+            least=UNIT_FACTOR.least,
+            largest=UNIT_FACTOR.largest,
         )
     return value
 

@@ -2,16 +2,17 @@
 
 import argparse
 import contextlib
-import math
 import signal
 import sys
 import threading
 from collections.abc import Iterator
+from functools import partial
 from types import FrameType
 from typing import Any
 
 from hapticplayer.devices import device_names
 from hapticplayer.errors import Cancelled, UsageError
+from hapticplayer.model.ranges import Range
 
 
 @contextlib.contextmanager
@@ -74,28 +75,11 @@ def complain(text: str) -> None:
     sys.stderr.write(f"hapticplayer: {text}\n")
 
 
-def number(text: str) -> float:
-    """Return a finite number, for argparse."""
-    value = float(text)
-    if not math.isfinite(value):
-        raise argparse.ArgumentTypeError(f"{text!r} is not a finite number")
-    return value
-
-
-def positive(text: str) -> float:
-    """Return a number above zero, for argparse."""
-    value = number(text)
-    if value <= 0.0:
-        raise argparse.ArgumentTypeError(f"{text!r} is not above zero")
-    return value
-
-
-def seconds(text: str) -> float:
-    """Return a time that is not negative, for argparse."""
-    value = number(text)
-    if value < 0.0:
-        raise argparse.ArgumentTypeError(f"{text!r} is negative")
-    return value
+def add_number(
+    command: argparse._ActionsContainer, option: str, within: Range, **how: Any
+) -> None:
+    """Add an option that takes a number of a range; see `hapticplayer.model.ranges`."""
+    command.add_argument(option, type=partial(within.parse, option), **how)
 
 
 def agreed(options: argparse.Namespace, question: str) -> None:

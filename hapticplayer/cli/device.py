@@ -11,9 +11,9 @@ from typing import Any
 
 from hapticplayer.cli.common import (
     add_device_name,
+    add_number,
     agreed,
     interruptible,
-    positive,
     say,
     say_aside,
     shown_progress,
@@ -33,6 +33,7 @@ from hapticplayer.devices.falcon.transport import (
     list_falcons,
 )
 from hapticplayer.errors import DeviceError
+from hapticplayer.model import ranges
 
 Action = Callable[[argparse.Namespace], int]
 HOMING_S = 120.0
@@ -66,9 +67,10 @@ def add_options(command: argparse.ArgumentParser) -> None:
     )
     add("info", "what a device can do, its firmware, whether it is homed", info)
     home = add("home", "home the Falcon, with guidance", home_falcon)
-    home.add_argument(
+    add_number(
+        home,
         "--timeout",
-        type=positive,
+        ranges.TIMEOUT_S,
         default=HOMING_S,
         metavar="S",
         help=f"give up after S seconds (default {HOMING_S:g})",

@@ -7,7 +7,7 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
-from hapticplayer.cli.common import interruptible, number, say, shown_progress
+from hapticplayer.cli.common import add_number, interruptible, say, shown_progress
 from hapticplayer.cli.recording_options import (
     add_mounting,
     add_processing,
@@ -21,7 +21,7 @@ from hapticplayer.cli.recording_options import (
 )
 from hapticplayer.errors import Cancelled, HapticPlayerError, UsageError
 from hapticplayer.media.telemetry import read_telemetry_packets
-from hapticplayer.model import Mapping
+from hapticplayer.model import Mapping, ranges
 from hapticplayer.sequence import open_sequence
 from hapticplayer.sequence.build import Choices, build_sequence
 from hapticplayer.sequence.files import Progress
@@ -49,11 +49,18 @@ def add_options(command: argparse.ArgumentParser) -> None:
     add_sync(command, "--sync")
     command.add_argument("-o", "--output", required=True, metavar="DIR")
     command.add_argument("--title", help="default: the name of the video")
-    command.add_argument(
-        "--gain", type=number, metavar="N", help="newtons per m/s^2 (default 0.4)"
+    add_number(
+        command,
+        "--gain",
+        ranges.GAIN_N_PER_MPS2,
+        metavar="N",
+        help="newtons per m/s^2 (default 0.4)",
     )
-    command.add_argument(
-        "--seed", type=int, help="of the random feedback (default: from the clip)"
+    add_number(
+        command,
+        "--seed",
+        ranges.SEED,
+        help="of the random feedback (default: from the clip)",
     )
     add_processing(command)
     command.add_argument("--json", action="store_true", help="print a report as JSON")

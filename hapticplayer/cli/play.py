@@ -9,11 +9,11 @@ from hapticplayer import __version__
 from hapticplayer.cli import OpenWindow
 from hapticplayer.cli.common import (
     add_device_name,
+    add_number,
     complain,
     interruptible,
     say,
     say_aside,
-    seconds,
     shown_progress,
 )
 from hapticplayer.clock import SystemClock
@@ -21,6 +21,7 @@ from hapticplayer.devices import NO_DEVICE
 from hapticplayer.errors import UsageError
 from hapticplayer.haptics.limiter import Limits
 from hapticplayer.haptics.scheduling import Scheduling
+from hapticplayer.model import ranges
 from hapticplayer.playback import headless
 from hapticplayer.playback.latency import saved_latencies
 from hapticplayer.playback.log import PlaybackLog
@@ -60,14 +61,28 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--close-at-end", action="store_true", help="close the window after the clip"
     )
-    parser.add_argument(
-        "--start", type=seconds, default=0.0, metavar="S", help="media time, s"
+    add_number(
+        parser,
+        "--start",
+        ranges.MEDIA_TIME_S,
+        default=0.0,
+        metavar="S",
+        help="media time, s",
     )
-    parser.add_argument(
-        "--duration", type=seconds, metavar="S", help="stop after S seconds"
+    add_number(
+        parser,
+        "--duration",
+        ranges.MEDIA_TIME_S,
+        metavar="S",
+        help="stop after S seconds",
     )
-    parser.add_argument(
-        "--speed", type=float, default=1.0, metavar="X", help="0.5 to 4 (default: 1)"
+    add_number(
+        parser,
+        "--speed",
+        ranges.SPEED,
+        default=1.0,
+        metavar="X",
+        help=f"{SLOWEST:g} to {FASTEST:g} (default: 1)",
     )
     parser.add_argument(
         "--log", metavar="FILE", help="write what happened as JSON lines"
@@ -105,7 +120,7 @@ def play(options: argparse.Namespace) -> int:
     """Play in real time without a window, and print the summary."""
     source = open_source(options.source, options.force)
     feedback = choose_feedback(source, options.feedback)
-    end_s, speed = until_s(options, source), wanted_speed(options)
+    end_s = until_s(options, source)
     advise(source, feedback)
     clock = SystemClock()
     record = record_target(options, options.device)
@@ -120,8 +135,8 @@ def play(options: argparse.Namespace) -> int:
             player.wait_ready()
             attach_log(player, options.log, source, feedback)
             player.open(source, feedback)
-            if speed != 1.0:
-                player.set_speed(speed)
+            if options.speed != 1.0:
+                player.set_speed(options.speed)
             headless.run(
                 player,
                 clock,
@@ -190,18 +205,6 @@ def until_s(options: argparse.Namespace, source: Source) -> float:
     if options.duration is None:
         return source.clip.duration_s
     return float(options.start + options.duration)
-
-
-def wanted_speed(options: argparse.Namespace) -> float:
-    """Return the speed to play at.
-
-    Raises:
-        UsageError: when the player cannot play at it.
-    """
-    speed = float(options.speed)
-    if not SLOWEST <= speed <= FASTEST:
-        raise UsageError(f"--speed {speed:g} is not between {SLOWEST} and {FASTEST}")
-    return speed
 
 
 def attach_log(player: Player, path: str | None, source: Source, feedback: str) -> None:

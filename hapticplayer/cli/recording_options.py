@@ -9,8 +9,9 @@ from hapticplayer.capture import formats
 from hapticplayer.capture.choices import LogChoices, parse_choices, write_template
 from hapticplayer.capture.mounting import MOUNTINGS, mounting_axes
 from hapticplayer.capture.sync import methods
-from hapticplayer.cli.common import number, positive
+from hapticplayer.cli.common import add_number
 from hapticplayer.errors import UsageError
+from hapticplayer.model import ranges
 from hapticplayer.motion import METHODS
 from hapticplayer.motion.methods import DEFAULT_METHOD
 from hapticplayer.sequence import files
@@ -61,9 +62,10 @@ def add_sync(command: argparse.ArgumentParser, method: str) -> None:
         help="; ".join(f"{one.name}: {one.text}" for one in methods.SYNC_METHODS)
         + f" (default: {methods.AUTO})",
     )
-    group.add_argument(
+    add_number(
+        group,
         "--offset",
-        type=number,
+        ranges.OFFSET_S,
         metavar="S",
         help="media time at which the log's clock reads zero",
     )
@@ -73,9 +75,10 @@ def add_sync(command: argparse.ArgumentParser, method: str) -> None:
         help="take off the skew that is stored for it (default: "
         "the camera that the clip names)",
     )
-    group.add_argument(
+    add_number(
+        group,
         "--skew",
-        type=number,
+        ranges.SKEW_S,
         metavar="S",
         help="delay of the camera's sound against its video",
     )
@@ -89,9 +92,10 @@ def add_processing(command: argparse.ArgumentParser) -> None:
         choices=METHODS,
         help=f"of gravity removal (default {DEFAULT_METHOD})",
     )
-    group.add_argument(
+    add_number(
+        group,
         "--time-constant",
-        type=positive,
+        ranges.TIME_CONSTANT_S,
         metavar="S",
         help="of the smoother: accelerations that last much longer count as gravity "
         "(default: from how fast the recording moves)",
@@ -104,12 +108,17 @@ def add_processing(command: argparse.ArgumentParser) -> None:
         action="store_true",
         help="reconstruct short peaks beyond the sensor's range",
     )
-    group.add_argument(
-        "--average", type=positive, metavar="HZ", help="average the samples first"
+    add_number(
+        group,
+        "--average",
+        ranges.AVERAGE_HZ,
+        metavar="HZ",
+        help="average the samples first",
     )
-    group.add_argument(
+    add_number(
+        group,
         "--lowpass",
-        type=positive,
+        ranges.LOWPASS_HZ,
         metavar="HZ",
         help="low-pass the motion, zero phase",
     )

@@ -4,8 +4,9 @@ import argparse
 from pathlib import Path
 
 from hapticplayer.capture.si_csv import write_imu_csv
-from hapticplayer.cli.common import interruptible, say, shown_progress
+from hapticplayer.cli.common import add_number, interruptible, say, shown_progress
 from hapticplayer.errors import UsageError
+from hapticplayer.model import ranges
 from hapticplayer.sequence import files
 from hapticplayer.simulation.demo import DEMO_SEED, write_simulated_sequence
 from hapticplayer.simulation.recordings import (
@@ -36,7 +37,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
         action="store_true",
         help="of a recording, also gopro.mp4: the clip with a telemetry track",
     )
-    command.add_argument("--seed", type=int, help="of the ride and the sensor noise")
+    add_number(command, "--seed", ranges.SEED, help="of the ride and the sensor noise")
 
 
 def run(options: argparse.Namespace, _open_window: object) -> int:

@@ -6,9 +6,10 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from hapticplayer.cli.common import interruptible, say, shown_progress
+from hapticplayer.cli.common import add_number, interruptible, say, shown_progress
 from hapticplayer.clock import SystemClock
 from hapticplayer.errors import UsageError
+from hapticplayer.model import ranges
 from hapticplayer.sequence import files
 from hapticplayer.simulation.effects import draw_effect, effect_named, paper_effect
 from hapticplayer.simulation.participants import simulated_answers
@@ -132,17 +133,10 @@ def _action(
     action: argparse.ArgumentParser = actions.add_parser(
         name, help=summary, description=summary
     )
-    action.add_argument("--seed", type=_seed, default=_SEED)
+    add_number(action, "--seed", ranges.SEED, default=_SEED)
     action.add_argument("--json", action="store_true", help="print the result as JSON")
     action.set_defaults(run=lambda chosen, _open_window: run(chosen))
     return action
-
-
-def _seed(text: str) -> int:
-    value = int(text)
-    if value < 0:
-        raise argparse.ArgumentTypeError(f"{text!r} is negative")
-    return value
 
 
 _MOST_SEQUENCES = 20

@@ -6,6 +6,7 @@ from dataclasses import asdict
 from hapticplayer.clock import Clock
 from hapticplayer.errors import Message
 from hapticplayer.model import PlaybackClock
+from hapticplayer.model.ranges import SPEED
 from hapticplayer.playback.clock import AudioReport, MediaClock
 from hapticplayer.playback.latency import Latencies, Latency
 from hapticplayer.playback.log import Reporter
@@ -21,7 +22,7 @@ from hapticplayer.playback.source import Source
 from hapticplayer.playback.video_output import FrameSink, VideoOutput
 
 FIRST_SOUND_TIMEOUT_S = 3.0  # a sound server that wakes its device took 1.3 s
-SLOWEST, FASTEST = 0.5, 4.0  # of `set_speed`
+SLOWEST, FASTEST = SPEED.least, SPEED.largest
 DAMAGED = Message("the clip is damaged: some of its frames are missing or broken")
 
 

@@ -12,12 +12,12 @@ from hapticplayer.capture.sync.synchronize import Sound, SyncInput, read_sound
 from hapticplayer.errors import InputError, Message, UsageError
 from hapticplayer.media.clip_info import ClipInfo, camera_of
 from hapticplayer.model import ClockMap
+from hapticplayer.model.ranges import SKEW_S
 from hapticplayer.sequence import files
 
 SKEWS = "cameras.json"
 """In the settings folder: how much later than its frames each camera's sound comes, s."""
 
-MAX_SKEW_S = 2.0
 _NEXT_BEST = 3
 _SAME_S = 0.0005  # half a step of the window
 
@@ -157,11 +157,11 @@ def checked_skew(late_s: object) -> float:
         InputError: for anything else.
     """
     is_number = isinstance(late_s, int | float) and not isinstance(late_s, bool)
-    if not is_number or not abs(float(late_s)) <= MAX_SKEW_S:  # type: ignore[arg-type]
+    if not is_number or not abs(float(late_s)) <= SKEW_S.largest:  # type: ignore[arg-type]
         raise InputError(
             "{late_s!r} is not a skew of sound and frames; it must be between "
             "-{largest_skew_s:g} and {largest_skew_s:g}",
             late_s=late_s,
-            largest_skew_s=MAX_SKEW_S,
+            largest_skew_s=SKEW_S.largest,
         )
     return float(late_s)  # type: ignore[arg-type]

@@ -4732,10 +4732,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Teilnehmende: 1 bis {most} können simuliert werden</translation>
     </message>
     <message>
-        <source>rate-hz={rate_hz} is not a rate; give 100, for example</source>
-        <translation>rate-hz={rate_hz} ist keine Rate; geben Sie zum Beispiel 100 an</translation>
-    </message>
-    <message>
         <source>rate-unit={rate_unit} to take it as it is</source>
         <translation>rate-unit={rate_unit} um es so zu nehmen, wie es ist</translation>
     </message>
@@ -5552,10 +5548,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>{key} hat {count} Werte, mehr als gelesen werden</translation>
     </message>
     <message>
-        <source>{key}={unit} is not a unit; choose {known}, or give the factor to SI as a number above zero</source>
-        <translation>{key}={unit} ist keine Einheit; wählen Sie {known}, oder geben Sie den Faktor zu SI als Zahl über null an</translation>
-    </message>
-    <message>
         <source>{late_s!r} is not a skew of sound and frames; it must be between -{largest_skew_s:g} and {largest_skew_s:g}</source>
         <translation>{late_s!r} ist kein Versatz von Ton und Bild; geben Sie Sekunden zwischen -{largest_skew_s:g} und {largest_skew_s:g} an</translation>
     </message>
@@ -6020,6 +6012,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>{free_gb:.1f} GB frei</translation>
     </message>
     <message>
+        <source>{key}={unit} is not a unit; choose {known}, or give the factor to SI as a number between {least:g} and {largest:g}</source>
+        <translation>{key}={unit} ist keine Einheit; wählen Sie {known}, oder geben Sie den Faktor zu SI als Zahl zwischen {least:g} und {largest:g} an</translation>
+    </message>
+    <message>
         <source>{name!r} is not a plain file name</source>
         <translation>{name!r} ist kein einfacher Dateiname</translation>
     </message>
@@ -6068,8 +6064,16 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>{name} muss eine positive Zahl sein, war aber {value}</translation>
     </message>
     <message>
+        <source>{name} must be a whole number between {least} and {largest}{unit}, not {text}</source>
+        <translation>{name} muss eine ganze Zahl zwischen {least} und {largest}{unit} sein, nicht {text}</translation>
+    </message>
+    <message>
         <source>{name} must be above zero, not {value}</source>
         <translation>{name} muss über null liegen, ist {value}</translation>
+    </message>
+    <message>
+        <source>{name} must be between {least} and {largest}{unit}, not {text}</source>
+        <translation>{name} muss zwischen {least} und {largest}{unit} liegen, nicht {text}</translation>
     </message>
     <message>
         <source>{name} must be positive and finite, got {value}</source>

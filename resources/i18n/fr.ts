@@ -4732,10 +4732,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>participants&#xa0;: de 1 à {most} peuvent être simulés</translation>
     </message>
     <message>
-        <source>rate-hz={rate_hz} is not a rate; give 100, for example</source>
-        <translation>rate-hz={rate_hz} n’est pas une cadence&#xa0;; donnez 100, par exemple</translation>
-    </message>
-    <message>
         <source>rate-unit={rate_unit} to take it as it is</source>
         <translation>rate-unit={rate_unit} pour la prendre telle quelle</translation>
     </message>
@@ -5552,10 +5548,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>{key} a {count} mesures, plus qu’on n’en lit</translation>
     </message>
     <message>
-        <source>{key}={unit} is not a unit; choose {known}, or give the factor to SI as a number above zero</source>
-        <translation>{key}={unit} n’est pas une unité&#xa0;; choisissez {known}, ou donnez le facteur vers le SI, un nombre supérieur à zéro</translation>
-    </message>
-    <message>
         <source>{late_s!r} is not a skew of sound and frames; it must be between -{largest_skew_s:g} and {largest_skew_s:g}</source>
         <translation>{late_s!r} n’est pas un écart entre le son et l’image&#xa0;; donnez des secondes entre -{largest_skew_s:g} et {largest_skew_s:g}</translation>
     </message>
@@ -6020,6 +6012,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>{free_gb:.1f} Go libres</translation>
     </message>
     <message>
+        <source>{key}={unit} is not a unit; choose {known}, or give the factor to SI as a number between {least:g} and {largest:g}</source>
+        <translation>{key}={unit} n’est pas une unité&#xa0;; choisissez {known}, ou donnez le facteur vers le SI, un nombre entre {least:g} et {largest:g}</translation>
+    </message>
+    <message>
         <source>{name!r} is not a plain file name</source>
         <translation>{name!r} n’est pas un simple nom de fichier</translation>
     </message>
@@ -6068,8 +6064,16 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>{name} doit être un nombre positif, reçu&#xa0;: {value}</translation>
     </message>
     <message>
+        <source>{name} must be a whole number between {least} and {largest}{unit}, not {text}</source>
+        <translation>{name} doit être un nombre entier entre {least} et {largest}{unit}, et non {text}</translation>
+    </message>
+    <message>
         <source>{name} must be above zero, not {value}</source>
         <translation>{name} doit être supérieur à zéro, et vaut {value}</translation>
+    </message>
+    <message>
+        <source>{name} must be between {least} and {largest}{unit}, not {text}</source>
+        <translation>{name} doit être entre {least} et {largest}{unit}, et non {text}</translation>
     </message>
     <message>
         <source>{name} must be positive and finite, got {value}</source>

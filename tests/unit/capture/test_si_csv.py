@@ -147,6 +147,14 @@ FAULTS = {
         changed(9, "0.07,0,0,1e30,0,0,0"),
         "acceleration of 1e\\+30 m/s2, beyond any sensor",
     ),
+    "one enormous value": (
+        changed(9, "0.07,1e308,0,-1e308,0,0,0"),
+        "acceleration of 1e\\+308 m/s2, beyond any sensor",
+    ),
+    "enormous throughout": (
+        [HEADER, *(f"0.{k:02},1e308,0,1e308,0,0,0" for k in range(99))],
+        "beyond any sensor in 99 of 99 rows",
+    ),
     "in degrees": (changed(9, "0.07,0,0,9.8,0,0,250"), "looks like deg/s"),
 }
 
@@ -304,6 +312,12 @@ def test_force_track_holds_each_value(tmp_path):
         [[0, 0, 0], [1, 0, 0], [1, 0, 0], [0, -2, 0.25], [0, -2, 0.25]],
     )
     assert track.provenance["source"] == "force.csv"
+
+
+def test_times_of_a_force_track_may_be_enormous(tmp_path):
+    lines = ["time_s,fx_n,fy_n,fz_n", "-1e308,1,0,0", "1e308,0,0,0"]
+    track = read_force_csv(write(tmp_path / "force.csv", lines))
+    np.testing.assert_array_equal(track.at(np.array([0.0])), [[1, 0, 0]])
 
 
 @pytest.mark.parametrize(
