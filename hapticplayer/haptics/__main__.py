@@ -1,7 +1,6 @@
 """Entry of the haptics process: `python -m hapticplayer.haptics`."""
 
 import argparse
-import signal
 import socket
 import sys
 
@@ -14,7 +13,12 @@ from hapticplayer.haptics.lifeline import hold, map_lifeline
 from hapticplayer.haptics.limiter import limits_of
 from hapticplayer.haptics.loop import Loop
 from hapticplayer.haptics.messages import Line, Word
-from hapticplayer.haptics.scheduling import CpuLatencyRequest, Scheduling, acquire
+from hapticplayer.haptics.scheduling import (
+    CpuLatencyRequest,
+    Scheduling,
+    acquire,
+    outlive_the_player,
+)
 
 
 def main(argv: list[str] | None = None) -> int:
@@ -34,8 +38,7 @@ def main(argv: list[str] | None = None) -> int:
 
     # Ctrl-C and a hang-up reach the whole group: the player decides, its alarm reports
     # them at once, and if it dies of them, the closed line does.
-    for number in (signal.SIGINT, signal.SIGHUP, signal.SIGTERM):
-        signal.signal(number, signal.SIG_IGN)
+    outlive_the_player()
     block = LoopBlock(options.block)
     end = socket.socket(fileno=options.line)
     line = Line(end, options.alarm)

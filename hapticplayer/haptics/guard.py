@@ -7,7 +7,6 @@ by `HapticsProcesses`.
 
 import argparse
 import select
-import signal
 import sys
 from collections.abc import Callable
 
@@ -18,7 +17,7 @@ from hapticplayer.haptics.block import LoopBlock
 from hapticplayer.haptics.contract import GAP_RAMP_S
 from hapticplayer.haptics.lifeline import Lifeline, map_lifeline
 from hapticplayer.haptics.limiter import PERIOD_S
-from hapticplayer.haptics.scheduling import GUARD_PRIORITY, acquire
+from hapticplayer.haptics.scheduling import GUARD_PRIORITY, acquire, outlive_the_player
 
 CHECK_PERIOD_S = 0.019
 REPEAT_PERIOD_S = 0.004
@@ -104,8 +103,7 @@ def main(argv: list[str] | None = None) -> int:
     parser.add_argument("--device", required=True)
     parser.add_argument("--handle", type=int, required=True, help="descriptor")
     options = parser.parse_args(argv)
-    for number in (signal.SIGINT, signal.SIGHUP, signal.SIGTERM):
-        signal.signal(number, signal.SIG_IGN)
+    outlive_the_player()
     try:
         send_zero = find_device(options.device).silence(options.handle)
     except DeviceError:

@@ -12,7 +12,6 @@ import enum
 import errno
 import os
 import select
-import signal
 import subprocess
 import sys
 from collections.abc import Mapping
@@ -24,6 +23,7 @@ import numpy as np
 from hapticplayer.clock import Clock, SystemClock
 from hapticplayer.errors import Message
 from hapticplayer.haptics.records import RecordWriter, open_record
+from hapticplayer.haptics.scheduling import outlive_the_player
 from hapticplayer.haptics.shared import TICK, SharedBlock
 from hapticplayer.haptics.spawn import Process, run_module
 
@@ -190,8 +190,7 @@ def main(argv: list[str] | None = None) -> int:
     parser.add_argument("--loop-pidfd", type=int, help="descriptor")
     options = parser.parse_args(argv)
     # the end is the loop's end, whatever happens to the player
-    for number in (signal.SIGINT, signal.SIGHUP, signal.SIGTERM):
-        signal.signal(number, signal.SIG_IGN)
+    outlive_the_player()
     os.nice(NICENESS)
     try:
         writer = RecordWriter(options.file)

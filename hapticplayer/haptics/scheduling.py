@@ -10,6 +10,7 @@ import ctypes
 import enum
 import os
 import resource
+import signal
 import struct
 
 FIFO_PRIORITY = 80
@@ -86,6 +87,12 @@ def lock_memory(*, on_fault: bool = True) -> bool:
     if not is_unlimited:
         resource.setrlimit(resource.RLIMIT_MEMLOCK, (soft, hard))
     return is_locked
+
+
+def outlive_the_player() -> None:
+    """Ignore the signals that are meant for the player, and come to its whole group."""
+    for number in (signal.SIGINT, signal.SIGHUP, signal.SIGTERM):
+        signal.signal(number, signal.SIG_IGN)
 
 
 def hasten_window() -> Scheduling:

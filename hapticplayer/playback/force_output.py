@@ -137,7 +137,6 @@ class ForceOutput:
         """Return what was measured so far."""
         return Measurements(
             self.history.recent_stats(),
-            self.history.total_stats(),
             self.video.recent(),
             self.audio.recent(),
             self.video.total(),

@@ -8,7 +8,7 @@ import json
 import queue
 import threading
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,10 +16,6 @@ from numpy.typing import NDArray
 from hapticplayer.clock import Clock
 from hapticplayer.errors import InputError, Message
 from hapticplayer.untrusted import ESCAPED
-
-
-class _Line(NamedTuple):
-    content: dict[str, Any]
 
 
 class PlaybackLog:
@@ -31,9 +27,8 @@ class PlaybackLog:
 
     def __init__(self, path: Path, header: dict[str, Any]) -> None:
         self.problem = ""
-        self._queue: queue.SimpleQueue[_Line | NDArray[Any] | None] = (
-            queue.SimpleQueue()
-        )
+        self._queue: queue.SimpleQueue[dict[str, Any] | NDArray[Any] | None]
+        self._queue = queue.SimpleQueue()
         if path.is_fifo():  # opening it would wait for a reader
             raise InputError(
                 "is a pipe, not a file", where=str(path), remedy="choose another file"
@@ -55,7 +50,7 @@ class PlaybackLog:
 
     def line(self, kind: str, **fields: Any) -> None:
         """Add one line of a kind."""
-        self._queue.put(_Line({"kind": kind, **fields}))
+        self._queue.put({"kind": kind, **fields})
 
     def ticks(self, records: NDArray[Any]) -> None:
         """Add a force line for each exchange with the device."""
@@ -106,12 +101,10 @@ class Reporter:
             self.log.line(kind, **fields)
 
 
-def _text(item: _Line | NDArray[Any]) -> str:
-    return _force_lines(item) if isinstance(item, np.ndarray) else _json(item)
-
-
-def _json(line: _Line) -> str:
-    return json.dumps(line.content, allow_nan=False, ensure_ascii=False) + "\n"
+def _text(item: dict[str, Any] | NDArray[Any]) -> str:
+    if isinstance(item, np.ndarray):
+        return _force_lines(item)
+    return json.dumps(item, allow_nan=False, ensure_ascii=False) + "\n"
 
 
 def _force_lines(records: NDArray[Any]) -> str:

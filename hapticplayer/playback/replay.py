@@ -90,17 +90,9 @@ def _parsed(text: bytes, path: Path, number: int) -> dict[str, Any]:
     try:
         line = json.loads(text)
     except (ValueError, RecursionError) as problem:
-        raise InputError(
-            "is no JSON",
-            where=Message("{file}, line {line}", file=path, line=number),
-            remedy=_REMEDY,
-        ) from problem
+        raise _refusal(Message("is no JSON"), path, number) from problem
     if not isinstance(line, dict):
-        raise InputError(
-            "is no log",
-            where=Message("{file}, line {line}", file=path, line=number),
-            remedy=_REMEDY,
-        )
+        raise _refusal(Message("is no log"), path, number)
     return line
 
 
@@ -117,17 +109,14 @@ def _force(
         media_s = float(line["media_s"])
         x, y, z = (float(value) for value in line["force_n"])
     except (KeyError, TypeError, ValueError) as problem:
-        raise InputError(
-            "has no force ({reason})",
-            where=Message("{file}, line {line}", file=path, line=number),
-            remedy=_REMEDY,
-            reason=problem,
-        ) from problem
+        what = Message("has no force ({reason})", reason=problem)
+        raise _refusal(what, path, number) from problem
     amount = max(abs(x), abs(y), abs(z))
     if not (math.isfinite(media_s) and amount <= MAX_FORCE_N):
-        raise InputError(
-            "is not finite or too large",
-            where=Message("{file}, line {line}", file=path, line=number),
-            remedy=_REMEDY,
-        )
+        raise _refusal(Message("is not finite or too large"), path, number)
     return media_s, x, y, z
+
+
+def _refusal(what: Message, path: Path, number: int) -> InputError:
+    where = Message("{file}, line {line}", file=path, line=number)
+    return InputError(what, where=where, remedy=_REMEDY)

@@ -94,7 +94,6 @@ class Measurements:
     """
 
     loop: LoopStats | None = None
-    loop_total: LoopStats | None = None
     force_minus_video: SyncStats | None = None
     force_minus_audio: SyncStats | None = None
     force_minus_video_total: SyncStats | None = None

@@ -1,13 +1,12 @@
 """The player's handle on the process that plays the sound."""
 
 import enum
-import os
 import socket
 import subprocess
-import sys
 from typing import Protocol
 
 from hapticplayer.haptics.messages import Line, Word
+from hapticplayer.haptics.spawn import run_module
 from hapticplayer.playback.sound_ring import AudioRing
 
 QUIT_TIMEOUT_S = 0.3
@@ -55,12 +54,7 @@ class SoundProcess:
             block, line = map(str, passed)
             module = "hapticplayer.playback.sound_device"
             options = ["--block", block, "--line", line, f"--device={device}"]
-            self._process = subprocess.Popen(
-                [sys.executable, "-P", "-m", module, *options],
-                pass_fds=passed,
-                stdin=subprocess.DEVNULL,
-                env={**os.environ, "OPENBLAS_NUM_THREADS": "1"},
-            )
+            self._process = run_module(module, options, passed)
         self._line = Line(ours)
 
     @property

@@ -1,7 +1,7 @@
 """What can be played: a sequence, or any video with any force track."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -55,9 +55,7 @@ def open_source(path: str | Path, force: str | Path | None = None) -> Source:
     track = read_force_csv(Path(force))
     refuse_late(track, source.clip.duration_s, str(force))
     tracks = {FROM_FILE: track, **source.tracks}
-    return Source(
-        source.title, source.path, source.clip, tracks, source.motion, FROM_FILE
-    )
+    return replace(source, tracks=tracks, feedback=FROM_FILE)
 
 
 def choose_feedback(source: Source, name: str | None) -> str:

@@ -15,7 +15,7 @@ from hapticplayer.devices.falcon.transport import open_falcon
 from hapticplayer.simulation.usb.backend import SimulatedBus, SimulatedPort
 from hapticplayer.simulation.usb.board import Board, Stage
 from hapticplayer.simulation.usb.chip import Chip
-from tests.falcons import BenchMechanics
+from tests.doubles import BenchMechanics
 
 ALWAYS = 10**9
 PERIOD_S = 0.001

@@ -12,7 +12,7 @@ from hapticplayer.devices.dynamics import FIRM, Mechanism
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.limiter import ZERO
 from hapticplayer.model import ForceTrack
-from tests.falcons import SimulatedFalcon
+from tests.doubles import SimulatedFalcon
 
 
 def test_a_jump_of_the_wall_clock_changes_nothing(monkeypatch):

@@ -50,22 +50,6 @@ RUN_BAUD = Divisor(0x0002, 0)
 """1.5 million, called 1456312 by the vendor."""
 
 
-def divisor_for(baud: float) -> Divisor:
-    """Return the divisor whose period comes nearest to that of a rate.
-
-    Raises:
-        ValueError: when the chip is not that fast or that slow.
-    """
-    if not _CLOCK_HZ / 0x4000 < baud <= _CLOCK_HZ:
-        raise ValueError(f"the FT232R cannot do {baud} baud")
-    eighths = round(8.0 * _CLOCK_HZ / baud)
-    if eighths < 2 * 8:  # below 2 there is 1 and 1.5, and nothing between
-        fast = (Divisor(0, 0), Divisor(1, 0), Divisor(2, 0))
-        return min(fast, key=lambda divisor: abs(1.0 / divisor.baud - 1.0 / baud))
-    code = _EIGHTHS.index(eighths % 8)
-    return Divisor(eighths // 8 | (code & 3) << 14, code >> 2)
-
-
 def strip_status(data: bytes) -> bytes:
     """Return the payload: every packet of 64 bytes begins with two status bytes."""
     if len(data) <= PACKET_BYTES:

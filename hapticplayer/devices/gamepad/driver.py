@@ -33,20 +33,6 @@ class Outlet(Protocol):
         ...
 
 
-class DirectOutlet:
-    """Writes in the caller's thread, which may have to wait; for tests."""
-
-    def __init__(self, port: Port) -> None:
-        self._port = port
-
-    def post(self, report: bytes) -> None:
-        """Send a report."""
-        self._port.write(report)
-
-    def stop(self) -> None:
-        """There is nothing to poll."""
-
-
 class ThreadedOutlet:
     """Never waits; of reports that were posted meanwhile only the last is sent."""
 

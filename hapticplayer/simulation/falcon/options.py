@@ -2,7 +2,6 @@
 
 import argparse
 import math
-import signal
 
 from hapticplayer.devices.dynamics import HANDS, Mechanism
 from hapticplayer.simulation.falcon.parameters import Electronics
@@ -32,9 +31,3 @@ def simulation_of(options: argparse.Namespace) -> Simulation:
         mechanism=mechanism,
         electronics=Electronics(options.hold_s, options.delay_s),
     )
-
-
-def outlive_the_player() -> None:
-    """Ignore the signals that are meant for the player."""
-    for number in (signal.SIGINT, signal.SIGHUP, signal.SIGTERM):
-        signal.signal(number, signal.SIG_IGN)

@@ -18,6 +18,7 @@ import math
 from dataclasses import dataclass
 
 from hapticplayer.devices.dynamics import Hand, Mechanism
+from hapticplayer.devices.falcon.matrix3 import Rows, dot, minus
 from hapticplayer.model.device import Vector
 from hapticplayer.simulation.falcon.kinematics import Kinematics, solve
 
@@ -26,8 +27,6 @@ MAX_STEP_S = 0.0005
 NO_HAND = Hand(0.0, 0.0, 0.0)
 # Less than this is left over where times that should be equal are subtracted.
 _NO_TIME_S = 1e-9
-
-Rows = tuple[Vector, Vector, Vector]
 
 
 @dataclass(slots=True)
@@ -95,7 +94,7 @@ class Plant:
         self._push(force_n, step_s)
         if math.hypot(*self.position_m) > self._mechanism.stop_radius_m:
             self._bounce(force_n, before_mps)
-        self.energy.force_j += _dot(force_n, _less(self.position_m, before_m))
+        self.energy.force_j += dot(force_n, minus(self.position_m, before_m))
 
     def _move_rest(self, step_s: float) -> None:
         hand = self.hand
@@ -172,15 +171,15 @@ class Plant:
         normal = _scaled(beyond_m, 1.0 / radius_m)
         self.position_m = _scaled(beyond_m, part.stop_radius_m / radius_m)
         # what the force has added during the step does not bounce, it presses
-        back_mps = -part.restitution * max(0.0, _dot(normal, came_mps))
-        too_fast_mps = _dot(normal, self.velocity_mps) - back_mps
+        back_mps = -part.restitution * max(0.0, dot(normal, came_mps))
+        too_fast_mps = dot(normal, self.velocity_mps) - back_mps
         if too_fast_mps > 0.0:
             effect = solve(self._matrix(ZERO, 0.0), normal)
-            impulse_n_s = too_fast_mps / _dot(normal, effect)
-            self.velocity_mps = _less(self.velocity_mps, _scaled(effect, impulse_n_s))
+            impulse_n_s = too_fast_mps / dot(normal, effect)
+            self.velocity_mps = minus(self.velocity_mps, _scaled(effect, impulse_n_s))
             self._rates = _times(self._rows, self.velocity_mps)
         self.energy.lost_j += before_j - self.energy_j()
-        self.energy.lost_j -= _dot(force_n, _less(beyond_m, self.position_m))
+        self.energy.lost_j -= dot(force_n, minus(beyond_m, self.position_m))
 
     def _change_hand(self, hand: Hand) -> None:
         """Replace the hand; the grip keeps its speed."""
@@ -228,15 +227,6 @@ class Plant:
             (xy, p * b * b + q * e * e + r * h * h + mass, yz),
             (xz, yz, p * c * c + q * f * f + r * i * i + mass),
         )
-
-
-def _dot(left: Vector, right: Vector) -> float:
-    (a, b, c), (x, y, z) = left, right
-    return a * x + b * y + c * z
-
-
-def _less(left: Vector, right: Vector) -> Vector:
-    return (left[0] - right[0], left[1] - right[1], left[2] - right[2])
 
 
 def _scaled(vector: Vector, factor: float) -> Vector:

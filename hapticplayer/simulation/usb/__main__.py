@@ -7,9 +7,9 @@ import sys
 import threading
 
 from hapticplayer.clock import SystemClock
+from hapticplayer.haptics.scheduling import outlive_the_player
 from hapticplayer.simulation.falcon.options import (
     device_parser,
-    outlive_the_player,
     simulation_of,
 )
 from hapticplayer.simulation.falcon.record import Recorder

@@ -6,7 +6,7 @@ from hapticplayer.devices import DEVICES, find_device
 from hapticplayer.devices.capabilities import FALCON
 from hapticplayer.errors import DeviceError
 from hapticplayer.simulation.falcon.parameters import Electronics
-from tests.falcons import SimulatedFalcon
+from tests.doubles import SimulatedFalcon
 
 ZERO = (0.0, 0.0, 0.0)
 PUSH = (2.0, 0.0, 0.0)

@@ -16,7 +16,7 @@ from hapticplayer.haptics.scheduling import CpuLatencyRequest
 from hapticplayer.haptics.shared import BLOCK_BYTES, SharedBlock
 from hapticplayer.haptics.track import anonymous_memory, to_shared_memory
 from hapticplayer.model import ForceTrack, PlaybackClock
-from tests.falcons import SimulatedFalcon
+from tests.doubles import SimulatedFalcon
 
 
 class StallingClock(ManualClock):

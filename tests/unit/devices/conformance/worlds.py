@@ -20,6 +20,7 @@ from hapticplayer.devices.falcon.silence import Silencer
 from hapticplayer.devices.gamepad import driver as gamepad
 from hapticplayer.simulation.falcon.record_reader import read_record
 from hapticplayer.simulation.falcon.remote import Controls
+from tests.doubles import DirectOutlet
 
 ROOT = Path(__file__).parents[4]
 ZERO = (0.0, 0.0, 0.0)
@@ -106,7 +107,7 @@ class Pad(World):
     def __init__(self):
         super().__init__()
         self.pad = FakePad()
-        self.device = gamepad.GamepadDriver(lambda: self.pad, gamepad.DirectOutlet)
+        self.device = gamepad.GamepadDriver(lambda: self.pad, DirectOutlet)
 
     def press(self, _buttons):
         self.pad.buttons = b"\x18\x00\x00"

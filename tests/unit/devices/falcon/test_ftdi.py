@@ -10,7 +10,6 @@ from hapticplayer.devices.falcon.ftdi import (
     RUN_BAUD,
     Divisor,
     Ftdi,
-    divisor_for,
     strip_status,
 )
 
@@ -76,20 +75,6 @@ def test_settings_are_the_requests_of_the_reference_table():
 )
 def test_divisors_have_the_chips_fractions(value, index, baud):
     assert Divisor(value, index).baud == pytest.approx(baud, rel=1e-12)
-    assert divisor_for(baud) == (value, index)
-
-
-@given(st.floats(200.0, 1.5e6))
-def test_a_divisor_is_as_near_as_eighths_allow(baud):
-    eighths = 24e6 / divisor_for(baud).baud
-    assert abs(eighths - 24e6 / baud) <= 0.5 + 1e-6
-    assert eighths == pytest.approx(round(eighths), abs=1e-6)
-
-
-@pytest.mark.parametrize("baud", [0.0, 100.0, 3.1e6])
-def test_rates_that_the_chip_cannot_do_are_refused(baud):
-    with pytest.raises(ValueError, match="cannot do"):
-        divisor_for(baud)
 
 
 @given(st.binary(max_size=400))

@@ -16,7 +16,7 @@ from hapticplayer.errors import DeviceError
 from hapticplayer.simulation.usb.backend import SimulatedBus, SimulatedPort
 from hapticplayer.simulation.usb.board import Board, Stage
 from hapticplayer.simulation.usb.chip import Chip
-from tests.falcons import BenchMechanics
+from tests.doubles import BenchMechanics
 
 
 def another_port(bench, serial):

@@ -33,7 +33,7 @@ from hapticplayer.devices.falcon.transport import (
 from hapticplayer.errors import DeviceError
 from hapticplayer.simulation.usb.board import Board, synthetic_image
 from hapticplayer.simulation.usb.chip import Chip, UsbFault
-from tests.falcons import BenchMechanics
+from tests.doubles import BenchMechanics
 
 CONTROL, BULK = 0xC0185500, 0xC0185502
 SUBMIT, DISCARD, REAP, REAP_NOW = 0x8038550A, 0x550B, 0x4008550C, 0x4008550D

@@ -10,7 +10,6 @@ from fake_pad import FakePad
 
 from hapticplayer.devices.gamepad import ports
 from hapticplayer.devices.gamepad.driver import (
-    DirectOutlet,
     GamepadDriver,
     ThreadedOutlet,
     silence,
@@ -24,6 +23,7 @@ from hapticplayer.devices.gamepad.reports import (
 )
 from hapticplayer.devices.gamepad.rumble import Rumble
 from hapticplayer.errors import DeviceError
+from tests.doubles import DirectOutlet
 
 ZERO = (0.0, 0.0, 0.0)
 

@@ -1,8 +1,9 @@
-"""Falcons in the test's own process and time."""
+"""Devices in the test's own process, thread and time."""
 
 from hapticplayer.devices.capabilities import FALCON
 from hapticplayer.devices.dynamics import RELAXED, Hand, Mechanism
 from hapticplayer.devices.falcon.protocol import Command, Reply, Words
+from hapticplayer.devices.gamepad.ports import Port
 from hapticplayer.errors import DeviceError
 from hapticplayer.model.device import DeviceReading, Vector
 from hapticplayer.simulation.falcon.packets import Act, Control
@@ -115,3 +116,17 @@ class BenchMechanics:
     def reply(self, at_s: float) -> Reply:
         """Return what the test wants."""
         return Reply(self.counts, self.buttons, self.homed)
+
+
+class DirectOutlet:
+    """Writes to a game pad in the caller's thread, which may have to wait."""
+
+    def __init__(self, port: Port) -> None:
+        self._port = port
+
+    def post(self, report: bytes) -> None:
+        """Send a report."""
+        self._port.write(report)
+
+    def stop(self) -> None:
+        """There is nothing to poll."""
