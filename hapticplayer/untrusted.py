@@ -19,6 +19,8 @@ ESCAPED = "backslashreplace"
 """For encoding text that may hold the name of a file which is not UTF-8: its bytes are
 surrogates in a `str`, and are written as JSON escapes them."""
 
+_CONTROLS = (*range(0x20), *range(0x7F, 0xA0))
+
 COPY_AGAIN = Message("copy it again from the camera, or choose another file")
 
 _KINDS = (
@@ -94,6 +96,16 @@ def read_regular(
             remedy=remedy or Message("choose another file"),
         )
     return content
+
+
+def without_controls(text: str, kept: str = "") -> str:
+    """Return a text in which no terminal finds a command.
+
+    Args:
+        text: may hold titles and names that others have chosen.
+        kept: control characters that stay.
+    """
+    return text.translate({code: "?" for code in _CONTROLS if chr(code) not in kept})
 
 
 def parse_json(content: bytes, where: str, error: type[InputError], remedy: str) -> Any:

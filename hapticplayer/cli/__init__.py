@@ -10,14 +10,21 @@ import importlib
 import io
 import sys
 from collections.abc import Callable, Sequence
-from typing import NamedTuple
+from typing import NamedTuple, NoReturn
 
 from hapticplayer import __version__
 from hapticplayer.errors import HapticPlayerError, UsageError
-from hapticplayer.untrusted import ESCAPED
+from hapticplayer.untrusted import ESCAPED, without_controls
 
 OpenWindow = Callable[[argparse.Namespace], int]
 """Shows the window for a command, and returns the exit status."""
+
+
+class _Parser(argparse.ArgumentParser):
+    """Quotes words of the command line without commands to the terminal."""
+
+    def exit(self, status: int = 0, message: str | None = None) -> NoReturn:
+        super().exit(status, message and without_controls(message, "\n"))
 
 
 class Command(NamedTuple):
@@ -81,7 +88,7 @@ def main(
 
 def build_parser(wanted: str | None) -> argparse.ArgumentParser:
     """Return the parser of all commands, with the options of the one that is wanted."""
-    parser = argparse.ArgumentParser(
+    parser = _Parser(
         prog="hapticplayer",
         description="Play a video and feel the motion of whoever recorded it. "
         "Without a command it opens the window on the built-in demo.",
@@ -97,5 +104,6 @@ def build_parser(wanted: str | None) -> argparse.ArgumentParser:
 
 
 def _refuse(problem: object, status: int) -> int:
-    print(f"hapticplayer: {problem}", file=sys.stderr)  # noqa: T201 - the command line speaks
+    sentence = without_controls(f"hapticplayer: {problem}")
+    print(sentence, file=sys.stderr)  # noqa: T201 - the command line speaks
     return status

@@ -13,6 +13,7 @@ from typing import Any
 from hapticplayer.devices import device_names
 from hapticplayer.errors import Cancelled, UsageError
 from hapticplayer.model.ranges import Range
+from hapticplayer.untrusted import without_controls
 
 
 @contextlib.contextmanager
@@ -43,6 +44,7 @@ def shown_progress() -> Iterator[Any]:
 
     def progress(fraction: float, step: str) -> None:
         nonlocal last_step
+        step = without_controls(step)
         if is_terminal:
             bar = "#" * round(24 * fraction)
             sys.stderr.write(f"\r[{bar:<24}] {100 * fraction:3.0f} %  {step:<40.40}")
@@ -62,17 +64,17 @@ def shown_progress() -> Iterator[Any]:
 
 def say(text: str) -> None:
     """Print a result."""
-    sys.stdout.write(text + "\n")
+    sys.stdout.write(without_controls(text, "\n") + "\n")
 
 
 def say_aside(text: str) -> None:
     """Print a remark that is no result."""
-    sys.stderr.write(f"note: {text}\n")
+    sys.stderr.write(f"note: {without_controls(text)}\n")
 
 
 def complain(text: str) -> None:
     """Print what went wrong."""
-    sys.stderr.write(f"hapticplayer: {text}\n")
+    sys.stderr.write(f"hapticplayer: {without_controls(text)}\n")
 
 
 def add_number(

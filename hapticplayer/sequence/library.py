@@ -11,6 +11,7 @@ from hapticplayer.errors import InputError, Message, SequenceError, message_of
 from hapticplayer.sequence import files
 from hapticplayer.sequence.report import Finding, quality_report
 from hapticplayer.sequence.store import DESCRIPTION, SCHEMA
+from hapticplayer.untrusted import without_controls
 
 MAX_FOLDERS = 5000
 
@@ -111,7 +112,7 @@ def _entry(folder: Path, description: Mapping[str, Any]) -> Entry:
     made_of = description.get("provenance", {})
     return Entry(
         folder=folder,
-        title=str(description["title"]),
+        title=without_controls(str(description["title"])),
         clip=clip,
         duration_s=_finite(description["clip"]["duration_s"]),
         size_bytes=sum(int(one["size_bytes"]) for one in description["files"].values()),

@@ -17,6 +17,7 @@ from hapticplayer.model import (
 )
 from hapticplayer.rendering import FEEDBACKS
 from hapticplayer.sequence import files
+from hapticplayer.untrusted import without_controls
 
 SCHEMA = "hapticplayer.sequence"
 VERSION = 1
@@ -76,7 +77,7 @@ def open_sequence(folder: str | Path) -> Sequence:
         tracks = _read_tracks(folder, description["feedbacks"], listed)
         mapping = _mapping_of(description["mapping"])
         motion = MotionTrack(**_motion_fields(folder))
-        title = str(description["title"])
+        title = without_controls(str(description["title"]))
     except (KeyError, TypeError, AttributeError) as problem:
         raise SequenceError(
             "an entry is missing or of the wrong kind ({reason})",
