@@ -37,6 +37,7 @@ from hapticplayer.sequence.recognising import Recognised, pair
 translate = QCoreApplication.translate
 _MOST_NOTES = 6
 _ALL_THE_ROOM = 100  # next to a stretch of 1
+_BETWEEN_FILES = "; "  # of a log in several files
 
 
 class FilesPage(QWidget):
@@ -126,10 +127,10 @@ class FilesPage(QWidget):
 
     # --- what is chosen ------------------------------------------------------
 
-    def chosen(self) -> tuple[Path, Path | None] | None:
+    def chosen(self) -> tuple[Path, tuple[Path, ...] | None] | None:
         """Return video and log, None while there is no video."""
         video, log = self.video.text().strip(), self.log.text().strip()
-        return (Path(video), Path(log) if log else None) if video else None
+        return (Path(video), _paths(log) if log else None) if video else None
 
     def choices(self) -> LogChoices | None:
         """Return what was decided about the log."""
@@ -139,14 +140,13 @@ class FilesPage(QWidget):
         """Take over files that were dropped; a log may follow its video.
 
         Raises:
-            InputError: when there are two of a kind.
+            InputError: when there are two videos.
         """
         video, log = pair(paths)
         if video is not None:
             self.video.setText(str(video))
-            self.log.setText("" if log is None else str(log))
-        elif log is not None:
-            self.log.setText(str(log))
+        if video is not None or log:
+            self.log.setText(_BETWEEN_FILES.join(map(str, log)))
         self._on_edited()
 
     def _on_edited(self) -> None:
@@ -253,10 +253,16 @@ class FilesPage(QWidget):
 
     def _choose(self, field: QLineEdit, title: str, kinds: str) -> None:
         text = field.text().strip() or self.video.text().strip()
-        start = str(Path(text).parent) if text else self._folder
+        start = str(_paths(text)[0].parent) if text else self._folder
         dialog = file_dialog(self, title, start, kinds)
-        dialog.fileSelected.connect(field.setText)
-        dialog.fileSelected.connect(lambda _path: self._on_edited())
+        if field is self.log:
+            dialog.setFileMode(dialog.FileMode.ExistingFiles)
+
+        def take(paths: list[str]) -> None:
+            field.setText(_BETWEEN_FILES.join(paths))
+            self._on_edited()
+
+        dialog.filesSelected.connect(take)
         dialog.open()
 
     def _choose_template(self) -> None:
@@ -363,6 +369,13 @@ class _Question(QFrame):
         words = self.other.text().split()
         if words:
             self.answered.emit(words)
+
+
+def _paths(text: str) -> tuple[Path, ...]:
+    """Return the files that a field names."""
+    if Path(text).exists():
+        return (Path(text),)
+    return tuple(Path(part) for part in text.split(_BETWEEN_FILES) if part.strip())
 
 
 def _drop_place(text: str) -> QLabel:

@@ -48,7 +48,7 @@ class LogChoices:
     Attributes:
         format: name of a format, instead of recognising it.
         columns: of a table: a name for each cell of a row: time, ax ay az, gx gy gz,
-            mx my mz, "-" to ignore it.
+            mx my mz, "-" to ignore it; "/" between tables.
         time_unit: s, ms, us or ns.
         accel_unit: m/s2, g, mg or the factor to m/s2.
         rate_unit: rad/s, deg/s or the factor to rad/s.

@@ -1,6 +1,5 @@
 """Reads the motion of a recording in any supported format."""
 
-import os
 import re
 from collections.abc import Mapping as Dict
 from dataclasses import dataclass, field, replace
@@ -14,7 +13,7 @@ from hapticplayer.capture.choices import LogChoices, LogQuestion
 from hapticplayer.capture.csv_table import header_fault
 from hapticplayer.capture.formats import Confidence, RecordingFormat
 from hapticplayer.capture.limits import GAP_STEPS
-from hapticplayer.capture.source import Source, open_source
+from hapticplayer.capture.source import LogPath, Source, open_source
 from hapticplayer.errors import InputError, Message, UsageError, joined
 from hapticplayer.model import ClockMap, ImuLog, Sampling
 
@@ -46,13 +45,11 @@ class Recording:
     is_gravity_free: bool = False
 
 
-def read_recording(
-    path: str | os.PathLike[str], choices: LogChoices | None = None
-) -> Recording:
+def read_recording(log: LogPath, choices: LogChoices | None = None) -> Recording:
     """Return the motion in a file or folder, recognised by its content.
 
     Args:
-        path: a file, folder or zip in one of `formats.FORMATS`.
+        log: a file, folder or zip in one of `formats.FORMATS`, or several files.
         choices: answers about a log that does not describe itself.
 
     Raises:
@@ -60,7 +57,7 @@ def read_recording(
         UsageError: when a decision is needed.
     """
     choices = choices or LogChoices()
-    source = open_source(path)
+    source = open_source(log)
     _refuse_foreign(source)
     recording = find_format(source, choices).reader().read(source, choices)
     if not choices.sampling:

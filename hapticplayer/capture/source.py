@@ -12,7 +12,7 @@ import re
 import struct
 import zipfile
 import zlib
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import AbstractContextManager
 from pathlib import Path, PurePosixPath
 from typing import BinaryIO, NamedTuple, cast
@@ -24,6 +24,9 @@ from hapticplayer.capture.limits import (
 )
 from hapticplayer.errors import InputError
 from hapticplayer.untrusted import open_regular, resolve_regular
+
+LogPath = str | os.PathLike[str] | Sequence[str | os.PathLike[str]]
+"""Of a log; several files, such as one for each sensor, are one log together."""
 
 HEAD_BYTES = 4096
 ZIP_MAGIC = b"PK\x03\x04"
@@ -192,12 +195,27 @@ def _unzipped(path: Path, info: zipfile.ZipInfo) -> Iterator[BinaryIO]:
         yield cast(BinaryIO, stream)
 
 
-def open_source(path: str | os.PathLike[str]) -> Source:
-    """Return the source at a path: a file, a folder, or a zip.
+def paths_of(log: LogPath) -> tuple[Path, ...]:
+    """Return the path of a log, or those of the files that are one log together."""
+    if isinstance(log, (str, os.PathLike)):
+        return (Path(log),)
+    return tuple(Path(one) for one in log)
+
+
+def name_of(log: LogPath) -> str:
+    """Return the name of a log, for people."""
+    return " + ".join(path.name for path in paths_of(log))
+
+
+def open_source(log: LogPath) -> Source:
+    """Return the source at a path: a file, a folder, or a zip; or of several files.
 
     Raises:
         InputError: when nothing can be read there, or it exceeds the limits.
     """
+    path, *others = paths_of(log)
+    if others:
+        return _several(log)
     folder = Path(path)
     if folder.is_dir():
         return Source(folder.resolve(), _folder_members(folder.resolve()))
@@ -215,6 +233,17 @@ def open_source(path: str | os.PathLike[str]) -> Source:
             remedy="export the recording again",
             reason=error,
         ) from error
+
+
+def _several(log: LogPath) -> Source:
+    """Return files as one source; those of the same name by their path."""
+    files = [resolve_regular(path, InputError) for path in paths_of(log)]
+    names = [file.name for file in files]
+    members = {
+        file.name if names.count(file.name) == 1 else str(file): _file_member(file)
+        for file in files
+    }
+    return Source(files[0].with_name(name_of(log)), members)
 
 
 def open_file(path: str | os.PathLike[str]) -> Source:

@@ -5,7 +5,7 @@ the accelerometer (no rotation is lost), the slow magnetic field is interpolated
 samples remain missing (NaN).
 """
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -116,32 +116,24 @@ def split(
     return accel, rate, field[0] if field else None
 
 
-def split_sensors(
-    time_s: Floats, accel: Floats, rate: Floats | None, field: Floats | None
-) -> tuple[Stream, Stream | None, Stream | None]:
+def split_sensors(time_s: Floats, parts: Mapping[str, Floats]) -> dict[str, Stream]:
     """Return the sensors of one table; rows with only one become separate streams.
 
     Args:
         time_s: (rows,).
-        accel: (rows, 3), NaN in empty cells.
-        rate: the same, or None.
-        field: the same, or None.
+        parts: (rows, 3) by sensor ("accel", "rate", ...), NaN in empty cells.
     """
-    parts = [part for part in (accel, rate, field) if part is not None]
-    streams = [Stream(time_s, part) for part in parts]
-    if rate is not None:
-        has_accel, has_rate = (np.isfinite(part).all(axis=1) for part in (accel, rate))
+    if {"accel", "rate"} <= set(parts):
+        has_accel, has_rate = (
+            np.isfinite(parts[kind]).all(axis=1) for kind in ("accel", "rate")
+        )
         alone = (
             np.count_nonzero(has_accel & ~has_rate),
             np.count_nonzero(has_rate & ~has_accel),
         )
         if min(alone) > _UNPAIRED * len(time_s):
-            streams = [_own_rows(time_s, part) for part in parts]
-    return (
-        streams[0],
-        None if rate is None else streams[1],
-        None if field is None else streams[-1],
-    )
+            return {kind: _own_rows(time_s, part) for kind, part in parts.items()}
+    return {kind: Stream(time_s, part) for kind, part in parts.items()}
 
 
 def _own_rows(time_s: Floats, part: Floats) -> Stream:

@@ -40,8 +40,9 @@ def add_options(command: argparse.ArgumentParser) -> None:
     command.add_argument(
         "--imu",
         metavar="LOG",
+        action="append",
         help="motion in a file of its own: the log of a logger or a phone (a folder or "
-        "zip where it writes several files), or CSV with the columns "
+        "zip where it writes several files, or once for each of them), or CSV with the columns "
         "time_s,ax,ay,az,gx,gy,gz[,mx,my,mz] in SI, x right, y front, z up",
     )
     add_reading(command)

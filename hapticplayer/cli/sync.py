@@ -40,7 +40,10 @@ def add_options(command: argparse.ArgumentParser) -> None:
         "clip", metavar="CLIP", help="a video; with --check also a log"
     )
     command.add_argument(
-        "--imu", metavar="LOG", help="as for `import` (default: the clip's own motion)"
+        "--imu",
+        metavar="LOG",
+        action="append",
+        help="as for `import` (default: the clip's own motion)",
     )
     add_reading(command)
     add_sync(command, "--method")

@@ -1,5 +1,6 @@
 """The import pipeline: from a recording to a sequence."""
 
+import contextlib
 import dataclasses
 import hashlib
 import shutil
@@ -14,6 +15,7 @@ from hapticplayer.capture import read_recording
 from hapticplayer.capture.choices import LogChoices
 from hapticplayer.capture.mounting import ask_for_mounting, mounted
 from hapticplayer.capture.recording import Recording, find_gaps, refuse_gravity_free
+from hapticplayer.capture.source import LogPath, name_of, paths_of
 from hapticplayer.clock import utc_now_iso
 from hapticplayer.errors import InputError, MediaError, Message
 from hapticplayer.media.clip_info import ClipInfo, probe
@@ -66,7 +68,7 @@ def build_sequence(
     video: str | Path,
     target: str | Path,
     *,
-    imu_log: str | Path | None = None,
+    imu_log: LogPath | None = None,
     choices: Choices | None = None,
     progress: files.Progress = files.no_progress,
 ) -> Path:
@@ -75,7 +77,7 @@ def build_sequence(
     Args:
         video: the clip; its own telemetry is used unless `imu_log` is given.
         target: the new folder; must not exist.
-        imu_log: a separate motion log.
+        imu_log: a separate motion log, in one file or several.
         choices: of the experimenter.
         progress: called with each step; raises Cancelled to stop.
 
@@ -88,7 +90,7 @@ def build_sequence(
     video, target = Path(video), Path(target)
     files.refuse_existing(target)
     choices = choices or Choices()
-    source = video if imu_log is None else Path(imu_log)
+    source = video if imu_log is None else imu_log
     with HeldFile(video, MediaError) as clip_file:
 
         def report(fraction: float, step: str) -> None:
@@ -100,20 +102,21 @@ def build_sequence(
         recording = _read_unchanged(source, choices.log)
         refuse_gravity_free(recording)
         if not choices.mounting and not (choices.log and choices.log.axes):
-            ask_for_mounting(recording.imu, source.name)
+            ask_for_mounting(recording.imu, name_of(source))
         report(0.02, Message("synchronising"))
         recording = synchronized(clip, recording, choices.sync)
         recording = _mounted(recording, choices.mounting)
         return write_sequence(clip, recording, target, choices=choices, progress=report)
 
 
-def _read_unchanged(source: Path, choices: LogChoices | None) -> Recording:
+def _read_unchanged(source: LogPath, choices: LogChoices | None) -> Recording:
     """Return the recording in a source that is the same before and after."""
-    if source.is_dir():
-        return read_recording(source, choices)
-    with HeldFile(source) as held:
+    files_of = [path for path in paths_of(source) if not path.is_dir()]
+    with contextlib.ExitStack() as stack:
+        held = [stack.enter_context(HeldFile(path)) for path in files_of]
         recording = read_recording(source, choices)
-        held.refuse_changed()
+        for file in held:
+            file.refuse_changed()
     return recording
 
 

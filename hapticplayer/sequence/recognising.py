@@ -11,6 +11,7 @@ from hapticplayer.capture import read_recording
 from hapticplayer.capture.choices import LogChoices
 from hapticplayer.capture.mounting import mean_up
 from hapticplayer.capture.recording import Recording, find_gaps, refuse_gravity_free
+from hapticplayer.capture.source import LogPath, name_of
 from hapticplayer.capture.sync.methods import AUTO
 from hapticplayer.capture.sync.result import Synchronisation
 from hapticplayer.errors import InputError, Message, UsageError, message_of
@@ -70,7 +71,7 @@ class Recognised:
 
 def recognise(
     video: Path,
-    log: Path | None,
+    log: LogPath | None,
     choices: LogChoices | None = None,
     method: str = AUTO,
     *,
@@ -80,7 +81,7 @@ def recognise(
 
     Args:
         video: the clip.
-        log: a separate motion log; None for the clip's own telemetry.
+        log: a separate motion log, in one file or several; None for the clip's own telemetry.
         choices: answers about a log that does not describe itself.
         method: of synchronisation, see `capture.sync.methods`.
         progress: called with each step; raises Cancelled to stop.
@@ -91,7 +92,7 @@ def recognise(
     """
     progress(0.0, video.name)
     clip = probe(video)
-    progress(0.1, (log or video).name)
+    progress(0.1, name_of(log or video))
     recording = read_recording(log or video, choices)
     refuse_gravity_free(recording)
     progress(0.5, Message("listening"))
@@ -165,19 +166,18 @@ def is_clip(path: Path) -> bool:
     return True
 
 
-def pair(paths: list[Path]) -> tuple[Path | None, Path | None]:
-    """Return the video and the log among dropped files, each None if missing.
+def pair(paths: list[Path]) -> tuple[Path | None, tuple[Path, ...]]:
+    """Return the video among dropped files, None if missing, and the files of its log.
 
     Raises:
-        InputError: for two videos or two logs.
+        InputError: for two videos.
     """
     clips = [path for path in paths if path.is_file() and is_clip(path)]
-    logs = [path for path in paths if path not in clips]
-    if len(clips) > 1 or len(logs) > 1:
-        names = ", ".join(path.name for path in (clips if len(clips) > 1 else logs))
+    if len(clips) > 1:
         raise InputError(
-            "these are two of a kind: {names}",
-            remedy="drop one video and at most one log; import further ones after it",
-            names=names,
+            "these are two videos: {names}",
+            remedy="drop one video with its log; import further ones after it",
+            names=", ".join(path.name for path in clips),
         )
-    return (clips[0] if clips else None), (logs[0] if logs else None)
+    logs = tuple(path for path in paths if path not in clips)
+    return (clips[0] if clips else None), logs

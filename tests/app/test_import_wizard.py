@@ -266,6 +266,28 @@ def test_a_doubtful_log_asks_and_takes_the_answer(wizard, ride, wait_for, tmp_pa
     assert wizard.files.keep.isVisible()
 
 
+def test_a_log_in_two_files_is_read_as_one(wizard, ride, wait_for, tmp_path):
+    folder, made = ride
+    imu = made.imu
+    logs = [tmp_path / "acc.csv", tmp_path / "gyr.csv"]
+    for log, values in zip(
+        logs, (imu.specific_force_mps2, imu.angular_rate_radps), strict=True
+    ):
+        np.savetxt(
+            log, np.column_stack([imu.time_s, values]), fmt="%.6f", delimiter=","
+        )
+    wizard.take([folder / "ride.mp4", *logs])
+    question = wizard.files.question
+    wait_for(question.isVisible)
+    assert "2 tables" in question.text.text()
+    words = "columns=time,ax,ay,az/time,gx,gy,gz time-unit=s accel-unit=m/s2"
+    question.other.setText(f"{words} rate-unit=rad/s")
+    question.take.click()
+    wait_for(wizard.next.isEnabled)
+    assert "200 Hz" in wizard.files.facts.text()
+    assert wizard.files.chosen() == (folder / "ride.mp4", tuple(logs))
+
+
 def test_a_log_that_is_mounted_otherwise_gets_a_proposal(
     wizard, ride, wait_for, tmp_path
 ):
@@ -292,7 +314,7 @@ def test_problems_are_told_on_the_page(wizard, ride, wait_for, tmp_path):
     assert "no motion" in wizard.files.problem.text()
     assert not wizard.next.isEnabled()
     wizard.take([ride[0] / "ride.mp4", ride[0] / "gopro.mp4"])
-    assert "two of a kind" in wizard.files.problem.text()
+    assert "two videos" in wizard.files.problem.text()
     wizard.files.log.setText(str(tmp_path / "missing.csv"))
     wizard.files.log.editingFinished.emit()
     wait_for(lambda: "missing.csv" in wizard.files.problem.text())

@@ -1,4 +1,4 @@
-"""Any other table of numbers, whose columns a person names.
+"""Any other table of numbers, or a table for each sensor: a person names the columns.
 
 Separator, decimal sign and header lines are detected, a semicolon behind each row (data
 set SisFall) is passed over; columns and units are not guessed. The answers can be saved
@@ -19,17 +19,21 @@ from hapticplayer.capture.choices import (
     LogQuestion,
     factor,
 )
-from hapticplayer.capture.csv_table import Shape, head_lines, read_table
+from hapticplayer.capture.csv_table import Numbers, Shape, head_lines, read_table
 from hapticplayer.capture.formats import Confidence
 from hapticplayer.capture.source import Source
-from hapticplayer.capture.streams import RawLog, split_sensors
+from hapticplayer.capture.streams import NANO, RawLog, Stream, split_sensors
 from hapticplayer.errors import Message, UsageError, joined
 from hapticplayer.model.arrays import Floats
 
 _MIN_COLUMNS = 4
 _SAMPLE_LINES = 60
-_SENSORS = (("ax", "ay", "az"), ("gx", "gy", "gz"), ("mx", "my", "mz"))
-_TIME, _SKIP = "time", "-"
+_SENSORS = {
+    "accel": ("ax", "ay", "az"),
+    "rate": ("gx", "gy", "gz"),
+    "field": ("mx", "my", "mz"),
+}
+_TIME, _SKIP, _BETWEEN_TABLES = "time", "-", "/"
 
 
 class _Layout(NamedTuple):
@@ -43,37 +47,65 @@ class _Layout(NamedTuple):
 
 
 def recognises(source: Source) -> Confidence:
-    """A table of at least four columns of numbers below any header."""
-    if len(source.names) != 1 or _layout(source, source.names[0]) is None:
-        return Confidence.NO
-    return Confidence.POSSIBLE
+    """Tables of at least four columns of numbers below any header, and nothing else."""
+    return Confidence.POSSIBLE if _layouts(source) else Confidence.NO
 
 
 def read(source: Source, choices: LogChoices) -> RawLog:
-    """Return the log.
+    """Return the log in one table, or in one for each sensor.
 
     Raises:
         UsageError: asking for missing columns or units.
     """
-    name = source.names[0]
-    where = source.where(name)
-    layout = _layout(source, name)
-    if layout is None:
+    layouts = _layouts(source)
+    where = str(source.path)
+    if not layouts:
         raise UsageError(
             "{file}: is not a table of numbers; choose another log", file=where
         )
-    columns = _columns(choices, layout, where)
-    _ask_units(choices, columns, where)
+    columns = _columns(choices, list(layouts.values()), where)
+    _ask_units(choices, {name for names in columns for name in names}, where)
+    streams: dict[str, Stream] = {}
+    notes: list[str] = []
+    first_origin: int | None = None
+    for (name, layout), named in zip(layouts.items(), columns, strict=True):
+        numbers, time_s, parts = _read_table(source, name, layout, named, choices)
+        if first_origin is None:
+            first_origin = numbers.origin
+        time_s += (numbers.origin - first_origin) * NANO
+        streams |= split_sensors(time_s, parts)
+        notes += [
+            note if len(layouts) == 1 else f"{name}: {note}" for note in numbers.notes
+        ]
+    return RawLog(
+        name=Message("CSV with chosen columns"),
+        accel=streams["accel"],
+        rate=streams["rate"],
+        field=streams.get("field"),
+        accel_unit=choices.accel_unit,
+        rate_unit=choices.rate_unit,
+        field_unit=choices.field_unit or "uT",
+        notes=tuple(notes),
+    )
+
+
+def _read_table(
+    source: Source,
+    name: str,
+    layout: _Layout,
+    columns: tuple[str, ...],
+    choices: LogChoices,
+) -> tuple[Numbers, Floats, dict[str, Floats]]:
+    """Return the numbers, the times and the sensors of one table."""
     at = {column: number for number, column in enumerate(columns) if column != _SKIP}
     time_unit = choices.time_unit or "s"
     integer = at[_TIME] if time_unit == "ns" and _TIME in at else None
-    wanted = tuple(at.values())
     numbers = read_table(
         source,
         name,
         Shape(
             layout.width,
-            wanted,
+            tuple(at.values()),
             layout.separator,
             layout.decimal,
             integer,
@@ -82,67 +114,29 @@ def read(source: Source, choices: LogChoices) -> RawLog:
         ),
     )
     place = {column: number for number, column in enumerate(at)}
-    values = numbers.values
-    time_s = _times(values, place, choices, time_unit)
-    parts = [
-        values[:, [place[axis] for axis in sensor]] if sensor[0] in place else None
-        for sensor in _SENSORS
-    ]
-    assert parts[0] is not None  # checked by _columns
-    accel, rate, field = split_sensors(time_s, parts[0], *parts[1:])
-    return RawLog(
-        name=Message("CSV with chosen columns"),
-        accel=accel,
-        rate=rate,
-        field=field,
-        accel_unit=choices.accel_unit,
-        rate_unit=choices.rate_unit,
-        field_unit=choices.field_unit or "uT",
-        notes=numbers.notes,
-    )
+    parts = {
+        kind: numbers.values[:, [place[axis] for axis in axes]]
+        for kind, axes in _SENSORS.items()
+        if axes[0] in place
+    }
+    return numbers, _times(numbers.values, place, choices, time_unit), parts
 
 
-def _columns(choices: LogChoices, layout: _Layout, where: str) -> tuple[str, ...]:
-    """Return the name of each column, checked.
+def _columns(
+    choices: LogChoices, layouts: list[_Layout], where: str
+) -> list[tuple[str, ...]]:
+    """Return the name of each column of each table, checked.
 
     Raises:
         UsageError: when they are missing or do not fit.
     """
-    columns = tuple(c.strip().lower() for c in choices.columns.split(",") if c.strip())
-    shown = layout.separator.join(layout.header)[:120] or Message("without names")
-    if not columns:
-        raise LogQuestion(
-            Message(
-                "is a table of {count} columns ({shown}) without a description",
-                count=layout.width,
-                shown=shown,
-            ),
-            (Message("columns=time,ax,ay,az,gx,gy,gz (- to ignore a column)"),),
-            where,
-        )
-    known = {_TIME, _SKIP, *(axis for sensor in _SENSORS for axis in sensor)}
-    named = [column for column in columns if column != _SKIP]
-    missing = [axis for axis in _SENSORS[0] + _SENSORS[1] if axis not in columns]
-    if _TIME not in columns and not choices.rate_hz:
-        missing.insert(0, Message("{time} (or rate-hz=100)", time=_TIME))
-    has_field = {axis for axis in _SENSORS[2] if axis in columns}
-    fault = ""
-    if len(columns) != layout.width:
-        fault = Message(
-            "names {count} columns, the table has {total} ({shown})",
-            count=len(columns),
-            total=layout.width,
-            shown=shown,
-        )
-    elif unknown := [column for column in columns if column not in known]:
-        fault = Message("has the unknown name {unknown!r}", unknown=unknown[0])
-    elif len(set(named)) != len(named):
-        fault = Message("names a column twice")
-    elif missing:
-        fault = Message("lacks {missing}", missing=joined(", ", missing))
-    elif len(has_field) not in (0, 3):
-        fault = Message("names a part of mx, my, mz")
-    if fault:
+    if not choices.columns.replace(",", "").strip():
+        raise _question(layouts, where)
+    columns = [
+        tuple(c.strip().lower() for c in part.split(",") if c.strip())
+        for part in choices.columns.split(_BETWEEN_TABLES)
+    ]
+    if fault := _fault(columns, layouts, choices):
         raise UsageError(
             "{file}: columns={columns} {fault}",
             file=where,
@@ -152,7 +146,89 @@ def _columns(choices: LogChoices, layout: _Layout, where: str) -> tuple[str, ...
     return columns
 
 
-def _ask_units(choices: LogChoices, columns: tuple[str, ...], where: str) -> None:
+def _question(layouts: list[_Layout], where: str) -> LogQuestion:
+    if len(layouts) == 1:
+        return LogQuestion(
+            Message(
+                "is a table of {count} columns ({shown}) without a description",
+                count=layouts[0].width,
+                shown=_shown(layouts[0]),
+            ),
+            (Message("columns=time,ax,ay,az,gx,gy,gz (- to ignore a column)"),),
+            where,
+        )
+    return LogQuestion(
+        Message(
+            "are {count} tables ({shown}) without a description",
+            count=len(layouts),
+            shown=joined("; ", [_shown(layout) for layout in layouts]),
+        ),
+        (
+            Message(
+                "columns=time,ax,ay,az/time,gx,gy,gz (/ between the tables, - to "
+                "ignore a column)"
+            ),
+        ),
+        where,
+    )
+
+
+def _shown(layout: _Layout) -> str:
+    return layout.separator.join(layout.header)[:120] or Message("without names")
+
+
+def _fault(
+    columns: list[tuple[str, ...]], layouts: list[_Layout], choices: LogChoices
+) -> str:
+    """Return what is wrong with the names of the columns, or ""."""
+    if len(columns) != len(layouts):
+        return Message(
+            "describes {count} of {total} tables (/ between them)",
+            count=len(columns),
+            total=len(layouts),
+        )
+    named = [name for names in columns for name in names if name not in {_TIME, _SKIP}]
+    missing = [
+        axis for axis in _SENSORS["accel"] + _SENSORS["rate"] if axis not in named
+    ]
+    if not (choices.rate_hz or all(_TIME in names for names in columns)):
+        missing.insert(0, Message("{time} (or rate-hz=100)", time=_TIME))
+    faults = [
+        _misfit(names, layout) for names, layout in zip(columns, layouts, strict=True)
+    ]
+    is_twice = any(names.count(_TIME) > 1 for names in columns)
+    if is_twice or len(set(named)) != len(named):
+        faults.append(Message("names a column twice"))
+    if missing:
+        faults.append(Message("lacks {missing}", missing=joined(", ", missing)))
+    faults += [
+        Message("names a part of {axes}", axes=", ".join(axes))
+        for names in columns
+        for axes in _SENSORS.values()
+        if 0 < len(set(axes) & set(names)) < len(axes)
+    ]
+    return next((fault for fault in faults if fault), "")
+
+
+def _misfit(names: tuple[str, ...], layout: _Layout) -> str:
+    """Return why names do not fit the columns of a table, or ""."""
+    if len(names) != layout.width:
+        return Message(
+            "names {count} columns, the table has {total} ({shown})",
+            count=len(names),
+            total=layout.width,
+            shown=_shown(layout),
+        )
+    known = {_TIME, _SKIP, *(axis for axes in _SENSORS.values() for axis in axes)}
+    unknown = [name for name in names if name not in known]
+    return (
+        Message("has the unknown name {unknown!r}", unknown=unknown[0])
+        if unknown
+        else ""
+    )
+
+
+def _ask_units(choices: LogChoices, columns: set[str], where: str) -> None:
     """Ask for all missing units."""
     wanted = []
     if _TIME in columns and not choices.time_unit:
@@ -181,6 +257,15 @@ def _times(
     with np.errstate(all="ignore"):
         time_s = values[:, place[_TIME]] * factor(unit, TIME_UNITS, "time-unit")
     return np.asarray(time_s)
+
+
+def _layouts(source: Source) -> dict[str, _Layout]:
+    """Return the layouts of the tables of a source, {} if it holds anything else."""
+    if len(source.names) > len(_SENSORS):
+        return {}
+    found = {name: _layout(source, name) for name in source.names}
+    held = {name: layout for name, layout in found.items() if layout is not None}
+    return held if len(held) == len(found) else {}
 
 
 def _layout(source: Source, name: str) -> _Layout | None:

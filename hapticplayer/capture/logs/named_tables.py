@@ -166,13 +166,14 @@ def _read(
     parts = {
         kind: values[:, at : at + 3] for kind, at in zip(kinds, (1, 4, 7), strict=False)
     }
-    streams = split_sensors(time_s, parts[accel], parts.get("rate"), parts.get("field"))
+    parts = {**parts, "accel": parts[accel]}
+    streams = split_sensors(time_s, parts)
     units = {**layout.units, **header.units}
     return RawLog(
         name=layout.text,
-        accel=streams[0],
-        rate=streams[1],
-        field=streams[2],
+        accel=streams["accel"],
+        rate=streams.get("rate"),
+        field=streams.get("field"),
         accel_unit=units.get(accel, "m/s2"),
         rate_unit=units.get("rate", "rad/s"),
         field_unit=units.get("field", "uT"),

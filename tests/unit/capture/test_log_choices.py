@@ -9,7 +9,7 @@ from hapticplayer.capture import read_recording
 from hapticplayer.capture.choices import LogChoices, parse_choices, write_template
 from hapticplayer.errors import InputError, UsageError
 from tests.faults.import_formats import FORMATS, GENERIC, generic, put
-from tests.faults.import_signal import sample, true_force
+from tests.faults.import_signal import sample, true_force, true_rate
 
 
 @pytest.fixture
@@ -152,6 +152,87 @@ def test_rows_of_one_sensor_each_are_streams_of_their_own(tmp_path):
     assert imu.rate_hz == pytest.approx(100.0, rel=1e-3)
     assert imu.valid is None
     assert np.abs(imu.specific_force_mps2 - true_force(imu.time_s)).max() < 0.06
+
+
+def write_two(folder, unit_s=1e-6, begin=0.0):
+    """A table of accelerations and one of rates on the same clock, each at its rate."""
+    clean = sample(apart=True)
+    paths = []
+    for name, t, values in (
+        ("acc", clean.force_s, clean.force),
+        ("gyr", clean.rate_s, clean.rate),
+    ):
+        rows = zip(t, values, strict=True)
+        lines = [
+            ";".join([f"{begin + s / unit_s:.0f}", *(f"{x:.6f}" for x in v)])
+            for s, v in rows
+        ]
+        path = folder / f"{name}.csv"
+        path.write_text("t;x;y;z\n" + "\n".join(lines) + "\n")
+        paths.append(path)
+    return paths
+
+
+TWO = ("columns=time,ax,ay,az/time,gx,gy,gz", "accel-unit=m/s2", "rate-unit=rad/s")
+
+
+@pytest.mark.parametrize(
+    ("unit", "unit_s", "begin"), [("us", 1e-6, 0.0), ("ns", 1e-9, 1e15)]
+)
+def test_a_table_for_each_sensor_is_one_log(tmp_path, unit, unit_s, begin):
+    paths = write_two(tmp_path, unit_s, begin)
+    with pytest.raises(UsageError, match="are 2 tables") as caught:
+        read_recording(paths)
+    assert "t;x;y;z; t;x;y;z" in str(caught.value)
+    assert "columns=time,ax,ay,az/time,gx,gy,gz" in str(caught.value)
+    imu = read_recording(paths, parse_choices([*TWO, f"time-unit={unit}"])).imu
+    assert imu.source.endswith("acc.csv + gyr.csv")
+    assert np.abs(imu.specific_force_mps2 - true_force(imu.time_s)).max() < 0.06
+    # a mean over 10 ms lags by 5 ms: 0.4 * 1.7**2 rad/s2
+    assert np.abs(imu.angular_rate_radps - true_rate(imu.time_s)).max() < 0.02
+
+
+@pytest.mark.parametrize(
+    ("columns", "sentence"),
+    [
+        ("time,ax,ay,az", "describes 1 of 2 tables"),
+        ("time,ax,ay,az/-,gx,gy,gz", "lacks time"),
+        ("time,ax,ay,az/time,ax,ay,az", "names a column twice"),
+        ("time,ax,ay,gz/time,gx,gy,az", "names a part of ax, ay, az"),
+    ],
+)
+def test_columns_of_two_tables_are_checked(tmp_path, columns, sentence):
+    paths = write_two(tmp_path)
+    with pytest.raises(UsageError, match=sentence):
+        read_recording(paths, parse_choices([f"columns={columns}"]))
+
+
+def test_files_of_one_log_are_given_one_by_one(tmp_path):
+    """Also those of an app: they are recognised as in its zip."""
+    folder = put(FORMATS["phyphox X Y Z"].write(sample(apart=True)), tmp_path / "in")
+    names = ("Accelerometer.csv", "Gyroscope.csv")
+    recording = read_recording([folder / name for name in names])
+    assert recording.camera == "phyphox"
+    assert len(recording.imu) > 1000
+
+
+def test_files_of_the_same_name_are_told_apart(tmp_path):
+    paths = write_two(tmp_path)
+    moved = []
+    for path in paths:
+        folder = tmp_path / path.stem
+        folder.mkdir()
+        moved.append(path.rename(folder / "data.csv"))
+    imu = read_recording(moved, parse_choices([*TWO, "time-unit=us"])).imu
+    assert np.abs(imu.specific_force_mps2 - true_force(imu.time_s)).max() < 0.06
+
+
+@pytest.mark.parametrize("other", ["in", "missing.csv"])
+def test_a_part_that_is_not_a_file_is_refused(tmp_path, other):
+    (tmp_path / "in").mkdir()
+    paths = [write_two(tmp_path)[0], tmp_path / other]
+    with pytest.raises(InputError, match=other):
+        read_recording(paths)
 
 
 def test_format_can_be_chosen_but_not_against_the_content(table):

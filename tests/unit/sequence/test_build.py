@@ -5,10 +5,12 @@ import hashlib
 import os
 import shutil
 
+import numpy as np
 import pytest
 
 from hapticplayer.capture import read_recording
 from hapticplayer.capture.si_csv import write_imu_csv
+from hapticplayer.cli import main
 from hapticplayer.errors import Cancelled, HapticPlayerError, InputError, SequenceError
 from hapticplayer.model import ClockMap
 from hapticplayer.sequence import build, files, open_sequence
@@ -39,6 +41,32 @@ def test_a_video_with_a_log_becomes_a_sequence(tmp_path, tiny_clip, log_file):
     fractions = [fraction for fraction, _ in steps]
     assert fractions == sorted(fractions)
     assert (fractions[0], fractions[-1]) == (0.0, 1.0)
+
+
+def test_a_log_in_two_files_becomes_a_sequence(tmp_path, tiny_clip, still_log):
+    tables = (still_log.specific_force_mps2, still_log.angular_rate_radps)
+    logs = [tmp_path / "acc.csv", tmp_path / "gyr.csv"]
+    for path, values in zip(logs, tables, strict=True):
+        rows = np.column_stack([still_log.time_s, values])
+        np.savetxt(path, rows, fmt="%.9f", delimiter=",")
+    words = ["columns=time,ax,ay,az/time,gx,gy,gz", "time-unit=s", "accel-unit=m/s2",
+             "rate-unit=rad/s"]  # fmt: skip
+    command = [
+        "import",
+        str(tiny_clip.path),
+        "--offset",
+        "0",
+        "-o",
+        str(tmp_path / "r"),
+    ]
+    command += [word for log in logs for word in ("--imu", str(log))]
+    assert main([*command, *(w for word in words for w in ("--read-as", word))]) == 0
+    made_of = open_sequence(tmp_path / "r").description["provenance"]
+    assert made_of["motion_source"] == "acc.csv + gyr.csv"
+    with np.load(tmp_path / "r" / "imu.npz") as kept:
+        np.testing.assert_allclose(
+            kept["angular_rate_radps"], still_log.angular_rate_radps, atol=2e-9
+        )
 
 
 def stop_at(fraction):
