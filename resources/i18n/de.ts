@@ -3740,10 +3740,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>sagt nicht, ob es von iOS oder Android kommt, deren Beschleunigungen entgegengesetzte Vorzeichen haben</translation>
     </message>
     <message>
-        <source>drop one video and at most one log; import further ones after it</source>
-        <translation>legen Sie ein Video und höchstens ein Protokoll ab; importieren Sie weitere danach</translation>
-    </message>
-    <message>
         <source>ended</source>
         <translation>beendet</translation>
     </message>
@@ -4560,10 +4556,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>nennt eine Spalte zweimal</translation>
     </message>
     <message>
-        <source>names a part of mx, my, mz</source>
-        <translation>nennt nur einen Teil von mx, my, mz</translation>
-    </message>
-    <message>
         <source>names {count} columns, the table has {total} ({shown})</source>
         <translation>nennt {count} Spalten, die Tabelle hat {total} ({shown})</translation>
     </message>
@@ -4636,8 +4628,24 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Xsens MT Manager</translation>
     </message>
     <message>
+        <source>are {count} tables ({shown}) without a description</source>
+        <translation>sind {count} Tabellen ({shown}), die nicht sagen, was ihre Spalten sind</translation>
+    </message>
+    <message>
+        <source>columns=time,ax,ay,az/time,gx,gy,gz (/ between the tables, - to ignore a column)</source>
+        <translation>columns=time,ax,ay,az/time,gx,gy,gz (/ zwischen den Tabellen, - für das, was nicht gebraucht wird)</translation>
+    </message>
+    <message>
+        <source>describes {count} of {total} tables (/ between them)</source>
+        <translation>beschreibt {count} von {total} Tabellen (/ dazwischen)</translation>
+    </message>
+    <message>
         <source>does not declare its rate</source>
         <translation>gibt seine Rate nicht an</translation>
+    </message>
+    <message>
+        <source>drop one video with its log; import further ones after it</source>
+        <translation>legen Sie ein Video mit seinem Protokoll ab; importieren Sie weitere danach</translation>
     </message>
     <message>
         <source>export the accelerometer and the gyroscope too</source>
@@ -4678,6 +4686,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>lacks what is to be exported</source>
         <translation>enthält nicht, was zu exportieren ist</translation>
+    </message>
+    <message>
+        <source>names a part of {axes}</source>
+        <translation>nennt nur einen Teil von {axes}</translation>
     </message>
     <message>
         <source>nothing is being recorded: {reason}</source>
@@ -5340,10 +5352,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>es ist nichts darin</translation>
     </message>
     <message>
-        <source>these are two of a kind: {names}</source>
-        <translation>das sind zwei von derselben Art: {names}</translation>
-    </message>
-    <message>
         <source>this is no firmware for the Falcon: {reason}; choose the file nvent_firmware.bin of a libnifalcon source archive</source>
         <translation>das ist keine Firmware für den Falcon: {reason}; wählen Sie die Datei nvent_firmware.bin eines Quellarchivs von libnifalcon</translation>
     </message>
@@ -5914,6 +5922,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>there is no judgement to analyse</source>
         <translation>es gibt kein Urteil, das sich auswerten ließe</translation>
+    </message>
+    <message>
+        <source>these are two videos: {names}</source>
+        <translation>das sind zwei Videos: {names}</translation>
     </message>
     <message>
         <source>this haptic loop does not accept injected faults</source>

@@ -3740,10 +3740,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>ne dit pas s’il vient d’iOS ou d’Android, dont les accélérations sont de signes contraires</translation>
     </message>
     <message>
-        <source>drop one video and at most one log; import further ones after it</source>
-        <translation>déposez une vidéo et au plus un journal&#xa0;; importez les autres ensuite</translation>
-    </message>
-    <message>
         <source>ended</source>
         <translation>terminée</translation>
     </message>
@@ -4560,10 +4556,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>nomme une colonne deux fois</translation>
     </message>
     <message>
-        <source>names a part of mx, my, mz</source>
-        <translation>ne nomme qu’une partie de mx, my, mz</translation>
-    </message>
-    <message>
         <source>names {count} columns, the table has {total} ({shown})</source>
         <translation>nomme {count} colonnes, le tableau en a {total} ({shown})</translation>
     </message>
@@ -4636,8 +4628,24 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Xsens MT Manager</translation>
     </message>
     <message>
+        <source>are {count} tables ({shown}) without a description</source>
+        <translation>sont {count} tableaux ({shown}) qui ne disent pas ce que sont leurs colonnes</translation>
+    </message>
+    <message>
+        <source>columns=time,ax,ay,az/time,gx,gy,gz (/ between the tables, - to ignore a column)</source>
+        <translation>columns=time,ax,ay,az/time,gx,gy,gz (/ entre les tableaux, - pour ce qui ne sert pas)</translation>
+    </message>
+    <message>
+        <source>describes {count} of {total} tables (/ between them)</source>
+        <translation>décrit {count} tableaux sur {total} (/ entre eux)</translation>
+    </message>
+    <message>
         <source>does not declare its rate</source>
         <translation>n&apos;indique pas sa fréquence</translation>
+    </message>
+    <message>
+        <source>drop one video with its log; import further ones after it</source>
+        <translation>déposez une vidéo avec son journal&#xa0;; importez les autres ensuite</translation>
     </message>
     <message>
         <source>export the accelerometer and the gyroscope too</source>
@@ -4678,6 +4686,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>lacks what is to be exported</source>
         <translation>ne contient pas ce qu’il faut exporter</translation>
+    </message>
+    <message>
+        <source>names a part of {axes}</source>
+        <translation>ne nomme qu’une partie de {axes}</translation>
     </message>
     <message>
         <source>nothing is being recorded: {reason}</source>
@@ -5340,10 +5352,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>il n’y a rien dedans</translation>
     </message>
     <message>
-        <source>these are two of a kind: {names}</source>
-        <translation>ce sont deux fichiers du même genre&#xa0;: {names}</translation>
-    </message>
-    <message>
         <source>this is no firmware for the Falcon: {reason}; choose the file nvent_firmware.bin of a libnifalcon source archive</source>
         <translation>ce n’est pas un micrologiciel pour le Falcon&#xa0;: {reason}&#xa0;; choisissez le fichier nvent_firmware.bin d’une archive des sources de libnifalcon</translation>
     </message>
@@ -5914,6 +5922,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>there is no judgement to analyse</source>
         <translation>il n’y a pas de jugement à analyser</translation>
+    </message>
+    <message>
+        <source>these are two videos: {names}</source>
+        <translation>ce sont deux vidéos&#xa0;: {names}</translation>
     </message>
     <message>
         <source>this haptic loop does not accept injected faults</source>
