@@ -115,6 +115,8 @@ def read_numbers(stream: BinaryIO, shape: Shape, where: str) -> Numbers:
     values = _joined(parts, len(shape.columns))
     damaged = parser.damaged
     if len(values) < shape.min_rows or len(damaged) > MAX_DAMAGED_SHARE * len(values):
+        if parser.fault:
+            raise parser.fault
         more = (
             Message(" and {count} damaged lines", count=len(damaged)) if damaged else ""
         )
@@ -149,6 +151,7 @@ class _Parser:
         self.origin: int | None = None
         self.lines: list[Sequence[int]] = []
         self.damaged: list[int] = []
+        self.fault: InputError | None = None  # that explains the damaged lines
 
     def chunks(self, stream: BinaryIO) -> Iterator[bytes]:
         """Yield whole lines, about CHUNK_BYTES at a time, without the header."""
@@ -158,9 +161,7 @@ class _Parser:
                 content = content.replace(b"\r", b"\n")
             whole, newline, rest = (rest + content).rpartition(b"\n")
             if not newline and len(rest) > MAX_LINE_BYTES:
-                raise self._fault(
-                    "", self._line + 1, _TOO_LONG, Message("choose another log")
-                )
+                raise self._too_long(rest, self._line + 1)
             chunk = whole + newline
             while to_skip and chunk:
                 chunk = chunk.partition(b"\n")[2]
@@ -259,6 +260,9 @@ class _Parser:
                 self._blame(line, number)
             else:
                 self.damaged.append(number)
+                if self.fault is None:
+                    text = line.decode("utf-8", "replace")
+                    self.fault = foreign_digits(text, at(self._where, number))
         self.lines.append(lines)
         return np.array(rows).reshape(-1, len(self._shape.columns))
 
@@ -295,7 +299,9 @@ class _Parser:
         except UnicodeDecodeError as error:
             raise not_text(self._where) from error
         if len(text) > MAX_LINE_BYTES:
-            raise self._fault("", line, _TOO_LONG, Message("choose another log"))
+            raise self._too_long(content, line)
+        if "\0" in text:
+            raise self._fault("", line, *nul_bytes())
         cells, names = text.split(","), self._shape.names
         if len(cells) != len(names):
             what = Message(
@@ -305,10 +311,17 @@ class _Parser:
             )
             raise self._fault("", line, what, Message("remove or complete the line"))
         for name, cell in zip(names, cells, strict=True):
-            if _number(cell.strip()) is None:
-                what = Message("{text!r} is not a number", text=cell.strip()[:30])
+            if fault := foreign_digits(cell, at(self._where, line, name)):
+                raise fault
+            if _number(cell.strip()) is None or not cell.isascii():
+                what = Message("{text!r} is not a number", text=cell.strip(" ")[:30])
                 remedy = Message("remove the line or correct the number")
                 raise self._fault(name, line, what, remedy)
+
+    def _too_long(self, content: bytes, line: int) -> InputError:
+        if b"\0" in content:
+            return self._fault("", line, *nul_bytes())
+        return self._fault("", line, _TOO_LONG, Message("choose another log"))
 
     def _fault(self, column: str, line: int, what: str, remedy: str) -> InputError:
         return InputError(what, where=at(self._where, line, column), remedy=remedy)
@@ -333,6 +346,27 @@ def not_text(where: str) -> InputError:
         "is not a text file in UTF-8",
         where=where,
         remedy="export the log as comma-separated text",
+    )
+
+
+def nul_bytes() -> tuple[Message, Message]:
+    """Return what is wrong with NUL bytes in a text, and what to do."""
+    return (
+        Message("holds NUL bytes, as a logger leaves that loses its power"),
+        Message("copy it again, or remove the bytes"),
+    )
+
+
+def foreign_digits(text: str, where: str) -> InputError | None:
+    """Return the error for digits other than 0 to 9 in a text, or None."""
+    found = next((one for one in text if one.isdecimal() and not one.isascii()), "")
+    if not found:
+        return None
+    return InputError(
+        "has numbers in other digits than 0 to 9 ({found})",
+        where=where,
+        remedy="export the log with the digits 0 to 9, as programs in English do",
+        found=found,
     )
 
 

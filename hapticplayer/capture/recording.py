@@ -1,6 +1,5 @@
 """Reads the motion of a recording in any supported format."""
 
-import re
 from collections.abc import Mapping as Dict
 from dataclasses import dataclass, field, replace
 from typing import Any
@@ -10,17 +9,19 @@ from numpy.typing import NDArray
 
 from hapticplayer.capture import formats
 from hapticplayer.capture.choices import LogChoices, LogQuestion
-from hapticplayer.capture.csv_table import header_fault
+from hapticplayer.capture.foreign import refuse_foreign, unknown, why_unreadable
 from hapticplayer.capture.formats import Confidence, RecordingFormat
 from hapticplayer.capture.limits import GAP_STEPS
 from hapticplayer.capture.source import LogPath, Source, open_source
-from hapticplayer.errors import InputError, Message, UsageError, joined
+from hapticplayer.errors import (
+    InputError,
+    MediaError,
+    Message,
+    TelemetryError,
+    UsageError,
+    joined,
+)
 from hapticplayer.model import ClockMap, ImuLog, Sampling
-
-_UTF16 = (b"\xff\xfe", b"\xfe\xff")
-_OLD_EXCEL = b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1"
-_NEW_EXCEL = "xl/"
-_DATE = re.compile(r'^"?(\d{4}-\d\d-\d\d[T ]\d\d:\d\d[^,;\t"]*)', re.MULTILINE)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -58,8 +59,13 @@ def read_recording(log: LogPath, choices: LogChoices | None = None) -> Recording
     """
     choices = choices or LogChoices()
     source = open_source(log)
-    _refuse_foreign(source)
-    recording = find_format(source, choices).reader().read(source, choices)
+    refuse_foreign(source)
+    try:
+        recording = find_format(source, choices).reader().read(source, choices)
+    except (MediaError, TelemetryError) as error:
+        if better := why_unreadable(source):
+            raise better from error
+        raise
     if not choices.sampling:
         return recording
     sampled = replace(recording.imu, sampling=Sampling(choices.sampling))
@@ -80,7 +86,7 @@ def find_format(source: Source, choices: LogChoices) -> RecordingFormat:
     found = [(one.reader().recognises(source), one) for one in formats.FORMATS]
     best = max(confidence for confidence, _ in found)
     if best is Confidence.NO:
-        raise _unknown(source)
+        raise unknown(source)
     fitting = [one for confidence, one in found if confidence is best]
     if len(fitting) > 1 and formats.ANY_TABLE in fitting:
         # the other format knows its columns, and checks them
@@ -111,45 +117,6 @@ def _chosen(name: str, source: Source) -> RecordingFormat:
             "{path}: is not a log of {name}", path=source.path, name=form.text
         )
     return form
-
-
-def _refuse_foreign(source: Source) -> None:
-    """Reject common wrong exports, and say what to export instead."""
-    where = str(source.path)
-    content = source.beginning(source.names[0]) if source.is_one_file else b""
-    if content.startswith(_UTF16):
-        raise InputError(
-            "is text in UTF-16", where=where, remedy="save it as text in UTF-8"
-        )
-    if content.startswith(_OLD_EXCEL):
-        raise _workbook(where)
-
-
-def _unknown(source: Source) -> InputError:
-    """Return why a source of no known format cannot be read."""
-    where = str(source.path)
-    if any(name.startswith(_NEW_EXCEL) for name in source.names):
-        return _workbook(where)
-    if not source.is_one_file:
-        return InputError(
-            "holds no log of a known format",
-            where=where,
-            remedy="give the folder or zip that the logger has written, or a sequence",
-        )
-    if dated := _DATE.search(source.head(source.names[0])):
-        return InputError(
-            "has dates as timestamps ({found})",
-            where=where,
-            remedy="export the times as numbers, in s, ms, us or ns",
-            found=dated[1].strip()[:40],
-        )
-    return header_fault(source)
-
-
-def _workbook(where: str) -> InputError:
-    return InputError(
-        "is an Excel workbook", where=where, remedy="export the recording as CSV"
-    )
 
 
 def refuse_gravity_free(recording: Recording) -> None:

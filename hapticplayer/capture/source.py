@@ -30,6 +30,7 @@ LogPath = str | os.PathLike[str] | Sequence[str | os.PathLike[str]]
 
 HEAD_BYTES = 4096
 ZIP_MAGIC = b"PK\x03\x04"
+_CONTROLS = bytes({*range(0x20), 0x7F} - {*b"\t\n\r\f"})
 _MAX_FOREIGN_SHARE = 0.05
 """Of the characters of a text in Latin-1: units and names."""
 
@@ -228,9 +229,9 @@ def open_source(log: LogPath) -> Source:
         raise
     except _ZIP_ERRORS as error:
         raise InputError(
-            "is a damaged zip ({reason})",
+            "is a zip that is cut off, damaged or followed by other bytes ({reason})",
             where=str(found.path),
-            remedy="export the recording again",
+            remedy="export the recording again, or unpack it and give the folder",
             reason=error,
         ) from error
 
@@ -277,8 +278,19 @@ def _decoded(content: bytes) -> str | None:
 def _is_latin_1(content: bytes) -> bool:
     """Whether nearly all is ASCII, and nothing is a control character."""
     foreign = sum(byte > 0x7F for byte in content)
-    controls = sum(byte < 0x20 and byte not in b"\t\n\r\f" for byte in content)
-    return not controls and foreign <= _MAX_FOREIGN_SHARE * len(content)
+    return (
+        foreign <= _MAX_FOREIGN_SHARE * len(content)
+        and content.translate(None, _CONTROLS) == content
+    )
+
+
+def is_plain_text(content: bytes) -> bool:
+    """Whether a sample is several lines of text without control characters."""
+    return (
+        b"\n" in content
+        and content.translate(None, _CONTROLS) == content
+        and is_text(content)
+    )
 
 
 def is_wanted(name: str) -> bool:

@@ -22,7 +22,7 @@ from hapticplayer.cli.recording_options import (
     rarity_text,
     sync_text,
 )
-from hapticplayer.errors import InputError, MediaError, TelemetryError, UsageError
+from hapticplayer.errors import MediaError, TelemetryError, UsageError
 from hapticplayer.media.clip_info import ClipInfo, probe
 from hapticplayer.sequence import files
 from hapticplayer.sequence.synchronizing import (
@@ -114,7 +114,7 @@ def _read_either(options: argparse.Namespace) -> _Found:
             raise
         try:
             return _Found(None, read_recording(options.clip, log))
-        except InputError:
+        except (MediaError, TelemetryError):
             raise problem from None
     try:
         return _Found(clip, read_recording(options.imu or options.clip, log))

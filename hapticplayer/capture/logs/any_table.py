@@ -293,7 +293,7 @@ def _layout(source: Source, name: str) -> _Layout | None:
 
 def _width(line: str, separator: str, decimal: str) -> int:
     """Return how many numbers a line has, 0 if it has anything else."""
-    if not line.strip():
+    if not line.strip() or not line.isascii():
         return 0
     text = line.replace('"', "")
     if separator != ";":

@@ -1,5 +1,6 @@
 """What spreadsheets and other programs make of a log is read, asked about or refused."""
 
+import gzip
 import zipfile
 from pathlib import Path
 
@@ -9,6 +10,7 @@ import pytest
 from hapticplayer.capture import read_recording
 from hapticplayer.capture.choices import parse_choices
 from hapticplayer.errors import InputError, UsageError
+from tests.faults.import_formats import zipped
 
 OWN = "time_s,ax,ay,az,gx,gy,gz"
 COUNT = 400
@@ -101,12 +103,70 @@ def test_columns_that_a_person_gives_win_over_our_own_header(tmp_path):
     check(path, parse_choices([*columns, "rate-unit=rad/s"]))
 
 
-@pytest.mark.parametrize("encoding", ["utf-16", "utf-16-le"])
-def test_text_in_utf_16_is_named(tmp_path, encoding):
+@pytest.mark.parametrize("encoding", ["utf-16", "utf-16-le", "utf-16-be"])
+@pytest.mark.parametrize("mark", ["\ufeff", ""])
+def test_text_in_utf_16_is_named(tmp_path, encoding, mark):
     path = tmp_path / "log.csv"
-    path.write_bytes(("\ufeff" * (encoding != "utf-16") + log()).encode(encoding))
+    path.write_bytes((mark * (encoding != "utf-16") + log()).encode(encoding))
     with pytest.raises(InputError, match="UTF-16"):
         read_recording(path)
+
+
+BLACKBOX = b"H Product:Blackbox flight data recorder by Nicholas Sherlock\n"
+ZIP = zipped({"log.csv": log().encode()})
+
+
+@pytest.mark.parametrize(
+    ("content", "what", "remedy"),
+    [
+        (b"\x0e\x20\x56\x08\x88\x13\0\0.FIT" + RNG.bytes(5000), "a FIT file", "CSV"),
+        (BLACKBOX + RNG.bytes(5000), "a blackbox log", "blackbox_decode"),
+        (BLACKBOX + b"H x:1\n" * 900 + RNG.bytes(5000), "a blackbox log", "to CSV"),
+        (gzip.compress(log().encode()), "compressed with gzip", "unpack it"),
+        (b"7z\xbc\xaf\x27\x1c" + RNG.bytes(5000), "not a zip", "unpack it"),
+        (bytes(5000), "begins with 4096 NUL bytes", "copy it again"),
+        (b"garbage\n" + ZIP, "a zip with other bytes before it", "unpack it"),
+        (RNG.bytes(5000) + ZIP, "a zip with other bytes before it", "unpack it"),
+        (ZIP + bytes(100_000), "followed by other bytes", "unpack it"),
+    ],
+)
+def test_files_that_are_no_log_are_named(tmp_path, content, what, remedy):
+    path = tmp_path / "ride.log"
+    path.write_bytes(content)
+    with pytest.raises(InputError, match=what) as caught:
+        read_recording(path)
+    assert remedy in str(caught.value)
+    assert "MP4" not in str(caught.value)
+
+
+@pytest.mark.parametrize("at", [200, 20_000, None])
+@pytest.mark.parametrize("count", [40, 5000])
+def test_nul_bytes_are_named(tmp_path, at, count):
+    path, text = tmp_path / "log.csv", log().encode()
+    at = len(text) if at is None else at
+    path.write_bytes(text[:at] + bytes(count) + text[at:])
+    with pytest.raises(InputError, match="holds NUL bytes"):
+        read_recording(path)
+
+
+@pytest.mark.parametrize(
+    ("head", "place"),
+    [(OWN, "line 2, column time_s: "), ("t,a,b,c,d,e,f", "log.csv: "), ("", "")],
+)
+def test_digits_of_another_script_are_named(tmp_path, head, place):
+    """Arabic-Indic ones, as programs write them that follow the language."""
+    path, (_, _, rows) = tmp_path / "log.csv", log().partition("\n")
+    rows = rows.translate({ord("0") + k: 0x660 + k for k in range(10)})
+    if not head:  # a format that skips damaged lines
+        head = '"Time (s)",' + ",".join(
+            f'"Acceleration {axis} (m/s^2)"' for axis in "xyz"
+        )
+        rows = "".join(",".join(r.split(",")[:4]) + "\n" for r in rows.splitlines())
+    path.write_text(f"{head}\n{rows}")
+    with pytest.raises(InputError, match="other digits than 0 to 9") as caught:
+        read_recording(path)
+    assert "\u0660" in str(caught.value)
+    assert place in str(caught.value)
 
 
 @pytest.mark.parametrize("quote", ["", '"'])
