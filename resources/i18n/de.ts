@@ -4172,10 +4172,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>installieren Sie hapticplayer[lsl], oder: {otherwise}</translation>
     </message>
     <message>
-        <source>is a damaged zip ({reason})</source>
-        <translation>ist ein beschädigtes Zip ({reason})</translation>
-    </message>
-    <message>
         <source>is a device, not a file</source>
         <translation>ist ein Gerät, keine Datei</translation>
     </message>
@@ -4632,8 +4628,20 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>sind {count} Tabellen ({shown}), die nicht sagen, was ihre Spalten sind</translation>
     </message>
     <message>
+        <source>begins with {count} NUL bytes</source>
+        <translation>beginnt mit {count} NUL-Bytes</translation>
+    </message>
+    <message>
         <source>columns=time,ax,ay,az/time,gx,gy,gz (/ between the tables, - to ignore a column)</source>
         <translation>columns=time,ax,ay,az/time,gx,gy,gz (/ zwischen den Tabellen, - für das, was nicht gebraucht wird)</translation>
+    </message>
+    <message>
+        <source>convert it to CSV with blackbox_decode</source>
+        <translation>wandeln Sie es mit blackbox_decode in CSV um</translation>
+    </message>
+    <message>
+        <source>copy it again, or remove the bytes</source>
+        <translation>kopieren Sie sie noch einmal, oder entfernen Sie die Bytes</translation>
     </message>
     <message>
         <source>describes {count} of {total} tables (/ between them)</source>
@@ -4648,16 +4656,60 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>legen Sie ein Video mit seinem Protokoll ab; importieren Sie weitere danach</translation>
     </message>
     <message>
+        <source>export its accelerometer and gyroscope as CSV, with FitCSVTool</source>
+        <translation>exportieren Sie Beschleunigungssensor und Gyroskop als CSV, mit FitCSVTool</translation>
+    </message>
+    <message>
         <source>export the accelerometer and the gyroscope too</source>
         <translation>exportieren Sie auch Beschleunigungssensor und Gyroskop</translation>
+    </message>
+    <message>
+        <source>export the log with the digits 0 to 9, as programs in English do</source>
+        <translation>exportieren Sie das Protokoll mit den Ziffern 0 bis 9, wie Programme auf Englisch</translation>
+    </message>
+    <message>
+        <source>export the recording again, or unpack it and give the folder</source>
+        <translation>exportieren Sie die Aufnahme noch einmal, oder entpacken Sie sie und geben Sie den Ordner an</translation>
     </message>
     <message>
         <source>give the folder of one of them instead</source>
         <translation>nichts, aber geben Sie den Ordner von einer an</translation>
     </message>
     <message>
+        <source>has numbers in other digits than 0 to 9 ({found})</source>
+        <translation>hat Zahlen mit anderen Ziffern als 0 bis 9 ({found})</translation>
+    </message>
+    <message>
+        <source>holds NUL bytes, as a logger leaves that loses its power</source>
+        <translation>enthält NUL-Bytes, wie sie ein Logger hinterlässt, dem der Strom ausgeht</translation>
+    </message>
+    <message>
+        <source>is a FIT file of a sports watch or cycle computer</source>
+        <translation>ist eine FIT-Datei einer Sportuhr oder eines Fahrradcomputers</translation>
+    </message>
+    <message>
+        <source>is a blackbox log of a flight controller</source>
+        <translation>ist ein Blackbox-Protokoll eines Flugreglers</translation>
+    </message>
+    <message>
         <source>is a table of {program} without the acceleration of three axes</source>
         <translation>ist eine Tabelle von {program} ohne die Beschleunigung dreier Achsen</translation>
+    </message>
+    <message>
+        <source>is a zip that is cut off, damaged or followed by other bytes ({reason})</source>
+        <translation>ist ein ZIP, das abgeschnitten oder beschädigt ist oder dem andere Bytes folgen ({reason})</translation>
+    </message>
+    <message>
+        <source>is a zip with other bytes before it</source>
+        <translation>ist ein ZIP mit anderen Bytes davor</translation>
+    </message>
+    <message>
+        <source>is an archive that is not a zip</source>
+        <translation>ist ein Archiv, aber kein ZIP</translation>
+    </message>
+    <message>
+        <source>is compressed with gzip</source>
+        <translation>ist mit gzip komprimiert</translation>
     </message>
     <message>
         <source>is not a template for logs (it must hold texts for {known})</source>
@@ -5950,6 +6002,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>unknown template {name!r}; choose one of {known}</source>
         <translation>es gibt keine Vorlage {name!r}; es gibt {known}</translation>
+    </message>
+    <message>
+        <source>unpack it and give the file in it</source>
+        <translation>entpacken Sie sie und geben Sie die Datei darin an</translation>
+    </message>
+    <message>
+        <source>unpack it and give the folder</source>
+        <translation>entpacken Sie es und geben Sie den Ordner an</translation>
     </message>
     <message>
         <source>use a file that &apos;hapticplayer play --record&apos; has written</source>

@@ -4172,10 +4172,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>installez hapticplayer[lsl], ou&#xa0;: {otherwise}</translation>
     </message>
     <message>
-        <source>is a damaged zip ({reason})</source>
-        <translation>est un zip endommagé ({reason})</translation>
-    </message>
-    <message>
         <source>is a device, not a file</source>
         <translation>est un périphérique, pas un fichier</translation>
     </message>
@@ -4632,8 +4628,20 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>sont {count} tableaux ({shown}) qui ne disent pas ce que sont leurs colonnes</translation>
     </message>
     <message>
+        <source>begins with {count} NUL bytes</source>
+        <translation>commence par {count} octets NUL</translation>
+    </message>
+    <message>
         <source>columns=time,ax,ay,az/time,gx,gy,gz (/ between the tables, - to ignore a column)</source>
         <translation>columns=time,ax,ay,az/time,gx,gy,gz (/ entre les tableaux, - pour ce qui ne sert pas)</translation>
+    </message>
+    <message>
+        <source>convert it to CSV with blackbox_decode</source>
+        <translation>convertissez-le en CSV avec blackbox_decode</translation>
+    </message>
+    <message>
+        <source>copy it again, or remove the bytes</source>
+        <translation>copiez-le de nouveau, ou supprimez les octets</translation>
     </message>
     <message>
         <source>describes {count} of {total} tables (/ between them)</source>
@@ -4648,16 +4656,60 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>déposez une vidéo avec son journal&#xa0;; importez les autres ensuite</translation>
     </message>
     <message>
+        <source>export its accelerometer and gyroscope as CSV, with FitCSVTool</source>
+        <translation>exportez son accéléromètre et son gyroscope en CSV, avec FitCSVTool</translation>
+    </message>
+    <message>
         <source>export the accelerometer and the gyroscope too</source>
         <translation>exportez aussi l&apos;accéléromètre et le gyroscope</translation>
+    </message>
+    <message>
+        <source>export the log with the digits 0 to 9, as programs in English do</source>
+        <translation>exportez le journal avec les chiffres 0 à 9, comme le font les programmes en anglais</translation>
+    </message>
+    <message>
+        <source>export the recording again, or unpack it and give the folder</source>
+        <translation>exportez de nouveau l&apos;enregistrement, ou décompressez-le et donnez le dossier</translation>
     </message>
     <message>
         <source>give the folder of one of them instead</source>
         <translation>rien, mais donnez le dossier de l’un d’eux</translation>
     </message>
     <message>
+        <source>has numbers in other digits than 0 to 9 ({found})</source>
+        <translation>a des nombres en d&apos;autres chiffres que 0 à 9 ({found})</translation>
+    </message>
+    <message>
+        <source>holds NUL bytes, as a logger leaves that loses its power</source>
+        <translation>contient des octets NUL, comme en laisse un enregistreur privé de courant</translation>
+    </message>
+    <message>
+        <source>is a FIT file of a sports watch or cycle computer</source>
+        <translation>est un fichier FIT d&apos;une montre de sport ou d&apos;un compteur de vélo</translation>
+    </message>
+    <message>
+        <source>is a blackbox log of a flight controller</source>
+        <translation>est un journal blackbox d&apos;un contrôleur de vol</translation>
+    </message>
+    <message>
         <source>is a table of {program} without the acceleration of three axes</source>
         <translation>est un tableau de {program} sans l&apos;accélération de trois axes</translation>
+    </message>
+    <message>
+        <source>is a zip that is cut off, damaged or followed by other bytes ({reason})</source>
+        <translation>est un zip coupé, endommagé ou suivi d&apos;autres octets ({reason})</translation>
+    </message>
+    <message>
+        <source>is a zip with other bytes before it</source>
+        <translation>est un zip précédé d&apos;autres octets</translation>
+    </message>
+    <message>
+        <source>is an archive that is not a zip</source>
+        <translation>est une archive qui n&apos;est pas un zip</translation>
+    </message>
+    <message>
+        <source>is compressed with gzip</source>
+        <translation>est compressé avec gzip</translation>
     </message>
     <message>
         <source>is not a template for logs (it must hold texts for {known})</source>
@@ -5950,6 +6002,14 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>unknown template {name!r}; choose one of {known}</source>
         <translation>il n’y a pas de modèle {name!r}&#xa0;; il y a {known}</translation>
+    </message>
+    <message>
+        <source>unpack it and give the file in it</source>
+        <translation>décompressez-le et donnez le fichier qu&apos;il contient</translation>
+    </message>
+    <message>
+        <source>unpack it and give the folder</source>
+        <translation>décompressez-la et donnez le dossier</translation>
     </message>
     <message>
         <source>use a file that &apos;hapticplayer play --record&apos; has written</source>
