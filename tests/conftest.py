@@ -1,8 +1,10 @@
 """Fixtures that all tests share: seeded data with closed-form truth, real files."""
 
 import os
+import resource
 import signal
 from collections import Counter
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import numpy as np
@@ -50,6 +52,14 @@ def shared_data() -> Path:
 def clip_of(player: Player) -> ClipPlayback:
     """Return what a player keeps to itself: the one place that looks inside."""
     return player._clip
+
+
+@pytest.fixture
+def fill_disk() -> Iterator[Callable[[], None]]:
+    """Return what lets no file grow beyond 512 bytes any more."""
+    before = resource.getrlimit(resource.RLIMIT_FSIZE)
+    yield lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (512, before[1]))
+    resource.setrlimit(resource.RLIMIT_FSIZE, before)
 
 
 @pytest.fixture

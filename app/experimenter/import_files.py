@@ -283,7 +283,7 @@ class FilesPage(QWidget):
 
     def _keep(self, path: str) -> None:
         try:
-            write_template(Path(path), parse_choices(self._words))
+            write_template(Path(path), parse_choices(self._words), overwrite=True)
         except HapticPlayerError as problem:
             self.problem.setText(translated(message_of(problem)))
             self.problem.show()

@@ -28,9 +28,9 @@ from app.widgets.layout import ElidedLabel, ask_text
 from app.widgets.texts import date_text, quoted, time_text, titled
 from hapticplayer.errors import HapticPlayerError, InputError, Message, message_of
 from hapticplayer.media.thumbnails import Thumbnail, cover_thumbnails
+from hapticplayer.outputs import FOLDER, refuse_existing
 from hapticplayer.sequence import verify_sequence
 from hapticplayer.sequence.editing import rename_sequence
-from hapticplayer.sequence.files import refuse_existing
 from hapticplayer.sequence.library import Entry, entries
 from hapticplayer.sequence.report import Mark, worst
 
@@ -325,7 +325,7 @@ class LibraryPage(QDialog):
             return
         binned, folder = self._binned
         try:
-            refuse_existing(folder)
+            refuse_existing(folder, FOLDER)
             binned.rename(folder)
             info = binned.parent.parent / "info" / f"{binned.name}.trashinfo"
             info.unlink(missing_ok=True)

@@ -19,6 +19,7 @@ from hapticplayer.cli.common import complain, say
 from hapticplayer.cli.play import (
     attach_log,
     record_target,
+    refuse_outputs,
     until_s,
     wanted_scheduling,
 )
@@ -48,6 +49,7 @@ def run(options: argparse.Namespace) -> int:
     source = open_source(options.source, options.force) if options.source else None
     feedback = choose_feedback(source, options.feedback) if source else None
     end_s = until_s(options, source) if source else 0.0
+    refuse_outputs(options)
     settings = Settings(default_path())
     application = make_application(settings)
     clock, surface = SystemClock(), VideoSurface()
@@ -71,7 +73,7 @@ def run(options: argparse.Namespace) -> int:
         _show(window, options, source, feedback)
         if source and feedback:
             _wait_ready(application, player)
-            attach_log(player, options.log, source, feedback)
+            attach_log(player, options, source, feedback)
     except BaseException:
         window.close()
         raise

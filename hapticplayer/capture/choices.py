@@ -11,11 +11,13 @@ import secrets
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 from hapticplayer.capture.limits import MAX_TEMPLATE_BYTES
 from hapticplayer.errors import InputError, Message, UsageError, joined
 from hapticplayer.model import STANDARD_GRAVITY_MPS2, Sampling
 from hapticplayer.model.ranges import SAMPLE_RATE_HZ, UNIT_FACTOR
+from hapticplayer.outputs import FILE, refuse_existing
 from hapticplayer.untrusted import parse_json, read_regular
 
 OPTION = "--read-as"
@@ -158,11 +160,7 @@ def read_template(path: Path) -> dict[str, str]:
     remedy = Message("write one with --save-template")
     text = read_regular(path, MAX_TEMPLATE_BYTES)
     content = parse_json(text, str(path), InputError, remedy)
-    is_fitting = isinstance(content, dict) and all(
-        _current(key) in KEYS and isinstance(value, str)
-        for key, value in content.items()
-    )
-    if not is_fitting:
+    if not _are_answers(content):
         raise InputError(
             "is not a template for logs (it must hold texts for {known})",
             where=str(path),
@@ -172,12 +170,29 @@ def read_template(path: Path) -> dict[str, str]:
     return {_current(key).replace("-", "_"): value for key, value in content.items()}
 
 
-def write_template(path: Path, choices: LogChoices) -> None:
+def _are_answers(content: Any) -> bool:
+    return isinstance(content, dict) and all(
+        _current(key) in KEYS and isinstance(value, str)
+        for key, value in content.items()
+    )
+
+
+def _is_template(content: bytes) -> bool:
+    try:
+        answers = parse_json(content, "", InputError, "")
+    except InputError:
+        return False
+    return bool(answers) and _are_answers(answers)
+
+
+def write_template(path: Path, choices: LogChoices, *, overwrite: bool = False) -> None:
     """Write answers as a template.
 
     Raises:
-        InputError: when the file cannot be written.
+        InputError: when the file exists and is not a template to be overwritten, or
+            cannot be written.
     """
+    refuse_existing(path, FILE, _is_template if overwrite else None)
     content = {
         key.replace("_", "-"): value
         for key, value in dataclasses.asdict(choices).items()

@@ -100,6 +100,16 @@ def agreed(options: argparse.Namespace, question: str) -> None:
         raise UsageError("nothing was done, as you did not agree")
 
 
+def add_overwrite(command: argparse.ArgumentParser) -> None:
+    """Add what lets the files that a command writes be replaced."""
+    command.add_argument(
+        "--overwrite",
+        action="store_true",
+        help="replace a file that this program wrote for the same option; nothing "
+        "else that exists is ever overwritten",
+    )
+
+
 def add_device_name(
     command: argparse.ArgumentParser, default: str = "simulated"
 ) -> None:

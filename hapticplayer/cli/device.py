@@ -12,6 +12,7 @@ from typing import Any
 from hapticplayer.cli.common import (
     add_device_name,
     add_number,
+    add_overwrite,
     agreed,
     interruptible,
     say,
@@ -95,9 +96,8 @@ def add_options(command: argparse.ArgumentParser) -> None:
         "measure what is not known of a Falcon, at low force",
         measure_falcon,
     )
-    measure.add_argument(
-        "-o", "--output", metavar="FILE", help="the report, as JSON (a new file)"
-    )
+    measure.add_argument("-o", "--output", metavar="FILE", help="the report, as JSON")
+    add_overwrite(measure)
     _add_yes(measure)
 
 

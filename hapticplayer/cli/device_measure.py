@@ -4,6 +4,7 @@ import argparse
 import contextlib
 import json
 import math
+import re
 import sys
 from pathlib import Path
 from typing import Any
@@ -17,9 +18,11 @@ from hapticplayer.devices.falcon.firmware import open_running
 from hapticplayer.devices.falcon.homing import home
 from hapticplayer.devices.falcon.link import ThreadedLink
 from hapticplayer.devices.falcon.reach import Reach, reach_of
-from hapticplayer.errors import InputError
+from hapticplayer.errors import InputError, Message
 from hapticplayer.haptics.guarded_clock import GuardedClock
 from hapticplayer.haptics.scheduling import acquire
+from hapticplayer.outputs import FILE, IsOurs, refuse_existing
+from hapticplayer.sequence import files
 
 STOPS_S = 20.0
 HOMING_S = 120.0
@@ -28,7 +31,10 @@ HOMING_S = 120.0
 def measure_falcon(options: argparse.Namespace) -> int:
     """Measure, print, and save where asked."""
     reach_of(options.device)  # refuse a wrong name before anything else
-    target = _new_file(options.output)
+    target = None if options.output is None else Path(options.output)
+    is_ours = _is_report if options.overwrite else None
+    if target is not None:
+        refuse_existing(target, FILE, is_ours)
     agreed(
         options,
         f"The Falcon will exert up to {measuring.MOST_N} N, partly without a hand "
@@ -47,7 +53,7 @@ def measure_falcon(options: argparse.Namespace) -> int:
     text = json.dumps(_finite(report), indent=None if options.json else 1)
     say(text)
     if target is not None:
-        _save(target, text)
+        _save(target, text, is_ours)
     return 0
 
 
@@ -122,22 +128,16 @@ def _finite(value: Any) -> Any:
     return value
 
 
-def _new_file(name: str | None) -> Path | None:
-    if name is None:
-        return None
-    path = Path(name)
-    if path.exists():
-        raise InputError("exists", where=name, remedy="choose a new file")
-    return path
+def _is_report(head: bytes) -> bool:
+    return (
+        re.match(rb'\{\s*"program": "hapticplayer [^"]*",\s*"device"', head) is not None
+    )
 
 
-def _save(path: Path, text: str) -> None:
+def _save(path: Path, text: str, is_ours: IsOurs | None) -> None:
     try:
-        with path.open("x", encoding="utf-8") as file:
-            file.write(text + "\n")
-    except OSError as problem:
-        raise InputError(
-            f"cannot be written ({problem.strerror})",
-            where=str(path),
-            remedy="choose another place; the report was printed",
-        ) from problem
+        with files.file_written_aside(path, is_ours) as part:
+            part.write_text(text + "\n", encoding="utf-8")
+    except InputError as problem:
+        remedy = Message("choose another place; the report was printed")
+        raise InputError(problem.what, where=problem.where, remedy=remedy) from problem

@@ -5,9 +5,16 @@ import json
 from pathlib import Path
 from typing import Any
 
-from hapticplayer.cli.common import interruptible, say, say_aside, shown_progress
+from hapticplayer.cli.common import (
+    add_overwrite,
+    interruptible,
+    say,
+    say_aside,
+    shown_progress,
+)
 from hapticplayer.haptics.record_reader import RecordReader
 from hapticplayer.interchange.exporters import RECORD_EXPORTERS
+from hapticplayer.outputs import FILE, refuse_existing
 from hapticplayer.sequence import files
 
 
@@ -23,21 +30,24 @@ def add_options(command: argparse.ArgumentParser) -> None:
         help="; ".join(f"{one.name}: {one.text}" for one in RECORD_EXPORTERS.values())
         + " (default: csv)",
     )
+    add_overwrite(command)
     command.add_argument("--json", action="store_true", help="print a report as JSON")
 
 
 def run(options: argparse.Namespace, _open_window: object) -> int:
     """Convert a record, showing the progress, and say what is in it."""
     target = Path(options.output)
-    files.refuse_existing(target, "file")
+    exporter = RECORD_EXPORTERS[options.format]
+    is_ours = exporter.is_ours if options.overwrite else None
+    refuse_existing(target, FILE, is_ours)
     with (
         RecordReader(Path(options.record)) as reader,
         interruptible(),
         shown_progress() as progress,
-        files.file_written_aside(target) as part,
+        files.file_written_aside(target, is_ours) as part,
         part.open("xb") as out,
     ):
-        report = RECORD_EXPORTERS[options.format].write(reader, out, progress)
+        report = exporter.write(reader, out, progress)
     report = {
         "record": str(options.record),
         "output": str(target),

@@ -10,6 +10,7 @@ from hapticplayer.cli import OpenWindow
 from hapticplayer.cli.common import (
     add_device_name,
     add_number,
+    add_overwrite,
     complain,
     interruptible,
     say,
@@ -20,11 +21,13 @@ from hapticplayer.clock import SystemClock
 from hapticplayer.devices import NO_DEVICE
 from hapticplayer.errors import UsageError
 from hapticplayer.haptics.limiter import Limits
+from hapticplayer.haptics.records import is_record
 from hapticplayer.haptics.scheduling import Scheduling
 from hapticplayer.model import ranges
+from hapticplayer.outputs import FILE, make_way, refuse_existing
 from hapticplayer.playback import headless
 from hapticplayer.playback.latency import saved_latencies
-from hapticplayer.playback.log import PlaybackLog
+from hapticplayer.playback.log import PlaybackLog, is_log
 from hapticplayer.playback.player import FASTEST, SLOWEST, Player
 from hapticplayer.playback.sound_process import SoundProcess
 from hapticplayer.playback.source import Source, choose_feedback, open_source
@@ -92,6 +95,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         metavar="FILE",
         help="record every tick of the haptic loop; see `export`",
     )
+    add_overwrite(parser)
     parser.add_argument(
         "--scheduling",
         choices=("fifo", "slice", "normal"),
@@ -121,6 +125,7 @@ def play(options: argparse.Namespace) -> int:
     source = open_source(options.source, options.force)
     feedback = choose_feedback(source, options.feedback)
     end_s = until_s(options, source)
+    refuse_outputs(options)
     advise(source, feedback)
     clock = SystemClock()
     record = record_target(options, options.device)
@@ -133,7 +138,7 @@ def play(options: argparse.Namespace) -> int:
         with interruptible():
             player.set_device(options.device, record)
             player.wait_ready()
-            attach_log(player, options.log, source, feedback)
+            attach_log(player, options, source, feedback)
             player.open(source, feedback)
             if options.speed != 1.0:
                 player.set_speed(options.speed)
@@ -179,16 +184,19 @@ def wanted_scheduling(options: argparse.Namespace) -> Scheduling | None:
 
 
 def record_target(options: argparse.Namespace, device: str) -> Path | None:
-    """Return the file that is to hold every tick of the loop, if one is wanted.
+    """Return the new file that is to hold every tick of the loop, if one is wanted.
 
     Raises:
         UsageError: when there is no loop to record.
+        InputError: as `outputs.make_way`.
     """
     if options.record is None:
         return None
     if device == NO_DEVICE:
         raise UsageError("--record needs a device, for its loop is what is recorded")
-    return Path(options.record)
+    target = Path(options.record)
+    make_way(target, is_record if options.overwrite else None)
+    return target
 
 
 def until_s(options: argparse.Namespace, source: Source) -> float:
@@ -207,9 +215,22 @@ def until_s(options: argparse.Namespace, source: Source) -> float:
     return float(options.start + options.duration)
 
 
-def attach_log(player: Player, path: str | None, source: Source, feedback: str) -> None:
+def refuse_outputs(options: argparse.Namespace) -> None:
+    """Refuse files that exist, before anything begins.
+
+    Raises:
+        InputError: as `outputs.refuse_existing`.
+    """
+    for name, is_ours in ((options.log, is_log), (options.record, is_record)):
+        if name is not None:
+            refuse_existing(Path(name), FILE, is_ours if options.overwrite else None)
+
+
+def attach_log(
+    player: Player, options: argparse.Namespace, source: Source, feedback: str
+) -> None:
     """Let the player write a log, if one was asked for."""
-    if path is None:
+    if options.log is None:
         return
     now = player.snapshot()
     header = {
@@ -222,7 +243,8 @@ def attach_log(player: Player, path: str | None, source: Source, feedback: str) 
         "scheduling": now.scheduling,
         "time": "seconds of CLOCK_MONOTONIC",
     }
-    player.attach_log(PlaybackLog(Path(path), header))
+    path, overwrite = Path(options.log), options.overwrite
+    player.attach_log(PlaybackLog(path, header, overwrite=overwrite))
 
 
 def _summary_text(source: Source, feedback: str, report: dict[str, Any]) -> str:

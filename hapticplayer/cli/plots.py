@@ -23,6 +23,7 @@ BINS = 2000
 """Longer recordings are drawn as the smallest and largest value of so many parts."""
 
 _MEASURED, _GRAVITY, _MOTION, _INVALID = "#9aa5b1", "#d97706", "#1d4ed8", "#dc2626"
+_PROGRAM = "hapticplayer"
 _AXES = ("x (right)", "y (front)", "z (up)")
 
 
@@ -53,9 +54,19 @@ def draw_motion(path: Path, processed: Processed, title: str) -> None:
         for axis, panel in enumerate(panels):
             _draw_axis(panel, processed, axis)
         _label(figure, panels, processed, title)
-        is_svg = path.suffix.lower() == ".svg"
-        metadata = {"Date": None} if is_svg else {"Software": None}
-        figure.savefig(path, dpi=DPI, metadata=metadata)
+        _save(figure, path)
+
+
+def _save(figure: "Figure", path: Path) -> None:
+    is_svg = path.suffix.lower() == ".svg"
+    mark = {"Date": None, "Creator": _PROGRAM} if is_svg else {"Software": _PROGRAM}
+    figure.savefig(path, dpi=DPI, metadata=mark)
+
+
+def is_plot(head: bytes) -> bool:
+    """Whether a file begins as a figure that was drawn here."""
+    marks = (f"tEXtSoftware\0{_PROGRAM}", f"<dc:title>{_PROGRAM}</dc:title>")
+    return any(mark.encode() in head for mark in marks)
 
 
 def _draw_axis(panel: "Axes", processed: Processed, axis: int) -> None:
@@ -198,9 +209,7 @@ def draw_sync(
         default = f"offset {clock.offset_s:.3f} s, confidence {clock.confidence:.2f}"
         panels[0, 0].set_title(title or default, loc="left", parse_math=False)
         panels[0, 1].set_title("the pats", loc="left")
-        is_svg = path.suffix.lower() == ".svg"
-        metadata = {"Date": None} if is_svg else {"Software": None}
-        figure.savefig(path, dpi=DPI, metadata=metadata)
+        _save(figure, path)
 
 
 def _spans(found: Synchronisation, heard_s: Floats) -> list[tuple[float, float]]:

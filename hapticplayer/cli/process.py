@@ -20,6 +20,7 @@ from hapticplayer.cli.recording_options import (
     chosen_log,
     chosen_mounting,
     chosen_processing,
+    plot_overwritten,
     plot_target,
 )
 from hapticplayer.clock import SystemClock
@@ -78,7 +79,7 @@ def run(options: argparse.Namespace, _open_window: object) -> int:
             report["methods"] = _compared(processed, processing, progress)
         if plot:
             progress(0.9, f"drawing {plot.name}")
-            with files.file_written_aside(plot) as part:
+            with files.file_written_aside(plot, plot_overwritten(options)) as part:
                 draw_motion(part, processed, report["recording"]["source"])
     _say(report, processed, options)
     return 0

@@ -9,12 +9,13 @@ from hapticplayer.capture import formats
 from hapticplayer.capture.choices import LogChoices, parse_choices, write_template
 from hapticplayer.capture.mounting import MOUNTINGS, mounting_axes
 from hapticplayer.capture.sync import methods
-from hapticplayer.cli.common import add_number
+from hapticplayer.cli.common import add_number, add_overwrite
+from hapticplayer.cli.plots import is_plot
 from hapticplayer.errors import UsageError
 from hapticplayer.model import ranges
 from hapticplayer.motion import METHODS
 from hapticplayer.motion.methods import DEFAULT_METHOD
-from hapticplayer.sequence import files
+from hapticplayer.outputs import FILE, IsOurs, refuse_existing
 from hapticplayer.sequence.processing import Processing
 from hapticplayer.sequence.synchronizing import SyncChoices, checked_skew, stored_skews
 
@@ -37,6 +38,7 @@ def add_reading(command: argparse.ArgumentParser) -> None:
         metavar="FILE",
         help="keep these decisions for other logs of the same logger",
     )
+    add_overwrite(command)
 
 
 def add_mounting(command: argparse.ArgumentParser) -> None:
@@ -138,7 +140,8 @@ def chosen_log(options: argparse.Namespace) -> LogChoices:
     """Return the choices about a log; saved as a template if wanted."""
     choices = parse_choices(options.read_as)
     if options.save_template is not None:
-        write_template(Path(options.save_template), choices)
+        path, overwrite = Path(options.save_template), options.overwrite
+        write_template(path, choices, overwrite=overwrite)
     return choices
 
 
@@ -183,8 +186,13 @@ def plot_target(options: argparse.Namespace) -> Path | None:
         raise UsageError(
             f"--plot {target.name} must end in {' or '.join(PLOT_FORMATS)}"
         )
-    files.refuse_existing(target, "file")
+    refuse_existing(target, FILE, plot_overwritten(options))
     return target
+
+
+def plot_overwritten(options: argparse.Namespace) -> IsOurs | None:
+    """Return what recognises a plot that may be overwritten."""
+    return is_plot if options.overwrite else None
 
 
 def sync_text(found: Mapping[str, Any]) -> str:

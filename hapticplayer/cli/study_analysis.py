@@ -10,7 +10,7 @@ from hapticplayer.cli.common import add_number, interruptible, say, shown_progre
 from hapticplayer.clock import SystemClock
 from hapticplayer.errors import UsageError
 from hapticplayer.model import ranges
-from hapticplayer.sequence import files
+from hapticplayer.outputs import FOLDER, refuse_existing
 from hapticplayer.simulation.effects import draw_effect, effect_named, paper_effect
 from hapticplayer.simulation.participants import simulated_answers
 from hapticplayer.simulation.sessions import write_answers
@@ -145,7 +145,7 @@ _MOST_SEQUENCES = 20
 def analyse(options: argparse.Namespace) -> int:
     """Print the statistics of a study, and write its report where that is wanted."""
     if options.output is not None:
-        files.refuse_existing(options.output)
+        refuse_existing(options.output, FOLDER)
     choices = AnalysisOptions(
         MissingPolicy(options.missing), options.with_unsound, Resampling(options.seed)
     )

@@ -18,6 +18,7 @@ from hapticplayer.cli.recording_options import (
     add_sync,
     chosen_log,
     chosen_sync,
+    plot_overwritten,
     plot_target,
     rarity_text,
     sync_text,
@@ -86,7 +87,7 @@ def run(options: argparse.Namespace, _open_window: object) -> int:
         found = find_sync(clip, recording, choices)
         if plot:
             sound = read_sound(clip.path)
-            with files.file_written_aside(plot) as part:
+            with files.file_written_aside(plot, plot_overwritten(options)) as part:
                 draw_sync(part, sound, recording.imu, found)
     described = found.described()
     say(json.dumps(described) if options.json else sync_text(described))

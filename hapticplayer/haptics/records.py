@@ -64,6 +64,11 @@ def encode_frame(first: int, lost: int, ticks: NDArray[Any]) -> bytes:
     return head + CRC.pack(zlib.crc32(head)) + payload
 
 
+def is_record(head: bytes) -> bool:
+    """Whether a file begins as a record does."""
+    return head.startswith(MAGIC)
+
+
 def open_record(path: Path) -> int:
     """Create the file of a record and return its descriptor, owned by the caller.
 

@@ -78,6 +78,11 @@ def write_csv(
     }
 
 
+def is_csv(head: bytes) -> bool:
+    """Whether a file begins as one of `write_csv`."""
+    return head.startswith(f"{TICK_COLUMN},monotonic_s,media_s,".encode())
+
+
 def _chunks(reader: RecordReader) -> Iterator[tuple[int, NDArray[Any]]]:
     """Yield (number of the first, ticks in a row) in pieces worth formatting."""
     plain = np.dtype((np.void, reader.dtype.itemsize))  # joins much faster

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from hapticplayer.clock import Clock
 from hapticplayer.errors import InputError, Message
+from hapticplayer.outputs import make_way
 from hapticplayer.untrusted import ESCAPED
 
 
@@ -22,19 +23,19 @@ class PlaybackLog:
     """Writes one log file.
 
     Raises:
-        InputError: when the file cannot be written.
+        InputError: when the file exists and is not to be overwritten, or cannot be
+            written.
     """
 
-    def __init__(self, path: Path, header: dict[str, Any]) -> None:
+    def __init__(
+        self, path: Path, header: dict[str, Any], *, overwrite: bool = False
+    ) -> None:
         self.problem = ""
         self._queue: queue.SimpleQueue[dict[str, Any] | NDArray[Any] | None]
         self._queue = queue.SimpleQueue()
-        if path.is_fifo():  # opening it would wait for a reader
-            raise InputError(
-                "is a pipe, not a file", where=str(path), remedy="choose another file"
-            )
+        make_way(path, is_log if overwrite else None)
         try:
-            self._file = path.open("w", encoding="utf-8", errors=ESCAPED)
+            self._file = path.open("x", encoding="utf-8", errors=ESCAPED)
         except OSError as problem:
             raise InputError(
                 "the log cannot be written ({reason})",
@@ -99,6 +100,15 @@ class Reporter:
         """Log one line of a kind."""
         if self.log is not None:
             self.log.line(kind, **fields)
+
+
+def is_log(head: bytes) -> bool:
+    """Whether a file begins as a playback log does."""
+    try:
+        header = json.loads(head.split(b"\n", 1)[0])
+        return header["kind"] == "header" and "program" in header
+    except (ValueError, KeyError, TypeError, RecursionError):
+        return False
 
 
 def _text(item: dict[str, Any] | NDArray[Any]) -> str:

@@ -17,7 +17,7 @@ from hapticplayer.capture.mounting import ask_for_mounting, mounted
 from hapticplayer.capture.recording import Recording, find_gaps, refuse_gravity_free
 from hapticplayer.capture.source import LogPath, name_of, paths_of
 from hapticplayer.clock import utc_now_iso
-from hapticplayer.errors import InputError, MediaError, Message
+from hapticplayer.errors import InputError, MediaError, Message, SequenceError
 from hapticplayer.media.clip_info import ClipInfo, probe
 from hapticplayer.model import (
     Feedback,
@@ -26,6 +26,7 @@ from hapticplayer.model import (
     Mapping,
     MotionTrack,
 )
+from hapticplayer.outputs import FOLDER, refuse_existing
 from hapticplayer.sequence import files, store
 from hapticplayer.sequence.excursion import excursion_texts, predict
 from hapticplayer.sequence.processing import Processed, Processing, process_motion
@@ -88,7 +89,7 @@ def build_sequence(
             recorder was not upright and no mounting was given.
     """
     video, target = Path(video), Path(target)
-    files.refuse_existing(target)
+    refuse_existing(target, FOLDER, error=SequenceError)
     choices = choices or Choices()
     source = video if imu_log is None else imu_log
     with HeldFile(video, MediaError) as clip_file:

@@ -18,6 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hapticplayer.errors import Message, SequenceError
+from hapticplayer.outputs import FILE, FOLDER, IsOurs, refuse_existing
 from hapticplayer.untrusted import (
     ESCAPED,
     HeldFile,
@@ -47,22 +48,10 @@ Progress = Callable[[float, str], None]
 
 _GIVE_SEQUENCE = Message("give the folder of a sequence")
 _IMPORT_AGAIN = Message("import it again")
-FOLDER, FILE = Message("folder"), Message("file")
 
 
 def no_progress(_fraction: float, _step: str) -> None:
     """Ignore the progress."""
-
-
-def refuse_existing(target: Path, kind: str = FOLDER) -> None:
-    """Raise SequenceError if the target exists."""
-    if os.path.lexists(target):
-        raise SequenceError(
-            "already exists",
-            where=str(target),
-            remedy="choose another {kind}",
-            kind=kind,
-        )
 
 
 def cache_home() -> Path:
@@ -108,30 +97,32 @@ def written_aside(target: Path, mode: int = 0o755) -> Iterator[Path]:
 
 
 @contextmanager
-def file_written_aside(target: Path) -> Iterator[Path]:
+def file_written_aside(target: Path, is_ours: IsOurs | None = None) -> Iterator[Path]:
     """Yield the path of a new file that becomes `target` if the block succeeds.
 
-    Otherwise nothing remains.
+    Otherwise nothing remains; `is_ours` is that of `refuse_existing`.
 
     Raises:
         SequenceError: when the target exists or cannot be written.
     """
     target = Path.cwd() / target
-    with scratch_beside(target, FILE) as scratch:
+    with scratch_beside(target, FILE, is_ours) as scratch:
         part = scratch / target.name
         try:
             yield part
             _sync(part)
-            refuse_existing(target, FILE)
+            refuse_existing(target, FILE, is_ours, SequenceError)
             target.parent.mkdir(parents=True, exist_ok=True)
-            part.rename(target)
+            part.replace(target)
             sync_folder(target.parent)
         except OSError as problem:
             raise _writing_failed(problem, target) from problem
 
 
 @contextmanager
-def scratch_beside(target: Path, kind: str = FOLDER) -> Iterator[Path]:
+def scratch_beside(
+    target: Path, kind: str = FOLDER, is_ours: IsOurs | None = None
+) -> Iterator[Path]:
     """Yield a temporary folder on the file system of a target that does not exist yet.
 
     It is removed after the block, unless it was renamed.
@@ -140,7 +131,7 @@ def scratch_beside(target: Path, kind: str = FOLDER) -> Iterator[Path]:
         SequenceError: when the target exists or nothing can be written there.
     """
     target = Path.cwd() / target
-    refuse_existing(target, kind)
+    refuse_existing(target, kind, is_ours, SequenceError)
     home = next(parent for parent in target.parents if parent.exists())
     try:
         scratch = Path(

@@ -4648,6 +4648,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>beschreibt {count} von {total} Tabellen (/ dazwischen)</translation>
     </message>
     <message>
+        <source>cannot be overwritten ({reason})</source>
+        <translation>kann nicht überschrieben werden ({reason})</translation>
+    </message>
+    <message>
+        <source>choose another file, or replace it with --overwrite</source>
+        <translation>wählen Sie eine andere Datei, oder ersetzen Sie sie mit --overwrite</translation>
+    </message>
+    <message>
         <source>does not declare its rate</source>
         <translation>gibt seine Rate nicht an</translation>
     </message>
@@ -4714,6 +4722,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>is not a template for logs (it must hold texts for {known})</source>
         <translation>ist keine Vorlage für ein Protokoll (sie darf Texte enthalten für {known})</translation>
+    </message>
+    <message>
+        <source>is not overwritten, as it is no such file of this program</source>
+        <translation>wird nicht überschrieben, denn es ist keine solche Datei dieses Programms</translation>
     </message>
     <message>
         <source>is too large (limit: {most_bytes} bytes)</source>

@@ -4648,6 +4648,14 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>décrit {count} tableaux sur {total} (/ entre eux)</translation>
     </message>
     <message>
+        <source>cannot be overwritten ({reason})</source>
+        <translation>ne peut pas être remplacé ({reason})</translation>
+    </message>
+    <message>
+        <source>choose another file, or replace it with --overwrite</source>
+        <translation>choisissez un autre fichier, ou remplacez-le avec --overwrite</translation>
+    </message>
+    <message>
         <source>does not declare its rate</source>
         <translation>n&apos;indique pas sa fréquence</translation>
     </message>
@@ -4714,6 +4722,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>is not a template for logs (it must hold texts for {known})</source>
         <translation>n’est pas un modèle de journal (il peut contenir des textes pour {known})</translation>
+    </message>
+    <message>
+        <source>is not overwritten, as it is no such file of this program</source>
+        <translation>n’est pas remplacé, car ce n’est pas un tel fichier de ce programme</translation>
     </message>
     <message>
         <source>is too large (limit: {most_bytes} bytes)</source>

@@ -63,7 +63,8 @@ def played(log, *arguments, follows_s=1.0):
     A busy machine lets it ramp down, or shows too few frames to feel anything.
     """
     for _ in range(5):
-        done = in_process("play", *arguments, "--headless", "--log", log)
+        words = ("--headless", "--log", log, "--overwrite")
+        done = in_process("play", *arguments, *words)
         assert done.returncode == 0, done.stderr
         lines = read_log(log)
         if len(followed(lines)[0]) > 1e3 * follows_s:

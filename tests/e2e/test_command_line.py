@@ -13,6 +13,7 @@ from hapticplayer.capture import read_recording
 from hapticplayer.capture.si_csv import write_imu_csv
 from hapticplayer.doctor import ROOT
 from hapticplayer.model import ImuLog
+from hapticplayer.playback.log import PlaybackLog
 from hapticplayer.simulation import demo as demos
 from hapticplayer.simulation.rides.motion_scenes import simulate_motion
 from tests.e2e.command import (
@@ -137,7 +138,8 @@ def test_feedback_none_and_device_none(demo, tmp_path):
     arguments = ("play", demo, "--headless", "--duration", 0.5, "--log", log)
     assert in_process(*arguments, "--feedback", "none").returncode == 0
     assert not forces_of(read_log(log))[2].any()
-    assert in_process(*arguments, "--device", "none").returncode == 0
+    done = in_process(*arguments, "--device", "none", "--overwrite")
+    assert done.returncode == 0, done.stderr
     assert not [x for x in read_log(log) if x["kind"] == "force"]
 
 
@@ -189,10 +191,14 @@ def child_of_a_playing(process, log):
     )
 
 
-def test_a_log_on_a_full_disk_is_told(demo):
-    done = hapticplayer(
-        "play", demo, "--headless", "--duration", 1, "--log", "/dev/full"
-    )
+def test_a_log_on_a_full_disk_is_told(clip, tmp_path, fill_disk, monkeypatch):
+    def begun(*arguments, **options):
+        fill_disk()
+        return PlaybackLog(*arguments, **options)
+
+    monkeypatch.setattr("hapticplayer.cli.play.PlaybackLog", begun)
+    words = ("--headless", "--device", "none", "--duration", 0.5)
+    done = hapticplayer("play", clip, *words, "--log", tmp_path / "log")
     assert "log is incomplete" in refused(done)
 
 

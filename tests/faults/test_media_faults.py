@@ -109,12 +109,11 @@ def test_a_file_that_grows_shows_what_has_come(good, tmp_path):
     assert 1 < shown < nasty.PICTURES
 
 
-def test_on_a_full_disk_the_clip_plays_on_and_the_log_says_so(tmp_path):
-    full = tmp_path / "log.jsonl"
-    full.symlink_to("/dev/full")
-    log = PlaybackLog(full, {"clip": "clip.mp4"})
+def test_on_a_full_disk_the_clip_plays_on_and_the_log_says_so(tmp_path, fill_disk):
+    fill_disk()
+    log = PlaybackLog(tmp_path / "log.jsonl", {"clip": "clip.mp4"})
     for number in range(2000):
         log.line("frame", monotonic_s=float(number), media_s=0.04 * number)
     log.close({})
     assert "incomplete" in log.problem
-    assert "space" in log.problem
+    assert "too large" in log.problem
