@@ -18,7 +18,7 @@ from app.experimenter.import_wizard import ImportWizard
 from app.player.window import PlayerWindow
 from hapticplayer.haptics.contract import Cause
 from hapticplayer.sequence.build import build_sequence
-from hapticplayer.simulation.demo import demo_folder
+from hapticplayer.simulation.recordings import demo_folder
 
 Steps = Iterator[float]
 KEY, NO_KEY, LEFT = Qt.Key, Qt.KeyboardModifier.NoModifier, Qt.MouseButton.LeftButton

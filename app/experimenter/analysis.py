@@ -14,12 +14,7 @@ from PySide6.QtGui import (
     QTextCursor,
     QTextDocument,
 )
-from PySide6.QtWidgets import (
-    QMainWindow,
-    QMenu,
-    QTextBrowser,
-    QWidget,
-)
+from PySide6.QtWidgets import QMainWindow, QMenu, QTextBrowser, QWidget
 
 from app.bridge.jobs import Jobs, Progress, in_child
 from app.bridge.languages import translated

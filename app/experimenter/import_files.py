@@ -41,11 +41,7 @@ _BETWEEN_FILES = "; "  # of a log in several files
 
 
 class FilesPage(QWidget):
-    """Takes a video and perhaps a log, shows what they are, and puts questions.
-
-    Signals:
-        changed: other files or answers; they have to be read again.
-    """
+    """Takes a video and perhaps a log, shows what they are, and puts questions."""
 
     changed = Signal()
 
@@ -305,12 +301,7 @@ class FilesPage(QWidget):
 
 
 class _Question(QFrame):
-    """What is doubtful about a log, with the answers that are likely.
-
-    Signals:
-        answered: KEY=VALUE words.
-        template_wanted: the answers are in a file.
-    """
+    """What is doubtful about a log, with the answers (KEY=VALUE words) that are likely."""
 
     answered = Signal(list)
     template_wanted = Signal()

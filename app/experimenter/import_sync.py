@@ -4,12 +4,7 @@ import contextlib
 import dataclasses
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import (
-    QCheckBox,
-    QComboBox,
-    QDoubleSpinBox,
-    QWidget,
-)
+from PySide6.QtWidgets import QCheckBox, QComboBox, QDoubleSpinBox, QWidget
 
 from app.bridge.jobs import Job
 from app.bridge.languages import translated

@@ -20,8 +20,7 @@ _PREFIX = "hapticplayer: "
 class StudyProcess(QObject):
     """One at a time; it continues when this window is closed.
 
-    Signals:
-        ended: what it complained of, "" where nothing.
+    `ended` says what it complained of, "" where nothing.
     """
 
     ended = Signal(str)

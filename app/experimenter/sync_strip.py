@@ -107,11 +107,8 @@ class SyncStrip(QWidget):
 
     Drag moves the lower lane, the arrows move it by 1 ms (Shift: 10 ms, Ctrl: 100 ms),
     the wheel zooms, drag with the right button moves the view. A cursor follows the
-    pointer; comma and point move it by a frame.
-
-    Signals:
-        shifted: the shift that a person has chosen, s.
-        pointed: the media time of the cursor, s.
+    pointer; comma and point move it by a frame. `shifted` and `pointed` are in s, the
+    latter media time.
     """
 
     shifted = Signal(float)

@@ -19,12 +19,7 @@ SPEED_STEP = 1.1  # as in mpv
 
 
 class Controls(QObject):
-    """Drives the player for the person at the window, and says what has changed.
-
-    Signals:
-        message: a short text to show on the video.
-        changed: volume, speed or loop is another.
-    """
+    """Drives the player for the person at the window, and says what has changed."""
 
     message = Signal(str)
     changed = Signal()

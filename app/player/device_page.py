@@ -1,12 +1,7 @@
 """Getting to know a device: homing, then every force that it can make, step by step."""
 
 from PySide6.QtCore import QCoreApplication, Qt, QTimer, Signal
-from PySide6.QtWidgets import (
-    QDialog,
-    QLabel,
-    QProgressBar,
-    QWidget,
-)
+from PySide6.QtWidgets import QDialog, QLabel, QProgressBar, QWidget
 
 from app.bridge.languages import translated
 from app.player.health import device_name, stop_reason

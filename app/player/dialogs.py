@@ -8,12 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QCoreApplication, QObject, QSize, Qt, Signal
-from PySide6.QtWidgets import (
-    QDialog,
-    QFileDialog,
-    QLabel,
-    QWidget,
-)
+from PySide6.QtWidgets import QDialog, QFileDialog, QLabel, QWidget
 
 from app.bridge.settings import Settings, choose_library, library_folder
 from app.player.choices import PluggedFalcons
@@ -21,12 +16,7 @@ from app.player.controls import OUTPUT
 from app.player.session import Session
 from app.player.video_surface import SurfaceSink
 from app.widgets.buttons import text_button
-from app.widgets.files import (
-    file_dialog,
-    folder_dialog,
-    settings_filter,
-    video_filter,
-)
+from app.widgets.files import file_dialog, folder_dialog, settings_filter, video_filter
 from app.widgets.layout import STRETCH, column_of, fill_page, paragraph, row_of
 from app.widgets.theme import icon
 from hapticplayer import __version__

@@ -114,11 +114,7 @@ LEAST_HEIGHT_PX = 124  # a title of two lines, a plot, and its times
 
 
 class PlotArea(QFrame):
-    """Holds the plots; pyqtgraph is imported when they are first wanted.
-
-    Signals:
-        sought: a person wants to be at this time, s.
-    """
+    """Holds the plots; pyqtgraph is imported when they are first wanted."""
 
     sought = Signal(float)
 

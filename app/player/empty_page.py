@@ -2,11 +2,7 @@
 
 from PySide6.QtCore import QSize, Signal
 from PySide6.QtGui import QPainter, QPaintEvent, QResizeEvent
-from PySide6.QtWidgets import (
-    QHBoxLayout,
-    QSizePolicy,
-    QWidget,
-)
+from PySide6.QtWidgets import QHBoxLayout, QSizePolicy, QWidget
 
 from app.widgets import theme
 from app.widgets.buttons import text_button
@@ -17,12 +13,7 @@ _ICON_PX, _LEAST_ICON_PX = 72, 32  # a smaller one is left out
 
 
 class EmptyPage(QWidget):
-    """Five ways to begin.
-
-    Signals:
-        demo_clicked, open_clicked, library_clicked, import_clicked, device_clicked:
-            the buttons.
-    """
+    """Five ways to begin."""
 
     demo_clicked = Signal()
     open_clicked = Signal()

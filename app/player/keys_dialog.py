@@ -39,11 +39,7 @@ _NAME = Qt.ItemDataRole.UserRole
 
 
 class KeysDialog(QDialog):
-    """Lists every command with its keys; a key that is pressed below is given to it.
-
-    Signals:
-        changed: a command has other keys.
-    """
+    """Lists every command with its keys; a key that is pressed below is given to it."""
 
     changed = Signal()
 

@@ -188,11 +188,7 @@ THEME, LANGUAGE = "look", "language"
 
 
 class ThemeMenus(QObject):
-    """The choices of theme and language.
-
-    Signals:
-        changed: the settings have changed; the window has to be rebuilt.
-    """
+    """The choices of theme and language; for another one the window has to be rebuilt."""
 
     changed = Signal()
 

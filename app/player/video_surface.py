@@ -48,12 +48,7 @@ def letterbox(clip: tuple[int, int], area: tuple[int, int]) -> Box:
 
 
 class VideoSurface(QWidget):
-    """Shows frames as they come, with black bars around them.
-
-    Signals:
-        double_clicked: a person wants fullscreen, or to leave it.
-        pointer_moved: the pointer moved over the video.
-    """
+    """Shows frames as they come, with black bars around them."""
 
     double_clicked = Signal()
     pointer_moved = Signal()

@@ -3,12 +3,7 @@
 from collections.abc import Generator
 
 from PySide6.QtCore import QCoreApplication, Qt, Signal
-from PySide6.QtWidgets import (
-    QLabel,
-    QSizePolicy,
-    QSplitter,
-    QWidget,
-)
+from PySide6.QtWidgets import QLabel, QSizePolicy, QSplitter, QWidget
 
 from app.plots.grip_painter import headline
 from app.plots.grip_scene import Grip

@@ -10,11 +10,7 @@ from hapticplayer.model import ForceTrack
 
 
 class ViewSpan(QObject):
-    """Zoom and pan, shared by plots that go together.
-
-    Signals:
-        changed: other seconds are to be drawn.
-    """
+    """Zoom and pan, shared by plots that go together."""
 
     changed = Signal()
 

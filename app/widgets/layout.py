@@ -165,11 +165,10 @@ class ElidedLabel(QWidget):
         self,
         text: str = "",
         colour: str = "",
-        parent: QWidget | None = None,
         *,
         elide: Qt.TextElideMode = Qt.TextElideMode.ElideRight,
     ) -> None:
-        super().__init__(parent)
+        super().__init__()
         self._text = text
         self._colour = QColor(colour or theme.TEXT)
         self._elide = elide

@@ -8,12 +8,13 @@ from hapticplayer.cli.common import add_number, interruptible, say, shown_progre
 from hapticplayer.errors import UsageError
 from hapticplayer.model import ranges
 from hapticplayer.sequence import files
-from hapticplayer.simulation.demo import DEMO_SEED, write_simulated_sequence
 from hapticplayer.simulation.recordings import (
     CLIP,
+    DEMO_SEED,
     LOG,
     READ_AS,
     write_simulated_recording,
+    write_simulated_sequence,
 )
 from hapticplayer.simulation.rides.catalogue import RIDES, SCENES
 from hapticplayer.simulation.rides.motion_scenes import MOTION_SCENES, simulate_motion

@@ -11,8 +11,12 @@ from hapticplayer.clock import SystemClock
 from hapticplayer.errors import UsageError
 from hapticplayer.model import ranges
 from hapticplayer.outputs import FOLDER, refuse_existing
-from hapticplayer.simulation.effects import draw_effect, effect_named, paper_effect
-from hapticplayer.simulation.participants import simulated_answers
+from hapticplayer.simulation.participants import (
+    draw_effect,
+    effect_named,
+    paper_effect,
+    simulated_answers,
+)
 from hapticplayer.simulation.sessions import write_answers
 from hapticplayer.study.analysis import (
     Analysis,

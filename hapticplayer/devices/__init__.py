@@ -30,7 +30,6 @@ class HapticDevice(Protocol):
 
     def open(self) -> None:
         """Connect; raises DeviceError with what to do."""
-        ...
 
     def exchange(self, force_n: Vector, now_s: float) -> DeviceReading:
         """Command a force and return the newest answer; never waits for one.
@@ -39,11 +38,9 @@ class HapticDevice(Protocol):
             DeviceError: when the device is gone. Late and malformed answers are
                 no errors: the reading shows them.
         """
-        ...
 
     def close(self) -> None:
         """Let go of the device; the force has been zero before."""
-        ...
 
 
 @dataclass(frozen=True, slots=True)

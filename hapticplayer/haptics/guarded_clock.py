@@ -15,12 +15,7 @@ from hapticplayer.haptics.contract import GAP_RAMP_S, GUARD_RAMP_S
 from hapticplayer.haptics.lifeline import hold_lifeline
 from hapticplayer.haptics.scheduling import DEVICE_PRIORITY, grant
 from hapticplayer.haptics.shared import BLOCK_BYTES, SharedBlock
-from hapticplayer.haptics.spawn import (
-    Process,
-    start_device,
-    start_guard,
-    wait_for_end,
-)
+from hapticplayer.haptics.spawn import Process, start_device, start_guard, wait_for_end
 from hapticplayer.haptics.track import anonymous_memory
 
 BEAT_S = 0.002

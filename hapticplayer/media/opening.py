@@ -21,12 +21,7 @@ from av.video.stream import VideoStream
 
 from hapticplayer.errors import MediaError, Message
 from hapticplayer.media.declared import declared_bytes, declared_samples
-from hapticplayer.media.limits import (
-    INDEX_TAIL,
-    MAX_PIXELS,
-    MAX_SIDE_PX,
-    MAX_STREAMS,
-)
+from hapticplayer.media.limits import INDEX_TAIL, MAX_PIXELS, MAX_SIDE_PX, MAX_STREAMS
 from hapticplayer.untrusted import COPY_AGAIN, resolve_regular
 
 OPTIONS = {

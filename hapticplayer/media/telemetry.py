@@ -17,12 +17,7 @@ from hapticplayer.media.limits import (
     MAX_TELEMETRY_PACKET_BYTES,
     MAX_TELEMETRY_PACKETS,
 )
-from hapticplayer.media.opening import (
-    media_errors,
-    open_media,
-    origin_s,
-    read_only,
-)
+from hapticplayer.media.opening import media_errors, open_media, origin_s, read_only
 from hapticplayer.untrusted import COPY_AGAIN
 
 _TICKS_PER_S = 1000

@@ -29,11 +29,9 @@ class AudioOut(Protocol):
 
     def poll(self) -> OutputState:
         """Return the state now."""
-        ...
 
     def close(self) -> None:
         """Stop and release the device."""
-        ...
 
 
 class SoundProcess:

@@ -31,7 +31,6 @@ class FrameSink(Protocol):
 
     def show(self, frame: DecodedFrame) -> None:
         """Present a frame now; returns when it is on the screen."""
-        ...
 
 
 class NullSink:

@@ -1,17 +1,202 @@
-"""Answers of participants who never sat there, with the paper's means and spreads."""
+"""Answers of participants who never sat there, of a population that is known.
+
+A rating is a latent value, rounded and cut to 1..5:
+
+    y = clip(round(m_fk + s_f u_pf + T e), 1, 5),   u_pf = sqrt(r) a_p + sqrt(1-r) b_pf
+
+with the feedback f, the factor k, the participant p and independent standard normal
+a, b, e. m_fk and s_f are solved so that the population has the wanted mean of each
+factor and the wanted SD of QoE over participants (each the mean of S sequences); the
+expectations are exact up to Gauss-Hermite quadrature. What the paper does not state was
+chosen so that the median chi-squares of 15 participants come near its printed ones:
+how alike a participant's answers are for all feedbacks (r), and how much they scatter
+over sequences (T). The population gives 25.6, 26.3, 29.1, 5.8 and 22.9 for QoE, realism,
+sensory, comfort and satisfaction (printed: 24.71, 24.03, 26.68, 8.79, 23.05).
+"""
+
+import functools
+from dataclasses import dataclass
 
 import numpy as np
+from scipy import optimize, special
 
 from hapticplayer.errors import UsageError
 from hapticplayer.model.arrays import Floats
-from hapticplayer.simulation.effects import (
-    Effect,
-    drawn_ratings,
-    effect_named,
-)
 from hapticplayer.study.analysis.friedman import chi_squares
-from hapticplayer.study.analysis.scores import SCALE
+from hapticplayer.study.analysis.power import Draw
+from hapticplayer.study.analysis.scores import QOE, SCALE
 from hapticplayer.study.answers import Answers, Participant, Rating
+
+SCATTER = 0.7
+COMMON = 0.2
+_PAPER_SEQUENCES = 4
+_LATENT_RANGE = (-12.0, 18.0)
+_SD_RANGE = (0.01, 6.0)
+_NODES = 61
+_MOST = 3.0
+
+
+@dataclass(frozen=True, slots=True)
+class Effect:
+    """What a population says of each of F feedbacks in K factors.
+
+    Attributes:
+        factor_means: (F, K).
+        qoe_sds: (F,), over participants, of their mean over the sequences.
+    """
+
+    name: str
+    feedbacks: tuple[str, ...]
+    factors: tuple[str, ...]
+    factor_means: Floats
+    qoe_sds: Floats
+
+
+def paper_effect() -> Effect:
+    """Return what the paper reports (section 5, figures 7 and 8).
+
+    The factors' means are printed with one decimal and add up to 0.1 more or less than
+    the printed mean of QoE; the difference is shared among them, at most 0.025 each,
+    so that both are met as printed.
+    """
+    factor_means = np.array(
+        [[1.3, 1.1, 2.9, 2.1], [1.9, 2.4, 3.2, 2.8], [3.8, 3.9, 3.6, 4.1]]
+    )
+    qoe_means = np.array([7.5, 10.2, 15.3])
+    factor_means += (qoe_means - factor_means.sum(axis=1))[:, None] / 4.0
+    return Effect(
+        "paper",
+        ("none", "random", "realistic"),
+        ("realism", "sensory", "comfort", "satisfaction"),
+        factor_means,
+        np.array([2.1, 1.6, 2.6]),
+    )
+
+
+def effect_named(name: str) -> Effect:
+    """Return the paper's effect, none, or a share of the paper's such as "0.5".
+
+    A share moves the feedbacks' means towards their common mean; spreads stay.
+
+    Raises:
+        UsageError: for another word, or a share that leaves the scale.
+    """
+    paper = paper_effect()
+    if name == "paper":
+        return paper
+    try:
+        share = 0.0 if name == "none" else float(name)
+    except ValueError:
+        share = np.nan
+    if not 0.0 <= share <= _MOST:
+        raise UsageError(
+            "there is no effect {name!r}; there is paper, none, or a share of the "
+            "paper's effect such as 0.5",
+            name=name,
+        )
+    common = paper.factor_means.mean(axis=0)
+    means = common + share * (paper.factor_means - common)
+    low, high = SCALE
+    if means.min() <= low or means.max() >= high:
+        raise UsageError(
+            "an effect of {share:g} times the paper's leaves the scale of {low} "
+            "to {high}; choose a smaller one",
+            share=share,
+            low=low,
+            high=high,
+        )
+    return Effect(name, paper.feedbacks, paper.factors, means, paper.qoe_sds)
+
+
+def drawn_ratings(
+    effect: Effect, shape: tuple[int, int, int], rng: np.random.Generator
+) -> Floats:
+    """Return ratings (studies, participants, sequences, F, K); `shape` holds three."""
+    studies, people, sequences = shape
+    means, sds = _latent(effect.name)
+    feedbacks, factors = effect.factor_means.shape
+    common = rng.standard_normal((studies, people, 1))
+    own = rng.standard_normal((studies, people, feedbacks))
+    person = np.sqrt(COMMON) * common + np.sqrt(1.0 - COMMON) * own
+    scatter = rng.standard_normal((studies, people, sequences, feedbacks, factors))
+    scatter *= SCATTER
+    scatter += (sds * person)[:, :, None, :, None] + means
+    return np.asarray(np.clip(np.rint(scatter, out=scatter), *SCALE, out=scatter))
+
+
+def draw_effect(effect: Effect, measure: str, sequences: int) -> Draw:
+    """Return draws of participants of a population with a known effect."""
+    if measure != QOE and measure not in effect.factors:
+        known = ", ".join((QOE, *effect.factors))
+        raise UsageError(
+            "there is no measure {measure!r}; there is {known}",
+            measure=measure,
+            known=known,
+        )
+
+    def draw(studies: int, people: int, rng: np.random.Generator) -> Floats:
+        ratings = drawn_ratings(effect, (studies, people, sequences), rng)
+        if measure == QOE:
+            return np.asarray(ratings.sum(axis=4).mean(axis=2))
+        return np.asarray(ratings[..., effect.factors.index(measure)].mean(axis=2))
+
+    return draw
+
+
+@functools.cache
+def _latent(name: str) -> tuple[Floats, Floats]:
+    """Return m_fk (F, K) and s_f (F,) of an effect by name."""
+    effect = effect_named(name)
+    rows = [
+        _solved(means, float(sd))
+        for means, sd in zip(effect.factor_means, effect.qoe_sds, strict=True)
+    ]
+    return np.array([row[0] for row in rows]), np.array([row[1] for row in rows])
+
+
+def _solved(factor_means: Floats, qoe_sd: float) -> tuple[Floats, float]:
+    def surplus(spread: float) -> float:
+        latent = _latent_means(factor_means, spread)
+        return _qoe_sd(latent, spread) - qoe_sd
+
+    spread = float(optimize.brentq(surplus, *_SD_RANGE, xtol=1e-10))
+    return _latent_means(factor_means, spread), spread
+
+
+def _latent_means(factor_means: Floats, spread: float) -> Floats:
+    # rounding turns a normal latent value into steps at 1.5 .. 4.5
+    total = np.hypot(spread, SCATTER)
+
+    def surplus(latent: float, wanted: float) -> float:
+        return float(1.0 + special.ndtr((latent - _steps()) / total).sum() - wanted)
+
+    return np.array(
+        [
+            optimize.brentq(surplus, *_LATENT_RANGE, args=(mean,), xtol=1e-12)
+            for mean in factor_means
+        ]
+    )
+
+
+def _qoe_sd(latent: Floats, spread: float) -> float:
+    """Return the SD over participants of QoE averaged over the paper's sequences."""
+    nodes, weights = special.roots_hermitenorm(_NODES)
+    weights = weights / weights.sum()
+    person = latent[:, None] + spread * nodes[:, None, None]
+    above = special.ndtr((person - _steps()) / SCATTER)  # (u, factor, step)
+    mean = 1.0 + above.sum(axis=2)
+    # E y^2 = 1 + sum_j (2j + 1) P(y > j)
+    square = 1.0 + (above * (2.0 * np.floor(_steps()) + 1.0)).sum(axis=2)
+    scatter = (square - mean**2).sum(axis=1) / _PAPER_SEQUENCES
+    qoe = mean.sum(axis=1)
+    between = (qoe - float(weights @ qoe)) ** 2
+    return float(np.sqrt(weights @ (between + scatter)))
+
+
+def _steps() -> Floats:
+    low, high = SCALE
+    return np.arange(low + 0.5, high, dtype=np.float64)
+
 
 SEQUENCES = ("bike", "horse", "car-turning", "car-braking")
 PAPER_W = (0.824, 0.801, 0.889, 0.293, 0.768)
@@ -38,7 +223,7 @@ def simulated_answers(
     printed decimal) and agreements near the reported ones: the draws from the
     population that are nearest to the paper's W and SDs are taken, single ratings are
     moved by one until means and SDs fit, and the one that is then nearest to the W is
-    kept. Any other effect (see `effects.effect_named`) is one draw from its population,
+    kept. Any other effect (see `effect_named`) is one draw from its population,
     whose sample scatters as samples do. The same seed gives the same answers.
 
     Raises:

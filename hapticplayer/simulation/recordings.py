@@ -1,12 +1,17 @@
-"""Writes a simulated ride as a camera and a logger would have: a folder of files."""
+"""Writes simulated rides: as a camera and a logger would have, or imported already."""
 
+import shutil
 from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
+from hapticplayer import __version__
 from hapticplayer.capture.si_csv import write_imu_csv
-from hapticplayer.errors import Message, UsageError
+from hapticplayer.errors import Message, SequenceError, UsageError
+from hapticplayer.media.clip_info import probe
 from hapticplayer.sequence import files
+from hapticplayer.sequence.build import Choices, write_sequence
+from hapticplayer.sequence.store import open_sequence
 from hapticplayer.simulation.rides.board import EARTH_FIELD_UT, PAPER
 from hapticplayer.simulation.rides.catalogue import RIDES
 from hapticplayer.simulation.rides.recording import (
@@ -100,3 +105,50 @@ def _plain(value: Any) -> Any:
     if isinstance(value, dict):
         return {key: _plain(one) for key, one in value.items()}
     return None if value == float("inf") else value
+
+
+DEMO_SEED = 2012
+
+
+def write_simulated_sequence(
+    scenario: str,
+    target: Path,
+    *,
+    seed: int = DEMO_SEED,
+    progress: files.Progress = files.no_progress,
+) -> Path:
+    """Simulate a recording and import it; its truth is kept as truth.npz.
+
+    Raises:
+        UsageError: for a scenario that does not exist.
+        SequenceError: when the target exists or cannot be written.
+    """
+    recorded = simulate(scenario, seed)
+    with files.scratch_beside(target) as scratch:
+        path = scratch / f"{scenario}.mp4"
+        write_simulated_clip(
+            recorded, path, lambda f: progress(0.8 * f, Message("drawing the ride"))
+        )
+        return write_sequence(
+            probe(path),
+            recorded.recording(),
+            target,
+            choices=Choices(title=f"Simulated ride: {scenario}", seed=seed),
+            extras={"truth": recorded.truth.arrays()},
+            progress=lambda f, step: progress(0.8 + 0.2 * f, step),
+        )
+
+
+def demo_folder(progress: files.Progress = files.no_progress) -> Path:
+    """Return the folder of the demo, made on first use in the user's cache."""
+    target = files.cache_root() / f"demo-{__version__}"
+    try:
+        open_sequence(target)
+    except SequenceError:
+        if target.exists():  # of an interrupted disk or an older layout
+            shutil.rmtree(target)
+        try:
+            write_simulated_sequence("demo", target, progress=progress)
+        except SequenceError:
+            open_sequence(target)  # another process made it meanwhile
+    return target

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from hapticplayer.media.encode import write_clip
-from hapticplayer.simulation import demo as demos
+from hapticplayer.simulation import recordings as demos
 from hapticplayer.simulation.rides.recording import SimulatedRecording, simulate
 from tests.e2e.command import hapticplayer
 

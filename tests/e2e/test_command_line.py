@@ -14,7 +14,7 @@ from hapticplayer.capture.si_csv import write_imu_csv
 from hapticplayer.doctor import ROOT
 from hapticplayer.model import ImuLog
 from hapticplayer.playback.log import PlaybackLog
-from hapticplayer.simulation import demo as demos
+from hapticplayer.simulation import recordings as demos
 from hapticplayer.simulation.rides.motion_scenes import simulate_motion
 from tests.e2e.command import (
     followed,

@@ -21,11 +21,7 @@ from hapticplayer.devices.falcon.kinematics import Kinematics, motor_words
 from hapticplayer.devices.falcon.link import WRITE_S, Link, ThreadedLink
 from hapticplayer.devices.falcon.protocol import Lights, Reply, encode_command
 from hapticplayer.devices.falcon.tracker import Tracker
-from hapticplayer.devices.falcon.transport import (
-    OpenTransport,
-    Transport,
-    open_falcon,
-)
+from hapticplayer.devices.falcon.transport import OpenTransport, Transport, open_falcon
 from hapticplayer.errors import DeviceError, Message
 from hapticplayer.model.device import DeviceReading, Vector
 
@@ -107,14 +103,13 @@ class FalconDriver:
         *,
         clock: Clock | None = None,
         image: Callable[[], FirmwareImage] = find_image,
-        kinematics: Kinematics | None = None,
         make_link: Callable[[Ftdi, Clock], Link] = ThreadedLink,
         options: Options = DEFAULTS,
     ) -> None:
         self._open_transport = open_transport
         self._clock = clock or SystemClock()
         self._image = image
-        self._kinematics = kinematics or Kinematics()
+        self._kinematics = Kinematics()
         self._make_link = make_link
         self._options = options
         self._session: _Session | None = None

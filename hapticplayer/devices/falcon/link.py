@@ -66,15 +66,12 @@ class Link(Protocol):
 
     def post(self, frame: bytes) -> None:
         """Send a frame; raises DeviceError when the device is gone."""
-        ...
 
     def newest(self) -> Answer:
         """Return the newest answer; raises DeviceError when the device is gone."""
-        ...
 
     def stop(self) -> None:
         """End the exchange; the device stays open."""
-        ...
 
 
 class DirectLink:

@@ -47,19 +47,15 @@ class Transport(Protocol):
 
     def control(self, request: int, value: int, index: int = 0) -> None:
         """Make a vendor request without data."""
-        ...
 
     def write(self, data: bytes, timeout_s: float) -> int:
         """Send bytes; return how many were taken before the time was over."""
-        ...
 
     def read(self, timeout_s: float) -> bytes:
         """Return the next packet, at most 64 bytes, status bytes first; or nothing."""
-        ...
 
     def close(self) -> None:
         """Let go of the device; may be called again."""
-        ...
 
 
 OpenTransport = Callable[[], Transport]

@@ -26,11 +26,9 @@ class Outlet(Protocol):
 
     def post(self, report: bytes) -> None:
         """Send a report; raises DeviceError when the pad is gone."""
-        ...
 
     def stop(self) -> None:
         """Send nothing more; the port stays open."""
-        ...
 
 
 class ThreadedOutlet:

@@ -20,15 +20,12 @@ class Port(Protocol):
 
     def write(self, report: bytes) -> None:
         """Send a report; may take as long as the pad takes it, some ms."""
-        ...
 
     def read(self) -> bytes:
         """Return the next report, b"" when there is none; never waits."""
-        ...
 
     def close(self) -> None:
         """Let go of the pad; may be called again."""
-        ...
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,10 +6,7 @@ import sys
 
 from hapticplayer.clock import SystemClock
 from hapticplayer.haptics.scheduling import outlive_the_player
-from hapticplayer.simulation.falcon.options import (
-    device_parser,
-    simulation_of,
-)
+from hapticplayer.simulation.falcon.options import device_parser, simulation_of
 from hapticplayer.simulation.falcon.record import Recorder
 from hapticplayer.simulation.falcon.server import Server
 

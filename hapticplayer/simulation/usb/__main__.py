@@ -8,10 +8,7 @@ import threading
 
 from hapticplayer.clock import SystemClock
 from hapticplayer.haptics.scheduling import outlive_the_player
-from hapticplayer.simulation.falcon.options import (
-    device_parser,
-    simulation_of,
-)
+from hapticplayer.simulation.falcon.options import device_parser, simulation_of
 from hapticplayer.simulation.falcon.record import Recorder
 from hapticplayer.simulation.usb.board import Board, Stage
 from hapticplayer.simulation.usb.chip import Chip

@@ -32,7 +32,6 @@ def make_set(
     *,
     clock: Clock | None = None,
     stage: Stage = Stage.RUNNING,
-    options: Options = DEFAULTS,
     homing: Homing | None = None,
 ) -> SimulatedSet:
     """Return a Falcon in a hand (a relaxed one by default), with the real driver on it.
@@ -48,10 +47,7 @@ def make_set(
     chip = Chip(board, clock)
     bus = SimulatedBus([SimulatedPort(chip)])
     driver = FalconDriver(
-        lambda: open_falcon(backend=bus),
-        clock=clock,
-        image=synthetic_image,
-        options=options,
+        lambda: open_falcon(backend=bus), clock=clock, image=synthetic_image
     )
     return SimulatedSet(driver, simulation, board, chip, bus)
 

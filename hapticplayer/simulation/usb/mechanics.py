@@ -19,11 +19,9 @@ class Mechanics(Protocol):
 
     def command(self, command: Command, at_s: float) -> None:
         """Apply motor words and lights."""
-        ...
 
     def reply(self, at_s: float) -> Reply:
         """Return encoders and buttons."""
-        ...
 
 
 class Homing:
@@ -57,12 +55,10 @@ class Homing:
 class SimulatedMechanics:
     """The physics of `simulation.falcon` between motor words and encoder counts."""
 
-    def __init__(
-        self, simulation: Simulation, kinematics: Kinematics | None = None
-    ) -> None:
+    def __init__(self, simulation: Simulation) -> None:
         self.simulation = simulation
         self.homing: Homing | None = None
-        self._kinematics = kinematics or Kinematics()
+        self._kinematics = Kinematics()
 
     def command(self, command: Command, at_s: float) -> None:
         """Let the motors push: F = J^-T tau with tau = -words / 10000."""

@@ -11,7 +11,7 @@ import weakref
 from collections.abc import Callable
 from typing import NamedTuple
 
-from hapticplayer.clock import Clock, SystemClock
+from hapticplayer.clock import SystemClock
 from hapticplayer.devices.falcon.protocol import encode_command
 from hapticplayer.simulation.usb.chip import UsbFault
 
@@ -97,9 +97,8 @@ class RemoteChip:
     The descriptor is one end of a SOCK_SEQPACKET pair and belongs to this object.
     """
 
-    def __init__(self, descriptor: int, clock: Clock | None = None) -> None:
+    def __init__(self, descriptor: int) -> None:
         self.is_plugged = True
-        self._clock = clock or SystemClock()
         ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
         with theirs:
             attach = socket.socket(fileno=descriptor)
@@ -107,8 +106,8 @@ class RemoteChip:
             message = pack_request(Request(Kind.ATTACH))
             socket.send_fds(attach, [message], [theirs.fileno()])
         # two numbers, closed with this object: no bus has a place to close it
-        self._out = _Line(attach.detach(), self._clock)
-        self._in = _Line(ours.detach(), self._clock)
+        self._out = _Line(attach.detach())
+        self._in = _Line(ours.detach())
 
     def control(self, request: int, value: int, index: int) -> None:
         """Make a vendor request."""
@@ -144,10 +143,10 @@ class RemoteChip:
 class _Line:
     """Requests one after the other, each with its answer."""
 
-    def __init__(self, descriptor: int, clock: Clock) -> None:
+    def __init__(self, descriptor: int) -> None:
         os.set_blocking(descriptor, False)
         weakref.finalize(self, os.close, descriptor)
-        self._end, self._clock = descriptor, clock
+        self._end, self._clock = descriptor, SystemClock()
         self._poll = select.poll()
         self._poll.register(descriptor, select.POLLIN)
         self._serial = NO_ANSWER

@@ -5,12 +5,12 @@ import pytest
 
 from hapticplayer.clock import ManualClock
 from hapticplayer.errors import UsageError
-from hapticplayer.simulation.effects import (
+from hapticplayer.simulation.participants import (
     drawn_ratings,
     effect_named,
     paper_effect,
+    simulated_answers,
 )
-from hapticplayer.simulation.participants import simulated_answers
 from hapticplayer.simulation.sessions import write_answers
 from hapticplayer.study.analysis import AnalysisOptions, Resampling, analyse
 from hapticplayer.study.analysis.analysis import summary

@@ -5,7 +5,7 @@ import pytest
 from statsmodels.stats.power import TTestPower
 
 from hapticplayer.errors import Cancelled, UsageError
-from hapticplayer.simulation.effects import draw_effect, effect_named
+from hapticplayer.simulation.participants import draw_effect, effect_named
 from hapticplayer.study.analysis.power import PowerGoal, draw_pilot, find_power
 from hapticplayer.study.analysis.scores import sample_of, scores_of
 
