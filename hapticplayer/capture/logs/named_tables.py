@@ -4,7 +4,8 @@ Lines above the header and between header and rows (units, sources) are passed o
 Each sensor may have rows of its own, with empty cells for the others.
 
 AndroSensor and apps like it: "ACCELEROMETER X (m/s²)", "GYROSCOPE X (rad/s)",
-"LINEAR ACCELERATION X (m/s²)", "Time since start in ms ", semicolons or commas.
+"LINEAR ACCELERATION X (m/s²)", "Time since start in ms ", semicolons or commas; others
+write "time (ms)".
 
 RaceChrono: lines about the session, then the header. Format 3 has units ("unix time",
 "G", "deg/s") and sources ("101: acc") in the two lines below it, formats 1 and 2 units
@@ -68,7 +69,7 @@ class TableLayout:
 
     Attributes:
         text: its name, for people.
-        mark: pattern in the beginning of the file; "" if the header is enough.
+        mark: pattern in the beginning of the file.
         time: pattern of the time's column; a group may hold its unit.
         sensors: patterns of the columns of accel (with gravity), linear (without),
             rate and field; groups are the axis and, in some, the unit.
@@ -113,13 +114,8 @@ def table_reader(layout: TableLayout) -> Reader:
     """Return the reader of a program's tables."""
     mark = re.compile(layout.mark, re.MULTILINE)
 
-    def is_own(source: Source, name: str) -> bool:
-        if layout.mark:
-            return bool(mark.search(source.head(name)))
-        return _header(source, name, layout) is not None
-
     def found(source: Source) -> list[str]:
-        return [name for name in source.names if is_own(source, name)]
+        return [name for name in source.names if mark.search(source.head(name))]
 
     def recognises(source: Source) -> Confidence:
         return Confidence.CERTAIN if found(source) else Confidence.NO
@@ -262,11 +258,14 @@ def _columns(
 
 _PHONE = Message("the phone's axes: x right, y top, z out of the screen")
 
+_SINCE_START = r"time(?:stamp)?(?: since start)? ?(?:in |\()(s|ms|us|ns)\b\)?"
+"""phyphox has "Time (s)"."""
+
 ANDROSENSOR = table_reader(
     TableLayout(
         Message("AndroSensor"),
-        mark="",
-        time=r"time since start (?:in |\()(s|ms|us|ns)\)?",
+        mark=rf"(?i)^(?=.*\bACCELER(?:OMETER|ATION) X \()(?=.*\b(?!time \(s\)){_SINCE_START})",
+        time=_SINCE_START,
         sensors={
             "accel": r"ACCELEROMETER ([XYZ]) \((.+)\)",
             "linear": r"LINEAR ACCELERATION ([XYZ]) \((.+)\)",

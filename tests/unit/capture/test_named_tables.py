@@ -94,6 +94,23 @@ def test_several_sensors_of_a_suit_are_asked_about(tmp_path):
         read_recording(path)
 
 
+@pytest.mark.parametrize(
+    ("time", "program"),
+    [(b"Time since start (ms)", "AndroSensor"), (b"timestamp (ms)", "AndroSensor"),
+     (b"time (ms)", "AndroSensor"), (b"clock", "")],
+)  # fmt: skip
+def test_time_of_sensor_apps_is_known_by_its_unit(tmp_path, time, program):
+    path = put(
+        written("AndroSensor", b"Time since start in ms ", time), tmp_path / "in"
+    )
+    if program:
+        assert read_recording(path).camera == program
+        return
+    with pytest.raises((InputError, UsageError)) as caught:
+        read_recording(path)
+    assert "AndroSensor" not in str(caught.value)
+
+
 def test_header_in_latin_1_is_text(tmp_path):
     """The superscript two of m/s² is one byte there, which is no UTF-8."""
     ((name, content),) = written("AndroSensor").items()
