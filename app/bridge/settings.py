@@ -105,11 +105,7 @@ class Settings:
                 _write(self._path, {**self._values, VERSION: SETTINGS_VERSION})
 
     def export(self, path: Path) -> None:
-        """Write what is worth having on another machine.
-
-        Raises:
-            InputError: when it cannot be written.
-        """
+        """Write what is worth having on another machine; raises InputError."""
         kept = {k: v for k, v in self._values.items() if k not in _PRIVATE}
         try:
             _write(path, {**kept, VERSION: SETTINGS_VERSION})

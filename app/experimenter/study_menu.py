@@ -36,11 +36,7 @@ class StudyProcess(QObject):
         return self._process is not None
 
     def start(self, arguments: Sequence[str]) -> None:
-        """Start `hapticplayer` with arguments.
-
-        Raises:
-            OSError: when the system refuses.
-        """
+        """Start `hapticplayer` with arguments; raises OSError if that is refused."""
         self._stderr = tempfile.TemporaryFile()  # noqa: SIM115 - read when it has ended
         self._process = subprocess.Popen(
             [sys.executable, "-m", "app", *arguments],

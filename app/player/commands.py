@@ -20,25 +20,16 @@ MOST_KEYS = 8
 
 
 class Command(NamedTuple):
-    """One thing that can be done.
+    """One thing that can be done."""
 
-    Attributes:
-        name: of the action and in the settings.
-        text: in English; "&" marks the letter in the menu.
-        menu: file, playback, view or help.
-        group: commands of one group lie together in the menu.
-        keys: at first.
-        is_fixed: keeps its keys.
-    """
-
-    name: str
-    text: str
-    menu: str
-    group: int
-    keys: tuple[str, ...] = ()
+    name: str  # of the action and in the settings
+    text: str  # in English; "&" marks the letter in the menu
+    menu: str  # file, playback, view or help
+    group: int  # commands of one group lie together in the menu
+    keys: tuple[str, ...] = ()  # at first
     needs_clip: bool = False
     is_checkable: bool = False
-    is_fixed: bool = False
+    is_fixed: bool = False  # keeps its keys
 
 
 COMMANDS = (

@@ -28,17 +28,11 @@ _LEAST_DEPTH_SHARE = 0.1  # what comes closer is shown at this depth
 
 @dataclass(frozen=True, slots=True)
 class Camera:
-    """Where one looks from; always at the centre of the workspace.
+    """Where one looks from; always at the centre of the workspace."""
 
-    Attributes:
-        yaw_rad: to the right of the user's own place.
-        pitch_rad: above it.
-        zoom: 1 shows the whole workspace.
-    """
-
-    yaw_rad: float = YAW_RAD
-    pitch_rad: float = PITCH_RAD
-    zoom: float = 1.0
+    yaw_rad: float = YAW_RAD  # to the right of the user's own place
+    pitch_rad: float = PITCH_RAD  # above it
+    zoom: float = 1.0  # 1 shows the whole workspace
 
     def turned(self, yaw_rad: float, pitch_rad: float) -> Self:
         """Return the camera moved round the workspace; never over the top."""

@@ -173,11 +173,7 @@ def device_names() -> list[str]:
 
 
 def find_device(name: str) -> DeviceEntry:
-    """Return the device of that name, or of that name and serial number.
-
-    Raises:
-        DeviceError: when there is no driver for it.
-    """
+    """Return the device of that name, or name:serial; raises DeviceError for others."""
     kind, _, serial = name.partition(":")
     entry = DEVICES.get(kind) or installed_devices().get(kind)
     if entry is None or (serial and not entry.has_serials):

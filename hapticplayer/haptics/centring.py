@@ -31,20 +31,14 @@ _FROM, _FULL = 0.4, 0.9  # shares of the workspace
 
 
 class Centring(NamedTuple):
-    """Settings of spring and damper; the defaults are a Falcon's.
+    """Settings of spring and damper; the defaults are a Falcon's."""
 
-    Attributes:
-        pull_n: at `full_m`. With it a relaxed hand that gives way to a steady push
-            stays below 0.8 of the workspace under 4.5 N.
-        from_m: radius below which there is no pull.
-        full_m: radius from which the stiffness stays what it is.
-        ahead_s: prediction time of spring and fade.
-    """
-
+    # at `full_m`. With it a relaxed hand that gives way to a steady push stays below
+    # 0.8 of the workspace under 4.5 N
     pull_n: float = 3.0
-    from_m: float = 0.016
-    full_m: float = 0.036
-    ahead_s: float = 0.010
+    from_m: float = 0.016  # radius below which there is no pull
+    full_m: float = 0.036  # radius from which the stiffness stays what it is
+    ahead_s: float = 0.010  # prediction time of spring and fade
 
     def stiffness_n_per_m(self, radius_m: float) -> float:
         """Return K(r), the slope of the pull."""

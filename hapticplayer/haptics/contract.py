@@ -91,66 +91,43 @@ class Request(enum.IntEnum):
 
 
 class Supervision(NamedTuple):
-    """What the loop received or noticed since its last tick; times are monotonic.
-
-    Attributes:
-        is_player_alive: whether its line is open and its main thread lives.
-        request: of a person.
-        is_device_gone: whether the device refused the last exchange for good.
-        is_stale: whether the last command was too old to be sent.
-        missed_share: periods skipped in the last 10 s.
-    """
+    """What the loop received or noticed since its last tick; times are monotonic."""
 
     heartbeat_s: float
-    is_player_alive: bool = True
-    request: Request = Request.NONE
-    is_device_gone: bool = False
-    is_stale: bool = False
+    is_player_alive: bool = True  # whether its line is open and its main thread lives
+    request: Request = Request.NONE  # of a person
+    is_device_gone: bool = False  # whether it refused the last exchange for good
+    is_stale: bool = False  # whether the last command was too old to be sent
     guard_s: float = math.inf
-    missed_share: float = 0.0
+    missed_share: float = 0.0  # periods skipped in the last 10 s
 
 
 class State(NamedTuple):
-    """All that one tick hands to the next; `force_n` is the command.
-
-    Attributes:
-        planned_n: what the track says.
-        centring_n: what keeps the grip inside.
-        now_s: time of this tick; -inf before the first.
-        hand: the grip as last seen.
-        heat_n2: mean square force of the last seconds.
-        acted_s: last time at which a force was allowed.
-    """
+    """All that one tick hands to the next; `force_n` is the command."""
 
     mode: Mode = Mode.IDLE
     cause: Cause = Cause.NONE
     force_n: Vector = ZERO
     ticks_in_mode: int = 0
     epoch: int = -1
-    planned_n: Vector = ZERO
-    centring_n: Vector = ZERO
+    planned_n: Vector = ZERO  # what the track says
+    centring_n: Vector = ZERO  # what keeps the grip inside
     media_s: float = 0.0
-    now_s: float = -math.inf
-    hand: Hand = Hand()
-    heat_n2: float = 0.0
-    acted_s: float = -math.inf
+    now_s: float = -math.inf  # time of this tick; -inf before the first
+    hand: Hand = Hand()  # the grip as last seen
+    heat_n2: float = 0.0  # mean square force of the last seconds
+    acted_s: float = -math.inf  # last time at which a force was allowed
 
 
 class Situation(NamedTuple):
-    """All that one tick decides on.
-
-    Attributes:
-        clock: the newest playback clock, None before the first.
-        track: the track that the clock names, None while it is not loaded.
-        state: what the last tick returned.
-        hand: the grip as `observe` has it after the last exchange.
-    """
+    """All that one tick decides on."""
 
     now_s: float
-    clock: PlaybackClock | None
+    clock: PlaybackClock | None  # the newest playback clock, None before the first
+    # the track that the clock names, None while it is not loaded
     track: LoadedTrack | None
-    state: State
-    hand: Hand
+    state: State  # what the last tick returned
+    hand: Hand  # the grip as `observe` has it after the last exchange
     supervision: Supervision
     limits: Limits
     centring: Centring = Centring()

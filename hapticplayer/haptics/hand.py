@@ -16,25 +16,17 @@ SMOOTHING_S = 0.004
 
 
 class Hand(NamedTuple):
-    """The grip as last seen, frame D from the centre of the workspace.
-
-    Attributes:
-        velocity_mps: smoothed over 4 ms.
-        replied_s: monotonic time of the newest good answer; -inf before the first.
-        fast_samples: good answers in a row faster than the speed limit.
-        malformed: bad answers in a row.
-        is_homed: whether the position can be trusted.
-        pressed: mask of buttons that went down with this answer.
-    """
+    """The grip as last seen, frame D from the centre of the workspace."""
 
     position_m: Vector = ZERO
-    velocity_mps: Vector = ZERO
+    velocity_mps: Vector = ZERO  # smoothed over 4 ms
+    # monotonic time of the newest good answer; -inf before the first
     replied_s: float = -math.inf
-    fast_samples: int = 0
-    malformed: int = 0
-    is_homed: bool = False
+    fast_samples: int = 0  # good answers in a row faster than the speed limit
+    malformed: int = 0  # bad answers in a row
+    is_homed: bool = False  # whether the position can be trusted
     buttons: int = 0
-    pressed: int = 0
+    pressed: int = 0  # mask of buttons that went down with this answer
 
 
 def observe(hand: Hand, reading: DeviceReading | None, limits: Limits) -> Hand:

@@ -40,21 +40,14 @@ CHUNK_BYTES = 1 << 20
 
 
 class Record(NamedTuple):
-    """A record as a whole.
+    """A record as a whole."""
 
-    Attributes:
-        ticks: structured array with the fields of the header's dtype; now TICK.
-        header: provenance, see docs/formats.md.
-        lost: ticks of the loop that are missing, overrun or damaged.
-        is_complete: whether the recording came to its end and nothing is damaged.
-        notice: one sentence about what is not as it should be, "" if all is well.
-    """
-
+    # structured array with the fields of the header's dtype; now TICK
     ticks: NDArray[Any]
-    header: dict[str, Any]
-    lost: int
-    is_complete: bool
-    notice: str
+    header: dict[str, Any]  # provenance, see docs/formats.md
+    lost: int  # ticks of the loop that are missing, overrun or damaged
+    is_complete: bool  # whether the recording came to its end and nothing is damaged
+    notice: str  # one sentence about what is not as it should be, "" if all is well
 
 
 class Frame(NamedTuple):
@@ -163,11 +156,7 @@ class RecordReader:
         return joined("; ", notices) if notices else ""
 
     def frames(self) -> Iterator[Frame]:
-        """Yield all frames that are intact, in order.
-
-        Raises:
-            InputError: when the file cannot be read any further.
-        """
+        """Yield all intact frames in order; raises InputError when reading fails."""
         while not self._is_ended and self._at < self.size_bytes:
             frame = self._read_frame()
             if frame is None:

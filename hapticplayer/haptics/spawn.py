@@ -22,11 +22,7 @@ Process = subprocess.Popen[bytes]
 def run_module(
     module: str, options: Sequence[str], descriptors: Sequence[int], **more: Any
 ) -> Process:
-    """Start a module as a process of its own, which inherits some descriptors.
-
-    Raises:
-        OSError: when it cannot be started.
-    """
+    """Start a module as a process that inherits some descriptors; raises OSError."""
     return subprocess.Popen(
         [sys.executable, "-P", "-m", module, *options],
         pass_fds=descriptors,

@@ -111,11 +111,7 @@ class AudioDecoder(ClipDecoder[AudioFrame]):
         self._run_samples = 0
 
     def next_block(self) -> AudioBlock | None:
-        """Return the next block, or None at the end.
-
-        Raises:
-            MediaError: when the stream cannot be decoded any further.
-        """
+        """Return the next block, None at the end; raises MediaError if that fails."""
         while not self._blocks:
             if self._is_over:
                 return None

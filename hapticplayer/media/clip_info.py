@@ -33,25 +33,16 @@ _LONGEST_NAME = 80
 
 @dataclass(frozen=True, slots=True)
 class ClipInfo:
-    """A clip as it is shown; the path is absolute, with symbolic links resolved.
-
-    Attributes:
-        duration_s: from the first frame to the end of the last.
-        width: px as shown, like `height`: after rotation, with square pixels.
-        frame_rate_hz: average; 0 where the file does not say.
-        frame_count: as the file states it, else 0.
-        has_audio: whether there is sound that can be decoded.
-        audio_rate_hz: as stored; 0 without sound.
-    """
+    """A clip as it is shown; the path is absolute, with symbolic links resolved."""
 
     path: Path
-    duration_s: float
-    width: int
+    duration_s: float  # from the first frame to the end of the last
+    width: int  # px as shown, like `height`: after rotation, with square pixels
     height: int
-    frame_rate_hz: float
-    frame_count: int
-    has_audio: bool
-    audio_rate_hz: int
+    frame_rate_hz: float  # average; 0 where the file does not say
+    frame_count: int  # as the file states it, else 0
+    has_audio: bool  # whether there is sound that can be decoded
+    audio_rate_hz: int  # as stored; 0 without sound
     has_telemetry: bool
 
 
@@ -104,11 +95,7 @@ def camera_of(path: str | os.PathLike[str]) -> str:
 def require_video(
     container: InputContainer, path: str | os.PathLike[str]
 ) -> VideoStream:
-    """Return the video stream.
-
-    Raises:
-        MediaError: when there is none that can be decoded.
-    """
+    """Return the video stream; raises MediaError when none can be decoded."""
     video = find_video(container)
     if video is None or video.time_base is None:
         raise MediaError(

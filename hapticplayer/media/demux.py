@@ -118,11 +118,7 @@ class PacketReader(Generic[FrameT]):
         return self._lookahead is not None and self._lookahead.is_skipped(pts)
 
     def next_frame(self) -> FrameT | None:
-        """Return the next decoded frame, or None at the end.
-
-        Raises:
-            MediaError: when the stream cannot be read any further.
-        """
+        """Return the next frame, None at the end; raises MediaError if that fails."""
         while not self._frames:
             with media_errors(self._path, Message("it cannot be decoded any further")):
                 if not self._decode_next():

@@ -48,11 +48,7 @@ def find_telemetry(container: InputContainer) -> DataStream | None:
 
 
 def data_track_names(path: str | os.PathLike[str]) -> tuple[str, ...]:
-    """Return the names of a clip's data tracks, to tell why there is no motion.
-
-    Raises:
-        MediaError: when the file cannot be opened.
-    """
+    """Return the names of a clip's data tracks; raises MediaError if unreadable."""
     with open_media(path) as container:
         names = [s.metadata.get("handler_name", "") for s in container.streams.data]
     return tuple(name.strip("\t\v\0 ") for name in names)

@@ -44,11 +44,7 @@ def beat_track() -> ForceTrack:
 
 
 def beat_source(progress: Progress = no_progress) -> Source:
-    """Return the clip with its force; it is made in 1 s on first use.
-
-    Raises:
-        MediaError: when it cannot be written.
-    """
+    """Return the clip with its force, made in 1 s on first use; raises MediaError."""
     path = cache_root() / f"beats-{__version__}.mp4"
     if not path.is_file():
         aside = path.with_name(f"{path.stem}-{secrets.token_hex(4)}.mp4")

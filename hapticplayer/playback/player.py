@@ -150,25 +150,14 @@ class Player:
     ) -> None:
         """Release the device and open another one, recording its ticks if wanted.
 
-        Waits for the old one only where both are hardware.
-
-        Raises:
-            UsageError: when a real device shall take faults.
-            DeviceError: when this version has no driver for the device.
-            InputError: when the record cannot be created.
-            HapticsError: when a process cannot be started.
+        Waits for the old one only where both are hardware; see `HapticsProcesses`.
         """
         self._force.use(name, record, takes_faults=takes_faults)
         self._reporter.event("device", device=name)
         self._clip.set_device(name)
 
     def wait_ready(self) -> None:
-        """Wait for the device.
-
-        Raises:
-            DeviceError: with the device's own reason.
-            HapticsError: when the loop died or was not ready in time.
-        """
+        """Wait for the device; see `HapticsProcesses.wait_ready`."""
         self._force.processes.wait_ready()
 
     def wait_released(self) -> None:

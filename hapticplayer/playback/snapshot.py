@@ -17,56 +17,39 @@ from hapticplayer.playback.source import Source
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Snapshot:
-    """The player's state; without arguments: no clip and no device.
-
-    Attributes:
-        end_s: where the clip stops.
-        loop_s: begin and end of the part that is repeated, None without one.
-        speed: media seconds per second.
-        epoch: of the playback clock; a new one interrupts the force.
-        clock: what leads, "audio" or "monotonic".
-        audio: sound output, "lost" when it has gone, "" for none.
-        sound_output: name of the output that plays, "" for none.
-        reported_latency_s: what the sound output says of itself; 0 before it does.
-        latency: what is compensated.
-        device: name, "none" without a device.
-        device_problem: what is wrong with device or process, "" for nothing.
-        scheduling: class of the haptic loop, "" without a device.
-        record_problem: why the recording of the ticks is incomplete.
-        tick: the newest tick, see `TICK`; None before the first.
-        problem: what is wrong with the clip, "" for nothing.
-        log_problem: why the log is incomplete, once it is closed.
-    """
+    """The player's state; without arguments: no clip and no device."""
 
     phase: Phase = Phase.EMPTY
     source: Source | None = None
     media_s: float = 0.0
-    end_s: float = 0.0
+    end_s: float = 0.0  # where the clip stops
+    # begin and end of the part that is repeated, None without one
     loop_s: tuple[float, float] | None = None
-    speed: float = 1.0
-    epoch: int = 0
+    speed: float = 1.0  # media seconds per second
+    epoch: int = 0  # of the playback clock; a new one interrupts the force
     feedback: str = ""
-    clock: str = "monotonic"
-    audio: str = ""
-    sound_output: str = ""
+    clock: str = "monotonic"  # what leads, "audio" or "monotonic"
+    audio: str = ""  # sound output, "lost" when it has gone, "" for none
+    sound_output: str = ""  # name of the output that plays, "" for none
+    # what the sound output says of itself; 0 before it does
     reported_latency_s: float = 0.0
-    latency: Latency = field(default_factory=Latency)
-    device: str = "none"
+    latency: Latency = field(default_factory=Latency)  # what is compensated
+    device: str = "none"  # name, "none" without a device
     device_health: Health = Health.NONE
-    device_problem: str = ""
+    device_problem: str = ""  # what is wrong with device or process, "" for nothing
     takes_faults: bool = False
     loop_pid: int | None = None
-    scheduling: str = ""
-    record_problem: str = ""
+    scheduling: str = ""  # class of the haptic loop, "" without a device
+    record_problem: str = ""  # why the recording of the ticks is incomplete
     mode: Mode = Mode.IDLE
     cause: Cause = Cause.NONE
-    tick: Any = None
+    tick: Any = None  # the newest tick, see `TICK`; None before the first
     frames_shown: int = 0
     frames_dropped: int = 0
     frames_damaged: int = 0
-    problem: str = ""
+    problem: str = ""  # what is wrong with the clip, "" for nothing
     notices: tuple[str, ...] = ()
-    log_problem: str = ""
+    log_problem: str = ""  # why the log is incomplete, once it is closed
 
     @property
     def duration_s(self) -> float:

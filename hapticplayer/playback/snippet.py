@@ -59,11 +59,7 @@ def _add(target: Samples, at: int, samples: Samples) -> None:
 
 
 def play(samples: Samples) -> None:
-    """Begin to play (n, 2) samples at `RATE_HZ`, in place of those that play.
-
-    Raises:
-        OSError: when there is no output.
-    """
+    """Begin to play (n, 2) samples at `RATE_HZ` in place of others; raises OSError."""
     import sounddevice  # raises OSError without PortAudio
 
     try:

@@ -29,31 +29,19 @@ _SAMPLES_AT = _HEARD_AT + HEARD_RECORDS * _HEARD.size
 
 
 class Cue(NamedTuple):
-    """What the sound process shall play; indices count samples, at the speed that is set.
+    """What the sound process shall play; indices count samples, at the speed that is set."""
 
-    Attributes:
-        number: another one means: begin at `start`.
-        epoch: of the clock, for the records.
-        start: where to begin.
-        begin: the oldest sample that may still be there.
-        written: up to here there are samples.
-        speed: media seconds per second of sound.
-        gain: of the amplitude.
-        is_playing: silence and standstill otherwise.
-        is_complete: nothing follows what is written.
-        join: another one than 0 and than before means: jump to where a line through
-            (`join_monotonic_s`, `join_media_s`) with the slope `join_rate` will be.
-    """
-
-    number: int = 0
-    epoch: int = 0
-    start: int = 0
-    begin: int = 0
-    written: int = 0
-    speed: float = 1.0
-    gain: float = 1.0
-    is_playing: bool = False
-    is_complete: bool = False
+    number: int = 0  # another one means: begin at `start`
+    epoch: int = 0  # of the clock, for the records
+    start: int = 0  # where to begin
+    begin: int = 0  # the oldest sample that may still be there
+    written: int = 0  # up to here there are samples
+    speed: float = 1.0  # media seconds per second of sound
+    gain: float = 1.0  # of the amplitude
+    is_playing: bool = False  # silence and standstill otherwise
+    is_complete: bool = False  # nothing follows what is written
+    # another one than 0 and than before means: jump to where a line through
+    # (`join_monotonic_s`, `join_media_s`) with the slope `join_rate` will be
     join: int = 0
     join_monotonic_s: float = 0.0
     join_media_s: float = 0.0
@@ -61,20 +49,14 @@ class Cue(NamedTuple):
 
 
 class Heard(NamedTuple):
-    """One block of sound: from `monotonic_s` on, `media_s` is heard.
-
-    Attributes:
-        cue: number of the cue that it belongs to.
-        read: the sample that comes next.
-        missing: samples in all, since the first block, that had to be silence.
-    """
+    """One block of sound: from `monotonic_s` on, `media_s` is heard."""
 
     epoch: int = 0
     monotonic_s: float = 0.0
     media_s: float = 0.0
-    cue: int = 0
-    read: int = 0
-    missing: int = 0
+    cue: int = 0  # number of the cue that it belongs to
+    read: int = 0  # the sample that comes next
+    missing: int = 0  # samples in all, since the first block, that had to be silence
 
 
 def block_bytes(capacity: int) -> int:

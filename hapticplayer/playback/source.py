@@ -59,11 +59,7 @@ def open_source(path: str | Path, force: str | Path | None = None) -> Source:
 
 
 def choose_feedback(source: Source, name: str | None) -> str:
-    """Return the feedback to play.
-
-    Raises:
-        UsageError: when the source has no such feedback.
-    """
+    """Return the feedback to play; raises UsageError when there is no such one."""
     if name is None:
         return source.feedback
     if name not in source.tracks:

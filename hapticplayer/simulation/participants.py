@@ -38,18 +38,13 @@ _MOST = 3.0
 
 @dataclass(frozen=True, slots=True)
 class Effect:
-    """What a population says of each of F feedbacks in K factors.
-
-    Attributes:
-        factor_means: (F, K).
-        qoe_sds: (F,), over participants, of their mean over the sequences.
-    """
+    """What a population says of each of F feedbacks in K factors."""
 
     name: str
     feedbacks: tuple[str, ...]
     factors: tuple[str, ...]
-    factor_means: Floats
-    qoe_sds: Floats
+    factor_means: Floats  # (F, K)
+    qoe_sds: Floats  # (F,), over participants, of their mean over the sequences
 
 
 def paper_effect() -> Effect:

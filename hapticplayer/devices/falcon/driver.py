@@ -130,11 +130,7 @@ class FalconDriver:
         return self._session.reply if self._session is not None else None
 
     def open(self, progress: Progress | None = None) -> None:
-        """Connect, and load the firmware where it does not run yet.
-
-        Raises:
-            DeviceError: with what to do.
-        """
+        """Connect, load the firmware if needed; raises DeviceError with what to do."""
         self.close()
         self._state = State.UNLOADED
         try:

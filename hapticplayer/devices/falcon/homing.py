@@ -35,19 +35,13 @@ class Advice(enum.Enum):
 
 
 class Guidance(NamedTuple):
-    """How far the homing has come.
+    """How far the homing has come."""
 
-    Attributes:
-        advice: for the person.
-        homed: encoders (top, right, lower left) that have found their zero.
-        out: mean way of the grip from where it began, counts; outwards is positive.
-        legs: the same for each encoder.
-    """
-
-    advice: Advice
+    advice: Advice  # for the person
+    # encoders (top, right, lower left) that have found their zero
     homed: tuple[bool, bool, bool]
-    out: float
-    legs: tuple[int, int, int] = (0, 0, 0)
+    out: float  # mean way of the grip from where it began, counts; outwards is positive
+    legs: tuple[int, int, int] = (0, 0, 0)  # the same for each encoder
 
 
 class Guide:

@@ -132,11 +132,7 @@ class Kinematics:
         return self.pose(theta_rad, near_m).position_m
 
     def jacobian(self, position_m: Vector) -> Rows:
-        """Return dp/dtheta at a position, m/rad.
-
-        Raises:
-            OutOfReachError: when a leg does not reach that far, or only just.
-        """
+        """Return dp/dtheta at a position, m/rad; raises OutOfReachError."""
         found = self._solve(self.inverse(position_m), position_m)
         if found is None:
             raise _too_far(position_m)
@@ -214,11 +210,7 @@ def motor_words(jacobian: Rows, force_n: Vector) -> Vector:
 
 
 def saturated(words: Vector) -> Vector:
-    """Return the words, all three in proportion, within +-4096.
-
-    Raises:
-        ValueError: when one is not finite.
-    """
+    """Return the words in proportion, within +-4096; else raises ValueError."""
     i, j, k = words
     largest = max(abs(i), abs(j), abs(k))
     if not (math.isfinite(i) and math.isfinite(j) and math.isfinite(k)):

@@ -83,11 +83,7 @@ def encode_command(words: Words, lights: int = 0) -> bytes:
 
 
 def decode_command(frame: bytes) -> Command:
-    """Return what a frame of the computer says.
-
-    Raises:
-        ValueError: when it is none.
-    """
+    """Return what a frame of the computer says; raises ValueError when it is none."""
     if not _COMMAND.fullmatch(frame):
         raise ValueError(f"{frame!r} is no frame to a Falcon")
     return _command(frame)
@@ -106,11 +102,7 @@ def encode_reply(reply: Reply) -> bytes:
 
 
 def decode_reply(frame: bytes) -> Reply:
-    """Return what a frame of the Falcon says.
-
-    Raises:
-        ValueError: when it is none.
-    """
+    """Return what a frame of the Falcon says; raises ValueError when it is none."""
     if not _REPLY.fullmatch(frame):
         raise ValueError(f"{frame!r} is no frame of a Falcon")
     return _reply(frame)

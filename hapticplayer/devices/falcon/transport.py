@@ -124,11 +124,7 @@ class PyUsbTransport:
 
 
 def list_falcons(backend: Any = None) -> list[FalconAddress]:
-    """Return all Falcons on the bus, in the order of their addresses.
-
-    Raises:
-        DeviceError: when libusb is missing or fails.
-    """
+    """Return all Falcons by address; raises DeviceError where libusb fails."""
     return [_address_of(device) for device in _find_all(backend)]
 
 

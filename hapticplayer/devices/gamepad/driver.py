@@ -105,11 +105,7 @@ class GamepadDriver:
         atexit.register(self.close)
 
     def exchange(self, force_n: Vector, now_s: float) -> DeviceReading:
-        """Shake with the magnitude of a force, and return what is pressed.
-
-        Raises:
-            DeviceError: when the pad is not open or gone.
-        """
+        """Shake with a force, return what is pressed; raises DeviceError when gone."""
         port = self._port
         if port is None:
             raise DeviceError("the game pad is not open; choose the device again")

@@ -38,11 +38,7 @@ class Found:
 
 
 class HidPort:
-    """A pad that hidapi has opened.
-
-    Raises:
-        DeviceError: when it cannot be opened.
-    """
+    """A pad that hidapi has opened; raises DeviceError when it cannot be opened."""
 
     def __init__(self, found: Found) -> None:
         self.layout = found.layout
@@ -86,11 +82,7 @@ class HidPort:
 
 
 def list_pads() -> list[Found]:
-    """Return the pads on USB that this program can drive.
-
-    Raises:
-        DeviceError: when hidapi is missing.
-    """
+    """Return the pads on USB that can be driven; raises DeviceError without hidapi."""
     found = []
     for info in _hidapi().enumerate(VENDOR_ID, 0):
         layout = layout_of(info["product_id"])
@@ -101,11 +93,7 @@ def list_pads() -> list[Found]:
 
 
 def open_pad() -> Port:
-    """Return the first pad, open.
-
-    Raises:
-        DeviceError: when there is none, or it cannot be opened.
-    """
+    """Return the first pad, open; raises DeviceError when there is none that opens."""
     found = list_pads()
     if not found:
         raise DeviceError(

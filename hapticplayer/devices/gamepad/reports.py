@@ -65,11 +65,7 @@ def layout_of(product_id: int) -> Layout | None:
 
 
 def motors_report(layout: Layout, strong: int, weak: int) -> bytes:
-    """Return the report that sets both motors.
-
-    Raises:
-        ValueError: when a level is not within 0 to 255.
-    """
+    """Return the report that sets both motors, 0 to 255; else it raises ValueError."""
     report = bytearray(layout.size)
     report[: len(layout.head)] = layout.head
     report[layout.weak_at], report[layout.strong_at] = weak, strong

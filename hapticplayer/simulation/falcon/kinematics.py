@@ -31,11 +31,7 @@ class Kinematics:
         self._directions = [(math.cos(p), math.sin(p)) for p in geometry.azimuths_rad]
 
     def inverse(self, position_m: Vector) -> Pose:
-        """Return the joints for a position; closed form.
-
-        Raises:
-            ValueError: when no leg reaches that far.
-        """
+        """Return the joints for a position; raises ValueError out of reach."""
         geometry, shin2_m2 = self.geometry, self._shin2_m2
         thigh_m, radial_m = geometry.thigh_m, geometry.radial_m
         sideways_m, ends_m = geometry.sideways_m, geometry.shin_ends_m

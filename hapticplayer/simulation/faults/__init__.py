@@ -87,18 +87,12 @@ class DeviceFaults:
 
 
 class Outcome(NamedTuple):
-    """What the contract made of a fault.
+    """What the contract made of a fault."""
 
-    Attributes:
-        cause: the rule that spoke last, and whether it tripped.
-        is_trip: the force stays away until a person re-arms.
-        reaction_s: from the fault to the first command that reacts.
-        zero_s: from the fault to the first command without force; None so far.
-    """
-
-    cause: Cause
-    is_trip: bool
-    reaction_s: float
+    cause: Cause  # the rule that spoke last, and whether it tripped
+    is_trip: bool  # the force stays away until a person re-arms
+    reaction_s: float  # from the fault to the first command that reacts
+    # from the fault to the first command without force; None so far
     zero_s: float | None
 
 

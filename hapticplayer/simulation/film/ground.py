@@ -16,35 +16,20 @@ Corner = tuple[float, float, float]
 
 @dataclass(frozen=True, slots=True)
 class Surroundings:
-    """A kind of way through the country.
+    """A kind of way through the country."""
 
-    Attributes:
-        road_half_m: half its width.
-        lane_aside_m: how far its middle lies to the left of where one goes.
-        verge_m: width of the strip beside it.
-        road_rgb: its colour.
-        verge_rgb: of the strip.
-        road_mottle: how uneven the colour of the way is.
-        is_marked: whether lines are painted on it.
-        posts_m: distance between two posts; 0 for none.
-        trees_m: distance between two trees on each side.
-        trees_aside_m: how far the nearest of them stand from the verge.
-        near_pixel_m: resolution of the nearest ground.
-        near_reach_m: up to where that is drawn.
-    """
-
-    road_half_m: float = 2.6
-    lane_aside_m: float = 1.1
-    verge_m: float = 0.55
-    road_rgb: Rgb = (92.0, 93.0, 97.0)
-    verge_rgb: Rgb = (150.0, 136.0, 112.0)
-    road_mottle: float = 7.0
-    is_marked: bool = True
-    posts_m: float = 8.0
-    trees_m: float = 3.6
-    trees_aside_m: float = 3.2
-    near_pixel_m: float = 0.02
-    near_reach_m: float = 8.5
+    road_half_m: float = 2.6  # half its width
+    lane_aside_m: float = 1.1  # how far its middle lies to the left of where one goes
+    verge_m: float = 0.55  # width of the strip beside it
+    road_rgb: Rgb = (92.0, 93.0, 97.0)  # its colour
+    verge_rgb: Rgb = (150.0, 136.0, 112.0)  # of the strip
+    road_mottle: float = 7.0  # how uneven the colour of the way is
+    is_marked: bool = True  # whether lines are painted on it
+    posts_m: float = 8.0  # distance between two posts; 0 for none
+    trees_m: float = 3.6  # distance between two trees on each side
+    trees_aside_m: float = 3.2  # how far the nearest of them stand from the verge
+    near_pixel_m: float = 0.02  # resolution of the nearest ground
+    near_reach_m: float = 8.5  # up to where that is drawn
 
 
 _PATH = Surroundings(

@@ -36,33 +36,21 @@ _DEGREE = np.pi / 180.0
 
 @dataclass(frozen=True, slots=True)
 class Board:
-    """A logger.
+    """A logger."""
 
-    Attributes:
-        sensor: accelerometer and gyro, rate and averaging.
-        magnetometer: errors in uT.
-        magnetometer_hz: readings between two of its samples repeat it.
-        rate_per_mps2: SD of the gyro's error by specific force, rad/s per m/s2.
-        heating_k: by how much it warms up, in the end.
-        heating_s: time constant of that.
-        stall_every_s: mean time between two stalls of the card; 0 for none.
-        stall_s: their shortest and longest length.
-        clock_ppm: SD of the clock's error.
-        boot_s: shortest and longest time from the clock's zero to the first reading.
-        stamp_s: resolution of the time stamps; 0 for exact ones.
-    """
-
-    sensor: SensorModel = IDEAL
-    magnetometer: SensorErrors = field(default_factory=SensorErrors)
-    magnetometer_hz: float = 50.0
+    sensor: SensorModel = IDEAL  # accelerometer and gyro, rate and averaging
+    magnetometer: SensorErrors = field(default_factory=SensorErrors)  # errors in uT
+    magnetometer_hz: float = 50.0  # readings between two of its samples repeat it
+    # SD of the gyro's error by specific force, rad/s per m/s2
     rate_per_mps2: float = 0.0
-    heating_k: float = 0.0
-    heating_s: float = 150.0
-    stall_every_s: float = 0.0
-    stall_s: tuple[float, float] = (0.02, 0.08)
-    clock_ppm: float = 0.0
+    heating_k: float = 0.0  # by how much it warms up, in the end
+    heating_s: float = 150.0  # time constant of that
+    stall_every_s: float = 0.0  # mean time between two stalls of the card; 0 for none
+    stall_s: tuple[float, float] = (0.02, 0.08)  # their shortest and longest length
+    clock_ppm: float = 0.0  # SD of the clock's error
+    # shortest and longest time from the clock's zero to the first reading
     boot_s: tuple[float, float] = (0.0, 0.0)
-    stamp_s: float = 0.0
+    stamp_s: float = 0.0  # resolution of the time stamps; 0 for exact ones
 
 
 PAPER = Board(
@@ -91,17 +79,11 @@ PAPER = Board(
 
 @dataclass(frozen=True, slots=True, eq=False)
 class BoardLog:
-    """What a board wrote, and what is true of it.
+    """What a board wrote, and what is true of it."""
 
-    Attributes:
-        imu: on the board's own clock, frame A.
-        clock_map: the true way from that clock to media time.
-        stalls_s: (K, 2) begin and end of each stall, media time.
-    """
-
-    imu: ImuLog
-    clock_map: ClockMap
-    stalls_s: Floats
+    imu: ImuLog  # on the board's own clock, frame A
+    clock_map: ClockMap  # the true way from that clock to media time
+    stalls_s: Floats  # (K, 2) begin and end of each stall, media time
 
 
 def record(

@@ -23,22 +23,14 @@ Footfall = tuple[float, float]
 
 @dataclass(frozen=True, slots=True)
 class Gait:
-    """How a horse moves its rider.
+    """How a horse moves its rider."""
 
-    Attributes:
-        stride_hz: strides a second.
-        heave_m: amplitude of each harmonic of the stride, vertically.
-        surge_m: likewise along.
-        pitch_rad: amplitude of nodding, once or twice a stride as the heave.
-        sway_m: amplitude across, once a stride.
-        beats: phases of the stride (0 to 1) at which hooves land, with strength.
-    """
-
-    stride_hz: float
-    heave_m: tuple[float, ...]
-    surge_m: tuple[float, ...]
-    pitch_rad: float
-    sway_m: float
+    stride_hz: float  # strides a second
+    heave_m: tuple[float, ...]  # amplitude of each harmonic of the stride, vertically
+    surge_m: tuple[float, ...]  # likewise along
+    pitch_rad: float  # amplitude of nodding, once or twice a stride as the heave
+    sway_m: float  # amplitude across, once a stride
+    # phases of the stride (0 to 1) at which hooves land, with strength
     beats: tuple[Footfall, ...]
 
 

@@ -27,21 +27,14 @@ _FREQUENCY_HZ = (22.0, 38.0)
 
 @dataclass(frozen=True, slots=True)
 class Pat:
-    """One tap.
+    """One tap."""
 
-    Attributes:
-        time_s: when it begins, media time.
-        peak_mps2: of a steady oscillation; the blow itself reaches 1.4 to 2 times it.
-        frequency_hz: of the mount.
-        decay_s: of the oscillation.
-        direction: unit vector, sensor frame.
-    """
-
-    time_s: float
+    time_s: float  # when it begins, media time
+    # of a steady oscillation; the blow itself reaches 1.4 to 2 times it
     peak_mps2: float
-    frequency_hz: float
-    decay_s: float
-    direction: tuple[float, float, float]
+    frequency_hz: float  # of the mount
+    decay_s: float  # of the oscillation
+    direction: tuple[float, float, float]  # unit vector, sensor frame
 
     @property
     def loudness(self) -> float:

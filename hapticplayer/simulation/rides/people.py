@@ -22,33 +22,19 @@ _HARMONICS = 10
 
 @dataclass(frozen=True, slots=True)
 class Gait:
-    """Gait of a person with a camera worn on the body.
+    """Gait of a person with a camera worn on the body."""
 
-    Attributes:
-        speed_mps: at the given cadence.
-        steps_hz: both feet.
-        impact_mps2: height of the upward push of each step above the lowest value.
-        sharpness: of that push; kappa of exp(kappa (cos - 1)).
-        along_mps2: amplitude of the to and fro at each step.
-        across_m: amplitude of the swaying at each stride.
-        pitch_rad: nodding at each step.
-        swing_rad: pitch swing at each stride (of an arm).
-        roll_rad: rocking at each stride.
-        yaw_rad: twisting at each stride.
-        tilt_rad: (pitch, roll) at which the camera hangs.
-    """
-
-    speed_mps: float
-    steps_hz: float
-    impact_mps2: float
-    sharpness: float
-    along_mps2: float
-    across_m: float
-    pitch_rad: float
-    swing_rad: float
-    roll_rad: float
-    yaw_rad: float
-    tilt_rad: tuple[float, float]
+    speed_mps: float  # at the given cadence
+    steps_hz: float  # both feet
+    impact_mps2: float  # height of the upward push of each step above the lowest value
+    sharpness: float  # of that push; kappa of exp(kappa (cos - 1))
+    along_mps2: float  # amplitude of the to and fro at each step
+    across_m: float  # amplitude of the swaying at each stride
+    pitch_rad: float  # nodding at each step
+    swing_rad: float  # pitch swing at each stride (of an arm)
+    roll_rad: float  # rocking at each stride
+    yaw_rad: float  # twisting at each stride
+    tilt_rad: tuple[float, float]  # (pitch, roll) at which the camera hangs
 
 
 WALK = Gait(

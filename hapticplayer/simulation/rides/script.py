@@ -60,25 +60,16 @@ class Channel:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Path:
-    """A way over the ground at N knots.
-
-    Attributes:
-        position_m: (N, 3) earth.
-        thrust_mps2: (N,) derivative of the speed along the path.
-        yaw_rad: (N,) heading, counterclockwise from north.
-        lateral_mps2: (N,) acceleration to the left.
-        grade_rad: (N,) uphill.
-        engine: (N,) 0 off to 1 running.
-    """
+    """A way over the ground at N knots."""
 
     time_s: Floats
-    position_m: Floats
+    position_m: Floats  # (N, 3) earth
     speed_mps: Floats
-    thrust_mps2: Floats
-    yaw_rad: Floats
-    lateral_mps2: Floats
-    grade_rad: Floats
-    engine: Floats
+    thrust_mps2: Floats  # (N,) derivative of the speed along the path
+    yaw_rad: Floats  # (N,) heading, counterclockwise from north
+    lateral_mps2: Floats  # (N,) acceleration to the left
+    grade_rad: Floats  # (N,) uphill
+    engine: Floats  # (N,) 0 off to 1 running
 
 
 class Drive:

@@ -86,33 +86,20 @@ def _engine(path: Path, amplitude_mps2: float) -> Floats:
 
 @dataclass(frozen=True, slots=True)
 class Bike:
-    """A bicycle, its rider and its ground.
+    """A bicycle, its rider and its ground."""
 
-    Attributes:
-        ground_mps2: RMS of the vertical shaking at speed.
-        ground_hz: where the shaking has its resonance.
-        below_hz: where it ends.
-        camera_m: (right, front, up) of the camera from the ground.
-        lean_share: of the lean that balances a bend, which the camera takes.
-        grade_share: of the slope that the camera follows (a head stays level).
-        look_rad: RMS of looking around.
-        cadence_hz: of pedalling.
-        sway_rad: of the rocking by it.
-        edges_s: mean time between kerbs; 0 for none.
-        drops_s: mean time between drops; 0 for none.
-    """
-
-    ground_mps2: float
-    ground_hz: float
-    below_hz: float
+    ground_mps2: float  # RMS of the vertical shaking at speed
+    ground_hz: float  # where the shaking has its resonance
+    below_hz: float  # where it ends
+    # (right, front, up) of the camera from the ground
     camera_m: tuple[float, float, float]
-    lean_share: float
-    grade_share: float
-    look_rad: float = 0.0
-    cadence_hz: float = 1.15
-    sway_rad: float = 0.0
-    edges_s: float = 0.0
-    drops_s: float = 0.0
+    lean_share: float  # of the lean that balances a bend, which the camera takes
+    grade_share: float  # of the slope that the camera follows (a head stays level)
+    look_rad: float = 0.0  # RMS of looking around
+    cadence_hz: float = 1.15  # of pedalling
+    sway_rad: float = 0.0  # of the rocking by it
+    edges_s: float = 0.0  # mean time between kerbs; 0 for none
+    drops_s: float = 0.0  # mean time between drops; 0 for none
 
 
 BICYCLE = Bike(

@@ -30,19 +30,13 @@ _ENGLISH = b"\x09\x04"
 
 @dataclass
 class SimulatedPort:
-    """A Falcon in a socket, and what the operating system makes of it.
-
-    Attributes:
-        has_kernel_driver: whether a driver of the system sits on it.
-        refuses_with: errno with which opening fails; 0 for none.
-        is_claimed: whether a program, perhaps another one, uses it.
-    """
+    """A Falcon in a socket, and what the operating system makes of it."""
 
     chip: Chip | RemoteChip
     serial: str = "SIM00001"
-    has_kernel_driver: bool = False
-    refuses_with: int = 0
-    is_claimed: bool = False
+    has_kernel_driver: bool = False  # whether a driver of the system sits on it
+    refuses_with: int = 0  # errno with which opening fails; 0 for none
+    is_claimed: bool = False  # whether a program, perhaps another one, uses it
 
 
 class SimulatedBus(IBackend):  # type: ignore[misc]

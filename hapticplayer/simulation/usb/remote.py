@@ -76,11 +76,7 @@ def pack_answer(answer: Answer) -> bytes:
 
 
 def unpack_answer(data: bytes) -> Answer:
-    """Return the answer in these bytes.
-
-    Raises:
-        struct.error: when they are none.
-    """
+    """Return the answer in these bytes; raises struct.error when they are none."""
     serial, problem, taken = _ANSWER.unpack_from(data)
     return Answer(serial, problem, taken, data[_ANSWER.size :])
 

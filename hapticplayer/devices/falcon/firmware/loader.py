@@ -33,30 +33,20 @@ Progress = Callable[[float], None]
 
 @dataclass(frozen=True, slots=True)
 class Patience:
-    """How often and how long to try.
+    """How often and how long to try."""
 
-    Attributes:
-        attempts: uploads, each on a newly opened device.
-        hellos: calls to the boot processor in each.
-        hello_s: for one answer; 7 bytes at 9600 baud take 7.3 ms, the chip's
-            latency another 16.
-        clear_to_send_s: for the line CTS after the hello. An unmerged change to
-            libnifalcon says that the loader then is ready; it is not certain, so
-            that afterwards the upload begins all the same.
-        echo_s: without a byte of echo.
-        probes: zero frames to see whether the firmware runs.
-        probe_s: for an answer to one of them.
-        rest_s: between closing and opening.
-    """
-
-    attempts: int = 10
-    hellos: int = 20
+    attempts: int = 10  # uploads, each on a newly opened device
+    hellos: int = 20  # calls to the boot processor in each
+    # for one answer; 7 bytes at 9600 baud take 7.3 ms, the chip's latency another 16
     hello_s: float = 0.05
+    # for the line CTS after the hello. An unmerged change to libnifalcon says that the
+    # loader then is ready; it is not certain, so that afterwards the upload begins all
+    # the same
     clear_to_send_s: float = 0.1
-    echo_s: float = 0.5
-    probes: int = 10
-    probe_s: float = 0.01
-    rest_s: float = 0.2
+    echo_s: float = 0.5  # without a byte of echo
+    probes: int = 10  # zero frames to see whether the firmware runs
+    probe_s: float = 0.01  # for an answer to one of them
+    rest_s: float = 0.2  # between closing and opening
 
 
 PATIENCE = Patience()
@@ -202,11 +192,7 @@ def _find_the_rate(ftdi: Ftdi, clock: Clock, patience: Patience) -> None:
 def _send_with_echo(
     ftdi: Ftdi, data: bytes, clock: Clock, echo_s: float, where: str
 ) -> None:
-    """Send bytes and see all of them come back.
-
-    Raises:
-        UploadError: when they do not.
-    """
+    """Send bytes and see all of them come back; raises UploadError when they do not."""
     if ftdi.write(data, echo_s) != len(data):
         raise UploadError("it took not all of the data at {place}", place=where)
     echo = b""

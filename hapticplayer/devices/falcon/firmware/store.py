@@ -68,11 +68,7 @@ def find_image() -> FirmwareImage:
 
 
 def read_image(path: Path) -> FirmwareImage:
-    """Return the firmware in a file.
-
-    Raises:
-        DeviceError: when it cannot be read or is none.
-    """
+    """Return the firmware in a file; raises DeviceError if it is unreadable or none."""
     try:
         data = read_regular(path, MAX_IMAGE_BYTES + 1)
     except InputError as problem:
