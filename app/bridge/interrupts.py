@@ -1,4 +1,4 @@
-"""Ctrl-C and SIGTERM close the window in good order."""
+"""Ctrl-C and other signals to end close the window in good order."""
 
 import contextlib
 import signal
@@ -10,11 +10,11 @@ from PySide6.QtCore import QSocketNotifier, QTimer
 
 from hapticplayer.haptics.messages import ALARM_S, signal_alarm
 
-NUMBERS = (signal.SIGINT, signal.SIGTERM)
+NUMBERS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGQUIT)
 
 
 def hold_signals() -> None:
-    """Keep SIGINT and SIGTERM waiting until `closing_on_signals` takes them.
+    """Keep them waiting until `closing_on_signals` takes them.
 
     An interrupt in the middle of importing or building Qt's classes crashes the
     interpreter. Threads that start meanwhile never see these signals.
@@ -24,7 +24,7 @@ def hold_signals() -> None:
 
 @contextlib.contextmanager
 def closing_on_signals(close: Callable[[], None]) -> Iterator[None]:
-    """Call `close` from the event loop after SIGINT or SIGTERM; it must only post work.
+    """Call `close` from the event loop after such a signal; it must only post work.
 
     Python runs its handlers between two steps of its own code: a byte on a socket wakes
     the event loop, so that there is such a step at once.
@@ -36,13 +36,14 @@ def closing_on_signals(close: Callable[[], None]) -> Iterator[None]:
     def handle(_number: int, _frame: FrameType | None) -> None:
         close()
 
-    before = [signal.signal(number, handle) for number in NUMBERS]
+    heeded = [n for n in NUMBERS if signal.getsignal(n) is not signal.SIG_IGN]  # nohup
+    before = [signal.signal(number, handle) for number in heeded]
     with _awake():
         signal.pthread_sigmask(signal.SIG_UNBLOCK, NUMBERS)
         try:
             yield
         finally:
-            for number, handler in zip(NUMBERS, before, strict=True):
+            for number, handler in zip(heeded, before, strict=True):
                 signal.signal(number, handler)
 
 

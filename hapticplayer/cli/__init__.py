@@ -1,6 +1,7 @@
 """The command line: `hapticplayer COMMAND`.
 
-Exit status: 0 done, 1 refused or failed, 2 wrong usage or a decision is needed.
+Exit status: 0 done, 1 refused or failed, 2 wrong usage or a decision is needed, 128 + n
+ended by signal n (130 for Ctrl-C).
 Errors are one sentence on stderr. Each command has a module, which is imported when it
 is the one that was asked for: `--help` needs neither numpy nor PyAV nor Qt.
 """
@@ -8,6 +9,7 @@ is the one that was asked for: `--help` needs neither numpy nor PyAV nor Qt.
 import argparse
 import importlib
 import io
+import signal
 import sys
 from collections.abc import Callable, Sequence
 from typing import NamedTuple, NoReturn
@@ -80,8 +82,9 @@ def main(
         return _refuse(problem, 2)
     except HapticPlayerError as problem:
         return _refuse(problem, 1)
-    except KeyboardInterrupt:
-        return _refuse("interrupted; nothing half-done was left behind", 1)
+    except KeyboardInterrupt as problem:
+        number = getattr(problem, "number", signal.SIGINT)
+        return _refuse("interrupted; nothing half-done was left behind", 128 + number)
     except BrokenPipeError:
         return 1
 

@@ -11,26 +11,39 @@ from types import FrameType
 from typing import Any
 
 from hapticplayer.devices import device_names
-from hapticplayer.errors import Cancelled, UsageError
+from hapticplayer.errors import UsageError
 from hapticplayer.model.ranges import Range
 from hapticplayer.untrusted import without_controls
 
 
+class Interrupted(KeyboardInterrupt):
+    """A signal ends the work as Ctrl-C does."""
+
+    def __init__(self, number: int) -> None:
+        super().__init__()
+        self.number = number
+
+
 @contextlib.contextmanager
 def interruptible() -> Iterator[None]:
-    """Make SIGTERM end the work like Ctrl-C does: nothing half-done is left."""
+    """Let SIGTERM, SIGHUP and SIGQUIT end the work like Ctrl-C, leaving nothing behind.
+
+    One that is ignored, as after nohup, stays so.
+    """
     if threading.current_thread() is not threading.main_thread():
         yield
         return
 
-    def interrupt(_number: int, _frame: FrameType | None) -> None:
-        raise KeyboardInterrupt
+    def interrupt(number: int, _frame: FrameType | None) -> None:
+        raise Interrupted(number)
 
-    before = signal.signal(signal.SIGTERM, interrupt)
-    try:
+    with contextlib.ExitStack() as stack:
+        for number in (signal.SIGTERM, signal.SIGHUP, signal.SIGQUIT):
+            before = signal.getsignal(number)
+            if before is not signal.SIG_IGN:
+                signal.signal(number, interrupt)
+                stack.callback(signal.signal, number, before)
         yield
-    finally:
-        signal.signal(signal.SIGTERM, before)
 
 
 @contextlib.contextmanager
@@ -55,8 +68,6 @@ def shown_progress() -> Iterator[Any]:
 
     try:
         yield progress
-    except KeyboardInterrupt:
-        raise Cancelled from None
     finally:
         if is_terminal and last_step:
             sys.stderr.write("\r" + " " * 76 + "\r")

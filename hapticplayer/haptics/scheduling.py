@@ -91,7 +91,7 @@ def lock_memory(*, on_fault: bool = True) -> bool:
 
 def outlive_the_player() -> None:
     """Ignore the signals that are meant for the player, and come to its whole group."""
-    for number in (signal.SIGINT, signal.SIGHUP, signal.SIGTERM):
+    for number in (signal.SIGINT, signal.SIGHUP, signal.SIGTERM, signal.SIGQUIT):
         signal.signal(number, signal.SIG_IGN)
 
 

@@ -210,7 +210,7 @@ def main(argv: list[str] | None = None) -> int:
     options = parser.parse_args(argv)
     # Ctrl-C and a hang-up reach the whole group: the player decides, and if it
     # dies of them, the closed line tells
-    for number in (signal.SIGINT, signal.SIGHUP):
+    for number in (signal.SIGINT, signal.SIGHUP, signal.SIGQUIT):
         signal.signal(number, signal.SIG_IGN)
     _quieten()
     line = Line(socket.socket(fileno=options.line))

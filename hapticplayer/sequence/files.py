@@ -1,6 +1,9 @@
 """Reads and writes the files of a sequence, atomically and checked."""
 
 import atexit
+import contextlib
+import errno
+import fcntl
 import hashlib
 import json
 import os
@@ -30,6 +33,7 @@ from hapticplayer.untrusted import (
 MAX_JSON_BYTES = 4 << 20
 MAX_ARRAYS_BYTES = 2 << 30
 _CHUNK_BYTES = 1 << 20
+_SCRATCH_BEGIN, _SCRATCH_END = ".hapticplayer-", ".part"
 _DAMAGED = (
     ValueError,
     EOFError,
@@ -90,10 +94,26 @@ def written_aside(target: Path, mode: int = 0o755) -> Iterator[Path]:
             aside.chmod(mode)
             sync_folder(aside)
             target.parent.mkdir(parents=True, exist_ok=True)
-            aside.rename(target)
+            _rename_new(aside, target)
             sync_folder(target.parent)
         except OSError as problem:
             raise _writing_failed(problem, target) from problem
+
+
+def _rename_new(aside: Path, target: Path) -> None:
+    """Rename a folder, unless another process has made the target meanwhile."""
+    try:
+        if not os.path.lexists(target):
+            aside.rename(target)
+            return
+    except OSError as problem:
+        if problem.errno not in (errno.EEXIST, errno.ENOTEMPTY, errno.ENOTDIR):
+            raise
+    raise SequenceError(
+        "was made by another process meanwhile",
+        where=str(target),
+        remedy="choose another folder",
+    )
 
 
 @contextmanager
@@ -125,7 +145,8 @@ def scratch_beside(
 ) -> Iterator[Path]:
     """Yield a temporary folder on the file system of a target that does not exist yet.
 
-    It is removed after the block, unless it was renamed.
+    It is removed after the block, unless it was renamed; after a kill, by the next
+    block in the same place.
 
     Raises:
         SequenceError: when the target exists or nothing can be written there.
@@ -133,10 +154,9 @@ def scratch_beside(
     target = Path.cwd() / target
     refuse_existing(target, kind, is_ours, SequenceError)
     home = next(parent for parent in target.parents if parent.exists())
+    _remove_abandoned(home)
     try:
-        scratch = Path(
-            tempfile.mkdtemp(prefix=f".{target.name}.", suffix=".part", dir=home)
-        )
+        scratch, lock = _locked_scratch(home)
     except OSError as problem:
         raise SequenceError(
             "cannot be written ({reason})",
@@ -149,6 +169,31 @@ def scratch_beside(
     finally:
         if scratch.exists():
             shutil.rmtree(scratch, ignore_errors=True)
+        os.close(lock)
+
+
+def _locked_scratch(home: Path) -> tuple[Path, int]:
+    """Return a new folder, and the descriptor whose lock tells that it is in use."""
+    while True:
+        scratch = Path(tempfile.mkdtemp(_SCRATCH_END, _SCRATCH_BEGIN, home))
+        lock = os.open(scratch, os.O_RDONLY | os.O_DIRECTORY)
+        with contextlib.suppress(OSError):  # some network file systems have no locks
+            fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        if scratch.exists():  # nobody took it for abandoned before it was locked
+            return scratch, lock
+        os.close(lock)
+
+
+def _remove_abandoned(home: Path) -> None:
+    """Remove the scratch folders of programs that were killed: nobody locks them."""
+    for scratch in home.glob(f"{_SCRATCH_BEGIN}*{_SCRATCH_END}"):
+        with contextlib.suppress(OSError):
+            lock = os.open(scratch, os.O_RDONLY | os.O_DIRECTORY | os.O_NOFOLLOW)
+            try:
+                fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+                shutil.rmtree(scratch, ignore_errors=True)
+            finally:
+                os.close(lock)
 
 
 def _writing_failed(problem: OSError, target: Path) -> SequenceError:

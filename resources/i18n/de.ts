@@ -6036,6 +6036,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>wurde geändert oder ersetzt, während die Datei gelesen wurde</translation>
     </message>
     <message>
+        <source>was made by another process meanwhile</source>
+        <translation>wurde inzwischen von einem anderen Prozess angelegt</translation>
+    </message>
+    <message>
         <source>was written by another version of the program</source>
         <translation>ist von einer anderen Version des Programms</translation>
     </message>

@@ -6036,6 +6036,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>a été modifié ou remplacé pendant sa lecture</translation>
     </message>
     <message>
+        <source>was made by another process meanwhile</source>
+        <translation>a été créé entre-temps par un autre processus</translation>
+    </message>
+    <message>
         <source>was written by another version of the program</source>
         <translation>est d’une autre version du programme</translation>
     </message>

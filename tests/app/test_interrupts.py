@@ -8,7 +8,7 @@ import threading
 import pytest
 from PySide6.QtCore import QEventLoop, QTimer
 
-from app.bridge.interrupts import closing_on_signals
+from app.bridge.interrupts import NUMBERS, closing_on_signals
 from hapticplayer.haptics.messages import signal_alarm
 
 
@@ -20,7 +20,7 @@ def heard():
         return b""
 
 
-@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+@pytest.mark.parametrize("number", NUMBERS)
 def test_loops_hear_of_a_signal_before_the_window_closes(qapp, number):
     loop, seen = QEventLoop(), []
 

@@ -205,28 +205,47 @@ def test_a_log_on_a_full_disk_is_told(clip, tmp_path, fill_disk, monkeypatch):
 # --- what is refused --------------------------------------------------------
 
 
-def test_interrupting_an_import_leaves_nothing(clip, tmp_path, rng):
-    big = tmp_path / "big.csv"
-    count = 200_000
-    write_imu_csv(
-        big,
-        ImuLog(
-            np.arange(count) / 200.0,
-            np.tile([0.0, 0.0, 9.81], (count, 1)),
-            np.zeros((count, 3)),
-        ),
-    )
-    process = started(
-        *("import", clip, "--imu", big, "--offset", "0", "-o", tmp_path / "o")
-    )
-    first = process.stderr.readline()  # the first step is under way
-    process.send_signal(signal.SIGTERM)
+@pytest.fixture
+def long_import(clip, tmp_path):
+    """What starts an import that takes a while, and returns it in its first step."""
+    big, count = tmp_path / "big.csv", 200_000
+    force = np.tile([0.0, 0.0, 9.81], (count, 1))
+    write_imu_csv(big, ImuLog(np.arange(count) / 200.0, force, np.zeros((count, 3))))
+
+    def start(name="o", step="reading"):
+        words = ("--imu", big, "--offset", "0", "-o", tmp_path / name)
+        process = started("import", clip, *words)
+        while not process.stderr.readline().startswith(step):
+            assert process.poll() is None
+        return process
+
+    return start
+
+
+ENDING = [signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGQUIT]
+
+
+@pytest.mark.parametrize("number", ENDING)
+@pytest.mark.parametrize("step", ["reading", "copying the clip"])
+def test_interrupting_an_import_leaves_nothing(long_import, tmp_path, number, step):
+    process = long_import(step=step)
+    process.send_signal(number)
     rest = process.communicate(timeout=60)[1]
-    assert "reading" in first
-    assert process.returncode == 1
+    assert process.returncode == 128 + number
     assert "nothing" in rest
     assert "Traceback" not in rest
     assert sorted(p.name for p in tmp_path.iterdir()) == ["big.csv"]
+
+
+def test_an_import_tidies_up_after_one_that_was_killed(long_import, tmp_path):
+    process = long_import(step="copying the clip")
+    process.kill()
+    process.communicate(timeout=60)
+    assert len(list(tmp_path.iterdir())) == 2
+    process = long_import("again")
+    process.communicate(timeout=300)
+    assert process.returncode == 0
+    assert sorted(p.name for p in tmp_path.iterdir()) == ["again", "big.csv"]
 
 
 GOOD_ROW = "0.00,0,0,9.81,0,0,0\n0.01,0,0,9.81,0,0,0\n"

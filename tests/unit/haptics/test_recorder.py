@@ -211,7 +211,9 @@ def test_ticks_from_before_it_was_there_are_kept(start, ring, loop):
     assert numbers(read_record(path)) == list(range(3000))
 
 
-@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
+@pytest.mark.parametrize(
+    "number", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGQUIT]
+)
 def test_signals_to_the_player_do_not_end_it(start, ring, loop, number):
     recorder, path = start()
     ring.tick(10)

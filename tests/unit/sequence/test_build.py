@@ -108,6 +108,39 @@ def test_whatever_goes_wrong_leaves_nothing(tmp_path, tiny_clip, log_file, error
     assert sorted(p.name for p in tmp_path.iterdir()) == ["log.csv"]
 
 
+@pytest.mark.parametrize("kind", ["folder", "empty folder", "file"])
+def test_a_target_that_another_makes_meanwhile_is_kept(
+    tmp_path, tiny_clip, recording, kind
+):
+    target = tmp_path / "ride"
+
+    def progress(_done, said):
+        if said == "writing":
+            target.write_text("theirs") if kind == "file" else target.mkdir()
+            if kind == "folder":
+                (target / "theirs").write_text("theirs")
+
+    with pytest.raises(SequenceError, match="ride: was made by another process"):
+        write_sequence(tiny_clip, recording, target, progress=progress)
+    assert [p.name for p in tmp_path.iterdir()] == ["ride"]
+    assert target.is_file() or len(list(target.iterdir())) == (kind == "folder")
+
+
+def test_what_the_killed_left_is_removed_and_no_more(tmp_path):
+    for name in (".hapticplayer-dead.part", ".other-dead.part", ".hapticplayer-mine"):
+        (tmp_path / name).mkdir()
+        (tmp_path / name / "clip.mp4").write_bytes(b"half")
+    (tmp_path / ".hapticplayer-file.part").write_text("a file")
+    (tmp_path / ".hapticplayer-link.part").symlink_to(tmp_path / ".other-dead.part")
+    before = {path.name for path in tmp_path.iterdir()}
+    with files.scratch_beside(tmp_path / "one") as living:
+        with files.scratch_beside(tmp_path / "two"):
+            assert living.is_dir()
+        left = {path.name for path in tmp_path.iterdir()}
+        assert left == before - {".hapticplayer-dead.part"} | {living.name}
+    assert (tmp_path / ".other-dead.part" / "clip.mp4").exists()
+
+
 @pytest.mark.parametrize("kind", ["folder", "empty folder", "file", "dead link"])
 def test_what_exists_is_never_touched(tmp_path, tiny_clip, log_file, kind):
     target = tmp_path / "ride"
