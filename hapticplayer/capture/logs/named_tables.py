@@ -8,8 +8,8 @@ AndroSensor and apps like it: "ACCELEROMETER X (m/s²)", "GYROSCOPE X (rad/s)",
 write "time (ms)".
 
 RaceChrono: lines about the session, then the header. Format 3 has units ("unix time",
-"G", "deg/s") and sources ("101: acc") in the two lines below it, formats 1 and 2 units
-and sources in the names ("X acceleration (G) *acc").
+"G", "deg/s") and sources ("101: acc") in the two lines below it, and every sensor
+interpolated in every row; format 2 has units and sources in the names ("X acceleration (G) *acc").
 
 Xsens DOT: optional lines "sep=,", "DeviceTag:,D1" ..., then
 PacketCounter,SampleTimeFine (us of a 32-bit counter), Euler_X or Quat_W ..., FreeAcc_X or
@@ -19,8 +19,10 @@ Xsens MTw and MTi (MT Manager): lines of "//", among them "// Update Rate: 100.0
 tabs: PacketCounter (16 bits), SampleTimeFine (often empty), Acc_X ... in m/s2, Gyr_X ...
 in rad/s, Mag_X ... in units of the earth's field.
 
-Source: headers written and read by public programs for these exports; no file of an
-original program was at hand. Movella DOT user manual and MT Manager manual (units), from
+Source: RaceChrono 9.1 and 10.0 (format 3), Xsens DOT 2021.0 and MT Manager (firmware
+4.0.2): exports in public repositories (popShell/RaceChrono-Notebooks,
+jLynx/RaceChrono-to-CSV, Allwillcome/XsensDot2Mtw4OpenSense). RaceChrono format 2 and
+AndroSensor: headers in public programs that read them. Units of Xsens: its manuals, from
 memory.
 """
 
