@@ -1,7 +1,7 @@
-"""Studies: whether an answer that was acknowledged is ever lost."""
+"""Studies: whether an answer is ever lost, and the time of their analysis."""
 
 import sys
 
 from benchmarks.common import command
 
-sys.exit(command("study", __doc__, ("kill",)))
+sys.exit(command("study", __doc__, ("kill", "analysis")))

@@ -27,6 +27,7 @@ from hapticplayer.study.analysis.statistic import (
 EFFECTS = ("sequence", "feedback", "interaction")
 _DECIMALS = 9  # so that aligned responses that differ by rounding are ties
 _LEAST = 2
+_NOTHING = 1e-18  # share of the sum of squares that is rounding alone
 
 
 def structure(values: Floats, participants: tuple[str, ...]) -> Found | None:
@@ -71,55 +72,47 @@ def align(values: Floats, effect: str) -> Floats:
 
 
 def _effect(ranks: Floats, name: str) -> Found | None:
-    """Return the effect of the analysis of variance of ranks (P, S, F)."""
-    from pandas import DataFrame
-    from statsmodels.stats.anova import AnovaRM
+    """Return the effect of the analysis of variance of ranks (P, S, F).
 
-    epsilon = _epsilon(ranks, name)
-    if epsilon is None:
+    Each participant's responses are projected on the effect; its sum of squares is that
+    of their mean, the error's that of the differences from it (Winer 1971, 7.2). All
+    factors are within participants and no cell is empty, so that no model has to be
+    fitted: the work grows with the number of responses.
+    """
+    parts = _projected(ranks, name)
+    n, levels = len(ranks), np.array(ranks.shape[1:]) - 1
+    degrees = {"sequence": levels[0], "feedback": levels[1]}
+    df1 = int(degrees.get(name, levels.prod()))
+    df2 = df1 * (n - 1)
+    mean = parts.mean(axis=0)
+    apart = parts - mean
+    error, effect = float((apart**2).sum()), n * float((mean**2).sum())
+    if error <= _NOTHING * float((ranks**2).sum()):
         return None
-    person, sequence, feedback = (axis.ravel() for axis in np.indices(ranks.shape))
-    columns = {"y": ranks.ravel(), "p": person, "sequence": sequence}
-    table = DataFrame({**columns, "feedback": feedback})
-    within = ["sequence", "feedback"]
-    found = AnovaRM(table, "y", "p", within=within).fit().anova_table
-    row = found.loc["sequence:feedback" if name == "interaction" else name]
-    f, df1, df2 = (float(row[key]) for key in ("F Value", "Num DF", "Den DF"))
+    covariance = apart.T @ apart
+    epsilon = error**2 / (df1 * float((covariance**2).sum()))
+    f = effect / error * (n - 1)
     return {
-        "n": len(ranks),
+        "n": n,
         "f": f,
-        "df": (df1, df2),
+        "df": (float(df1), float(df2)),
         "p": float(scipy.stats.f.sf(f, df1, df2)),
         "epsilon": epsilon,
         "p_corrected": float(scipy.stats.f.sf(f, df1 * epsilon, df2 * epsilon)),
-        "partial_eta_squared": f * df1 / (f * df1 + df2),
+        "partial_eta_squared": effect / (effect + error),
     }
 
 
-def _epsilon(ranks: Floats, name: str) -> float | None:
-    """Return tr(C)^2 / (d tr(C^2)) of the d contrasts' covariance C; None if it is 0."""
-    sequences, feedbacks = (_contrasts(size) for size in ranks.shape[1:])
-    means = [np.full((size, 1), size**-0.5) for size in ranks.shape[1:]]
+def _projected(ranks: Floats, name: str) -> Floats:
+    """Return what ranks (P, S, F) have of an effect (P, levels), without all others."""
+    centred = ranks - ranks.mean(axis=(1, 2), keepdims=True)
+    sequence, feedback = centred.mean(axis=2), centred.mean(axis=1)
     if name == "sequence":
-        contrasts = np.kron(sequences, means[1])
-    elif name == "feedback":
-        contrasts = np.kron(means[0], feedbacks)
-    else:
-        contrasts = np.kron(sequences, feedbacks)
-    covariance = np.atleast_2d(
-        np.cov(ranks.reshape(len(ranks), -1) @ contrasts, rowvar=False)
-    )
-    square = float((covariance**2).sum())
-    if square < 1e-18:
-        return None
-    return float(np.trace(covariance) ** 2 / (len(covariance) * square))
-
-
-def _contrasts(size: int) -> Floats:
-    """Return orthonormal contrasts (size, size - 1)."""
-    helmert = np.eye(size) - 1.0 / size
-    columns, _ = np.linalg.qr(helmert[:, :-1])
-    return np.asarray(columns, np.float64)
+        return np.asarray(sequence)
+    if name == "feedback":
+        return np.asarray(feedback)
+    left = centred - sequence[:, :, None] - feedback[:, None, :]
+    return np.asarray(left.reshape(len(ranks), -1))
 
 
 def _warnings(found: dict[str, Any]) -> Iterator[str]:

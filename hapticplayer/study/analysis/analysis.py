@@ -40,7 +40,7 @@ STATISTICS: dict[str, Statistic] = {
 
 FEW = 6
 """Fewest participants with which a pair can reach 0.05 in the signed-rank test."""
-_LIBRARIES = ("numpy", "scipy", "statsmodels", "matplotlib")
+_LIBRARIES = ("numpy", "scipy", "matplotlib")
 
 Progress = Callable[[float, str], None]
 
@@ -126,12 +126,12 @@ def analyse(
     measures: dict[str, MeasureAnalysis] = {}
     found: dict[str, dict[str, Any]] = {name: {} for name in STATISTICS}
     for number, measure in enumerate(scores.measures):
-        progress(
-            number / len(scores.measures),
-            Message("analysing {measure}", measure=measure),
-        )
+        step = Message("analysing {measure}", measure=measure)
+        progress(number / len(scores.measures), step)
         measures[measure] = described = _described(scores, measure, options)
-        for name, statistic in STATISTICS.items():
+        for place, (name, statistic) in enumerate(STATISTICS.items()):
+            done = number + (1 + place) / (1 + len(STATISTICS))
+            progress(done / len(scores.measures), step)
             one = statistic.compute(described.sample, options.resampling)
             found[name][measure] = plain(one)
     for name, statistic in STATISTICS.items():

@@ -16,7 +16,7 @@ from scipy import stats
 from hapticplayer.errors import InputError, Message
 from hapticplayer.model.arrays import Floats
 from hapticplayer.study.analysis.analysis import AnalysisOptions, Progress
-from hapticplayer.study.analysis.describing import CONFIDENCE
+from hapticplayer.study.analysis.describing import CONFIDENCE, TAILS
 from hapticplayer.study.analysis.psychometric import Fits, deviance, fit, shape_of
 from hapticplayer.study.answers import Answers, Judgement
 
@@ -26,6 +26,7 @@ Interval = tuple[float, float]
 _AXES: tuple[Axis, ...] = ("delay_s", "gain")
 _MOST_FITS = 1999
 _FEW_PARTICIPANTS = 2
+_SAME = 1e-9
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,7 +59,8 @@ class Curve:
         values: "lower", "upper", "centre", "window", "spread", "lapse", "peak", as far
             as the shape has them. For gains the window is upper / lower and the spread
             a factor.
-        intervals: of `values`, by bootstrap.
+        intervals: of `values`, by bootstrap; None where all resamples agree, such as
+            at a bound of the fit.
         deviance: of the fit from the shares of the levels.
         p_fit: share of simulated fits with at least this deviance.
         is_flat: whether the shares do not differ (G test, 5 %).
@@ -66,7 +68,7 @@ class Curve:
 
     fits: Fits
     values: dict[str, float]
-    intervals: dict[str, Interval]
+    intervals: dict[str, Interval | None]
     deviance: float
     p_fit: float
     is_flat: bool
@@ -268,11 +270,11 @@ def _values(axis: Axis, fits: Fits) -> dict[str, Floats]:
     return {**found, "spread": back(fits.spread), "lapse": fits.lapse}
 
 
-def _intervals(values: dict[str, Floats]) -> dict[str, Interval]:
-    tail = (1.0 - CONFIDENCE) / 2.0
+def _intervals(values: dict[str, Floats]) -> dict[str, Interval | None]:
+    ends = {name: np.quantile(v, TAILS) for name, v in values.items()}
     return {
-        name: (float(np.quantile(v, tail)), float(np.quantile(v, 1.0 - tail)))
-        for name, v in values.items()
+        name: (float(low), float(high)) if high - low > _SAME else None
+        for name, (low, high) in ends.items()
     }
 
 

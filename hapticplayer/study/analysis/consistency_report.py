@@ -22,7 +22,7 @@ from hapticplayer.study.analysis.contents import (
     ReportTable,
     made_with,
 )
-from hapticplayer.study.analysis.figures import new_panel
+from hapticplayer.study.analysis.figures import draw_lines, new_panel
 from hapticplayer.study.analysis.psychometric import MOST_LAPSES
 from hapticplayer.study.analysis.statistic import interval, number, p_value, plain
 
@@ -125,7 +125,8 @@ def tables(analysis: ConsistencyAnalysis) -> dict[str, list[list[Any]]]:
         for sequence, curve in one.curves.items():
             for name, value in (curve.values if curve else {}).items():
                 assert curve is not None
-                curves.append([axis, sequence, name, value, *curve.intervals[name]])
+                ends = curve.intervals[name] or (None, None)
+                curves.append([axis, sequence, name, value, *ends])
     levels += [_share_row(ALL, share) for share in analysis.mixed]
     return {"levels.csv": levels, "curves.csv": curves}
 
@@ -254,11 +255,9 @@ def _share_row(sequence: str, one: Share) -> list[Any]:
 
 def _figure(one: AxisAnalysis) -> "Figure":
     with new_panel("share felt as consistent") as (figure, panel):
-        label: str | None = "one participant"
-        for values in one.by_person:
-            style: dict[str, Any] = {"color": _PERSON, "lw": 0.7, "alpha": 0.45}
-            panel.plot(one.levels, values, label=label, **style)
-            label = None
+        style: dict[str, Any] = {"color": _PERSON, "linewidth": 0.7, "alpha": 0.45}
+        label = "one participant"
+        draw_lines(panel, one.levels, one.by_person, label=label, **style)
         _draw_shares(panel, one)
         if (curve := one.curves[ALL]) is not None:
             _draw_curve(panel, one, curve)
@@ -285,8 +284,9 @@ def _draw_curve(panel: "Axes", one: AxisAnalysis, curve: Curve) -> None:
     label: str | None = "criterion, 95 %"
     for name in ("lower", "upper"):
         if name in curve.values:
-            low, high = np.clip(curve.intervals[name], one.levels[0], one.levels[-1])
-            panel.axvspan(low, high, color=_CURVE, alpha=0.15, lw=0.0)
+            if (ends := curve.intervals[name]) is not None:
+                low, high = np.clip(ends, one.levels[0], one.levels[-1])
+                panel.axvspan(low, high, color=_CURVE, alpha=0.15, lw=0.0)
             at = curve.values[name]
             if one.levels[0] <= at <= one.levels[-1]:
                 panel.axvline(at, color=_CURVE, ls="--", lw=1.2, label=label)

@@ -1,7 +1,6 @@
 """Means, standard deviations, and seeded resampling for intervals and p values."""
 
 import zlib
-from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -10,8 +9,8 @@ from hapticplayer.model.arrays import Floats
 
 CONFIDENCE = 0.95
 TAILS = ((1.0 - CONFIDENCE) / 2.0, (1.0 + CONFIDENCE) / 2.0)
-_MOST_VALUES = 1 << 22
-"""Largest block of resamples, to limit memory."""
+_MOST_VALUES = 1 << 18
+"""Largest block of resamples: 2 MB."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,20 +28,25 @@ class Resampling:
         """Return the generator of one use."""
         return np.random.default_rng([self.seed, zlib.crc32(label.encode())])
 
-    def interval(
-        self, values: Floats, statistic: Callable[[Floats], Floats], label: str
-    ) -> tuple[float, float]:
-        """Return the percentile bootstrap interval of a statistic.
+    def mean_interval(self, values: Floats, label: str) -> tuple[float, float] | None:
+        """Return the percentile bootstrap interval of the mean of (n,).
+
+        How often each distinct value is drawn is multinomial: the work of a resample
+        grows with the number of distinct values, which a scale limits. None if all
+        values are equal: no resample could differ from them.
 
         Args:
-            values: (n,), drawn with replacement.
-            statistic: of the last axis.
+            values: drawn with replacement.
             label: of this use.
         """
+        distinct, counts = np.unique(values, return_counts=True)
+        if len(distinct) < 2:
+            return None
         rng, found, left = self.generator(label), [], self.count
         while left:
-            rows = min(left, max(1, _MOST_VALUES // len(values)))
-            found.append(statistic(rng.choice(values, (rows, len(values)))))
+            rows = min(left, max(1, _MOST_VALUES // len(distinct)))
+            drawn = rng.multinomial(len(values), counts / len(values), rows)
+            found.append(drawn @ distinct / len(values))
             left -= rows
         low, high = np.quantile(np.concatenate(found), TAILS)
         return float(low), float(high)
@@ -61,7 +65,8 @@ class Summary:
         q3: third quartile.
         low: smallest value.
         high: largest value.
-        mean_low: lower end of the bootstrap interval of the mean, 95 %.
+        mean_low: lower end of the bootstrap interval of the mean, 95 %; None if all
+            values are equal.
         mean_high: its upper end.
     """
 
@@ -83,9 +88,7 @@ def summarize(values: Floats, resampling: Resampling, label: str) -> Summary:
     if not len(values):
         return Summary(0)
     low, q1, median, q3, high = np.quantile(values, [0.0, 0.25, 0.5, 0.75, 1.0])
-    mean_low, mean_high = resampling.interval(
-        values, lambda drawn: drawn.mean(axis=-1), f"mean/{label}"
-    )
+    ends = resampling.mean_interval(values, f"mean/{label}") or (None, None)
     return Summary(
         n=len(values),
         mean=float(values.mean()),
@@ -95,6 +98,6 @@ def summarize(values: Floats, resampling: Resampling, label: str) -> Summary:
         q3=float(q3),
         low=float(low),
         high=float(high),
-        mean_low=mean_low,
-        mean_high=mean_high,
+        mean_low=ends[0],
+        mean_high=ends[1],
     )

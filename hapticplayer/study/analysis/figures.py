@@ -161,14 +161,22 @@ def _draw_group(panel: "Axes", place: int, values: Floats, floor: float) -> None
                 "zorder": 4,
             }
             panel.errorbar(at[column] + aside, mean, known.std(ddof=1), **bar)
-    line: dict[str, Any] = {
-        "color": _LINE,
-        "alpha": 0.35,
-        "linewidth": 0.7,
-        "zorder": 3,
-    }
-    for row in values:
-        panel.plot(at - aside, row, marker="o", markersize=2.0, **line)
+    style: dict[str, Any] = {"color": _LINE, "alpha": 0.35, "zorder": 3}
+    draw_lines(panel, at - aside, values, linewidth=0.7, **style)
+    spots, _ = np.broadcast_arrays(at - aside, values)
+    known = ~np.isnan(values)
+    panel.plot(spots[known], values[known], "o", markersize=2.0, mew=0.0, **style)
+
+
+def draw_lines(panel: "Axes", at: Floats, values: Floats, **style: Any) -> None:
+    """Draw the rows of values (P, L) at (L,), broken where they are NaN, as one artist.
+
+    An artist for each line takes 1 ms in each of the formats.
+    """
+    from matplotlib.collections import LineCollection
+
+    spots, _ = np.broadcast_arrays(at, values)
+    panel.add_collection(LineCollection(list(np.dstack([spots, values])), **style))
 
 
 def _draw_legend(figure: "Figure", feedbacks: tuple[str, ...]) -> None:

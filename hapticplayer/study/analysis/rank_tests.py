@@ -6,6 +6,7 @@ dozen values (all permutations); here the distribution of sums of tied mid-ranks
 convolved rank by rank. Two-sided p: twice the smaller tail.
 """
 
+import functools
 import math
 from collections.abc import Iterator
 
@@ -15,6 +16,11 @@ from numpy.typing import NDArray
 
 from hapticplayer.model.arrays import Floats
 from hapticplayer.study.analysis.describing import TAILS, Resampling
+from hapticplayer.study.analysis.effect_sizes import (
+    independent_interval,
+    matched_interval,
+    rank_biserial,
+)
 from hapticplayer.study.analysis.scores import Sample
 from hapticplayer.study.analysis.statistic import (
     ALPHA,
@@ -35,9 +41,7 @@ _LEAST_FOR_SHAPIRO = 3
 _SMALL_GROUP = 5
 
 
-def signed_rank(
-    first: Floats, second: Floats, resampling: Resampling, label: str
-) -> Found:
+def signed_rank(first: Floats, second: Floats) -> Found:
     """Compare paired samples (n,), n > 0; positive means that the second is larger.
 
     `p_normal` is corrected for ties, not for continuity. `shift` is the Hodges-Lehmann
@@ -54,10 +58,8 @@ def signed_rank(
         p = p_normal = float(scipy.stats.wilcoxon(apart, method="asymptotic").pvalue)
         if is_counted:
             p = _smaller_tail(_sums(2.0 * ranks), 2.0 * w_plus)
-        effect = float(rank_biserial(differences))
-        effect_interval = resampling.interval(
-            differences, rank_biserial, f"signed/{label}"
-        )
+        effect = rank_biserial(differences)
+        effect_interval = matched_interval(w_plus, len(apart))
     shift, shift_interval = hodges_lehmann(differences)
     return {
         "n": len(differences),
@@ -74,27 +76,31 @@ def signed_rank(
     }
 
 
-def rank_biserial(differences: Floats) -> Floats:
-    """Return the matched rank-biserial correlation over the last axis; 0 if all are 0."""
-    ranks = scipy.stats.rankdata(np.abs(differences), axis=-1)
-    ranks -= (differences == 0.0).sum(axis=-1, keepdims=True)  # zeros rank lowest
-    signed = (np.sign(differences) * ranks).sum(axis=-1)
-    total = np.where(differences == 0.0, 0.0, ranks).sum(axis=-1)
-    return np.asarray(signed / np.maximum(total, 1.0), np.float64)
-
-
 def hodges_lehmann(differences: Floats) -> tuple[float, tuple[float, float] | None]:
-    """Return the median of the Walsh averages and its interval (Hollander & Wolfe 3.3)."""
+    """Return the median of the Walsh averages and its interval (Hollander & Wolfe 3.3).
+
+    Averages of distinct differences are counted, not listed: ratings have few.
+    """
     n = len(differences)
-    upper = np.triu_indices(n)
-    averages = np.sort((differences[upper[0]] + differences[upper[1]]) / 2.0)
+    distinct, counts = np.unique(differences, return_counts=True)
+    i, j = np.triu_indices(len(distinct))
+    ways = np.where(i == j, counts[i] * (counts[i] + 1) // 2, counts[i] * counts[j])
+    averages = (distinct[i] + distinct[j]) / 2.0
+    order = np.argsort(averages)
+    last = np.cumsum(ways[order])  # place of the last of each, from 1
+
+    def at(place: int) -> float:
+        return float(averages[order[np.searchsorted(last, place)]])
+
+    total = n * (n + 1) // 2
+    median = (at((total + 1) // 2) + at(total // 2 + 1)) / 2.0
     place = _interval_place(n)
     if place == 0:
-        return float(np.median(averages)), None
-    low, high = averages[place - 1], averages[len(averages) - place]
-    return float(np.median(averages)), (float(low), float(high))
+        return median, None
+    return median, (at(place), at(total - place + 1))
 
 
+@functools.cache
 def _interval_place(n: int) -> int:
     """Return the largest c with P(W+ < c) within the tail, or 0."""
     if n > MOST_PAIRS:
@@ -122,7 +128,7 @@ def _smaller_tail(share: Floats, at: float) -> float:
     return min(1.0, 2.0 * float(min(share[: place + 1].sum(), share[place:].sum())))
 
 
-def rank_sum(before: Floats, new: Floats, resampling: Resampling, label: str) -> Found:
+def rank_sum(before: Floats, new: Floats) -> Found:
     """Compare independent samples (n_before,) and (n_new,).
 
     `u` counts the pairs in which `before` is higher, ties half; `p_normal` is corrected
@@ -139,7 +145,9 @@ def rank_sum(before: Floats, new: Floats, resampling: Resampling, label: str) ->
         normal = scipy.stats.mannwhitneyu(before, new, method="asymptotic")
     found["u"] = float(normal.statistic)
     found["rank_biserial"] = 2.0 * found["u"] / (len(before) * len(new)) - 1.0
-    found["rank_biserial_interval"] = _effect_interval(before, new, resampling, label)
+    found["rank_biserial_interval"] = independent_interval(
+        found["u"], len(before), len(new)
+    )
     if np.ptp(ranks) == 0.0:
         return found
     found["p"] = found["p_normal"] = float(normal.pvalue)
@@ -161,20 +169,6 @@ def _sums_of_choices(doubled: NDArray[np.int64], chosen: int) -> Floats:
     return np.asarray(ways[chosen] / ways[chosen].sum())
 
 
-def _effect_interval(
-    before: Floats, new: Floats, resampling: Resampling, label: str
-) -> tuple[float, float]:
-    rng = resampling.generator(f"rank-sum/{label}")
-    wins = np.sign(before[:, None] - new[None, :])
-    # weights (count, n) of a bootstrap
-    first, second = (
-        rng.multinomial(n, np.full(n, 1.0 / n), size=resampling.count) / n
-        for n in wins.shape
-    )
-    low, high = np.quantile(((first @ wins) * second).sum(axis=1), TAILS)
-    return float(low), float(high)
-
-
 def shapiro(values: Floats) -> Found:
     """Test a sample (n,) for normality; None if it is too small or constant."""
     if len(values) < _LEAST_FOR_SHAPIRO or np.ptp(values) == 0.0:
@@ -183,31 +177,20 @@ def shapiro(values: Floats) -> Found:
     return {"w": float(found.statistic), "p": float(found.pvalue)}
 
 
-def _signed_ranks(sample: Sample, resampling: Resampling) -> Found:
-    def compare(pairs: list[tuple[int, int]]) -> list[Found]:
-        names, values = sample.feedbacks, sample.values
-        return [
-            signed_rank(
-                values[:, i],
-                values[:, j],
-                resampling,
-                f"{sample.measure}/{names[i]}/{names[j]}",
-            )
-            for i, j in pairs
-        ]
-
-    return sample.each_pair(compare)
+def _signed_ranks(sample: Sample, _resampling: Resampling) -> Found:
+    columns = sample.values.T
+    return sample.each_pair(
+        lambda pairs: [signed_rank(columns[i], columns[j]) for i, j in pairs]
+    )
 
 
-def _expertise(sample: Sample, resampling: Resampling) -> Found:
+def _expertise(sample: Sample, _resampling: Resampling) -> Found:
     before, new = (
         [i for i, used in enumerate(sample.used_before) if used is wanted]
         for wanted in (True, False)
     )
     return sample.each_feedback(
-        lambda name, column: rank_sum(
-            column[before], column[new], resampling, f"{sample.measure}/{name}"
-        )
+        lambda _name, column: rank_sum(column[before], column[new])
     )
 
 
@@ -270,8 +253,9 @@ WILCOXON = Statistic(
     ),
     assumes="Wilcoxon's signed-rank test assumes paired values whose differences are symmetric about their median "
     "and can be ranked by size. Pairs without a difference are dropped; p is exact "
-    "for tied ranks. The matched rank-biserial correlation goes from -1 to 1; "
-    "the shift is the Hodges-Lehmann estimate, whose interval is exact without ties and "
+    "for tied ranks. The matched rank-biserial correlation goes from -1 to 1; its "
+    "interval has the values from which W+ differs by less than 1.96 standard errors "
+    "(of normal differences), and is no point at 1, as a bootstrap is; the shift is the Hodges-Lehmann estimate, whose interval is exact without ties and "
     "conservative with ties.",
     holm=Holm("p", "each measure"),
 )
@@ -292,7 +276,8 @@ MANN_WHITNEY = Statistic(
     ),
     assumes="The test of Mann and Whitney assumes two independent groups and values that can be ranked. It compares "
     "medians only if both distributions have the same shape. Few participants detect only "
-    "large effects: no significance does not mean no effect.",
+    "large effects: no significance does not mean no effect. The interval of the "
+    "rank-biserial correlation is Newcombe's fifth method, which holds at -1 and 1.",
     warn=_group_warnings,
     holm=Holm("p", "all measures"),
 )

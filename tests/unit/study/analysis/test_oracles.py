@@ -16,6 +16,11 @@ from statsmodels.stats.multitest import multipletests
 
 from hapticplayer.study.analysis.aligned_ranks import align, aligned_ranks, structure
 from hapticplayer.study.analysis.describing import Resampling
+from hapticplayer.study.analysis.effect_sizes import (
+    independent_interval,
+    matched_interval,
+    rank_biserial,
+)
 from hapticplayer.study.analysis.friedman import (
     chi_squares,
     conover,
@@ -25,7 +30,6 @@ from hapticplayer.study.analysis.friedman import (
 )
 from hapticplayer.study.analysis.rank_tests import (
     hodges_lehmann,
-    rank_biserial,
     rank_sum,
     shapiro,
     signed_rank,
@@ -156,14 +160,14 @@ def test_nemenyi_and_conover_are_those_of_posthocs(samples, monkeypatch):
             assert one["p"] == exactly(by_range[pair])
 
 
-def test_wilcoxon_is_that_of_scipy_and_pingouin(samples, quick):
+def test_wilcoxon_is_that_of_scipy_and_pingouin(samples):
     exact = 0
     for values in samples:
         first, second = values[:, 0], values[:, 1]
         apart = np.round(second - first, 9)
         if not apart.any():
             continue
-        found = signed_rank(first, second, quick, "test")
+        found = signed_rank(first, second)
         normal = stats.wilcoxon(apart, method="asymptotic")
         assert min(found["w_plus"], found["w_minus"]) == exactly(normal.statistic)
         if found["n"] - found["zeros"] <= 8:
@@ -187,11 +191,11 @@ def _p_of_all_signs(differences) -> float:
     return min(1.0, 2.0 * min(tails))
 
 
-def test_wilcoxon_without_ties_is_scipys_exact_one(quick):
+def test_wilcoxon_without_ties_is_scipys_exact_one():
     rng = np.random.default_rng(4)
     for n in range(3, 40):
         first, second = rng.normal(size=n), rng.normal(0.5, size=n)
-        found = signed_rank(first, second, quick, "test")
+        found = signed_rank(first, second)
         assert found["p_method"] == "exact"
         reference = stats.wilcoxon(first, second, method="exact")
         assert found["p"] == exactly(reference.pvalue)
@@ -213,20 +217,74 @@ def test_five_pairs_are_too_few_for_an_interval():
     assert hodges_lehmann(np.arange(1.0, 6.0)) == (3.0, None)
 
 
-def test_the_vectorised_effect_size_leaves_zeros_out():
-    differences = np.array([[0.0, 0.0, 1.0, -2.0, 3.0], [0.0] * 5])
+def test_the_shift_counts_equal_differences():
+    rng = np.random.default_rng(9)
+    for n in (1, 2, 7, 30):
+        differences = rng.integers(-3, 4, n) / 4.0
+        pairs = itertools.combinations_with_replacement(differences, 2)
+        assert hodges_lehmann(differences)[0] == np.median(
+            [(a + b) / 2 for a, b in pairs]
+        )
+
+
+def test_the_effect_size_leaves_zeros_out():
     # ranks 1, 2, 3 of 1, -2, 3: (1 - 2 + 3) / 6
-    assert rank_biserial(differences).tolist() == close([1 / 3, 0.0])
+    assert rank_biserial(np.array([0.0, 0.0, 1.0, -2.0, 3.0])) == close(1 / 3)
+    assert rank_biserial(np.zeros(5)) == 0.0
 
 
-def test_mann_whitney_is_that_of_scipy_and_pingouin(samples, quick):
+def test_intervals_of_r_leave_zero_out_where_tests_reject():
+    rng = np.random.default_rng(3)
+    seen = []
+    for _ in range(200):
+        first, second = rng.normal(0.6, 1.0, rng.integers(2, 30)), rng.normal(size=12)
+        signed = stats.wilcoxon(first, method="asymptotic")
+        w_plus = stats.rankdata(np.abs(first))[first > 0].sum()
+        ranked = stats.mannwhitneyu(
+            first, second, method="asymptotic", use_continuity=False
+        )
+        for reference, (low, high) in (
+            (signed, matched_interval(w_plus, len(first))),
+            (ranked, independent_interval(ranked.statistic, len(first), 12)),
+        ):
+            assert (low > 0.0 or high < 0.0) == (reference.pvalue < 0.05)
+            seen.append(reference.pvalue < 0.05)
+    assert 100 < sum(seen) < 300
+
+
+@pytest.mark.parametrize("shift", [0.0, 1.0, 2.5])
+def test_intervals_of_r_hold_the_truth_also_near_one(shift):
+    # normal values: P(a + b > 0) and P(a > b) are known; 600 samples, 3 sigma = 0.027
+    rng = np.random.default_rng(4)
+    held = np.zeros(2)
+    for _ in range(600):
+        first, second = rng.normal(shift, 1.0, 15), rng.normal(size=9)
+        w_plus = stats.rankdata(np.abs(first))[first > 0].sum()
+        u = float((first[:, None] > second).sum())
+        found = matched_interval(w_plus, 15), independent_interval(u, 15, 9)
+        for place, scale in enumerate((2.0**0.5, 0.5**0.5)):
+            low, high = found[place]
+            held[place] += low <= 2.0 * stats.norm.cdf(shift * scale) - 1.0 <= high
+    assert (held / 600 > 0.92).all()
+
+
+def test_no_interval_is_a_point_where_r_is_one():
+    wilcoxon = signed_rank(np.zeros(15), np.arange(1.0, 16.0))
+    mann_whitney = rank_sum(np.arange(5.0, 10.0), np.arange(4.0))
+    for found in (wilcoxon, mann_whitney):
+        low, high = found["rank_biserial_interval"]
+        assert found["rank_biserial"] == high == 1.0
+        assert 0.2 < low < 0.7
+
+
+def test_mann_whitney_is_that_of_scipy_and_pingouin(samples):
     exact = 0
     for values in samples:
         cut = 1 + len(values) // 3
         before, new = values[:cut, 0], values[cut:, 0]
         if not len(new) or np.ptp(values[:, 0]) == 0:
             continue
-        found = rank_sum(before, new, quick, "test")
+        found = rank_sum(before, new)
         other = pingouin.mwu(before, new).iloc[0]
         assert found["rank_biserial"] == exactly(other["RBC"])
         if len(values) <= 9:
@@ -236,11 +294,11 @@ def test_mann_whitney_is_that_of_scipy_and_pingouin(samples, quick):
     assert exact > 20
 
 
-def test_mann_whitney_without_ties_is_scipys_exact_one(quick):
+def test_mann_whitney_without_ties_is_scipys_exact_one():
     rng = np.random.default_rng(6)
     for n1, n2 in itertools.product((1, 4, 9, 20), (2, 7, 15)):
         before, new = rng.normal(size=n1), rng.normal(0.5, size=n2)
-        found = rank_sum(before, new, quick, "test")
+        found = rank_sum(before, new)
         reference = stats.mannwhitneyu(before, new, method="exact")
         assert found["p"] == exactly(reference.pvalue)
 
