@@ -24,6 +24,7 @@ from hapticplayer.study.analysis.consistency import (
     analyse_consistency,
 )
 from hapticplayer.study.analysis.describing import Summary
+from hapticplayer.study.analysis.statistic import rounded
 from hapticplayer.study.analysis.typesetting import page, write_pdf
 from hapticplayer.study.answers import Answers
 
@@ -38,7 +39,7 @@ class Parts:
     """The parts of a report.
 
     Attributes:
-        numbers: as JSON.
+        numbers: as JSON, with 12 significant digits.
         blocks: of the text.
         draw: returns the figures by name.
         tables: rows by name of the CSV file.
@@ -68,13 +69,13 @@ def parts_of(found: StudyAnalysis) -> Parts:
     """Return the parts of a report."""
     if isinstance(found, ConsistencyAnalysis):
         return Parts(
-            consistency_report.summary(found),
+            rounded(consistency_report.summary(found)),
             tuple(consistency_report.contents(found)),
             lambda: consistency_report.figures(found),
             consistency_report.tables(found),
         )
     return Parts(
-        summary(found),
+        rounded(summary(found)),
         tuple(contents.contents(found)),
         lambda: figures.figures(found),
         {
@@ -121,7 +122,7 @@ def write_report(
         files.write_json(aside / "numbers.json", parts.numbers)
         for name, rows in parts.tables.items():
             out = io.StringIO()
-            csv.writer(out, lineterminator="\n").writerows(rows)
+            csv.writer(out, lineterminator="\n").writerows(map(rounded, rows))
             _write_text(aside / name, out.getvalue())
         for path in aside.iterdir():  # contains the answers of participants
             path.chmod(private.FILE_MODE)

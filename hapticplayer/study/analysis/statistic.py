@@ -127,6 +127,20 @@ def plain(value: Any) -> Any:
     return value
 
 
+def rounded(value: Any) -> Any:
+    """Return results with 12 significant digits.
+
+    The last digits of sums depend on the number of threads and on the processor.
+    """
+    if isinstance(value, dict):
+        return {key: rounded(one) for key, one in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [rounded(one) for one in value]
+    if isinstance(value, float):
+        return float(f"{value:.12g}") + 0.0  # no minus zero
+    return value
+
+
 def listed(names: Iterable[str]) -> str:
     """Return names as a list in a sentence."""
     *first, last = names

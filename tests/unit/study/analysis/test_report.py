@@ -1,7 +1,10 @@
 import csv
 import json
+import os
 import re
 import stat
+import subprocess
+import sys
 from dataclasses import replace
 from html.parser import HTMLParser
 
@@ -9,12 +12,16 @@ import numpy as np
 import pytest
 
 from hapticplayer import cli
+from hapticplayer.clock import SystemClock
 from hapticplayer.errors import Cancelled, SequenceError
+from hapticplayer.simulation.participants import simulated_answers
+from hapticplayer.simulation.sessions import write_answers
 from hapticplayer.study.analysis import AnalysisOptions, analyse
 from hapticplayer.study.analysis.analysis import STATISTICS, summary
 from hapticplayer.study.analysis.figures import factors_by_feedback
 from hapticplayer.study.analysis.report import write_report
-from hapticplayer.study.analysis.statistic import Statistic
+from hapticplayer.study.analysis.statistic import Statistic, rounded
+from hapticplayer.study.creation import create_study
 
 NASTY = "<script>alert(1)</script> $x^2$ $ \\frac é"
 
@@ -94,18 +101,47 @@ def test_the_page_is_well_formed(report):
 
 def test_the_numbers_are_those_of_the_analysis(analysis, report):
     numbers = json.loads((report / "numbers.json").read_text(encoding="utf-8"))
-    assert numbers == summary(analysis)
+    assert numbers == rounded(summary(analysis))
     with (report / "tests.csv").open(encoding="utf-8") as lines:
         rows = {tuple(row[:4]): row[4] for row in csv.reader(lines)}
     chi2 = float(rows["friedman", "qoe", "", "chi2"])
-    assert chi2 == analysis.found["friedman"]["qoe"]["chi2"]
+    assert chi2 == pytest.approx(analysis.found["friedman"]["qoe"]["chi2"], 1e-11)
     with (report / "conditions.csv").open(encoding="utf-8") as lines:
         table = {
             (r["measure"], r["sequence"], r["feedback"]): r
             for r in csv.DictReader(lines)
         }
     mean = analysis.measures["comfort"].conditions["clip-1"]["none"].mean
-    assert float(table["comfort", "clip-1", "none"]["mean"]) == mean
+    assert float(table["comfort", "clip-1", "none"]["mean"]) == pytest.approx(
+        mean, 1e-11
+    )
+
+
+def test_numbers_do_not_depend_on_threads_locale_or_zone(tmp_path):
+    study = create_study(tmp_path / "study")
+    answers = simulated_answers(9, "paper", seed=1)
+    write_answers(study, answers, SystemClock(), origin={"simulated": True})
+    arguments = ["-m", "app", "study", "analyse", str(study.folder), "--output"]
+    found = []
+    for threads, locale, zone in (("1", "C", "UTC"), ("2", "C.UTF-8", "Asia/Kolkata")):
+        surroundings = {"OPENBLAS_NUM_THREADS": threads, "LC_ALL": locale, "TZ": zone}
+        target = tmp_path / threads
+        subprocess.run(
+            [sys.executable, *arguments, str(target)],
+            env={**os.environ, **surroundings},
+            check=True,
+            capture_output=True,
+        )
+        found.append({path.name: path.read_bytes() for path in target.iterdir()})
+    for name, content in found[0].items():
+        assert found[1][name] == content, name
+
+
+def test_numbers_are_rounded_to_twelve_digits():
+    assert rounded([1 / 3, {"p": 2e-20 / 3, "n": 5}]) == [
+        0.333333333333,
+        {"p": 6.66666666667e-21, "n": 5},
+    ]
 
 
 def test_who_is_missing_is_said_in_the_report(report, analysis):
