@@ -93,7 +93,8 @@ def _add_simulate(actions: Any) -> None:
         type=Path,
         help="folder of the study; made from the template qoe2012 if it is missing",
     )
-    action.add_argument("--participants", type=int, default=15, metavar="N")
+    most = ranges.SIMULATED_PARTICIPANTS
+    add_number(action, "--participants", most, default=15, metavar="N")
     _add_effect(action)
 
 

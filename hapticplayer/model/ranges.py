@@ -84,5 +84,8 @@ UNIT_FACTOR = Range(1e-9, 1e9)
 
 TIMEOUT_S = Range(1.0, 3600.0, "s")
 
+SIMULATED_PARTICIPANTS = Range(1, 200, is_whole=True)
+"""More than any study of this kind had."""
+
 SEED = Range(0, 2**53, is_whole=True)
 """Whole numbers that JSON keeps exactly."""

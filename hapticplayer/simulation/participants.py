@@ -22,6 +22,7 @@ from scipy import optimize, special
 
 from hapticplayer.errors import UsageError
 from hapticplayer.model.arrays import Floats
+from hapticplayer.model.ranges import SIMULATED_PARTICIPANTS
 from hapticplayer.study.analysis.friedman import chi_squares
 from hapticplayer.study.analysis.power import Draw
 from hapticplayer.study.analysis.scores import QOE, SCALE
@@ -197,7 +198,6 @@ SEQUENCES = ("bike", "horse", "car-turning", "car-braking")
 PAPER_W = (0.824, 0.801, 0.889, 0.293, 0.768)
 """Kendall's W of QoE and the factors: the printed chi-squares over n (k - 1) = 30; the one
 of realism is misprinted as "24.0.3" and read as 24.03."""
-MOST_PARTICIPANTS = 200
 
 _DRAWS, _MATCHED = 1000, 100
 _MOST_VALUES = 5_000_000  # of all draws: fewer for many participants
@@ -224,10 +224,7 @@ def simulated_answers(
     Raises:
         UsageError: for an unknown effect or a number of participants out of range.
     """
-    if not 0 < participants <= MOST_PARTICIPANTS:
-        raise UsageError(
-            "participants: 1 to {most} can be simulated", most=MOST_PARTICIPANTS
-        )
+    SIMULATED_PARTICIPANTS.parse("participants", str(participants))
     population = effect_named(effect)
     rng = np.random.default_rng([seed, participants])
     shape = (participants, len(sequences))

@@ -4804,10 +4804,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Reihenfolge {order} spielt {sequence} zweimal hintereinander</translation>
     </message>
     <message>
-        <source>participants: 1 to {most} can be simulated</source>
-        <translation>Teilnehmende: 1 bis {most} können simuliert werden</translation>
-    </message>
-    <message>
         <source>rate-unit={rate_unit} to take it as it is</source>
         <translation>rate-unit={rate_unit} um es so zu nehmen, wie es ist</translation>
     </message>

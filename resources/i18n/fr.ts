@@ -4804,10 +4804,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>l’ordre {order} joue {sequence} deux fois de suite</translation>
     </message>
     <message>
-        <source>participants: 1 to {most} can be simulated</source>
-        <translation>participants&#xa0;: de 1 à {most} peuvent être simulés</translation>
-    </message>
-    <message>
         <source>rate-unit={rate_unit} to take it as it is</source>
         <translation>rate-unit={rate_unit} pour la prendre telle quelle</translation>
     </message>

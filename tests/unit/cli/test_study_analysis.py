@@ -71,6 +71,14 @@ def test_simulated_participants_are_marked_and_as_in_the_paper(run, tmp_path):
     assert all(test["p"] < 0.05 for test in found["friedman"].values())
 
 
+@pytest.mark.parametrize("count", ["0", "-3", "201", "100000", "2.5"])
+def test_a_wrong_number_of_participants_makes_no_study(run, tmp_path, count):
+    status, _, said = run("simulate", tmp_path / "s", f"--participants={count}")
+    assert status == 2
+    assert "between 1 and 200" in said
+    assert list(tmp_path.iterdir()) == []
+
+
 def test_only_the_papers_design_can_be_simulated(run, tmp_path):
     study = create_study(tmp_path / "s", "consistency")
     status, _, said = run("simulate", study.folder)
