@@ -28,7 +28,12 @@ from hapticplayer.untrusted import open_regular, resolve_regular
 LogPath = str | os.PathLike[str] | Sequence[str | os.PathLike[str]]
 """Of a log; several files, such as one for each sensor, are one log together."""
 
-HEAD_BYTES = 4096
+HEAD_BYTES = 16_384
+"""Of a file, to recognise it: tables of many channels have headers of 6 kB."""
+
+_SAMPLE_BYTES = 4096
+"""Of these, to tell text from binary: damage farther on is left to the reader."""
+
 ZIP_MAGIC = b"PK\x03\x04"
 _CONTROLS = bytes({*range(0x20), 0x7F} - {*b"\t\n\r\f"})
 _MAX_FOREIGN_SHARE = 0.05
@@ -96,7 +101,7 @@ class Source:
         return PurePosixPath(name).name.lower()
 
     def _beginning(self, name: str) -> bytes:
-        """Return the first 4096 bytes."""
+        """Return the first bytes."""
         with self._readable(name) as stream:
             return stream.read(HEAD_BYTES)
 
@@ -264,15 +269,16 @@ def is_text(content: bytes) -> bool:
 
 def _decoded(content: bytes) -> str | None:
     """Return the beginning of a file as text, or None."""
+    sample, encoding = content[:_SAMPLE_BYTES], "utf-8-sig"
     try:
-        text = content.decode("utf-8-sig")
+        sample.decode(encoding)
     except UnicodeDecodeError as error:
         # a character may be cut at the end of the sample
-        is_cut = error.start >= len(content) - 3
-        if not is_cut and not _is_latin_1(content):
-            return None
-        text = content.decode("utf-8-sig" if is_cut else "latin-1", "replace")
-    return None if "\0" in text else text
+        if error.start < len(sample) - 3:
+            if not _is_latin_1(sample):
+                return None
+            encoding = "latin-1"
+    return None if b"\0" in sample else content.decode(encoding, "replace")
 
 
 def _is_latin_1(content: bytes) -> bool:

@@ -124,7 +124,7 @@ ZIP = zipped({"log.csv": log().encode()})
         (BLACKBOX + b"H x:1\n" * 900 + RNG.bytes(5000), "a blackbox log", "to CSV"),
         (gzip.compress(log().encode()), "compressed with gzip", "unpack it"),
         (b"7z\xbc\xaf\x27\x1c" + RNG.bytes(5000), "not a zip", "unpack it"),
-        (bytes(5000), "begins with 4096 NUL bytes", "copy it again"),
+        (bytes(5000), "begins with 5000 NUL bytes", "copy it again"),
         (b"garbage\n" + ZIP, "a zip with other bytes before it", "unpack it"),
         (RNG.bytes(5000) + ZIP, "a zip with other bytes before it", "unpack it"),
         (ZIP + bytes(100_000), "followed by other bytes", "unpack it"),

@@ -79,6 +79,26 @@ def test_units_below_the_header_are_used(tmp_path):
         read_recording(path)
 
 
+def test_headers_of_many_channels_are_read(tmp_path):
+    """RaceChrono adds a column for each channel of a car: 6 kB until the first row."""
+    (name, content) = next(iter(written("RaceChrono").items()))
+    text, is_table = "", False
+    more = {
+        "timestamp": ",a_channel_of_the_car",
+        "unix time": ",deg/s",
+        "": ",200: canbus",
+    }
+    for line in content.decode().splitlines(keepends=True):
+        first = line.partition(",")[0]
+        is_table = is_table or first == "timestamp"
+        text += (
+            line.rstrip("\n") + (150 * more.get(first, ",1") if is_table else "") + "\n"
+        )
+    assert text.index("1767150797") > 6000
+    imu = read_recording(put({name: text.encode()}, tmp_path / "in")).imu
+    assert np.abs(imu.specific_force_mps2 - true_force(imu.time_s)).max() < 0.06
+
+
 def test_rate_that_a_table_does_not_declare_is_asked_for(tmp_path):
     path = put(written("Xsens MTw", rb"// Update Rate.*\n", b""), tmp_path / "in")
     with pytest.raises(UsageError, match="rate-hz=100"):
