@@ -294,7 +294,7 @@ RACECHRONO = table_reader(
 XSENS_DOT = table_reader(
     TableLayout(
         Message("Xsens DOT"),
-        mark=r"\A(?!//)(?:.*\n)*?\"?PacketCounter\"?,\"?SampleTimeFine",
+        mark=r"\A(?!//)(?:.*\n)*?\"?PacketCounter\"?[,;\t]\"?SampleTimeFine",
         time="SampleTimeFine",
         sensors={
             "accel": r"Acc_([XYZ])",

@@ -21,6 +21,12 @@ def written(key: str, pattern: bytes = b"", by: bytes = b"") -> dict[str, bytes]
     }
 
 
+@pytest.mark.parametrize("separator", [b";", b"\t"])
+def test_separator_of_a_table_is_found(tmp_path, separator):
+    path = put(written("Xsens DOT", b",", separator), tmp_path / "in")
+    assert len(read_recording(path).imu) == 1200
+
+
 @pytest.mark.parametrize("key", ["Xsens DOT", "Xsens MTw"])
 def test_free_acceleration_is_told_as_such(tmp_path, key):
     path = put(written(key, rb"\bAcc_", b"FreeAcc_"), tmp_path / "in")
