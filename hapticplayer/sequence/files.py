@@ -154,7 +154,6 @@ def scratch_beside(
     target = Path.cwd() / target
     refuse_existing(target, kind, is_ours, SequenceError)
     home = next(parent for parent in target.parents if parent.exists())
-    _remove_abandoned(home)
     try:
         scratch, lock = _locked_scratch(home)
     except OSError as problem:
@@ -167,13 +166,12 @@ def scratch_beside(
     try:
         yield scratch
     finally:
-        if scratch.exists():
-            shutil.rmtree(scratch, ignore_errors=True)
-        os.close(lock)
+        _remove_scratch(scratch, lock)
 
 
 def _locked_scratch(home: Path) -> tuple[Path, int]:
     """Return a new folder, and the descriptor whose lock tells that it is in use."""
+    _remove_abandoned(home)
     while True:
         scratch = Path(tempfile.mkdtemp(_SCRATCH_END, _SCRATCH_BEGIN, home))
         lock = os.open(scratch, os.O_RDONLY | os.O_DIRECTORY)
@@ -182,6 +180,12 @@ def _locked_scratch(home: Path) -> tuple[Path, int]:
         if scratch.exists():  # nobody took it for abandoned before it was locked
             return scratch, lock
         os.close(lock)
+
+
+def _remove_scratch(scratch: Path, lock: int) -> None:
+    if scratch.exists():
+        shutil.rmtree(scratch, ignore_errors=True)
+    os.close(lock)
 
 
 def _remove_abandoned(home: Path) -> None:
@@ -262,10 +266,12 @@ def replace_json(path: Path, content: dict[str, Any]) -> None:
     """
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
-        with tempfile.TemporaryDirectory(prefix=".", dir=path.parent) as aside:
-            part = Path(aside) / path.name
-            write_json(part, content)
-            part.replace(path)
+        aside, lock = _locked_scratch(path.parent)
+        try:
+            write_json(aside / path.name, content)
+            (aside / path.name).replace(path)
+        finally:
+            _remove_scratch(aside, lock)
         sync_folder(path.parent)
     except OSError as problem:
         raise _writing_failed(problem, path) from problem

@@ -1,7 +1,6 @@
 """Writing participants' files: private (0600, folders 0700), atomic and synced."""
 
 import os
-import shutil
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
@@ -65,16 +64,6 @@ def folder_written_aside(target: Path) -> Iterator[Path]:
         raise StudyError(
             problem.what, where=problem.where, remedy=problem.remedy
         ) from problem
-
-
-def remove_scratch(folder: Path) -> None:
-    """Remove incomplete files of a program that was killed."""
-    for left in folder.glob(f".*{SCRATCH}"):
-        if left.is_dir() and not left.is_symlink():
-            shutil.rmtree(left, ignore_errors=True)
-        else:
-            with suppress(OSError):
-                left.unlink()
 
 
 def sync_file(writer: BinaryIO) -> None:

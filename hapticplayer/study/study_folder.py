@@ -165,7 +165,6 @@ def begin_session(
     private.make_folder(study.folder / SESSIONS)
     private.make_folder(study.folder / CONSENTS)
     with _locked(study.folder / SESSIONS):
-        private.remove_scratch(study.folder / SESSIONS)
         code = new_code(study.codes())
         made = _assignment(study, code)
         plan = Plan(

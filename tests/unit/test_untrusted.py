@@ -152,11 +152,6 @@ OWN = {
     ("hapticplayer/study/private.py", "os.open"): "a new file",
     ("hapticplayer/study/study_folder.py", "os.open"): "a folder, to lock it",
     ("hapticplayer/study/journal.py", "os.open"): "to append, and to lock",
-    ("hapticplayer/sequence/files.py", "ZipFile"): "of an opened file",
-    ("hapticplayer/sequence/files.py", "np.load"): "of an opened file",
-    ("hapticplayer/capture/source.py", "ZipFile"): "of an opened file",
-    ("hapticplayer/capture/other_cameras.py", "np.load"): "of an opened file",
-    ("hapticplayer/capture/csv_table.py", "np.loadtxt"): "of bytes",
 }
 READERS = {"open", "os.open", "io.open", "np.load", "np.loadtxt", "np.fromfile"}
 READING_METHODS = {
@@ -173,6 +168,9 @@ READING_METHODS = {
 def opened_by(call):
     """Return how a call opens a file for reading, "" if it does not."""
     name, last = ast.unparse(call.func), getattr(call.func, "attr", "")
+    given = ast.unparse(call.args[0]) if call.args else ""
+    if given == "reader" or given.startswith("io.BytesIO("):  # it is open already
+        return ""
     if name in READERS or last in READING_METHODS:
         return name if name in READERS else last
     modes = [
