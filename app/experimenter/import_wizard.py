@@ -207,10 +207,11 @@ class ImportWizard(QDialog):
         def work(progress: Progress) -> Recognised:
             return in_child(recognise, video, log, choices, method, progress=progress)
 
-        self.jobs.run(self.tr("Reading {0}").format(video.name), work, self._on_found)
+        self.jobs.run(self.tr("Reading {0}").format(video.name), work, self.on_found)
         self._show_buttons()
 
-    def _on_found(self, found: Recognised) -> None:
+    def on_found(self, found: Recognised) -> None:
+        """Show what a recording is, unless another one was chosen meanwhile."""
         if self._is_stale:
             return
         self.recognised = found

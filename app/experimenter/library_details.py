@@ -225,7 +225,7 @@ class LibraryDetails(QWidget):
         if job is not None and job.is_done:
             self._preview = None
             if self._wait == 0 and job.result is not None:
-                self._show_preview(job.result)
+                self.show_preview(job.result)
         if self._wait > 0:
             self._wait -= 1
             if self._wait == 0 and self._preview is not None:
@@ -240,7 +240,8 @@ class LibraryDetails(QWidget):
                 )
                 self._preview.start()
 
-    def _show_preview(self, found: GainPreview) -> None:
+    def show_preview(self, found: GainPreview) -> None:
+        """Show a prediction."""
         text = self.tr(
             "{peak} N peak, {rms} N RMS, {share} of the samples at the "
             "limit; workspace used: relaxed hand {relaxed}, normal "

@@ -43,7 +43,7 @@ class Mirror(QWidget):
 
     def __init__(self, surface: VideoSurface) -> None:
         super().__init__()
-        self._surface, self._is_clip = surface, False
+        self._surface, self.is_clip = surface, False
         self._cadence = Cadence(RATE_HZ)
         self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Preferred)
@@ -59,15 +59,15 @@ class Mirror(QWidget):
     def follow(self, now_s: float, *, is_clip: bool) -> None:
         """Redraw if it is time; `is_clip` says whether the clip is on the screen."""
         is_due = self._cadence.is_due(now_s)
-        if is_clip != self._is_clip or (is_clip and is_due):
-            self._is_clip = is_clip
+        if is_clip != self.is_clip or (is_clip and is_due):
+            self.is_clip = is_clip
             self.update()
 
     def paintEvent(self, _event: QPaintEvent) -> None:
         """Scale the frame in the cheapest way."""
         with QPainter(self) as painter:
             painter.fillRect(self.rect(), QColor("black"))
-            image = self._surface.image if self._is_clip else None
+            image = self._surface.image if self.is_clip else None
             if image is not None:
                 size = (image.width(), image.height())
                 box = letterbox(size, (self.width(), self.height()))

@@ -78,7 +78,7 @@ class FittedPage(QScrollArea):
         # the style gives some widgets their true height only when they are shown
         self._settling = QTimer(self)
         self._settling.setSingleShot(True)
-        self._settling.timeout.connect(self._on_settled)
+        self._settling.timeout.connect(self.settle)
         self._in_sight: tuple[QWidget, ...] = ()
         self.body = _Body()
         self.column = QVBoxLayout(self.body)
@@ -106,7 +106,8 @@ class FittedPage(QScrollArea):
         self._in_sight = widgets
         self._settling.start()
 
-    def _on_settled(self) -> None:
+    def settle(self) -> None:
+        """Take sizes that fit, and scroll to what is to be in sight."""
         self._shrink()
         wanted, self._in_sight = self._in_sight, ()
         self.column.activate()

@@ -104,7 +104,7 @@ class LatencyPage(QDialog):
         self.meters = {part: TapMeter() for part in PARTS}
         self.surface = VideoSurface()
         self._jobs = Jobs(self._on_problem)
-        self._pump: Pump | None = None
+        self.pump: Pump | None = None
         self._make_parts()
         self._lay_out()
         self._poll_timer = QTimer(self)
@@ -134,9 +134,9 @@ class LatencyPage(QDialog):
             return
         player.stop_force()
         self._poll_timer.stop()
-        if self._pump is not None:
-            self._pump.stop()
-            self._pump = None
+        if self.pump is not None:
+            self.pump.stop()
+            self.pump = None
         player.close()
         self.surface.clear()
         self.start_button.setEnabled(True)
@@ -230,10 +230,10 @@ class LatencyPage(QDialog):
         self.surface.set_clip_size(source.clip.width, source.clip.height)
         player.open(source)
         player.set_loop((0.0, COUNT * PERIOD_S))
-        self._pump = Pump(player.poll, self._clock, lambda: None, self)
+        self.pump = Pump(player.poll, self._clock, lambda: None, self)
         self._apply()
         player.play()
-        self._pump.start()
+        self.pump.start()
         self.stop_button.setEnabled(True)
         self._show_instructions()
 

@@ -193,7 +193,7 @@ class GripPainter:
         _paint_sphere(painter, view)
         _paint_arcs(painter, view, are_in_front=False)
         if has_axes:
-            _paint_axes(painter, view)
+            paint_axes(painter, view)
         painter.end()
         self._before = _layer(view, ratio, QColor(Qt.GlobalColor.transparent))
         painter = _begun(self._before, font)
@@ -264,7 +264,7 @@ def axis_words() -> tuple[str, str, str]:
     )
 
 
-def _paint_axes(painter: QPainter, view: Projection) -> None:
+def paint_axes(painter: QPainter, view: Projection) -> None:
     """Draw the axes from the centre, in the colours of the plots, with words."""
     has_words = min(view.width_px, view.height_px) >= LEAST_FOR_WORDS_PX
     units: tuple[Vector, ...] = ((1.0, 0, 0), (0, 1.0, 0), (0, 0, 1.0))

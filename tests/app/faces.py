@@ -134,7 +134,7 @@ def _library_with_gain(window: PlayerWindow) -> LibraryPage:
     """Return the library with another gain and its prediction, the longest there is."""
     page = LibraryPage(_library(window), window)
     reaches = {"relaxed": 0.88, "normal": 0.55, "firm": 0.44}
-    page.details._show_preview(
+    page.details.show_preview(
         GainPreview(4.5, 1.19, 0.037, reaches, ("relaxed", "normal"))
     )
     return page

@@ -2,6 +2,7 @@
 
 import json
 import threading
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -176,7 +177,8 @@ def test_the_ends_of_a_clip_are_not_remembered(settings):
     assert history.is_worth_keeping(20.0, 60.0)
     assert not history.is_worth_keeping(58.0, 60.0)
     settings.keep("positions", {"/a": "x", "/b": float("nan"), "/c": 20})
-    assert kept._positions() == {"/c": 20.0}
+    left = {name: kept.position_s(Path(f"/{name}"), 60.0) for name in "abc"}
+    assert left == {"a": 0.0, "b": 0.0, "c": 20.0}
 
 
 def test_forget_all_forgets_all(settings, tmp_path):
@@ -242,4 +244,4 @@ def test_a_log_of_the_open_clip_is_felt_again(playing, source, tmp_path, wait_fo
     track = playing.player.snapshot().source.tracks["log"]
     assert track.at(np.array([1.0]))[0] == pytest.approx([0.0, 1.5, 0.0])
     playing.session.open_log(tmp_path / "missing")
-    wait_for(lambda: "not a file" in playing.messages.text())
+    wait_for(lambda: "no such file" in playing.messages.text())

@@ -9,6 +9,7 @@ import pytest
 from PySide6.QtCore import QPoint, QPointF, QSizeF, Qt
 from PySide6.QtGui import QColor, QImage, QPainter, QWheelEvent
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QLabel
 
 from app.player.display import grip_of
 from app.plots import grip_painter
@@ -290,7 +291,7 @@ def test_axis_labels_keep_off_the_rim_where_there_is_room(monkeypatch):
     view = projection(Camera(), height_px=180.0)
     image = QImage(round(SIDE_PX), 180, QImage.Format.Format_RGB32)
     with QPainter(image) as painter:
-        grip_painter._paint_axes(painter, view)
+        grip_painter.paint_axes(painter, view)
     boxes = dict(written)
     assert set(boxes) == {"right", "up", "towards you"}
     for text in ("right", "towards you"):
@@ -415,7 +416,8 @@ def test_a_long_state_is_wrapped_and_shown_whole(qtbot):
     long = "Ein Zustand mit einer sehr langen Übersetzung & <Zeichen> " * 3
     panel.show_grip(replace(ACTIVE, state=long))
     settle(panel.grip)
-    label = panel._grip_title
+    title = headline(panel.grip.grip)
+    (label,) = (one for one in panel.findChildren(QLabel) if one.text() == title)
     assert "&lt;Zeichen&gt;" in headline(panel.grip.grip)
     assert label.height() >= label.heightForWidth(label.width())
     assert panel.width() == 900

@@ -15,7 +15,6 @@ from scipy.signal import resample_poly
 from app.experimenter.import_mounting import Triad
 from app.experimenter.import_wizard import FILES, MOUNTING, REPORT, SYNC, ImportWizard
 from app.experimenter.sync_strip import SyncStrip, columns, tick_step_s
-from benchmarks.sync.pat_clips import simulate_pats
 from hapticplayer.capture import formats, read_recording
 from hapticplayer.capture.si_csv import write_imu_csv
 from hapticplayer.capture.sync import methods
@@ -26,6 +25,7 @@ from hapticplayer.playback.phases import Phase
 from hapticplayer.sequence import open_sequence
 from hapticplayer.sequence.synchronizing import stored_skews
 from hapticplayer.simulation.rides.gpmf_writer import write_payloads
+from tests.pat_clips import simulate_pats
 
 SECONDS = 20
 
@@ -330,7 +330,7 @@ def test_a_skew_moves_the_offset_and_is_kept_for_its_camera(
     from hapticplayer.sequence.recognising import recognise
 
     found = recognise(folder / "ride.mp4", folder / "log.csv")
-    wizard._on_found(found)
+    wizard.on_found(found)
     wizard.go_to(SYNC)
     page = wizard.sync
     before_s = page.offset.value()

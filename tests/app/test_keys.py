@@ -51,7 +51,7 @@ def dialog(window, qtbot, settings) -> KeysDialog:
 
 
 def test_another_key_works_at_once_and_after_a_restart(
-    dialog, window, settings, wait_for
+    dialog, window, tmp_path, wait_for
 ):
     dialog.choose("mute")
     dialog.key.setKeySequence(QKeySequence("X"))
@@ -63,7 +63,7 @@ def test_another_key_works_at_once_and_after_a_restart(
     assert window.extras.controls.is_muted
     key(window, Qt.Key.Key_M)  # no longer
     assert window.extras.controls.is_muted
-    again = Settings(settings._path)
+    again = Settings(tmp_path / "window.json")
     mute = next(command for command in COMMANDS if command.name == "mute")
     assert keys_of(mute, again.table(KEYS)) == [QKeySequence("X")]
 

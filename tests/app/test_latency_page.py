@@ -82,7 +82,7 @@ def test_taps_to_frame_and_force_give_the_latency_between(make_page, wait_for):
             page.player is not None and page.player.snapshot().phase is Phase.PLAYING
         )
     )
-    page._pump.stop()  # from here on time stands still but for `tap_along`
+    page.pump.stop()  # from here on time stands still but for `tap_along`
     taps = 24
     for mode, late_s in ((DISPLAY, SCREEN_S), (SOUND, 0.0), (DEVICE, 0.110)):
         page.player.seek(0.0)

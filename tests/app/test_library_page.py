@@ -7,6 +7,7 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QMessageBox
 
+from app.experimenter import library_details
 from app.experimenter.library_page import LibraryPage
 from hapticplayer.playback.phases import Phase
 from hapticplayer.sequence import open_sequence, verify_sequence
@@ -121,7 +122,9 @@ def test_verifying_tells_of_a_changed_byte(page, library, wait_for):
     wait_for(lambda: "has changed" in page.status.text())
 
 
-def test_a_track_is_added_renamed_and_removed(page, library, wait_for, tmp_path):
+def test_a_track_is_added_renamed_and_removed(
+    page, library, wait_for, tmp_path, monkeypatch
+):
     csv = tmp_path / "my track.csv"
     csv.write_text("time_s,fx_n,fy_n,fz_n\n0,0,0,0\n0.5,0,1.5,0\n1.5,0,0,0\n")
     page.list.setCurrentRow(0)
@@ -133,19 +136,14 @@ def test_a_track_is_added_renamed_and_removed(page, library, wait_for, tmp_path)
     track = open_sequence(library / "a").tracks["my track"]
     np.testing.assert_allclose(track.at(np.array([0.2, 0.7, 1.7]))[:, 1], (0, 1.5, 0))
     page.details.tracks.selectRow(2)
-    page.details._edit(page_rename, "my track", "Gentle")
+    monkeypatch.setattr(library_details, "ask_text", lambda *_: " Gentle ")
+    page.details.rename.click()
     assert page.details.tracks.item(2, 0).text() == "Gentle"
     page.details.tracks.selectRow(2)
     page.details.remove.click()
     assert page.details.tracks.rowCount() == 2
     verify_sequence(library / "a")
     assert len(list((library / "a").glob("force_*"))) == 2
-
-
-def page_rename(folder, old, new) -> None:
-    from hapticplayer.sequence.editing import rename_track
-
-    rename_track(folder, old, new)
 
 
 def test_the_gain_is_previewed_and_then_used(page, library, wait_for):

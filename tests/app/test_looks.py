@@ -23,6 +23,7 @@ from app.experimenter.import_wizard import ImportWizard
 from app.experimenter.library_page import LibraryPage
 from app.player.keys_dialog import KeysDialog
 from app.player.remake import OpenWindow, apply_appearance
+from app.player.window import PlayerWindow
 from app.widgets import theme
 from app.widgets.buttons import text_button
 from hapticplayer.playback.phases import Phase
@@ -173,14 +174,19 @@ def test_the_last_of_two_wishes_counts(shown, wait_for):
     assert shown.window.transport.play.accessibleName() == "Lire"
 
 
-def test_closing_ends_what_is_being_made(shown, qapp):
+def windows(qapp):
+    return {one for one in qapp.topLevelWidgets() if isinstance(one, PlayerWindow)}
+
+
+def test_closing_ends_what_is_being_made(shown, qapp, wait_for):
+    before = windows(qapp)
     shown.window.settings.keep("look", theme.LIGHT)
     shown.remake()
-    while shown._next is None:
+    while not (made := windows(qapp) - before):
         qapp.processEvents()
     shown.end()
-    assert shown._next is None
     assert not shown.is_remaking
+    wait_for(lambda: not any(map(isValid, made)))
 
 
 def controls_without_a_name(window: QWidget) -> list[str]:

@@ -37,7 +37,7 @@ def test_the_operator_sees_the_picture_of_the_clip_but_no_page(
     theirs = middle_of(session.participant.surface)
     assert abs(middle_of(mirror) - theirs) < 20  # the clip grows brighter meanwhile
     session.participant.halt("operator")
-    wait_for(lambda: not mirror._is_clip)
+    wait_for(lambda: not mirror.is_clip)
 
 
 def test_the_mirror_draws_at_10_hz_and_not_behind_a_page(make_study, sit):

@@ -284,7 +284,7 @@ def test_a_page_has_its_height_before_it_is_painted_again(make_study, sit):
     window, maker = session.participant, session.runner.maker
     window.show_page(maker.page(PageKind.QUESTIONS, "post-test", 99))
     page = window.content
-    page._on_settled()
+    page.settle()
     assert page.needed_px(page.viewport().width()) > page.viewport().height()
     assert page.body.height() >= page.body.heightForWidth(page.body.width())
     for row in page.rows:

@@ -30,7 +30,8 @@ def panel(qtbot, application, source) -> PlotPanel:
 
 def x_at(plot, media_s: float) -> int:
     box = plot.view_box.sceneBoundingRect()
-    return round(plot._x(box, media_s))
+    first_s, last_s = plot.time_at(box.left()), plot.time_at(box.right())
+    return round(box.left() + (media_s - first_s) / (last_s - first_s) * box.width())
 
 
 def wheel(plot, steps: int) -> None:

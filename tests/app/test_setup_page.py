@@ -205,7 +205,7 @@ def test_the_first_page_leads_here_and_the_choice_is_taken(make_window, wait_for
     window.empty_page.device.click()
     page = window.findChild(SetupPage)
     assert page.isVisible()
-    page._fill("simulated")
+    page.device.setCurrentIndex(page.device.findData("simulated"))
     page.begin()
     wait_for(page.use.isEnabled)
     page.use.click()

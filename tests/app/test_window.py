@@ -31,8 +31,9 @@ def test_work_that_fails_at_once_leaves_nothing_switched_off(
 ):
     wait_for(window.commands.open_sequence.isEnabled)
     window.session.open_path(tmp_path / "no such ride.mp4")
-    while not window.session.jobs._job.is_done:  # before the window looks again
-        pass
+    for thread in threading.enumerate():
+        if thread.name == "job":
+            thread.join()  # before the window looks again
     assert not window.commands.open_sequence.isEnabled()
     wait_for(lambda: "no such ride" in window.messages.text())
     wait_for(window.commands.open_sequence.isEnabled)

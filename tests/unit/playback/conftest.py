@@ -90,7 +90,7 @@ class Theatre:
         self.player = Player(
             self.clock,
             self.sink,
-            audio=self._make_audio if with_sound else None,
+            audio=self.make_audio if with_sound else None,
             haptics=self._make_haptics,
         )
         self.player.open(source_of(info))
@@ -100,7 +100,7 @@ class Theatre:
         self.published = made.published
         return made
 
-    def _make_audio(self, ring: AudioRing):
+    def make_audio(self, ring: AudioRing):
         self.out = SilentOutput(ring, self.clock)
         return self.out
 

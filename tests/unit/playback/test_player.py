@@ -9,6 +9,7 @@ from hapticplayer.clock import SystemClock
 from hapticplayer.media.clip_info import probe
 from hapticplayer.media.encode import write_clip
 from hapticplayer.media.frames import FrameConverter
+from hapticplayer.media.video import VideoDecoder
 from hapticplayer.playback import sound
 from hapticplayer.playback.clock import Source
 from hapticplayer.playback.phases import Phase
@@ -179,12 +180,11 @@ def test_a_clip_that_breaks_ends_with_a_sentence(theatre, monkeypatch):
 
     theatre.player.play()
     theatre.run(0.3)
-    decoder = clip_of(theatre.player).video.feeder._decoder
 
-    def broken():
+    def broken(_decoder):
         raise MediaError("is damaged", where="short.mp4")
 
-    monkeypatch.setattr(decoder, "next_frame", broken)
+    monkeypatch.setattr(VideoDecoder, "next_frame", broken)
     reading = threading.Event()  # never set: gives the reading thread a moment
     for _ in range(4000):
         theatre.player.poll()
@@ -204,10 +204,10 @@ def test_a_seek_in_a_clip_that_has_broken_does_not_wait_for_ever(theatre, monkey
     player.play()
     theatre.run(0.3)
 
-    def broken():
+    def broken(_decoder):
         raise MediaError("is damaged", where="short.mp4")
 
-    monkeypatch.setattr(clip_of(player).video.feeder._decoder, "next_frame", broken)
+    monkeypatch.setattr(VideoDecoder, "next_frame", broken)
     clip_of(player).video.feeder.request(99, 2.0)
     clip_of(player).video.feeder.join(20)
     assert clip_of(player).video.feeder.problem is not None

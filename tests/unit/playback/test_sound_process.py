@@ -1,6 +1,7 @@
 """The process that plays the sound: what it loads, how it ends, who replaces it."""
 
 import os
+import signal
 import subprocess
 import sys
 
@@ -82,7 +83,7 @@ def test_without_a_device_it_says_so_and_goes_on_looking(nowhere):
 def test_one_that_is_killed_is_gone(nowhere):
     ring = AudioRing()
     process = SoundProcess(ring, device="no such device")
-    process._process.kill()
+    os.kill(process.pid, signal.SIGKILL)
     wait_for(lambda: process.poll() is OutputState.GONE)
     process.close()
     ring.close()
@@ -109,6 +110,7 @@ class Bench:
         self.clock, self.media, self.ring = ManualClock(), MediaClock(), AudioRing()
         self.outputs, self.requests, self.events = [], [], []
         self.is_there = True
+        self.generation, self.end_s = 0, 0.0
         self.keeper = OutputKeeper(self.ring, self.media, self.make)
 
     def make(self, _ring):
@@ -119,8 +121,13 @@ class Bench:
 
     def request(self, generation, media_s):
         self.requests.append(media_s)
-        seconds = np.zeros((48_000 * 3, 2), np.float32)
-        self.ring.write(generation, media_s, seconds)
+        self.generation, self.end_s = generation, media_s
+        self.write_ahead(3.0)
+
+    def write_ahead(self, seconds):
+        samples = np.zeros((round(48_000 * seconds), 2), np.float32)
+        written = self.ring.write(self.generation, self.end_s, samples)
+        self.end_s += written / 48_000
 
     def start(self):
         """Play with sound from media time 1 s."""
@@ -134,7 +141,7 @@ class Bench:
 
     def turn(self):
         """Let one block be played."""
-        self.ring_ahead()
+        self.write_ahead(0.1)
         self.outputs[-1].advance(round(BLOCK_S * 48_000))
         self.clock.advance(BLOCK_S)
         now_s = self.clock.now_s()
@@ -147,11 +154,6 @@ class Bench:
         )
         if happened:
             self.events.append(happened)
-
-    def ring_ahead(self):
-        at_s = self.ring._cue.written / 48_000
-        samples = np.zeros((4800, 2), np.float32)
-        self.ring.write(self.ring._generation, at_s, samples)
 
     def run(self, seconds):
         for _ in range(round(seconds / BLOCK_S)):

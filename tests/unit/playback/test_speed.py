@@ -141,7 +141,7 @@ def test_another_output_takes_over_where_the_sound_is(theatre):
     theatre.player.play()
     theatre.run(1.0)
     first, before_s = theatre.out, theatre.player.snapshot().media_s
-    theatre.player.set_sound_output(theatre._make_audio)
+    theatre.player.set_sound_output(theatre.make_audio)
     assert theatre.out is not first
     assert theatre.player.snapshot().media_s == pytest.approx(before_s, abs=1e-9)
     theatre.run(0.5)
