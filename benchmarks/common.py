@@ -2,7 +2,8 @@
 
 A folder of benchmarks has one command: `python -m benchmarks.FOLDER NAME [options]`
 runs one, `python -m benchmarks.FOLDER --quick` the short form of all. A benchmark is a
-module with a docstring, `options(parser)` and `run(options, report)`.
+module with a docstring, `options(parser)` and `run(options, report)`, or, of a module with
+several, `NAME(options, report)` with a docstring and `NAME_options(parser)`.
 """
 
 import argparse
@@ -30,18 +31,19 @@ _THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")
 T = TypeVar("T")
 
 
-def command(folder: str, text: str, names: Sequence[str]) -> int:
+def command(folder: str, text: str, places: Mapping[str, str]) -> int:
     """Run what the command line of a folder asks for; return the exit status.
 
     Args:
         folder: its name below `benchmarks`.
         text: what it is about.
-        names: of its benchmarks, which are modules of that folder.
+        places: module below `benchmarks` of each benchmark, such as `motion.budget`, or
+            `campaigns:stress` of a module with several.
     """
     package = f"benchmarks.{folder}"
-    summaries = {name: _summary(folder, name) for name in names}
-    if len(sys.argv) > 1 and sys.argv[1] in names:
-        return _run(package, sys.argv[1], sys.argv[2:])
+    if len(sys.argv) > 1 and sys.argv[1] in places:
+        return _run(package, sys.argv[1], places[sys.argv[1]], sys.argv[2:])
+    summaries = {name: _summary(place) for name, place in places.items()}
     listed = "\n".join(f"  {name:12} {line}" for name, line in summaries.items())
     parser = argparse.ArgumentParser(
         prog=f"python -m {package}",
@@ -56,38 +58,46 @@ def command(folder: str, text: str, names: Sequence[str]) -> int:
         return 2
     parser.parse_args()
     failed = []
-    for name in names:
-        print(f"\n== {name}: {summaries[name]}", flush=True)
+    for name, summary in summaries.items():
+        print(f"\n== {name}: {summary}", flush=True)
         one = [sys.executable, "-m", package, name, "--quick"]
         if subprocess.run(one, cwd=ROOT, check=False).returncode:
             failed.append(name)
-    print(f"\n{len(names) - len(failed)} of {len(names)} done with all targets met")
+    done = len(places) - len(failed)
+    print(f"\n{done} of {len(places)} done with all targets met")
     if failed:
         print(f"missed or failed: {', '.join(failed)}")
     return int(bool(failed))
 
 
-def _summary(folder: str, name: str) -> str:
-    source = ROOT / "benchmarks" / folder / f"{name}.py"
-    text = ast.get_docstring(ast.parse(source.read_text(encoding="utf-8"))) or ""
-    return text.partition("\n")[0]
+def _summary(place: str) -> str:
+    """Return the first line of a benchmark's docstring, without importing it."""
+    module, _, name = place.partition(":")
+    source = (ROOT / "benchmarks" / module.replace(".", "/")).with_suffix(".py")
+    tree: ast.Module | ast.FunctionDef = ast.parse(source.read_text(encoding="utf-8"))
+    if name:
+        found = (n for n in tree.body if isinstance(n, ast.FunctionDef))
+        tree = next(n for n in found if n.name == name)
+    return (ast.get_docstring(tree) or "").partition("\n")[0]
 
 
-def _run(package: str, name: str, arguments: list[str]) -> int:
-    module = importlib.import_module(f"{package}.{name}")
+def _run(package: str, name: str, place: str, arguments: list[str]) -> int:
+    module_name, _, function = place.partition(":")
+    module = importlib.import_module(f"benchmarks.{module_name}")
+    run = getattr(module, function or "run")
     parser = argparse.ArgumentParser(
         prog=f"python -m {package} {name}",
-        description=module.__doc__,
+        description=run.__doc__ if function else module.__doc__,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     parser.add_argument("--quick", action="store_true", help="short form, not saved")
     parser.add_argument(
         "--output", type=Path, help="folder for the result (benchmarks/results)"
     )
-    module.options(parser)
+    getattr(module, f"{function}_options" if function else "options")(parser)
     options = parser.parse_args(arguments)
     report = Report(name, f"python -m {package} {shlex.join([name, *arguments])}")
-    module.run(options, report)
+    run(options, report)
     folder = options.output or (None if options.quick else RESULTS)
     return report.finish(folder)
 

@@ -34,13 +34,13 @@ Real faults at random moments under a turning force of 4 N, read from the device
 
 ## Lateness of the haptic loop, us
 
-BackgroundLookup cyclictest in the same rounds; `stress` holds the window's interpreter for 2 s every 7 s.
+Beside cyclictest in the same rounds; `stress` holds the window's interpreter for 2 s every 7 s.
 
 {loop}
 
 ## One tick of the Falcon's kinematics
 
-BackgroundLookup the same with numpy.linalg, and libnifalcon's half Newton steps.
+Beside the same with numpy.linalg, and libnifalcon's half Newton steps.
 
 {kinematics}
 

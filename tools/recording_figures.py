@@ -6,10 +6,10 @@ python -m tools.recording_figures
 import sys
 from pathlib import Path
 
-from benchmarks.sync.pat_clips import simulate_pats
 from hapticplayer.capture import synchronize
 from hapticplayer.capture.sync.synchronize import Sound
 from hapticplayer.cli.plots import draw_sync
+from tests.pat_clips import simulate_pats
 
 DOCS = Path(__file__).parents[1] / "docs"
 PICTURES = {

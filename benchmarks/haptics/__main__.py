@@ -4,5 +4,11 @@ import sys
 
 from benchmarks.common import command
 
-NAMES = ("loop", "recorder", "exchange", "kinematics", "centring")
-sys.exit(command("haptics", __doc__, NAMES))
+PLACES = {
+    "loop": "haptics.loop",
+    "recorder": "haptics.loop:recorder",
+    "exchange": "haptics.falcon:exchange",
+    "kinematics": "haptics.falcon:kinematics",
+    "centring": "campaigns:centring",
+}
+sys.exit(command("haptics", __doc__, PLACES))

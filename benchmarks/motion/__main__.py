@@ -4,5 +4,11 @@ import sys
 
 from benchmarks.common import command
 
-NAMES = ("accuracy", "run_time", "stress", "numerics", "budget")
-sys.exit(command("motion", __doc__, NAMES))
+PLACES = {
+    "accuracy": "motion.accuracy",
+    "run_time": "motion.run_time",
+    "stress": "campaigns:stress",
+    "numerics": "motion.numerics",
+    "budget": "motion.budget",
+}
+sys.exit(command("motion", __doc__, PLACES))

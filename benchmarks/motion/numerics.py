@@ -1,9 +1,9 @@
-"""Rounding and invariance: precisions, update forms, condition numbers, cuts.
+"""Rounding and invariance: precisions, condition numbers, cuts.
 
 What must not depend on how a recording is turned, reversed, stamped, stored, divided,
 cut or resampled; how well conditioned the smoother's equations are, and what rounding
-costs them; the update forms of a Kalman filter. `--long` adds 10^7 samples (14 hours at
-200 Hz) through the smoother, VQF and offlineVQF: 5 GB and two minutes.
+costs them. `--long` adds 10^7 samples (14 hours at 200 Hz) through the smoother, VQF and
+offlineVQF: 5 GB and two minutes.
 """
 
 import argparse
@@ -19,7 +19,6 @@ from scipy.sparse.linalg import LinearOperator, eigsh
 from scipy.spatial.transform import Rotation
 
 from benchmarks.common import Report, on_one_thread, rms
-from benchmarks.motion import update_forms
 from benchmarks.motion.recordings import Family, add_options, chosen
 from benchmarks.motion.run_time import head
 from hapticplayer.model import STANDARD_GRAVITY_MPS2, ImuLog, Sampling
@@ -51,7 +50,6 @@ def run(options: argparse.Namespace, report: Report) -> None:
     on_one_thread()
     families = chosen(options)
     lengths_s = LENGTHS_S[:2] if options.quick else LENGTHS_S
-    update_forms.compare(report)
     conditions(families, lengths_s, report)
     changes(families, INVARIANCES, "invariance RMS", "processed so", report)
     changes(families, CUTS, "cut moved", "cut or resampled", report)

@@ -4,5 +4,11 @@ import sys
 
 from benchmarks.common import command
 
-NAMES = ("players", "seeks", "window", "plots", "skips")
-sys.exit(command("playback", __doc__, NAMES))
+PLACES = {
+    "players": "playback.players",
+    "seeks": "playback.plots_and_seeks:seeks",
+    "window": "playback.window",
+    "plots": "playback.plots_and_seeks:plots",
+    "skips": "playback.skips",
+}
+sys.exit(command("playback", __doc__, PLACES))

@@ -27,8 +27,7 @@ from app.player.video_surface import VideoSurface
 from app.plots.panel import PlotPanel
 from app.widgets.layout import is_seen
 from benchmarks.common import Report, interleaved, medians, ratio
-from benchmarks.playback.plots import shaken_sequence
-from benchmarks.playback.seeks import PausedPlayer
+from benchmarks.playback.plots_and_seeks import PausedPlayer, shaken_sequence
 from benchmarks.stage import (
     HEIGHT,
     WIDTH,

@@ -4,5 +4,11 @@ import sys
 
 from benchmarks.common import command
 
-NAMES = ("faults", "nuisance", "eviction", "media", "importers")
-sys.exit(command("robustness", __doc__, NAMES))
+PLACES = {
+    "faults": "robustness.faults",
+    "nuisance": "robustness.nuisance",
+    "eviction": "robustness.eviction",
+    "media": "campaigns:media",
+    "importers": "campaigns:importers",
+}
+sys.exit(command("robustness", __doc__, PLACES))

@@ -4,7 +4,7 @@ The real window plays the demo with the simulated device, on a screen and a soun
 of its own, while a scripted person uses everything there is. Every tick of the haptic
 loop is read; a reaction that no action explains is a nuisance. Each stands beside what
 the machine did at that time, watched from outside: cores that stalled, threads that
-were ready and had no core. BackgroundLookup it the gaps between heartbeats of the window. With
+were ready and had no core. Beside it the gaps between heartbeats of the window. With
 `--quick` 15 s in a hurry, without screen and sound; what load alone can cause is not
 judged then.
 """

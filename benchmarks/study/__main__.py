@@ -4,4 +4,5 @@ import sys
 
 from benchmarks.common import command
 
-sys.exit(command("study", __doc__, ("kill", "analysis")))
+PLACES = {"kill": "study.kill", "analysis": "study.analysis"}
+sys.exit(command("study", __doc__, PLACES))

@@ -4,4 +4,8 @@ import sys
 
 from benchmarks.common import command
 
-sys.exit(command("sync", __doc__, ("outside", "pats")))
+PLACES = {
+    "outside": "sync.outside",
+    "pats": "sync.pats",
+}
+sys.exit(command("sync", __doc__, PLACES))

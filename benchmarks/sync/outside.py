@@ -29,8 +29,8 @@ from numpy.typing import NDArray
 
 from benchmarks.common import ROOT, Report
 from benchmarks.stage import SoundServer, Usage, need, screen, sound_server
-from benchmarks.sync import clips
-from benchmarks.sync.watchers import flashes, onsets, watcher
+from benchmarks.sync import staging
+from benchmarks.sync.staging import flashes, onsets, watcher
 from benchmarks.witness import sentinel
 from hapticplayer.simulation.falcon.record_reader import read_record
 
@@ -114,7 +114,14 @@ def calibrate(folder: Path, environment: dict[str, str]) -> float:
 def watch_us(place: Place, case: str, clip: Path, force: Path, seconds: float) -> Seen:
     """Play with our player."""
     record = os.memfd_create("sync")
-    command = [sys.executable, "-m", "benchmarks.sync.player", str(clip), str(force)]
+    command = [
+        sys.executable,
+        "-m",
+        "benchmarks.sync.staging",
+        "player",
+        str(clip),
+        str(force),
+    ]
     environment = {**os.environ, **place.environment}
     if case == "no-device":
         environment["PULSE_SERVER"] = "unix:/nowhere"
@@ -150,7 +157,7 @@ def _follow(
             printed, _ = player.communicate(timeout=READ_S)
         device = read_record(record)
         up_n = device["commanded_n"][:, 1]
-        rising = np.flatnonzero(np.diff(up_n) > 0.5 * clips.FORCE_N) + 1
+        rising = np.flatnonzero(np.diff(up_n) > 0.5 * staging.FORCE_N) + 1
         times = device["monotonic_s"][rising]
         known_s = max((float(part[-1]) for part in pushes if len(part)), default=0.0)
         pushes.append(times[times > known_s + 1e-3])
@@ -288,7 +295,7 @@ def run_case(
     """Run one case with our player and, where it can, with mpv."""
     seconds, force = SECONDS.get(case, options.seconds), place.folder / "force.csv"
     if case in ("silent", "vfr", "late", LONG):
-        clip = clips.variant(case, clip)
+        clip = staging.variant(case, clip)
     parts: dict[str, list[dict[str, Floats]]] = {"hapticplayer": []}
     summaries, hung_beeps, unseen = [], [], 0
     for _ in range(options.rounds):
@@ -359,9 +366,9 @@ def run(options: argparse.Namespace, report: Report) -> None:
         folder = Path(stack.enter_context(tempfile.TemporaryDirectory()))
         fastest = max(float(c.partition("-")[2]) if c in SPEEDS else 1.0 for c in cases)
         length_s = max(SECONDS["seek"] * ("seek" in cases), options.seconds * fastest)
-        length_s = clips.LOOP_S if LONG in cases else length_s + 2.0
-        clip = clips.base_clip(folder, length_s)
-        clips.force_file(folder, LONG_SECONDS if LONG in cases else length_s)
+        length_s = staging.LOOP_S if LONG in cases else length_s + 2.0
+        clip = staging.base_clip(folder, length_s)
+        staging.force_file(folder, LONG_SECONDS if LONG in cases else length_s)
         shown = stack.enter_context(screen(folder))
         sound = stack.enter_context(sound_server())
         witness = stack.enter_context(sentinel())

@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 from scipy.signal import resample_poly
 
-from benchmarks.sync.pat_clips import simulate_pats
 from hapticplayer.capture.si_csv import write_imu_csv
 from hapticplayer.media.encode import write_clip
 from tests.e2e.command import hapticplayer, refused, report_of
+from tests.pat_clips import simulate_pats
 
 SECONDS = 20
 

@@ -8,7 +8,6 @@ from pathlib import Path
 import numpy as np
 from scipy.signal import resample_poly
 
-from benchmarks.sync.pat_clips import simulate_pats
 from hapticplayer.capture.choices import LogQuestion
 from hapticplayer.capture.si_csv import write_imu_csv
 from hapticplayer.media.encode import write_clip
@@ -16,6 +15,7 @@ from hapticplayer.sequence.build import build_sequence
 from hapticplayer.sequence.editing import rename_sequence
 from hapticplayer.sequence.recognising import Recognised, recognise
 from hapticplayer.simulation.recordings import demo_folder
+from tests.pat_clips import simulate_pats
 
 SECONDS, RATE_HZ, WIDE, HIGH = 20, 25, 320, 180
 SEED = 41_001

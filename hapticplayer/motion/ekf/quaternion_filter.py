@@ -123,7 +123,7 @@ class QuaternionFilter:
         """Use three components, one after the other, at one point of linearisation.
 
         P loses w w', which is symmetric to the last bit. The textbook's P - K H P is
-        not: it drifts out of symmetry (`benchmarks.motion numerics` shows where it breaks).
+        not: it drifts out of symmetry (Bierman 1977).
         """
         P = self.P
         dx = np.zeros(len(P))

@@ -4,11 +4,11 @@ import numpy as np
 import pytest
 from scipy.integrate import quad
 
-from benchmarks.sync.pat_clips import simulate_pats
 from hapticplayer.capture import synchronize
 from hapticplayer.capture.sync import events, fit
 from hapticplayer.errors import InputError, UsageError
 from hapticplayer.model import ClockMap, ImuLog, Sampling
+from tests.pat_clips import simulate_pats
 
 
 def error_s(clip, clock, media_s=30.0):
