@@ -11,10 +11,13 @@ import pytest
 from PySide6.QtWidgets import QApplication
 from shiboken6 import isValid
 
+from app.bridge import languages
 from app.bridge.settings import Settings
 from app.player.application import make_application
+from app.player.remake import apply_appearance
 from app.player.video_surface import SurfaceSink, VideoSurface
 from app.player.window import PlayerWindow
+from app.widgets import theme
 from hapticplayer.capture.recording import Recording
 from hapticplayer.clock import SystemClock
 from hapticplayer.media.clip_info import probe
@@ -106,6 +109,19 @@ def application(qapp) -> QApplication:
 @pytest.fixture
 def settings(tmp_path) -> Settings:
     return Settings(tmp_path / "window.json")
+
+
+@pytest.fixture
+def dressed(application, settings):
+    """Set look and language; English and dark again afterwards."""
+
+    def set_to(**values) -> None:
+        for name, value in values.items():
+            settings.keep(name, value)
+        apply_appearance(application, settings)
+
+    yield set_to
+    set_to(language=languages.ENGLISH, look=theme.DARK)
 
 
 @pytest.fixture

@@ -19,7 +19,6 @@ from PySide6.QtWidgets import (
 from sitting import Person
 
 from app.bridge import languages
-from app.player.remake import apply_appearance
 from app.widgets import theme
 from hapticplayer.study.pages import PageKind
 
@@ -36,19 +35,6 @@ LARGE_SCREEN = {
 }
 SCALE = "QT_SCALE_FACTOR"
 LEAST_TOUCH_PX = 44  # WCAG 2.2, 2.5.5
-
-
-@pytest.fixture
-def dressed(application, settings):
-    """Set look and language; English and dark again afterwards."""
-
-    def set_to(**values) -> None:
-        for name, value in values.items():
-            settings.keep(name, value)
-        apply_appearance(application, settings)
-
-    yield set_to
-    set_to(language=languages.ENGLISH, look=theme.DARK)
 
 
 def check_keyboard(face, qtbot) -> None:

@@ -22,24 +22,11 @@ from app.bridge import languages
 from app.experimenter.import_wizard import ImportWizard
 from app.experimenter.library_page import LibraryPage
 from app.player.keys_dialog import KeysDialog
-from app.player.remake import OpenWindow, apply_appearance
+from app.player.remake import OpenWindow
 from app.player.window import PlayerWindow
 from app.widgets import theme
 from app.widgets.buttons import text_button
 from hapticplayer.playback.phases import Phase
-
-
-@pytest.fixture
-def dressed(application, settings):
-    """Set look and language; English and dark again afterwards."""
-
-    def set_to(**values) -> None:
-        for name, value in values.items():
-            settings.keep(name, value)
-        apply_appearance(application, settings)
-
-    yield set_to
-    set_to(language=languages.ENGLISH, look=theme.DARK)
 
 
 @pytest.fixture

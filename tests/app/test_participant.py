@@ -53,36 +53,59 @@ def test_twelve_conditions_by_keys_alone(make_study, sit, wait_for):
         assert playback["pictures_shown"] > 0
 
 
-def test_by_mouse_alone(make_study, sit, wait_for, qtbot):
-    session = sit(make_study())
-    person = Person(session, wait_for)
+@pytest.fixture
+def mouse(qtbot):
+    """Return what presses a widget of a window with the mouse."""
+    return lambda _window, widget: qtbot.mouseClick(widget, Qt.MouseButton.LeftButton)
 
-    def click(button):
-        wait_for(lambda: not session.participant.guard.isActive())
-        qtbot.mouseClick(button, Qt.MouseButton.LeftButton)
 
-    click(person.page.buttons["agree"])
+@pytest.fixture
+def finger(application):
+    """Return what taps a widget of a window."""
+    device = QTest.createTouchDevice()
+
+    def tap(window, widget):
+        window.content.ensureWidgetVisible(widget)
+        middle = QPoint(widget.width() // 2, widget.height() // 2)
+        handle, at = window.windowHandle(), widget.mapTo(window, middle)
+        QTest.touchEvent(handle, device).press(0, at, handle).commit()
+        QTest.touchEvent(handle, device).release(0, at, handle).commit()
+
+    return tap
+
+
+@pytest.mark.parametrize("pointer", ["mouse", "finger"])
+def test_by_mouse_or_touch_alone(make_study, sit, wait_for, request, pointer):
+    session, by = sit(make_study()), request.getfixturevalue(pointer)
+    person, window = Person(session, wait_for), session.participant
+
+    def press(widget):
+        wait_for(lambda: not window.guard.isActive())
+        by(window, widget)
+
+    press(person.page.buttons["agree"])
     person.wait_page(PageKind.QUESTIONS, "sheet")
     for row in person.page.rows:
         if isinstance(row, ButtonsRow):
-            click(row.group.button(0))
+            press(row.group.button(0))
         elif isinstance(row, NumberRow):
             plus = next(b for b in row.findChildren(QPushButton) if b.text() == "+")
-            click(plus)
-    click(person.page.next)
+            press(plus)
+    press(person.page.next)
     person.wait_page(PageKind.DEMONSTRATION)
-    click(person.page.buttons["next"])
+    press(person.page.buttons["next"])
     person.wait_page(PageKind.READY)
-    click(person.page.buttons["start"])
+    press(person.page.buttons["start"])
     person.wait_page(PageKind.PLAYING)
     session.player.set_end(0.2)
     person.wait_page(PageKind.QUESTIONS)
-    for row in person.page.rows:
-        click(row.group.button(4))
-    click(person.page.next)
+    for row, answer in zip(person.page.rows, (1, 2, 4, 5), strict=True):
+        press(row.group.button(answer - 1))
+        assert row.value() == answer
+    press(person.page.next)
     person.wait_page(PageKind.READY, "trial-02")
     ratings = read_answers(session.study.folder).ratings
-    assert [r.value for r in ratings if r.value is not None] == [5] * 4
+    assert [r.value for r in ratings if r.value is not None] == [1, 2, 4, 5]
 
 
 def test_an_unanswered_question_is_named_and_nothing_goes_on(make_study, sit, wait_for):
