@@ -20,12 +20,12 @@ from benchmarks.motion.recordings import (
     TruthRecording,
     add_options,
     chosen,
-    offline_vqf_up,
     scenes_of,
     simulated,
 )
 from hapticplayer.model import STANDARD_GRAVITY_MPS2
 from hapticplayer.motion import DEFAULT_METHOD, METHODS, analyse
+from tests.optical import offline_vqf_up
 
 Floats = NDArray[np.float64]
 REFERENCE = "offlineVQF"

@@ -10,7 +10,6 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,16 +17,15 @@ from scipy.signal import butter, sosfiltfilt
 from scipy.spatial.transform import Rotation, Slerp
 
 from benchmarks.common import DATA
-from hapticplayer.model import ImuLog, Sampling
+from hapticplayer.model import ImuLog
 from hapticplayer.simulation.rides.motion_scenes import MOTION_SCENES, simulate_motion
+from tests.optical import GAP, OPTICAL, read_optical
 
 Floats = NDArray[np.float64]
 
 ORIENTATION, COMMA = DATA / "orientation", DATA / "capture" / "comma2k19"
 GRAVITY_MPS2 = 9.81  # of the error figures, as the field reports them
-HOLE = "tyrex_Guillaume_Nexus5_NoDist_AR"  # 23.7 s without gyro: not in the means
 NATIVE, AVERAGED = "native", "30 Hz"
-OPTICAL = ("broad", "tumvi", "tyrex")
 _CAR, _SIM_CAR, _SIM_PEOPLE = "car", "sim-car", "sim-people"
 FAMILIES = (*OPTICAL, _CAR, _SIM_CAR, _SIM_PEOPLE)
 _SENSORS = {NATIVE: "camera", AVERAGED: "paper-board"}
@@ -38,9 +36,6 @@ QUICK_NAMES = (
     "comma2k19",
 )
 QUICK_SCENES = ("car-brisk", "handheld-brisk")
-# by how many native samples the truth is read later than the sample (README of the
-# data: BROAD's optical truth fits best 2.3 ms earlier, the others half a sample later)
-_TRUTH_LATER_SAMPLES = {"broad": -0.65, "tumvi": 0.48, "tyrex": 0.47}
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -138,8 +133,8 @@ def load(wanted: Iterable[str], seeds: int, *, quick: bool = False) -> list[Fami
             held = _held(name, rate, 1 if quick else seeds, quick=quick)
             if quick and not name.startswith("sim-"):
                 held = [one for one in held if one.name in QUICK_NAMES]
-            kept = [one for one in held if one.name != HOLE]
-            found.append(Family(name, rate, kept, [r for r in held if r.name == HOLE]))
+            kept = [one for one in held if one.name != GAP]
+            found.append(Family(name, rate, kept, [r for r in held if r.name == GAP]))
     return sorted(found, key=lambda family: family.rate == AVERAGED)
 
 
@@ -148,8 +143,7 @@ def _held(name: str, rate: str, seeds: int, *, quick: bool) -> list[TruthRecordi
         return [comma()]
     if name in OPTICAL:
         folder = ORIENTATION / ("averaged_30hz" if rate == AVERAGED else "native")
-        read = _averaged if rate == AVERAGED else _native
-        return [read(path) for path in sorted(folder.glob(f"{name}*.npz"))]
+        return [_optical(path) for path in sorted(folder.glob(f"{name}*.npz"))]
     rides = [
         (scene, sensor, seed)
         for scene, sensor in scenes_of(name, rate)
@@ -175,77 +169,10 @@ def simulated(scene: str, sensor: str, seed: int) -> TruthRecording:
     return TruthRecording(name, scene, ride.imu, ride.vertical, everywhere)
 
 
-def _native(path: Path) -> TruthRecording:
-    """Read a recording as it is, truth at the shifts of the data's README."""
-    with np.load(path) as held:
-        family, count = path.name.split("_")[0], len(held["acc"])
-        stamps_s = held["t"] if "t" in held else np.arange(count) / float(held["rate"])
-        quaternion = held["quat"].astype(np.float64)
-        known = np.isfinite(quaternion).all(axis=1)
-        up = np.full((count, 3), np.nan)
-        turned = Rotation.from_quat(quaternion[known], scalar_first=True)
-        up[known] = turned.inv().apply([0.0, 0.0, 1.0])
-        return TruthRecording(
-            name=path.stem,
-            scene=family,
-            imu=_log(held, stamps_s - stamps_s[0], Sampling.INSTANT, path.stem),
-            up=_shifted(up, _TRUTH_LATER_SAMPLES[family]),
-            counts=held["mov"].astype(bool),
-        )
-
-
-def _averaged(path: Path) -> TruthRecording:
-    """Read boxcar means over 1/30 s; the truth is the mean vertical (shifts applied)."""
-    with np.load(path) as held:
-        # window k of the files is [k, k + 1) / rate from the start of the first
-        # native sample's interval, by the nominal native rate
-        time_s = (np.arange(len(held["acc"])) + 0.5) / float(held["rate"])
-        return TruthRecording(
-            name=path.stem,
-            scene=path.name.split("_")[0],
-            imu=_log(held, time_s, Sampling.AVERAGED, path.stem),
-            up=held["up_avg"].astype(np.float64),
-            counts=held["mov"].astype(bool),
-        )
-
-
-def _log(held: Any, time_s: Floats, sampling: Sampling, name: str) -> ImuLog:
-    return ImuLog(
-        time_s=np.asarray(time_s, dtype=np.float64),
-        specific_force_mps2=held["acc"].astype(np.float64),
-        angular_rate_radps=held["gyr"].astype(np.float64),
-        magnetic_field_ut=held["mag"].astype(np.float64) if "mag" in held else None,
-        sampling=sampling,
-        source=name,
-    )
-
-
-def _shifted(up: Floats, later_samples: float) -> Floats:
-    """Return the vertical at index i + later_samples; NaN beside unknown ones."""
-    at = np.arange(len(up)) + later_samples
-    low = np.clip(np.floor(at).astype(int), 0, len(up) - 2)
-    share = (at - low)[:, None]
-    between = (1.0 - share) * up[low] + share * up[low + 1]
-    between[(at < 0) | (at > len(up) - 1)] = np.nan
-    return np.asarray(between / np.linalg.norm(between, axis=1, keepdims=True))
-
-
-def offline_vqf_up(imu: ImuLog, *, tau_s: float = 3.0) -> Floats:
-    """Return offlineVQF's vertical (N, 3); half a window back for averaged samples."""
-    from vqf import offlineVQF
-
-    answer = offlineVQF(
-        np.array(imu.angular_rate_radps),
-        np.array(imu.specific_force_mps2),
-        None,
-        1.0 / imu.rate_hz,
-        {"tauAcc": tau_s},
-    )
-    turned = Rotation.from_quat(answer["quat6D"], scalar_first=True)
-    if imu.sampling is Sampling.AVERAGED:
-        half = Rotation.from_rotvec(0.5 / imu.rate_hz * imu.angular_rate_radps)
-        turned = turned * half.inv()
-    return np.asarray(turned.inv().apply([0.0, 0.0, 1.0]))
+def _optical(path: Path) -> TruthRecording:
+    """Read a recording at its own rate, or boxcar means over 1/30 s."""
+    held, family = read_optical(path), path.name.split("_")[0]
+    return TruthRecording(held.name, family, held.log, held.up, held.counted)
 
 
 # --- the car of comma2k19 ----------------------------------------------------------

@@ -8,12 +8,10 @@ from dataclasses import dataclass, replace
 import numpy as np
 import pytest
 from numpy.typing import NDArray
-from vqf import offlineVQF
 
-from hapticplayer.model import STANDARD_GRAVITY_MPS2, Sampling
-from hapticplayer.model import quaternions as quat
+from hapticplayer.model import STANDARD_GRAVITY_MPS2
 from hapticplayer.motion import analyse, remove_gravity
-from tests.unit.motion.conftest import OPTICAL, Optical
+from tests.optical import OPTICAL, OpticalRecording, offline_vqf_up
 
 GRAVITY_MPS2 = 9.81  # of the error figures, as the field reports them
 FAMILIES = [f"{name} {rate}" for rate in ("native", "30 Hz") for name in OPTICAL]
@@ -34,25 +32,10 @@ class Score:
         return float(np.sqrt(np.mean(np.square(self.error_mps2))))
 
 
-def error_mps2(one: Optical, up):
+def error_mps2(one: OpticalRecording, up):
     """Return the gravity error of each sample that counts."""
     apart = np.linalg.norm(up - one.up, axis=1)
     return GRAVITY_MPS2 * apart[one.counted]
-
-
-def reference_up(log):
-    """Return offlineVQF's vertical, half a window back for averaged samples."""
-    answer = offlineVQF(
-        np.ascontiguousarray(log.angular_rate_radps),
-        np.ascontiguousarray(log.specific_force_mps2),
-        None,
-        1.0 / log.rate_hz,
-    )
-    attitude = answer["quat6D"]
-    if log.sampling is Sampling.AVERAGED:
-        half = quat.from_rotation_vector(-0.5 / log.rate_hz * log.angular_rate_radps)
-        attitude = quat.multiply(attitude, half)
-    return quat.vertical(attitude)
 
 
 @pytest.fixture(scope="module")
@@ -60,9 +43,9 @@ def scores(optical):
     """Return the scores of a family; each is computed once."""
     held = {}
 
-    def score(one: Optical) -> Score:
+    def score(one: OpticalRecording) -> Score:
         done = analyse(one.log)
-        reference = error_mps2(one, reference_up(one.log))
+        reference = error_mps2(one, offline_vqf_up(one.log))
         return Score(
             one.name,
             error_mps2(one, done.track.gravity_mps2 / STANDARD_GRAVITY_MPS2),
