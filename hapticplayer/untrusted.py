@@ -160,13 +160,33 @@ def resolve_regular(path: PathLike, error: type[InputError] = MediaError) -> Pat
     return Path(path).resolve()
 
 
-class _Identity(NamedTuple):
+class FileState(NamedTuple):
     """What tells one state of a file from another."""
 
+    path: Path
     device: int
     inode: int
     modified_ns: int
     size_bytes: int
+
+    @classmethod
+    def of(cls, path: Path, status: os.stat_result | None = None) -> Self:
+        """Return the state of now, or that of a status; raises OSError."""
+        found = status or path.stat()
+        return cls(path, found.st_dev, found.st_ino, found.st_mtime_ns, found.st_size)
+
+    def refuse_changed(self, error: type[InputError] = InputError) -> None:
+        """Raise the error if the name stands for another file or content now."""
+        try:
+            is_same = FileState.of(self.path) == self
+        except OSError:  # its name is gone
+            is_same = False
+        if not is_same:
+            raise error(
+                Message("was changed or replaced while it was read"),
+                where=str(self.path),
+                remedy=Message("wait until nothing writes to it, then start again"),
+            )
 
 
 class HeldFile:
@@ -180,10 +200,9 @@ class HeldFile:
     """
 
     def __init__(self, path: PathLike, error: type[InputError] = InputError) -> None:
-        self.path, self._error = Path(path), error
-        self.reader = open_regular(path, error)
-        self._identity = _identity(os.fstat(self.reader.fileno()))
-        self.size_bytes = self._identity.size_bytes
+        self.reader, self._error = open_regular(path, error), error
+        self._state = FileState.of(Path(path), os.fstat(self.reader.fileno()))
+        self.size_bytes = self._state.size_bytes
 
     def __enter__(self) -> Self:
         """Return itself."""
@@ -199,24 +218,8 @@ class HeldFile:
         self.reader.close()
 
     def refuse_changed(self) -> None:
-        """Raise the error if the file, or what its name stands for, has changed."""
-        try:
-            found = {
-                _identity(os.fstat(self.reader.fileno())),
-                _identity(self.path.stat()),
-            }
-        except OSError:  # its name is gone
-            found = set()
-        if found != {self._identity}:
-            raise self._error(
-                Message("was changed or replaced while it was read"),
-                where=str(self.path),
-                remedy=Message("wait until nothing writes to it, then start again"),
-            )
-
-
-def _identity(status: os.stat_result) -> _Identity:
-    return _Identity(status.st_dev, status.st_ino, status.st_mtime_ns, status.st_size)
+        """Raise the error if the name stands for another file or content now."""
+        self._state.refuse_changed(self._error)
 
 
 def _refuse_special(

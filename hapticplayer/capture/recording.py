@@ -54,7 +54,7 @@ def read_recording(log: LogPath, choices: LogChoices | None = None) -> Recording
         choices: answers about a log that does not describe itself.
 
     Raises:
-        InputError: when it cannot be read or holds no motion.
+        InputError: when it cannot be read, holds no motion, or changes meanwhile.
         UsageError: when a decision is needed.
     """
     choices = choices or LogChoices()
@@ -66,6 +66,7 @@ def read_recording(log: LogPath, choices: LogChoices | None = None) -> Recording
         if better := why_unreadable(source):
             raise better from error
         raise
+    source.refuse_changed()
     if not choices.sampling:
         return recording
     sampled = replace(recording.imu, sampling=Sampling(choices.sampling))

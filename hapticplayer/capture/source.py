@@ -23,7 +23,7 @@ from hapticplayer.capture.limits import (
     MAX_MEMBERS,
 )
 from hapticplayer.errors import InputError
-from hapticplayer.untrusted import open_regular, resolve_regular
+from hapticplayer.untrusted import FileState, open_regular, resolve_regular
 
 LogPath = str | os.PathLike[str] | Sequence[str | os.PathLike[str]]
 """Of a log; several files, such as one for each sensor, are one log together."""
@@ -67,10 +67,11 @@ _ZIP_ERRORS = (
 
 
 class _Member(NamedTuple):
-    """A file of a source: the size that is claimed for it, and how to open it."""
+    """A file of a source: the claimed size, how to open it, and what it is read from."""
 
     size_bytes: int
     open: Callable[[], AbstractContextManager[BinaryIO]]
+    file: FileState
 
 
 class Source:
@@ -91,6 +92,11 @@ class Source:
         self._members = members
         self.beginning = functools.cache(self._beginning)
         self.is_binary = is_one_file and not is_text(self.beginning(path.name))
+
+    def refuse_changed(self) -> None:
+        """Raise InputError if a file is not what it was when the source was opened."""
+        for state in {member.file for member in self._members.values()}:
+            state.refuse_changed()
 
     def where(self, name: str) -> str:
         """Return the name of a member for messages."""
@@ -174,10 +180,12 @@ def _folder_members(folder: Path) -> dict[str, _Member]:
 
 
 def _file_member(file: Path) -> _Member:
-    return _Member(file.stat().st_size, lambda: open_regular(file))
+    state = FileState.of(file)
+    return _Member(state.size_bytes, lambda: open_regular(file), state)
 
 
 def _zip_members(path: Path) -> dict[str, _Member]:
+    state = FileState.of(path)
     with open_regular(path) as reader, zipfile.ZipFile(reader) as archive:
         infos = archive.infolist()
     if len(infos) > MAX_MEMBERS:
@@ -185,7 +193,9 @@ def _zip_members(path: Path) -> dict[str, _Member]:
     for info in infos:
         _refuse_escape(info.filename, path)
     return {
-        info.filename: _Member(info.file_size, functools.partial(_unzipped, path, info))
+        info.filename: _Member(
+            info.file_size, functools.partial(_unzipped, path, info), state
+        )
         for info in sorted(infos, key=lambda info: info.filename)
         if not info.is_dir() and info.file_size and is_wanted(info.filename)
     }

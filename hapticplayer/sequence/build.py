@@ -1,6 +1,5 @@
 """The import pipeline: from a recording to a sequence."""
 
-import contextlib
 import dataclasses
 import hashlib
 import shutil
@@ -15,7 +14,7 @@ from hapticplayer.capture import read_recording
 from hapticplayer.capture.choices import LogChoices
 from hapticplayer.capture.mounting import ask_for_mounting, mounted
 from hapticplayer.capture.recording import Recording, find_gaps, refuse_gravity_free
-from hapticplayer.capture.source import LogPath, name_of, paths_of
+from hapticplayer.capture.source import LogPath, name_of
 from hapticplayer.clock import utc_now_iso
 from hapticplayer.errors import InputError, MediaError, Message, SequenceError
 from hapticplayer.media.clip_info import ClipInfo, probe
@@ -100,7 +99,7 @@ def build_sequence(
 
         report(0.0, Message("reading {name}", name=video.name))
         clip = probe(video)
-        recording = _read_unchanged(source, choices.log)
+        recording = read_recording(source, choices.log)
         refuse_gravity_free(recording)
         if not choices.mounting and not (choices.log and choices.log.axes):
             ask_for_mounting(recording.imu, name_of(source))
@@ -108,17 +107,6 @@ def build_sequence(
         recording = synchronized(clip, recording, choices.sync)
         recording = _mounted(recording, choices.mounting)
         return write_sequence(clip, recording, target, choices=choices, progress=report)
-
-
-def _read_unchanged(source: LogPath, choices: LogChoices | None) -> Recording:
-    """Return the recording in a source that is the same before and after."""
-    files_of = [path for path in paths_of(source) if not path.is_dir()]
-    with contextlib.ExitStack() as stack:
-        held = [stack.enter_context(HeldFile(path)) for path in files_of]
-        recording = read_recording(source, choices)
-        for file in held:
-            file.refuse_changed()
-    return recording
 
 
 def _mounted(recording: Recording, axes: str) -> Recording:

@@ -10,7 +10,7 @@ import pytest
 
 from hapticplayer.capture import csv_table, read_recording, source
 from hapticplayer.capture.csv_table import Numbers, Shape, read_numbers
-from hapticplayer.capture.source import open_source
+from hapticplayer.capture.source import Source, open_source
 from hapticplayer.errors import InputError
 from tests.faults.import_formats import FORMATS, put, zipped
 from tests.faults.import_signal import sample
@@ -22,6 +22,40 @@ def test_a_zip_and_its_folder_are_the_same_recording(tmp_path):
     zip_ = read_recording(put(files, tmp_path / "b", as_zip=True)).imu
     np.testing.assert_array_equal(folder.time_s, zip_.time_s)
     np.testing.assert_array_equal(folder.specific_force_mps2, zip_.specific_force_mps2)
+
+
+def appended(path):
+    with path.open("ab") as out:
+        out.write(b"\n")
+
+
+def replaced(path):
+    content = path.read_bytes()
+    path.unlink()
+    path.write_bytes(content)
+
+
+@pytest.mark.parametrize("change", [appended, replaced, os.utime])
+@pytest.mark.parametrize("kind", ["folder", "files", "zip", "file"])
+def test_a_recording_that_changes_meanwhile_is_refused(
+    tmp_path, monkeypatch, change, kind
+):
+    name = "MARS" if kind == "file" else "OpenCamera Sensors"
+    files = FORMATS[name].write(sample(apart=FORMATS[name].apart))
+    log = put(files, tmp_path / "in", as_zip=kind == "zip")
+    changing = log if log.is_file() else next(log.iterdir())
+    log = list(log.iterdir()) if kind == "files" else log
+    begun, read = [], Source.opened
+
+    def opened(self, member):
+        if not begun:
+            begun.append(member)
+            change(changing)
+        return read(self, member)
+
+    monkeypatch.setattr(Source, "opened", opened)
+    with pytest.raises(InputError, match="changed or replaced while it was read"):
+        read_recording(log)
 
 
 def test_folder_inside_the_zip_does_not_matter(tmp_path):

@@ -8,12 +8,11 @@ import shutil
 import numpy as np
 import pytest
 
-from hapticplayer.capture import read_recording
 from hapticplayer.capture.si_csv import write_imu_csv
 from hapticplayer.cli import main
 from hapticplayer.errors import Cancelled, HapticPlayerError, InputError, SequenceError
 from hapticplayer.model import ClockMap
-from hapticplayer.sequence import build, files, open_sequence
+from hapticplayer.sequence import files, open_sequence
 from hapticplayer.sequence.build import Choices, build_sequence, write_sequence
 from hapticplayer.sequence.synchronizing import SyncChoices
 from hapticplayer.untrusted import HeldFile
@@ -212,26 +211,6 @@ def test_a_clip_that_changes_meanwhile_is_refused(
             progress=progress,
         )
     assert sorted(p.name for p in tmp_path.iterdir()) == ["log.csv", "ride.mp4"]
-
-
-@pytest.mark.parametrize("change", [truncated, cut_in_half, replaced, written_over])
-def test_a_log_that_changes_meanwhile_is_refused(
-    tmp_path, tiny_clip, log_file, change, monkeypatch
-):
-    def read(path, choices):
-        found = read_recording(path, choices)
-        change(log_file)
-        return found
-
-    monkeypatch.setattr(build, "read_recording", read)
-    with pytest.raises(InputError, match="changed or replaced while it was read"):
-        build_sequence(
-            tiny_clip.path,
-            tmp_path / "ride",
-            imu_log=log_file,
-            choices=Choices(sync=SyncChoices(offset_s=0.0)),
-        )
-    assert [p.name for p in tmp_path.iterdir()] == ["log.csv"]
 
 
 def test_nothing_of_the_machine_gets_into_the_sequence(sequence_folder, tmp_path):
