@@ -179,11 +179,6 @@ class Kinematics:
         )
 
 
-def joint_torques(jacobian: Rows, force_n: Vector) -> Vector:
-    """Return J^T F, what the joints must give for a force at the grip, N m."""
-    return transposed_times(jacobian, force_n)
-
-
 def fade(jacobian: Rows) -> float:
     """Return the share of the force that may be given at this pose, 0 to 1.
 
@@ -198,7 +193,7 @@ def fade(jacobian: Rows) -> float:
 def motor_words(jacobian: Rows, force_n: Vector) -> Vector:
     """Return the motor words for a force, not rounded, within +-4096.
 
-    Faded near singular poses; what is too much for one motor is taken from all
+    J^T F, faded near singular poses; what is too much for one motor is taken from all
     three in proportion, so that the force keeps its direction.
 
     Raises:

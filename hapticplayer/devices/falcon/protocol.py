@@ -35,19 +35,6 @@ class Lights(IntFlag):
     RED = 8
 
 
-class Buttons(IntFlag):
-    """Grip buttons, low nibble of byte 13 from the Falcon."""
-
-    PLUS = 1
-    """Far right."""
-    FORWARD = 2
-    """Towards the device."""
-    CENTRE = 4
-    """The one with the logo."""
-    MINUS = 8
-    """Far left."""
-
-
 class Command(NamedTuple):
     """A frame for the Falcon: motor words top, right, lower left; lights."""
 
@@ -62,7 +49,7 @@ class Reply(NamedTuple):
     """
 
     counts: Words
-    buttons: int
+    buttons: int  # 1 far right, 2 towards the device, 4 with the logo, 8 far left
     homed: int
 
     @property
@@ -82,13 +69,6 @@ def encode_command(words: Words, lights: int = 0) -> bytes:
     return b"<%sA>" % (_packed(words, lights))
 
 
-def decode_command(frame: bytes) -> Command:
-    """Return what a frame of the computer says; raises ValueError when it is none."""
-    if not _COMMAND.fullmatch(frame):
-        raise ValueError(f"{frame!r} is no frame to a Falcon")
-    return _command(frame)
-
-
 def encode_reply(reply: Reply) -> bytes:
     """Return the Falcon's frame with these counts.
 
@@ -99,13 +79,6 @@ def encode_reply(reply: Reply) -> bytes:
     if not (0 <= reply.buttons <= 15 and 0 <= reply.homed <= 7):
         raise ValueError(f"{reply} cannot be sent by a Falcon")
     return b"<%sA>" % _packed(reply.counts, reply.homed << 4 | reply.buttons)
-
-
-def decode_reply(frame: bytes) -> Reply:
-    """Return what a frame of the Falcon says; raises ValueError when it is none."""
-    if not _REPLY.fullmatch(frame):
-        raise ValueError(f"{frame!r} is no frame of a Falcon")
-    return _reply(frame)
 
 
 def _packed(words: Words, last: int) -> bytes:
@@ -127,15 +100,6 @@ def _words(frame: bytes) -> Words:
         (j ^ 0x8000) - 0x8000,
         (k ^ 0x8000) - 0x8000,
     )
-
-
-def _command(frame: bytes) -> Command:
-    return Command(_words(frame), frame[13] - _BASE)
-
-
-def _reply(frame: bytes) -> Reply:
-    flags = frame[13] - _BASE
-    return Reply(_words(frame), flags & 0x0F, flags >> 4)
 
 
 _Frame = TypeVar("_Frame", Command, Reply)
@@ -178,7 +142,8 @@ class ReplyParser(_Parser[Reply]):
     _pattern = _REPLY
 
     def _decode(self, frame: bytes) -> Reply:
-        return _reply(frame)
+        flags = frame[13] - _BASE
+        return Reply(_words(frame), flags & 0x0F, flags >> 4)
 
 
 class CommandParser(_Parser[Command]):
@@ -187,4 +152,4 @@ class CommandParser(_Parser[Command]):
     _pattern = _COMMAND
 
     def _decode(self, frame: bytes) -> Command:
-        return _command(frame)
+        return Command(_words(frame), frame[13] - _BASE)
