@@ -47,11 +47,7 @@ class ClipInfo:
 
 
 def probe(path: str | os.PathLike[str]) -> ClipInfo:
-    """Open a clip, decode its first frame and return what it holds.
-
-    Raises:
-        MediaError: when it cannot be opened, or holds no video that can be shown.
-    """
+    """Open a clip, decode its first frame, return what it holds; raises MediaError."""
     with (
         open_media(path) as container,
         media_errors(path, Message("it cannot be probed")),
@@ -75,11 +71,7 @@ def probe(path: str | os.PathLike[str]) -> ClipInfo:
 
 
 def camera_of(path: str | os.PathLike[str]) -> str:
-    """Return the name of the camera that made a clip, "" where the file does not say.
-
-    Raises:
-        MediaError: when it cannot be opened.
-    """
+    """Return the name of the camera of a clip, "" if unknown; raises MediaError."""
     with open_media(path) as container:
         said = {key.lower(): value for key, value in container.metadata.items()}
     make, model = (

@@ -50,11 +50,7 @@ def with_log(source: Source, path: Path) -> Source:
 
 
 def read_force_log(path: Path) -> tuple[dict[str, Any], ForceTrack]:
-    """Return the header of a log and what was sent to the device, over media time.
-
-    Raises:
-        InputError: what is wrong, in which line.
-    """
+    """Return a log's header and what was sent, over media time; raises InputError."""
     header: dict[str, Any] = {}
     rows: list[tuple[float, float, float, float]] = []
     try:

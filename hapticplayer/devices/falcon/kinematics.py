@@ -85,11 +85,7 @@ class Kinematics:
         return (i, j, k)
 
     def inverse(self, position_m: Vector) -> Vector:
-        """Return the thighs' angles for a position, rad; closed form.
-
-        Raises:
-            OutOfReachError: when a leg does not reach that far.
-        """
+        """Return the thighs' angles, rad, in closed form; raises OutOfReachError."""
         x, y, z = position_m
         a, b = self.geometry.thigh_m, self.geometry.shin_m
         angles = []
@@ -194,10 +190,8 @@ def motor_words(jacobian: Rows, force_n: Vector) -> Vector:
     """Return the motor words for a force, not rounded, within +-4096.
 
     J^T F, faded near singular poses; what is too much for one motor is taken from all
-    three in proportion, so that the force keeps its direction.
-
-    Raises:
-        ValueError: when the force is not finite.
+    three in proportion, so that the force keeps its direction; raises ValueError when
+    it is not finite.
     """
     x, y, z = force_n
     scale = -WORDS_PER_NM * fade(jacobian)

@@ -59,23 +59,14 @@ class Reply(NamedTuple):
 
 
 def encode_command(words: Words, lights: int = 0) -> bytes:
-    """Return the frame with these motor words.
-
-    Raises:
-        ValueError: when a word does not fit into 16 bits or a light does not exist.
-    """
+    """Return the frame with these words; raises ValueError when one does not fit."""
     if not 0 <= lights <= 15:
         raise ValueError(f"lights {lights} are more than four bits")
     return b"<%sA>" % (_packed(words, lights))
 
 
 def encode_reply(reply: Reply) -> bytes:
-    """Return the Falcon's frame with these counts.
-
-    Raises:
-        ValueError: when a count does not fit into 16 bits, or buttons or homed are
-            out of range.
-    """
+    """Return the Falcon's frame; raises ValueError when something does not fit."""
     if not (0 <= reply.buttons <= 15 and 0 <= reply.homed <= 7):
         raise ValueError(f"{reply} cannot be sent by a Falcon")
     return b"<%sA>" % _packed(reply.counts, reply.homed << 4 | reply.buttons)

@@ -149,11 +149,7 @@ def open_all(backend: Any = None) -> list[PyUsbTransport]:
 
 
 def open_falcon(serial: str = "", backend: Any = None) -> PyUsbTransport:
-    """Return the Falcon with this serial number, or the only one.
-
-    Raises:
-        DeviceError: when there is none, more than one, or it cannot be claimed.
-    """
+    """Return the Falcon with this serial number, or the only; raises DeviceError."""
     devices = _find_all(backend)
     if not devices:
         raise FalconGoneError(

@@ -13,8 +13,6 @@ from hapticplayer.devices.falcon.ftdi import CTS, PAYLOAD_BYTES, Divisor
 from hapticplayer.simulation.usb.board import Board
 
 BITS_PER_BYTE = 10
-USB_PACKET_S = 0.0001
-"""From a packet that is ready to the program that waits for it, about."""
 _MODEM_FIXED, _LINE_IDLE = 0x01, 0x60
 _SLICE_S = 0.0001
 _WRITE_BYTES = 128  # the chip's buffer towards the board

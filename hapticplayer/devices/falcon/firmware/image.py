@@ -56,11 +56,7 @@ class FirmwareImage:
 
 
 def parse_image(data: bytes) -> FirmwareImage:
-    """Return the image in these bytes.
-
-    Raises:
-        DeviceError: when they are not a whole boot stream; says where it breaks.
-    """
+    """Return the image in these bytes; raises DeviceError that says where it breaks."""
     if len(data) % 2 or not 0 < len(data) <= MAX_IMAGE_BYTES:
         raise _no_image(
             Message(
