@@ -87,7 +87,7 @@ def assemble(raw: RawLog, choices: LogChoices, where: str) -> Recording:
     in_si = _in_si(samples, raw)
     del samples
     try:
-        imu, repairs = _cleaned(in_si, raw, where)
+        imu, repairs = _cleaned(in_si, raw, choices, where)
     except InputError as error:
         other = _other_units(part, raw, choices, where)
         if other is None:
@@ -95,7 +95,13 @@ def assemble(raw: RawLog, choices: LogChoices, where: str) -> Recording:
         what = Message(
             "{what}, but the numbers would fit another unit", what=error.what
         )
-        raise LogQuestion(what, (other,), where) from error
+        answers = [other]
+        if not choices.rate_unit and "rate-unit" in other:
+            kept = Message(
+                "rate-unit={rate_unit} to take it as it is", rate_unit=raw.rate_unit
+            )
+            answers.append(kept)
+        raise LogQuestion(what, answers, where) from error
     del in_si
     # streams with their own times have their own notes on gaps
     texts = [one.text for one in repairs if not (stream_notes and one.kind == "lost")]
@@ -209,10 +215,17 @@ def _finite(values: Floats) -> Floats:
 
 
 def _cleaned(
-    samples: Samples, raw: RawLog, where: str
+    samples: Samples, raw: RawLog, choices: LogChoices, where: str
 ) -> tuple[ImuLog, tuple["Repair", ...]]:
     time_s, accel, rate, field, _ = samples
-    imu, repairs = clean(time_s, accel, rate, field, source=where)
+    imu, repairs = clean(
+        time_s,
+        accel,
+        rate,
+        field,
+        source=where,
+        is_rate_unit_known=bool(choices.rate_unit),
+    )
     if not raw.is_gravity_free:
         return imu, repairs
     free = np.asarray(imu.specific_force_mps2 - _ONE_G)
@@ -227,6 +240,7 @@ def clean(
     field: Reals | None = None,
     *,
     source: str = "",
+    is_rate_unit_known: bool = False,
 ) -> tuple[ImuLog, tuple["Repair", ...]]:
     """Return the log with outliers, gaps and dropouts repaired or marked, and notes.
 
@@ -238,6 +252,7 @@ def clean(
         rate: (N, 3) rad/s, frame A; NaN where missing.
         field: (N, 3) uT, frame A, or None.
         source: for messages and provenance.
+        is_rate_unit_known: see `motion.repair_samples`.
 
     Raises:
         InputError: for what cannot be repaired, see `motion.repair_samples`.
@@ -246,7 +261,14 @@ def clean(
     from hapticplayer.motion.repair.timestamps import Repair, RepairKind
 
     if not _is_constant(time_s, accel, rate):
-        done = repair_samples(time_s, accel, rate, field, source=source)
+        done = repair_samples(
+            time_s,
+            accel,
+            rate,
+            field,
+            source=source,
+            is_rate_unit_known=is_rate_unit_known,
+        )
         return done.imu, done.repairs
     has_field = field is not None and np.isfinite(field).all()
     text = Message("all samples are the same: was the sensor stuck?")
@@ -291,7 +313,7 @@ def _other_units(
                 continue
             other = dataclasses.replace(raw, accel_unit=accel_unit, rate_unit=rate_unit)
             try:
-                _cleaned(_in_si(part, other), other, where)
+                _cleaned(_in_si(part, other), other, choices, where)
             except InputError:
                 continue
             words = []

@@ -73,7 +73,7 @@ _RATE = _Sensor("angular_rate_radps", RepairKind.RATE_FILLED, MAX_RATE)
 _FIELD = _Sensor("magnetic_field_ut", RepairKind.FIELD_FILLED, MAX_FIELD)
 
 
-def repair_samples(
+def repair_samples(  # noqa: PLR0913 - what a logger knows
     time_s: ArrayLike,
     specific_force_mps2: ArrayLike,
     angular_rate_radps: ArrayLike,
@@ -81,6 +81,7 @@ def repair_samples(
     *,
     sampling: Sampling = Sampling.INSTANT,
     source: str = "",
+    is_rate_unit_known: bool = False,
 ) -> Repaired:
     """Turn raw samples into a log, with every flaw repaired, marked or refused.
 
@@ -97,6 +98,7 @@ def repair_samples(
         magnetic_field_ut: (N, 3) or None.
         sampling: what one sample stands for.
         source: where it came from, for messages.
+        is_rate_unit_known: the unit of the angular rate is not questioned.
 
     Raises:
         InputError: for fewer than 2 or more than 1e8 samples, wrong shapes, a
@@ -118,6 +120,10 @@ def repair_samples(
         _fill(values, lost, line, repairs, sensor)
     field = _field(sensors[2], line, repairs) if len(sensors) > 2 else None
     _check_motion(line, force, rate, repairs, source)
+    if not is_rate_unit_known:
+        doubt = check_rate_unit(line.time_s, force, rate, source)
+        if doubt:
+            repairs.append(Repair(RepairKind.UNIT_IN_DOUBT, len(rate), 0, doubt))
     is_valid = ~(lost_force | lost_rate)
     for own in (force, rate, *([] if field is None else [field])):
         own.setflags(write=False)  # then the log takes it instead of another copy
@@ -337,7 +343,7 @@ def _field(field: Floats, line: Timeline, repairs: list[Repair]) -> Floats | Non
 def _check_motion(
     line: Timeline, force: Floats, rate: Floats, repairs: list[Repair], source: str
 ) -> None:
-    """Refuse stuck sensors and wrong units; report a gyroscope that reads zero."""
+    """Refuse stuck sensors and a wrong unit of the force; report a gyro that reads 0."""
     check_force_unit(line.time_s, force, source)
     if (force == force[0]).all() and (rate == rate[0]).all():
         raise InputError(
@@ -345,7 +351,6 @@ def _check_motion(
             where=source,
             remedy="give a recording of a sensor that worked",
         )
-    check_rate_unit(line.time_s, force, rate, source)
     if not rate.any():
         what = Message("the angular rate is zero throughout, so no rotation is assumed")
         repairs.append(

@@ -57,6 +57,7 @@ class RepairKind(enum.StrEnum):
     FIELD_DROPPED = "field dropped"
     NO_ROTATION = "no rotation"
     STUCK = "stuck"
+    UNIT_IN_DOUBT = "unit in doubt"
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,7 +1,7 @@
 """Tells a recording in g or deg/s from one in m/s^2 and rad/s.
 
 Units are never changed silently: a clear case is refused with the factor to use,
-an unclear one passes.
+an unclear one passes with a note.
 """
 
 import math
@@ -20,21 +20,31 @@ SURELY_G = (0.8, 1.25)
 
 CALM_WINDOW_S = 0.5
 
-# Angular rates are compared with how gravity turns in the sensor, in blocks.
-BLOCK_S = 1.0
-MAX_BLOCKS = 60
-MAX_STEPS = 100
-# A block tells the units apart when the mean force differs by this part of its norm.
-TELLING = 0.1
-MIN_TELLING_BLOCKS = 5
-MIN_TELLING_SHARE = 0.2
-AGREEMENT = 0.8
-# Hands reach 7 rad/s RMS in fast rotation. Between the bounds nothing is doubtful.
+# Two units of the angular rate are compared in windows, by the velocity that neither
+# gravity nor the errors of the sensors explain.
+WINDOW_S = 8.0
+SHORTEST_WINDOW_S = 2.0
+MAX_WINDOWS = 24
+STEP_S = 0.02
+RESIDUALS = 32
+VELOCITY_SIGMA_MPS = 1.0
+GYRO_BIAS_SIGMA_RADPS = 0.05
+GRAVITY_SIGMA_MPS2 = 0.03 * STANDARD_GRAVITY_MPS2
+# Velocities below are vibration and noise; they speak for no unit.
+VELOCITY_FLOOR_MPS = 0.1
+# A window speaks where the two units see the force in directions so far apart.
+TELLING_RAD = 0.1
+# Log odds for the unit that was given before the motion is looked at: most logs are
+# right, but beyond a runner's pocket an angular rate is the less usual the faster it is.
+LABEL_LOG_ODDS = 1.0
+RUNNING_RMS_RADPS, LOG_RMS_SIGMA = 3.0, 0.6
+REFUSED_LOG_ODDS = -2.5
+MIN_EVIDENCE = 0.5
+# At lower rates in the other unit the sensor may rest, and the rate be its bias.
+REST_RMS_RADPS = 0.02
+# Between the bounds the other unit is out of the question.
 SLOW_RMS_RADPS = 0.1
 FAST_RMS_RADPS = 0.35
-WILD_RMS_RADPS = 15.0
-# Up to the wild bound the other unit must also explain the force as gravity alone.
-EXPLAINED = 0.9
 
 
 def check_force_unit(time_s: Floats, force: Floats, source: str = "") -> None:
@@ -98,13 +108,14 @@ def _force_remedy(norm: float) -> str:
 
 def check_rate_unit(
     time_s: Floats, force: Floats, rate: Floats, source: str = ""
-) -> None:
-    """Refuse an angular rate that gravity's turning shows to be in another unit.
+) -> Message | None:
+    """Refuse an angular rate whose other unit is far more likely.
 
-    In a frame that the right angular rate keeps from turning, the mean specific
-    force over a second is gravity plus a bounded change of velocity; a wrong unit
-    smears gravity over all directions. Blocks across the recording vote between
-    rad/s and the other unit; the cost does not grow with the length.
+    Windows in which the units see the force in different directions are compared by
+    a likelihood ratio: the unit whose rotation leaves the smaller velocity is more
+    likely. Swinging keeps the force along one axis of the sensor, as no rotation
+    would, so a small ratio is a doubt only. The windows of one recording share its
+    kind of motion and count as one. The cost does not grow with the length.
 
     Args:
         time_s: (N,) increasing.
@@ -112,16 +123,27 @@ def check_rate_unit(
         rate: (N, 3) finite.
         source: for the error message.
 
+    Returns:
+        A note where the unit is in doubt, else None.
+
     Raises:
         InputError: naming the factor.
     """
     rms = math.sqrt(float(np.einsum("ij,ij->", rate, rate)) / len(rate))
-    if SLOW_RMS_RADPS <= rms <= FAST_RMS_RADPS:
-        return
+    if SLOW_RMS_RADPS <= rms <= FAST_RMS_RADPS or rms == 0.0:
+        return None
     is_degrees = rms > FAST_RMS_RADPS
     factor = np.pi / 180.0 if is_degrees else 180.0 / np.pi
-    if not _explains_better(time_s, force, rate, factor, rms):
-        return
+    evidence = _evidence(time_s, force, rate, factor)
+    log_odds = LABEL_LOG_ODDS + evidence + _log_prior(rms) - _log_prior(factor * rms)
+    if log_odds > 0.0:
+        return None
+    may_rest = is_degrees and factor * rms < REST_RMS_RADPS
+    if log_odds > REFUSED_LOG_ODDS or evidence > -MIN_EVIDENCE or may_rest:
+        return Message(
+            "the motion does not show clearly that the angular rate is in rad/s; it "
+            "was taken as it is"
+        )
     if is_degrees:
         raise InputError(
             "the angular rate turns gravity about 57 times too fast",
@@ -135,43 +157,95 @@ def check_rate_unit(
     )
 
 
-def _explains_better(
-    time_s: Floats, force: Floats, rate: Floats, factor: float, rms: float
-) -> bool:
-    """Return whether `factor` times the rate explains the force, and 1 does not."""
+def _log_prior(rms_radps: float) -> float:
+    beyond = max(0.0, math.log(rms_radps / RUNNING_RMS_RADPS) / LOG_RMS_SIGMA)
+    return -0.5 * beyond**2
+
+
+def _evidence(time_s: Floats, force: Floats, rate: Floats, factor: float) -> float:
+    """Return the log likelihood ratio of 1 and `factor` times the rate.
+
+    It is 0 where no window tells the two apart.
+    """
     interval_s = float(np.median(np.diff(time_s)))
-    length = max(2, round(BLOCK_S / interval_s))
-    if len(time_s) < length + 1:
-        return False
-    starts = np.unique(np.linspace(1, len(time_s) - length, MAX_BLOCKS).astype(int))
+    span_s = min(WINDOW_S, interval_s * (len(time_s) - 1))
+    step = max(1, round(STEP_S / interval_s))
+    length = round(span_s / interval_s) // step * step
+    if span_s < SHORTEST_WINDOW_S or length < 2 * step:
+        return 0.0
+    number = min(MAX_WINDOWS, (len(time_s) - 1) // length)
+    starts = np.linspace(1, len(time_s) - length, number).astype(int)
     rows = starts[:, None] + np.arange(length)
-    angle = rate[rows] * np.minimum(np.diff(time_s), interval_s)[rows - 1][..., None]
-    given = _mean_force(force[rows], angle)
-    other = _mean_force(force[rows], factor * angle)
-    telling = np.abs(other - given) > TELLING
-    count = int(np.count_nonzero(telling))
-    if count < MIN_TELLING_BLOCKS or count < MIN_TELLING_SHARE * len(starts):
-        return False
-    wins = (other > given) & (other > (0.0 if rms > WILD_RMS_RADPS else EXPLAINED))
-    return int(np.count_nonzero(wins & telling)) >= AGREEMENT * count
+    # a gap counts as one interval
+    held_s = np.diff(time_s)[rows - 1]
+    held_s[held_s > 3.0 * interval_s] = interval_s
+
+    def coarse(values: Floats) -> Floats:
+        weighted = values[rows] * held_s[..., None]
+        return np.asarray(weighted.reshape(number, -1, step, 3).sum(axis=2))
+
+    step_s = held_s.reshape(number, -1, step).sum(axis=2)[..., None]
+    impulse, angle = coarse(force), coarse(rate)
+    given, other = _attitude(angle), _attitude(factor * angle)
+    seen_given, seen_other = quat.rotate(given, impulse), quat.rotate(other, impulse)
+    apart = np.linalg.norm(seen_given - seen_other, axis=2).mean(axis=1)
+    telling = apart > TELLING_RAD * np.linalg.norm(impulse, axis=2).mean(axis=1)
+    if not telling.any():
+        return 0.0
+    ratio = _unexplained_mps2(seen_other, other, step_s)
+    ratio /= _unexplained_mps2(seen_given, given, step_s)
+    return float(np.median(np.log(ratio[telling])))
 
 
-def _mean_force(force: Floats, angle: Floats) -> Floats:
-    """Return |mean force| / mean |force| of blocks in a frame that does not turn.
+def _attitude(angle: Floats) -> Floats:
+    """Return the attitude (B, K, 4) in the middles of the steps, from the first on."""
+    turns = quat.from_rotation_vector(angle)
+    middles = quat.from_rotation_vector(-0.5 * angle)
+    at = np.empty_like(turns)
+    q = np.array([1.0, 0.0, 0.0, 0.0])
+    for k in range(turns.shape[1]):
+        q = at[:, k] = quat.multiply(q, turns[:, k])
+    return quat.multiply(at, middles)
+
+
+def _unexplained_mps2(impulse: Floats, attitude: Floats, step_s: Floats) -> Floats:
+    """Return the mean square of the velocity that windows leave unexplained, (B,).
+
+    Linear least squares: the velocity is one at the beginning, plus gravity of any
+    direction times the time, plus what a constant gyro bias adds; gravity's norm and
+    the bias have priors.
 
     Args:
-        force: (B, L, 3).
-        angle: (B, L, 3) rotation vectors of the samples.
+        impulse: (B, K, 3) force times time of the steps, in a frame that does not turn.
+        attitude: (B, K, 4) of the sensor in it.
+        step_s: (B, K, 1).
     """
-    step = -(-force.shape[1] // MAX_STEPS)
-    whole = force.shape[1] // step * step
-    shape = (len(force), whole // step, step, 3)
-    turns = quat.from_rotation_vector(angle[:, :whole].reshape(shape).sum(axis=2))
-    coarse = force[:, :whole].reshape(shape).mean(axis=2)
-    q = np.tile([1.0, 0.0, 0.0, 0.0], (len(force), 1))
-    at = np.empty_like(turns)
-    for k in range(coarse.shape[1]):
-        at[:, k] = q = quat.multiply(q, turns[:, k])
-    total = quat.rotate(at, coarse).sum(axis=1)
-    norm = np.linalg.norm(coarse, axis=2).sum(axis=1)
-    return np.asarray(np.linalg.norm(total, axis=1) / np.maximum(norm, 1e-300))
+    axes = [quat.rotate(attitude, np.eye(3)[axis]) for axis in range(3)]
+    tilts = [np.cumsum(axis * step_s, axis=1) for axis in axes]
+    by_bias = [np.cumsum(np.cross(tilt, impulse), axis=1) for tilt in tilts]
+    windows, steps = impulse.shape[:2]
+    kept = np.linspace(0, steps - 1, min(RESIDUALS, steps)).astype(int)
+    velocity = np.cumsum(impulse, axis=1)[:, kept].reshape(windows, -1)
+    time_s = np.cumsum(step_s, axis=1)[:, kept, :, None]
+    unit = np.broadcast_to(np.eye(3), (windows, len(kept), 3, 3))
+    bias = np.stack(by_bias, axis=-1)[:, kept]
+    design = np.concatenate([unit, time_s * unit, bias], axis=-1)
+    design = design.reshape(windows, -1, 9)
+    normal = np.einsum("bik,bil->bkl", design, design)
+    right = np.einsum("bik,bi->bk", design, velocity)
+    normal[:, range(6, 9), range(6, 9)] += (
+        VELOCITY_SIGMA_MPS / GYRO_BIAS_SIGMA_RADPS
+    ) ** 2
+    weight = (VELOCITY_SIGMA_MPS / GRAVITY_SIGMA_MPS2) ** 2
+    gravity, x = impulse.sum(axis=1), np.zeros((windows, 9))
+    for _ in range(3):  # the prior of the norm is linear along the last direction
+        down = gravity / np.maximum(np.linalg.norm(gravity, axis=1), 1e-9)[:, None]
+        a, b = normal.copy(), right.copy()
+        a[:, 3:6, 3:6] += weight * down[:, :, None] * down[:, None, :]
+        b[:, 3:6] += weight * STANDARD_GRAVITY_MPS2 * down
+        x = np.linalg.solve(a, b[..., None])[..., 0]
+        gravity = x[:, 3:6]
+    misfit = velocity - np.einsum("bik,bk->bi", design, x)
+    by_norm = np.linalg.norm(gravity, axis=1) - STANDARD_GRAVITY_MPS2
+    cost = np.square(misfit).sum(axis=1) + weight * by_norm**2
+    return np.asarray(cost / len(kept) + VELOCITY_FLOOR_MPS**2)

@@ -1,5 +1,6 @@
 """Each format as its documentation describes it, against a motion in closed form."""
 
+import dataclasses
 from pathlib import Path
 
 import numpy as np
@@ -302,6 +303,19 @@ def test_angular_rate_beyond_any_hand_is_asked_about(tmp_path):
     path = put(FORMATS["MARS"].write(fast), tmp_path / "in")
     with pytest.raises(UsageError, match="rate-unit=deg/s"):
         read_recording(path)
+
+
+def test_an_answer_about_the_rate_is_not_questioned_again(tmp_path):
+    clean = sample()
+    fast = dataclasses.replace(clean, rate=np.degrees(clean.rate))
+    path = put(FORMATS["MARS"].write(fast), tmp_path / "in")
+    with pytest.raises(UsageError, match="rate-unit=rad/s to take it as it is"):
+        read_recording(path)
+    largest = []
+    for unit in ("rad/s", "deg/s"):
+        imu = read_recording(path, parse_choices([f"rate-unit={unit}"])).imu
+        largest.append(np.abs(imu.angular_rate_radps).max())
+    assert largest[0] == pytest.approx(np.degrees(largest[1]), rel=1e-6)
 
 
 def test_angles_only_are_refused(tmp_path):

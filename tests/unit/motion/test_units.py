@@ -14,6 +14,7 @@ from hapticplayer.motion.repair.units import (
 
 T = np.arange(0, 20, 0.01)
 DEGREES = 180.0 / np.pi
+CLIP_S = 10.0
 
 
 def still(rng, rate_noise, bias=(0.0, 0.0, 0.0)):
@@ -63,13 +64,63 @@ def test_a_rate_that_was_converted_twice_is_recognised():
         check_rate_unit(T, force, rate / DEGREES)
 
 
-@pytest.mark.parametrize("bias", [(0, 0, 0), (0.1, -0.1, 0.1), (0.0, 0.0, 2.0)])
+@pytest.mark.parametrize("bias", [(0, 0, 0), (0.1, -0.1, 0.1), (0.0, 0.61, 1.9)])
 def test_rest_bias_and_turning_about_the_vertical_pass(rng, bias):
     force, rate = still(rng, 0.003, bias)
     check_rate_unit(T, force, rate)
 
 
-def test_a_recording_shorter_than_a_second_passes(rng):
+def swinging_arm(seed, tilted=False):
+    """A sensor on a pendulum's bob, where the force stays along the rod.
+
+    With theta = A sin(w t), a bob at r has r theta'' + g sin(theta) across the rod,
+    left out where the force is along it alone, and g cos(theta) + r theta'^2 along it.
+    """
+    rng = np.random.default_rng(seed)
+    t = T[T < CLIP_S]
+    amplitude, r = np.radians(rng.uniform(20.0, 75.0)), rng.uniform(0.35, 0.8)
+    g = STANDARD_GRAVITY_MPS2
+    w = np.sqrt(g / r) * (1.0 - amplitude**2 / 16.0)
+    phase = w * t + rng.uniform(0.0, 2.0 * np.pi)
+    theta, speed = amplitude * np.sin(phase), amplitude * w * np.cos(phase)
+    none = np.zeros_like(t)
+    across = g * np.sin(theta) - r * w**2 * theta if tilted else none
+    along = g * np.cos(theta) + r * speed**2
+    mounted = Rotation.random(rng=rng)
+    force = mounted.apply(np.stack([none, across, along], axis=1))
+    rate = mounted.apply(np.stack([speed, none, none], axis=1))
+    bias = rng.normal(0.0, 0.03, 3)
+    shape = (len(t), 3)
+    force += 0.2 * rng.standard_normal(shape)
+    return t, force, rate + bias + 0.01 * rng.standard_normal(shape)
+
+
+@pytest.mark.parametrize("tilted", [False, True])
+@pytest.mark.parametrize("seed", range(30))
+def test_swinging_arms_pass_in_rad_and_not_in_degrees(seed, tilted):
+    t, force, rate = swinging_arm(seed, tilted)
+    check_rate_unit(t, force, rate)  # may be a doubt, never an error
+    with pytest.raises(InputError, match="deg/s"):
+        check_rate_unit(t, force, DEGREES * rate)
+
+
+@pytest.mark.parametrize("unit", [DEGREES, 1.0 / DEGREES])
+def test_a_rest_that_shows_no_unit_is_never_refused(rng, unit):
+    force, rate = still(rng, 0.003, (0.015, 0.0, 0.0))
+    check_rate_unit(T, force, unit * rate)
+
+
+def test_an_unlikely_unit_without_evidence_is_noted(rng):
+    """Fast rotation about the vertical: the force says nothing."""
+    force, rate = still(rng, 0.003)
+    rate += 20.0 * force / np.linalg.norm(force, axis=1, keepdims=True)
+    note = check_rate_unit(T, force, rate)
+    assert note is not None
+    assert "does not show clearly" in note
+    assert check_rate_unit(T, force, 0.05 * rate) is None
+
+
+def test_a_recording_shorter_than_two_seconds_passes(rng):
     force, rate = still(rng, 2.0)
     check_rate_unit(T[:50], force[:50], DEGREES * rate[:50])
 
@@ -87,3 +138,18 @@ def test_real_recordings_pass_and_are_refused_in_degrees_or_g(shared_data):
             check_rate_unit(time_s, force, DEGREES * rate, path.stem)
         with pytest.raises(InputError, match="in g"):
             check_force_unit(time_s, force / STANDARD_GRAVITY_MPS2, path.stem)
+
+
+def test_no_real_clip_in_the_right_unit_is_refused(shared_data):
+    """Ten seconds of phones; in deg/s none passes without a doubt."""
+    for path in sorted((shared_data / "orientation" / "averaged_30hz").glob("tyrex*")):
+        with np.load(path) as data:
+            force, rate = data["acc"].astype(float), data["gyr"].astype(float)
+            hz = float(data["rate"])
+        count = round(CLIP_S * hz)
+        for begin in range(0, len(force) - count, count // 2):
+            cut = slice(begin, begin + count)
+            given = np.arange(count) / hz, force[cut]
+            check_rate_unit(*given, rate[cut])
+            with pytest.raises(InputError, match="deg/s"):
+                check_rate_unit(*given, DEGREES * rate[cut])
