@@ -24,7 +24,8 @@ from statsmodels.stats.anova import AnovaRM
 
 from benchmarks.common import ROOT, Report, interleaved, ratio
 from hapticplayer.clock import SystemClock
-from hapticplayer.simulation.participants import MOST_PARTICIPANTS, simulated_answers
+from hapticplayer.model.ranges import SIMULATED_PARTICIPANTS
+from hapticplayer.simulation.participants import simulated_answers
 from hapticplayer.simulation.sessions import write_answers
 from hapticplayer.study.analysis import Resampling
 from hapticplayer.study.analysis.aligned_ranks import EFFECTS, aligned_ranks, structure
@@ -33,6 +34,7 @@ from hapticplayer.study.answers import read_answers
 from hapticplayer.study.creation import create_study
 from hapticplayer.study.study_folder import SESSIONS, open_study
 
+_AT_ONCE = int(SIMULATED_PARTICIPANTS.largest)
 TARGETS_S = {15: 5.0, 200: 20.0, 1000: 120.0}
 _MOST_FOR_REFERENCE = 200  # 4 min of a core for one variance of 1000
 
@@ -88,10 +90,10 @@ def make_study(folder: Path, people: int) -> None:
     A session looks at all others for its order, so that a thousand of them take long.
     """
     study = create_study(folder)
-    for part, first in enumerate(range(0, people, MOST_PARTICIPANTS)):
+    for part, first in enumerate(range(0, people, _AT_ONCE)):
         copy = folder.with_name(f"{folder.name}-{part}")
         shutil.copytree(study.folder, copy)
-        count = min(MOST_PARTICIPANTS, people - first)
+        count = min(_AT_ONCE, people - first)
         answers = simulated_answers(count, "paper", seed=part)
         origin = {"simulated": True}
         write_answers(open_study(copy), answers, SystemClock(), origin=origin)
