@@ -1,21 +1,23 @@
 """Composition root and the command `hapticplayer`.
 
-Qt is imported only when a window is needed.
+Little is imported before Ctrl-C has a handler, and Qt only when a window is needed.
 """
 
-import argparse
-import atexit
-import contextlib
 import os
+import signal
 import sys
-from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
-from hapticplayer import cli
-from hapticplayer.doctor import explain_import_error, x_server_answers
+if TYPE_CHECKING:
+    import argparse
+    from collections.abc import Sequence
+    from types import FrameType
 
 
-def main(argv: Sequence[str] | None = None) -> int:
+def main(argv: "Sequence[str] | None" = None) -> int:
     """Run a command; with a window where there is a display."""
+    from hapticplayer import cli
+
     return cli.main(argv, _open_window if has_display() else None)
 
 
@@ -24,29 +26,59 @@ def command() -> int:
 
     Taking modules and Qt's classes apart one by one costs 0.1 s, and nobody needs it.
     """
+    if signal.getsignal(signal.SIGINT) is not signal.SIG_IGN:  # as after nohup
+        signal.signal(signal.SIGINT, _exit_at_once)
     statuses: list[int] = []
 
     def leave() -> None:
         if statuses:  # else something was raised, which Python reports
-            with contextlib.suppress(OSError, ValueError):  # nobody reads it any more
+            try:
                 sys.stdout.flush()
                 sys.stderr.flush()
+            except (OSError, ValueError):  # nobody reads it any more
+                pass
             os._exit(statuses[0])
 
-    atexit.register(leave)  # the first is called last, when all threads have ended
-    statuses.append(main())
+    try:
+        _open_standard_streams()
+        import atexit
+
+        atexit.register(leave)  # the first is called last, when all threads have ended
+        statuses.append(main())
+    except (MemoryError, ImportError, OSError) as problem:
+        if not isinstance(problem, MemoryError) and "Too many open" not in str(problem):
+            raise
+        os.write(2, b"hapticplayer: not enough memory, or too many open files\n")
+        return 1
     return statuses[0]
+
+
+def _exit_at_once(_number: int, _frame: "FrameType | None") -> None:
+    """End while nothing has begun: an exception in an import may leave a traceback."""
+    try:
+        os.write(2, b"hapticplayer: interrupted; nothing was done\n")
+    finally:
+        os._exit(128 + signal.SIGINT)
+
+
+def _open_standard_streams() -> None:
+    """Keep the files that are opened from taking the number of a closed stream."""
+    while (number := os.open(os.devnull, os.O_RDWR)) <= 2:
+        os.set_inheritable(number, True)
+    os.close(number)
 
 
 def has_display() -> bool:
     """Whether a window could be opened; a stale DISPLAY does not count."""
     if os.environ.get("QT_QPA_PLATFORM") or os.environ.get("WAYLAND_DISPLAY"):
         return True
+    from hapticplayer.doctor import x_server_answers
+
     display = os.environ.get("DISPLAY", "")
     return bool(display) and x_server_answers(display)
 
 
-def _open_window(options: argparse.Namespace) -> int:
+def _open_window(options: "argparse.Namespace") -> int:
     try:
         from app.bridge.interrupts import hold_signals
 
@@ -56,6 +88,8 @@ def _open_window(options: argparse.Namespace) -> int:
         else:
             from app.player.application import run
     except ImportError as problem:
+        from hapticplayer.doctor import explain_import_error
+
         sys.stderr.write(f"hapticplayer: {explain_import_error(problem)}\n")
         return 1
     return run(options)

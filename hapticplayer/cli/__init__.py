@@ -7,26 +7,41 @@ is the one that was asked for: `--help` needs neither numpy nor PyAV nor Qt.
 """
 
 import argparse
+import contextlib
+import errno
 import importlib
 import io
+import os
 import signal
 import sys
-from collections.abc import Callable, Sequence
-from typing import NamedTuple, NoReturn
+import threading
+from collections.abc import Callable, Iterator, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, NamedTuple, NoReturn
 
 from hapticplayer import __version__
+from hapticplayer.cli.shortage import refuse_small_limits, shortage_of
 from hapticplayer.errors import HapticPlayerError, UsageError
 from hapticplayer.untrusted import ESCAPED, without_controls
+
+if TYPE_CHECKING:
+    from _typeshed import SupportsWrite
 
 OpenWindow = Callable[[argparse.Namespace], int]
 """Shows the window for a command, and returns the exit status."""
 
 
 class _Parser(argparse.ArgumentParser):
-    """Quotes words of the command line without commands to the terminal."""
+    """Quotes words without commands to the terminal, and says if help cannot be read."""
+
+    def print_help(self, file: "SupportsWrite[str] | None" = None) -> None:
+        (file or sys.stdout).write(self.format_help())
 
     def exit(self, status: int = 0, message: str | None = None) -> NoReturn:
         super().exit(status, message and without_controls(message, "\n"))
+
+
+_OUTPUT_ERRNO = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EIO, errno.EBADF)
 
 
 class Command(NamedTuple):
@@ -68,25 +83,87 @@ def main(
         open_window: shows the window for `play` or no command at all; None where
             there is no display, and everything plays headless.
     """
+    unheard = _replace_closed_streams()
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper):
             stream.reconfigure(errors=ESCAPED)
     words = list(sys.argv[1:] if argv is None else argv)
+    try:
+        status = _run(words, open_window)
+        sys.stdout.flush()
+    except BrokenPipeError:
+        return 1
+    except (Exception, KeyboardInterrupt) as problem:  # noqa: BLE001 - faults are raised
+        return _refuse(*_sentence_and_status(problem))
+    if unheard and unheard.getvalue():
+        return _refuse("the standard output is closed", status or 1)
+    return status
+
+
+def _sentence_and_status(problem: BaseException) -> tuple[str, int]:
+    """Return what to say; raise what is a fault of this program."""
+    if isinstance(problem, HapticPlayerError):
+        return str(problem), 2 if isinstance(problem, UsageError) else 1
+    if isinstance(problem, KeyboardInterrupt):
+        number = getattr(problem, "number", signal.SIGINT)
+        return "interrupted; nothing half-done was left behind", 128 + number
+    if sentence := shortage_of(problem):
+        return sentence, 1
+    if isinstance(problem, OSError) and problem.errno in _OUTPUT_ERRNO:
+        return f"the output cannot be written ({problem.strerror})", 1
+    raise problem
+
+
+def _replace_closed_streams() -> io.StringIO | None:
+    """Return what takes the output if whoever started the program has closed it."""
+    if sys.stderr is None:
+        sys.stderr = Path(os.devnull).open("w", encoding="utf-8")  # noqa: SIM115
+    if sys.stdout is not None:
+        return None
+    sys.stdout = unheard = io.StringIO()
+    return unheard
+
+
+def _run(words: list[str], open_window: OpenWindow | None) -> int:
     command = next((word for word in words if not word.startswith("-")), None)
+    if command != "doctor" and (command or not words):
+        refuse_small_limits()
     try:
         options = build_parser(command).parse_args(words)
         if "run" not in options:  # no command: the demo
             options = build_parser("play").parse_args(["play", ""])
+    except SystemExit as end:  # of --help, or wrong usage
+        return int(end.code or 0)
+    with _work_that_can_be_interrupted():
         return int(options.run(options, open_window))
-    except UsageError as problem:
-        return _refuse(problem, 2)
-    except HapticPlayerError as problem:
-        return _refuse(problem, 1)
-    except KeyboardInterrupt as problem:
-        number = getattr(problem, "number", signal.SIGINT)
-        return _refuse("interrupted; nothing half-done was left behind", 128 + number)
-    except BrokenPipeError:
-        return 1
+
+
+@contextlib.contextmanager
+def _work_that_can_be_interrupted() -> Iterator[None]:
+    """Let Ctrl-C raise, as what runs from here on has something to tidy up.
+
+    Until then it may end the process at once. Where Python cannot raise, as in the
+    callbacks of an import, the signal is repeated.
+    """
+
+    def repeat(unraisable: "sys.UnraisableHookArgs") -> None:
+        if issubclass(unraisable.exc_type, KeyboardInterrupt):
+            signal.raise_signal(signal.SIGINT)
+        else:
+            sys.__unraisablehook__(unraisable)
+
+    before = signal.getsignal(signal.SIGINT)
+    is_main = threading.current_thread() is threading.main_thread()
+    if not is_main or before in {None, signal.SIG_IGN, signal.default_int_handler}:
+        yield
+        return
+    hook, sys.unraisablehook = sys.unraisablehook, repeat
+    signal.signal(signal.SIGINT, signal.default_int_handler)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGINT, before)
+        sys.unraisablehook = hook
 
 
 def build_parser(wanted: str | None) -> argparse.ArgumentParser:
@@ -108,5 +185,6 @@ def build_parser(wanted: str | None) -> argparse.ArgumentParser:
 
 def _refuse(problem: object, status: int) -> int:
     sentence = without_controls(f"hapticplayer: {problem}")
-    print(sentence, file=sys.stderr)  # noqa: T201 - the command line speaks
+    with contextlib.suppress(OSError):  # the status says it too
+        print(sentence, file=sys.stderr)  # noqa: T201 - the command line speaks
     return status

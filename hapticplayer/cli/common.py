@@ -60,17 +60,16 @@ def shown_progress() -> Iterator[Any]:
         step = without_controls(step)
         if is_terminal:
             bar = "#" * round(24 * fraction)
-            sys.stderr.write(f"\r[{bar:<24}] {100 * fraction:3.0f} %  {step:<40.40}")
-            sys.stderr.flush()
+            _write_aside(f"\r[{bar:<24}] {100 * fraction:3.0f} %  {step:<40.40}")
         elif step != last_step:
-            sys.stderr.write(f"{step}\n")
+            _write_aside(f"{step}\n")
         last_step = step
 
     try:
         yield progress
     finally:
         if is_terminal and last_step:
-            sys.stderr.write("\r" + " " * 76 + "\r")
+            _write_aside("\r" + " " * 76 + "\r")
 
 
 def say(text: str) -> None:
@@ -80,12 +79,19 @@ def say(text: str) -> None:
 
 def say_aside(text: str) -> None:
     """Print a remark that is no result."""
-    sys.stderr.write(f"note: {without_controls(text)}\n")
+    _write_aside(f"note: {without_controls(text)}\n")
 
 
 def complain(text: str) -> None:
     """Print what went wrong."""
-    sys.stderr.write(f"hapticplayer: {without_controls(text)}\n")
+    _write_aside(f"hapticplayer: {without_controls(text)}\n")
+
+
+def _write_aside(text: str) -> None:
+    """Write to stderr; the work does not depend on it."""
+    with contextlib.suppress(OSError):
+        sys.stderr.write(text)
+        sys.stderr.flush()
 
 
 def add_number(

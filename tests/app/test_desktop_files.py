@@ -67,9 +67,7 @@ def test_the_entries_start_commands_that_there_are(capsys):
     assert entry("hapticplayer")["Exec"] == "hapticplayer"
     _, command, file = entry("hapticplayer-open")["Exec"].split()
     assert file == "%f"
-    with pytest.raises(SystemExit) as ended:
-        cli.main([command, "--help"])
-    assert ended.value.code == 0
+    assert cli.main([command, "--help"]) == 0
     assert "SEQUENCE" in capsys.readouterr().out
 
 

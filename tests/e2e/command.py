@@ -22,10 +22,7 @@ def hapticplayer(*arguments, env=None):
     with redirect_stdout(out), redirect_stderr(err), pytest.MonkeyPatch.context() as p:
         for name, value in (env or {}).items():
             p.setenv(name, value)
-        try:
-            status = cli.main(words)
-        except SystemExit as end:  # argparse
-            status = end.code
+        status = cli.main(words)
     return subprocess.CompletedProcess(words, status, out.getvalue(), err.getvalue())
 
 
