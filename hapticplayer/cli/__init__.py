@@ -132,10 +132,10 @@ def _run(words: list[str], open_window: OpenWindow | None) -> int:
         options = build_parser(command).parse_args(words)
         if "run" not in options:  # no command: the demo
             options = build_parser("play").parse_args(["play", ""])
+        with _work_that_can_be_interrupted():
+            return int(options.run(options, open_window))
     except SystemExit as end:  # of --help, or wrong usage
         return int(end.code or 0)
-    with _work_that_can_be_interrupted():
-        return int(options.run(options, open_window))
 
 
 @contextlib.contextmanager
