@@ -82,7 +82,7 @@ SAMPLE_RATE_HZ = Range(1.0, 100_000.0, "Hz")
 UNIT_FACTOR = Range(1e-9, 1e9)
 """From counts of a sensor to SI, or from ns to s."""
 
-TIMEOUT_S = Range(1.0, 3600.0, "s")
+TIMEOUT_S = Range(0.1, 3600.0, "s")
 
 SIMULATED_PARTICIPANTS = Range(1, 200, is_whole=True)
 """More than any study of this kind had."""

@@ -138,7 +138,7 @@ def test_a_stored_skew_is_taken_off_for_its_camera_only(ride, tmp_path):
     assert report_of(hapticplayer(*clip, env=home)) == plain
     unknown = hapticplayer(*clip, "--camera", "Cam 6", env=home)
     assert "Cam 5" in refused(unknown, status=2)
-    refused(hapticplayer(*clip, "--skew", 99, env=home))
+    refused(hapticplayer(*clip, "--skew", 99, env=home), status=2)
 
 
 def test_the_plot_shows_both_streams_and_three_pats(ride, tmp_path):

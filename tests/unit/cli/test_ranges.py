@@ -23,7 +23,7 @@ COMMANDS = {
         ("--speed", "9", "0.5 and 4"),
     ],
     ("simulate", "still", "-o", "none"): [("--seed", "9" * 5000, "0 and 9007")],
-    ("device", "home"): [("--timeout", "soon", "1 and 3600 s")],
+    ("device", "home"): [("--timeout", "soon", "0.1 and 3600 s")],
     ("study", "power"): [("--seed", "-1", "0 and 9007199254740992")],
 }
 
