@@ -112,6 +112,13 @@ class Person:
         self.key(Qt.Key.Key_Enter)
         self.wait_page(PageKind.READY, "trial-01")
 
+    def begin_trial(self):
+        """Answer what comes before the trials, and start the first clip."""
+        self.to_trials()
+        self.key(Qt.Key.Key_Enter)
+        self.wait_page(PageKind.PLAYING)
+        return self
+
     def trial(self, digits=(3, 2, 5, 1), *, end_s=0.2):
         self.wait_page(PageKind.READY)
         self.key(Qt.Key.Key_Enter)

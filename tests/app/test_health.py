@@ -43,6 +43,15 @@ def shown(**changes) -> list[tuple[Level, str]]:
     return [tuple(reading) for reading in readings(*with_changes(changes))]
 
 
+@pytest.fixture
+def line(qtbot):
+    made = HealthLine()
+    qtbot.addWidget(made)
+    made.show()
+    qtbot.waitExposed(made)
+    return made
+
+
 def show(line, **changes):
     line.show_readings(*with_changes(changes))
 
@@ -107,20 +116,14 @@ def test_what_is_not_well_is_said(changes, entry, level, words):
     assert words in text
 
 
-def test_the_line_tells_the_judgement_in_words(qtbot):
-    line = HealthLine()
-    qtbot.addWidget(line)
+def test_the_line_tells_the_judgement_in_words(line):
     show(line, scheduling="normal")
     assert line.entries[1].accessibleName() == "Scheduling: normal (watch)"
     assert line.entries[1].toolTip().startswith("Scheduling: normal (watch)")
 
 
-def test_entries_keep_their_width_when_the_values_change(qtbot):
-    line = HealthLine()
-    qtbot.addWidget(line)
+def test_entries_keep_their_width_when_the_values_change(line):
     line.resize(1400, 44)
-    line.show()
-    qtbot.waitExposed(line)
     show(line)
     before = [entry.geometry() for entry in line.entries]
     loop = LoopStats(10_000, 9999, 1e4, 1e6, 1e6, 1e6)
@@ -130,11 +133,7 @@ def test_entries_keep_their_width_when_the_values_change(qtbot):
 
 
 @pytest.mark.parametrize("more_px", [12, 40, 600])
-def test_what_is_long_takes_its_room_from_what_says_little(qtbot, more_px):
-    line = HealthLine()
-    qtbot.addWidget(line)
-    line.show()
-    qtbot.waitExposed(line)
+def test_what_is_long_takes_its_room_from_what_says_little(line, more_px):
     loop = LoopStats(10_000, 88, 1.0, 188.0, 1e3, 1e3)
     show(line, loop=loop, force_minus_audio=None)
     margins = line.layout().contentsMargins()
@@ -146,12 +145,8 @@ def test_what_is_long_takes_its_room_from_what_says_little(qtbot, more_px):
     assert short == []
 
 
-def test_why_the_force_has_stopped_is_not_cut_off(qtbot):
-    line = HealthLine()
-    qtbot.addWidget(line)
+def test_why_the_force_has_stopped_is_not_cut_off(line):
     line.resize(1280, 44)
-    line.show()
-    qtbot.waitExposed(line)
     show(line)
     stopped = {"mode": Mode.TRIPPED, "cause": Cause.MALFORMED}
     show(line, **stopped)

@@ -6,17 +6,8 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from sitting import Person
 
-from hapticplayer.study.pages import PageKind
 from hapticplayer.study.preflight import volume_in_checks
 from tests.conftest import clip_of
-
-
-def play(session, wait_for) -> Person:
-    person = Person(session, wait_for)
-    person.to_trials()
-    person.key(Qt.Key.Key_Enter)
-    person.wait_page(PageKind.PLAYING)
-    return person
 
 
 def middle_of(widget):
@@ -30,7 +21,7 @@ def test_the_operator_sees_the_picture_of_the_clip_but_no_page(
     session = sit(make_study())
     mirror = session.control.mirror
     assert middle_of(mirror) == 0  # the words lie below
-    play(session, wait_for)
+    Person(session, wait_for).begin_trial()
     session.player.seek(1.5)
     wait_for(lambda: session.player.snapshot().media_s > 1.5)
     wait_for(lambda: middle_of(mirror) > 100)

@@ -110,9 +110,7 @@ def test_by_mouse_or_touch_alone(make_study, sit, wait_for, request, pointer):
 
 def test_an_unanswered_question_is_named_and_nothing_goes_on(make_study, sit, wait_for):
     person = Person(sit(make_study()), wait_for)
-    person.to_trials()
-    person.key(Qt.Key.Key_Enter)
-    person.wait_page(PageKind.PLAYING)
+    person.begin_trial()
     person.session.player.set_end(0.2)
     person.wait_page(PageKind.QUESTIONS)
     person.key(Qt.Key.Key_4)
@@ -245,9 +243,7 @@ def test_a_missing_disk_stops_the_participant_until_it_is_back(
 ):
     session = sit(make_study(), device="simulated")
     person = Person(session, wait_for)
-    person.to_trials()
-    person.key(Qt.Key.Key_Enter)
-    person.wait_page(PageKind.PLAYING)
+    person.begin_trial()
     session.player.set_end(0.2)
     person.wait_page(PageKind.QUESTIONS)
     folder = session.study.folder

@@ -140,9 +140,7 @@ def test_a_media_key_changes_nothing_on_the_participants_screen(
 ):
     session = sit(make_study())
     person = Person(session, wait_for)
-    person.to_trials()
-    person.key(Qt.Key.Key_Enter)
-    person.wait_page(PageKind.PLAYING)
+    person.begin_trial()
     window, page = session.participant, session.runner.page.number
     for key in MEDIA_KEYS:
         QTest.keyClick(window.windowHandle(), key)
@@ -155,9 +153,7 @@ def test_another_program_in_front_takes_the_force_away(
 ):
     session = sit(make_study())
     person = Person(session, wait_for)
-    person.to_trials()
-    person.key(Qt.Key.Key_Enter)
-    person.wait_page(PageKind.PLAYING)
+    person.begin_trial()
     application.applicationStateChanged.emit(Qt.ApplicationState.ApplicationInactive)
     person.wait_page(PageKind.PAUSED)
     assert not session.player.snapshot().is_playing
@@ -200,9 +196,7 @@ def test_no_page_of_a_session_tells_a_condition_or_a_file(
     session = sit(change_definition(study, content), language=language)
     person = Onlooker(session, wait_for)
     person.wait_page(PageKind.CONSENT)
-    person.to_trials()
-    person.key(Qt.Key.Key_Enter)
-    person.wait_page(PageKind.PLAYING)
+    person.begin_trial()
     session.control.buttons["pause"].click()
     person.wait_page(PageKind.PAUSED)
     session.control.buttons["pause"].click()

@@ -59,9 +59,7 @@ def test_the_participants_screen_shows_only_the_clip(session, wait_for):
     assert participant.isFullScreen()
     assert mine.geometry().contains(session.control.geometry().center())
     person = Person(session, wait_for)
-    person.to_trials()
-    person.key(Qt.Key.Key_Enter)
-    person.wait_page(PageKind.PLAYING)
+    person.begin_trial()
     assert participant.cursor().shape() == Qt.CursorShape.BlankCursor
     assert participant.pages.currentWidget() is session.surface
     wait_for(lambda: session.surface.size() == theirs.geometry().size())

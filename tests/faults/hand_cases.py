@@ -4,7 +4,6 @@ One trial is one loop: force track, step, wire (delay, lost packets), Falcon, ha
 """
 
 import math
-import os
 from collections import deque
 from dataclasses import dataclass, field
 
@@ -16,22 +15,14 @@ from hapticplayer.haptics.contract import Cause, Mode, Situation, State, Supervi
 from hapticplayer.haptics.hand import observe
 from hapticplayer.haptics.limiter import PERIOD_S, ZERO, Limits
 from hapticplayer.haptics.step import step
-from hapticplayer.haptics.track import LoadedTrack, map_track, to_shared_memory
+from hapticplayer.haptics.track import LoadedTrack
 from hapticplayer.model import PlaybackClock
 from hapticplayer.simulation.falcon.parameters import Electronics
 from hapticplayer.simulation.falcon.simulation import Simulation
+from tests.rigs import loaded
 
 START_S = 100.0
 SMOOTH = Mechanism(coulomb_nm=0.0)  # the worst: without dry friction nothing stops
-
-
-def loaded(track):
-    """Return a track as the loop reads it."""
-    descriptor = to_shared_memory(track)
-    try:
-        return map_track(descriptor)
-    finally:
-        os.close(descriptor)
 
 
 @dataclass

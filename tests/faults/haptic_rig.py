@@ -1,20 +1,15 @@
 """The real loop on a virtual clock, with a device and a player that can fail at will."""
 
 import math
-import os
-import socket
 
 from hapticplayer.clock import ManualClock
 from hapticplayer.devices.capabilities import FALCON
 from hapticplayer.errors import DeviceError
 from hapticplayer.haptics.contract import Mode
 from hapticplayer.haptics.limiter import PERIOD_S, ZERO, limits_of
-from hapticplayer.haptics.loop import Loop
-from hapticplayer.haptics.messages import Line, Word
-from hapticplayer.haptics.shared import BLOCK_BYTES, SharedBlock
-from hapticplayer.haptics.track import anonymous_memory, to_shared_memory
 from hapticplayer.model import ForceTrack, PlaybackClock
 from hapticplayer.model.device import DeviceReading
+from tests.rigs import LoopRig
 
 TRACK_S = 100.0
 
@@ -77,35 +72,16 @@ class SlowClock(ManualClock):
         return now_s
 
 
-class Rig:
+class Rig(LoopRig):
     """Player, loop and device in one thread; `tick` is one period."""
 
     def __init__(self, force=None, device=None, clock=None):
-        ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
-        descriptor = anonymous_memory("test", BLOCK_BYTES)
-        self.block = SharedBlock(descriptor)
-        os.close(descriptor)
-        self.player = Line(ours)
-        self.line = Line(theirs)
-        self.clock = clock or SlowClock()
-        self.device = device or Grip()
-        self.loop = Loop(
-            self.clock,
-            self.block,
-            self.line,
-            self.device,
-            limits_of(FALCON),
-        )
+        super().__init__(clock or SlowClock(), device or Grip(), limits_of(FALCON))
         self.beats, self.refreshes, self.guards = True, True, True
         self.epoch, self.rate, self.track_id = 1, 1.0, 1
         self.delay_sending_s = 0.0
         self.media0_s, self.media_from_s = 0.0, self.clock.now_s()
         self.give_track(force or swaying())
-
-    def give_track(self, track, track_id=1):
-        descriptor = to_shared_memory(track)
-        self.player.send(Word.TRACK, str(track_id), descriptor)
-        os.close(descriptor)
 
     def tick(self, count=1, gap_s=PERIOD_S):
         """Do so many periods, the first after a gap; return the forces sent."""
@@ -147,10 +123,6 @@ class Rig:
         assert self.mode is Mode.FOLLOWING
         assert math.hypot(*self.device.sent[-1]) > 1.5
         return self
-
-    def close(self):
-        self.player.close()
-        self.line.close()
 
 
 def swaying():

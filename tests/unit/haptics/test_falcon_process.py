@@ -11,43 +11,22 @@ import pytest
 from hapticplayer.clock import SystemClock
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.processes import HapticsProcesses, Health
-from hapticplayer.model import ForceTrack, PlaybackClock
 from hapticplayer.simulation.falcon.record_reader import read_record
 from hapticplayer.simulation.falcon.remote import Controls
+from tests.rigs import PATIENCE_S, FeedingPlayer
 
 pytestmark = pytest.mark.realtime
 
-PATIENCE_S = 30.0
 PUSH_N = 2.8
 
 
-class Bench:
+class Bench(FeedingPlayer):
     """A player, and what the hand feels."""
 
     def __init__(self, process, record, controls):
-        self.clock = SystemClock()
-        self.process, self.controls = process, controls
+        super().__init__(process, PUSH_N)
+        self.controls = controls
         self._record = record
-        self._ticks = []
-        self._start_s = self.clock.now_s()
-        process.wait_ready()
-        track = ForceTrack([0.0, 1e4], [[0, 0, PUSH_N], [0, 0, PUSH_N]])
-        process.load({"track": track})
-
-    def play_until(self, condition):
-        """Play until a condition on all ticks so far holds; return the ticks."""
-        end_s = self.clock.now_s() + PATIENCE_S
-        while (now_s := self.clock.now_s()) < end_s:
-            self.process.beat()
-            clock = PlaybackClock(1, self._start_s, 0.0, 1.0, now_s + 0.15)
-            self.process.publish(clock, "track")
-            self._ticks.append(self.process.read_ticks()[0])
-            ticks = np.concatenate(self._ticks)
-            self.process.poll()
-            if len(ticks) and condition(ticks):
-                return ticks
-            self.clock.sleep_until(now_s + 0.005)
-        raise AssertionError("it did not happen")
 
     def play_until_it_pushes(self):
         """Play until the hand feels what is commanded.

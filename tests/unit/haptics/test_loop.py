@@ -2,7 +2,6 @@
 
 import math
 import os
-import socket
 
 import numpy as np
 import pytest
@@ -10,13 +9,13 @@ import pytest
 from hapticplayer.clock import ManualClock
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.limiter import PERIOD_S, ZERO
-from hapticplayer.haptics.loop import ZERO_TICKS_BEFORE_CLOSING, Loop
-from hapticplayer.haptics.messages import Line, Word
+from hapticplayer.haptics.loop import ZERO_TICKS_BEFORE_CLOSING
+from hapticplayer.haptics.messages import Word
 from hapticplayer.haptics.scheduling import CpuLatencyRequest
-from hapticplayer.haptics.shared import BLOCK_BYTES, SharedBlock
-from hapticplayer.haptics.track import anonymous_memory, to_shared_memory
+from hapticplayer.haptics.track import anonymous_memory
 from hapticplayer.model import ForceTrack, PlaybackClock
 from tests.doubles import SimulatedFalcon
+from tests.rigs import LoopRig
 
 
 class StallingClock(ManualClock):
@@ -35,24 +34,12 @@ class StallingClock(ManualClock):
             self.line.close()
 
 
-class Rig:
-    """Both ends of a loop in one thread."""
+class Rig(LoopRig):
+    """A loop with a simulated Falcon."""
 
     def __init__(self, clock=None):
-        ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
-        descriptor = anonymous_memory("test", BLOCK_BYTES)
-        self.block = SharedBlock(descriptor)
-        os.close(descriptor)
+        super().__init__(clock or ManualClock(), SimulatedFalcon())
         self.block.beat_guard(math.inf)
-        self.player = Line(ours)
-        self.line = Line(theirs)
-        self.clock = clock or ManualClock()
-        self.loop = Loop(self.clock, self.block, self.line, SimulatedFalcon())
-
-    def give_track(self, track, track_id=1):
-        descriptor = to_shared_memory(track)
-        self.player.send(Word.TRACK, str(track_id), descriptor)
-        os.close(descriptor)
 
     def play(self, track_id=1, epoch=1):
         now_s = self.clock.now_s()
@@ -65,10 +52,6 @@ class Rig:
             self.block.beat(self.clock.now_s())
             self.loop.tick(self.clock.now_s())
         return self.loop.state
-
-    def close(self):
-        self.player.close()
-        self.line.close()
 
 
 @pytest.fixture

@@ -1,7 +1,6 @@
 """The state machine on a virtual clock, tick by tick."""
 
 import math
-import os
 
 import pytest
 
@@ -24,20 +23,12 @@ from hapticplayer.haptics.limiter import (
     warmed,
 )
 from hapticplayer.haptics.step import step
-from hapticplayer.haptics.track import map_track, to_shared_memory
 from hapticplayer.model import ForceTrack, PlaybackClock
 from hapticplayer.model.device import DeviceReading
+from tests.rigs import loaded
 
 LIMITS = Limits()
 START_S = 1000.0
-
-
-def loaded(track):
-    descriptor = to_shared_memory(track)
-    try:
-        return map_track(descriptor)
-    finally:
-        os.close(descriptor)
 
 
 class World:

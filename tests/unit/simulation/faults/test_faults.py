@@ -13,11 +13,10 @@ from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.messages import Word
 from hapticplayer.haptics.processes import HapticsProcesses, Health
 from hapticplayer.haptics.shared import TICK
-from hapticplayer.model import ForceTrack, PlaybackClock
 from hapticplayer.playback.player import Player
 from hapticplayer.simulation.faults import RULES_OF, Fault, outcome_of
+from tests.rigs import FeedingPlayer
 
-PATIENCE_S = 20.0
 TRIPS = {
     Fault.UNPLUG,
     Fault.LONG_STALL,
@@ -29,36 +28,20 @@ TRIPS = {
 }
 
 
-class Bench:
+class Bench(FeedingPlayer):
     """A player that plays 1 N for ever."""
 
     def __init__(self, process):
-        self.clock, self.process = SystemClock(), process
-        self.start_s, self.ticks = self.clock.now_s(), np.empty(0, TICK)
-        process.wait_ready()
-        process.load({"track": ForceTrack([0.0, 1e4], [[0, 0, 1.0], [0, 0, 1.0]])})
+        super().__init__(process, 1.0)
 
-    def play_until(self, condition):
-        end_s = self.clock.now_s() + PATIENCE_S
-        while (now_s := self.clock.now_s()) < end_s:
-            self.process.beat()
-            clock = PlaybackClock(1, self.start_s, 0.0, 1.0, now_s + 0.15)
-            self.process.publish(clock, "track")
-            self.ticks = np.concatenate([self.ticks, self.process.read_ticks()[0]])
-            self.process.poll()
-            if len(self.ticks) and condition():
-                return
-            self.clock.sleep_until(now_s + 0.005)
-        raise AssertionError("it did not happen")
-
-    def pushes(self):
+    def pushes(self, _ticks=()):
         return self.ticks["force_n"][-1, 2] > 0.9
 
     def outcome(self, fault):
         wanted = RULES_OF[fault][-1] if fault in TRIPS else RULES_OF[fault][0]
         at_s = np.inf
 
-        def is_over():
+        def is_over(_ticks):
             nonlocal at_s
             found = outcome_of(self.ticks, at_s)
             if found and found.zero_s is not None and found.cause is wanted:
@@ -106,7 +89,7 @@ def test_after_a_trip_a_person_re_arms():
     with bench() as made:
         assert made.outcome(Fault.POSITION_NAN).is_trip
         count = len(made.ticks)
-        made.play_until(lambda: len(made.ticks) > count + 50)
+        made.play_until(lambda ticks: len(ticks) > count + 50)
         assert not made.ticks["force_n"][count:].any()
         made.process.rearm()
         made.play_until(made.pushes)
@@ -116,7 +99,7 @@ def test_after_a_trip_a_person_re_arms():
 def test_a_fault_waits_until_there_is_a_force_to_take_away():
     with bench() as made:
         made.process.inject(Fault.FORCE_NAN)
-        made.play_until(lambda: made.ticks["mode"][-1] == Mode.TRIPPED)
+        made.play_until(lambda ticks: ticks["mode"][-1] == Mode.TRIPPED)
         assert Mode.ENTERING in made.ticks["mode"]
         assert made.ticks["cause"][-1] == Cause.NOT_FINITE
 
@@ -130,7 +113,7 @@ def test_without_leave_the_player_and_the_loop_refuse():
         with pytest.raises(UsageError, match="simulated device that was opened"):
             process.inject(Fault.POSITION_NAN)
         process._line.send(Word.FAULT, Fault.POSITION_NAN.value)  # all the same
-        made.play_until(lambda: bool(process.problem))
+        made.play_until(lambda _: bool(process.problem))
         assert "does not accept" in process.problem
         assert process.health is Health.READY
         assert made.pushes()
