@@ -146,7 +146,6 @@ OWN = {
     ("hapticplayer/study/analysis/report.py", "read_bytes"): "written just before",
     ("hapticplayer/haptics/scheduling.py", "os.open"): "a device, to hold it",
     ("hapticplayer/haptics/records.py", "os.open"): "a new file",
-    ("hapticplayer/playback/sound_device.py", "os.open"): "/dev/null",
     ("hapticplayer/media/opening.py", "open"): "by its resolved name",
     ("hapticplayer/sequence/files.py", "os.open"): "to sync it",
     ("hapticplayer/study/private.py", "os.open"): "a new file",
@@ -169,7 +168,8 @@ def opened_by(call):
     """Return how a call opens a file for reading, "" if it does not."""
     name, last = ast.unparse(call.func), getattr(call.func, "attr", "")
     given = ast.unparse(call.args[0]) if call.args else ""
-    if given == "reader" or given.startswith("io.BytesIO("):  # it is open already
+    # it is open already, or holds nothing
+    if given in ("reader", "os.devnull") or given.startswith("io.BytesIO("):
         return ""
     if name in READERS or last in READING_METHODS:
         return name if name in READERS else last
