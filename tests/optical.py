@@ -10,8 +10,8 @@ from hapticplayer.model import ImuLog, Sampling
 from hapticplayer.model import quaternions as quat
 
 # by how many samples the truth is read later than the sample: README of the data
-TRUTH_LATER_SAMPLES = {"broad": -0.65, "tumvi": 0.48, "tyrex": 0.47}
-OPTICAL = tuple(TRUTH_LATER_SAMPLES)
+TRUTH_LATER_SAMPLES = {"broad": -0.65, "tumvi": 0.48, "tyrex": 0.47, "repoimu": 0.47}
+OPTICAL = ("broad", "tumvi", "tyrex", "repoimu_TStick", "repoimu_Pendulum")
 GAP = "tyrex_Guillaume_Nexus5_NoDist_AR"  # 23.7 s without gyro: in no mean
 
 

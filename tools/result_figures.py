@@ -22,11 +22,13 @@ TITLES = {
     "broad": "hand-held (BROAD)",
     "tumvi": "camera rig (TUM-VI)",
     "tyrex": "phone on people (tyrex)",
+    "repoimu_TStick": "stick swung (RepoIMU)",
+    "repoimu_Pendulum": "repoimu_Pendulum (RepoIMU)",
     "car": "phone in a car (comma2k19)",
     "sim-car": "simulated car rides",
     "sim-people": "simulated people, bikes",
 }
-RECORDED = ("broad", "tumvi", "tyrex")
+RECORDED = ("broad", "tumvi", "tyrex", "repoimu_TStick", "repoimu_Pendulum")
 DPI, COLUMNS = 100, 3
 # Okabe and Ito's colours: safe for colour-blind readers; a marker for each as well
 STYLES: dict[str, tuple[str, str]] = {

@@ -24,7 +24,8 @@ from benchmarks.motion.recordings import (
     simulated,
 )
 from hapticplayer.model import STANDARD_GRAVITY_MPS2
-from hapticplayer.motion import DEFAULT_METHOD, METHODS, analyse
+from hapticplayer.motion import DEFAULT_METHOD, METHODS, analyse, remove_gravity
+from hapticplayer.motion.smoother import SmootherParameters
 from tests.optical import offline_vqf_up
 
 Floats = NDArray[np.float64]
@@ -37,7 +38,17 @@ LIMITS_RATIO = {
     "tumvi 30 Hz": 0.65,
     "tyrex native": 0.45,
     "tyrex 30 Hz": 0.5,
+    "repoimu_TStick native": 1.1,
+    "repoimu_TStick 30 Hz": 0.8,
+    "repoimu_Pendulum native": 1.1,
+    "repoimu_Pendulum 30 Hz": 0.8,
 }
+# What --leave-one-out chooses from.
+CANDIDATES = tuple(
+    SmootherParameters(noise_evidence=evidence, velocity_margin=margin)
+    for evidence in (1.0, 2.5, 5.0, 1e9)
+    for margin in (2.0, 3.0, 4.0)
+)
 LEAK_LIMIT_MPS2 = 0.05
 COVERAGE, SIGMA_LIMIT = (0.90, 0.99), 1.5
 
@@ -116,6 +127,8 @@ def options(parser: argparse.ArgumentParser) -> None:
     add_options(parser, seeds=3)
     parser.add_argument("--methods", nargs="+", choices=METHODS, default=list(METHODS))
     many = "simulated rides of each scene to judge sigma by (24)"
+    left = "choose the parameters of a noisy gyro on all families but one, for each"
+    parser.add_argument("--leave-one-out", action="store_true", help=left)
     parser.add_argument("--sigma-seeds", type=int, default=24, help=many)
 
 
@@ -123,6 +136,9 @@ def run(options: argparse.Namespace, report: Report) -> None:
     """Measure every method on every recording."""
     on_one_thread()
     families = chosen(options)
+    if options.leave_one_out:
+        leave_one_out(families, report)
+        return
     others = [f"{REFERENCE}, tauAcc {tau:g}" for tau in TAUS_S]
     methods = [*options.methods, REFERENCE, *([] if options.quick else others)]
     scores: Scores = {}
@@ -165,6 +181,39 @@ def errors(
         report.figures.setdefault("error_mps2", {})[key] = means
     header = ["recordings", "n", *methods, REFERENCE, "ratio", "limit"]
     report.table("Mean gravity error, m/s^2", header, rows, mark="error")
+
+
+def leave_one_out(families: Sequence[Family], report: Report) -> None:
+    """Show the error of each family with the parameters that suit the others best."""
+    names = list(dict.fromkeys(family.name for family in families))
+    reference = {f.key: mean_error_mps2(score(r, REFERENCE) for r in f.recordings)
+                 for f in families}  # fmt: skip
+    ratios = []
+    for candidate in CANDIDATES:
+        ours = {f.key: np.mean([rms(_error_mps2(r, candidate)) for r in f.recordings])
+                for f in families}  # fmt: skip
+        ratios.append({key: float(ours[key] / reference[key]) for key in ours})
+    rows = []
+    for name in names:
+        kept = [f.key for f in families if f.name != name]
+        costs = [np.mean([np.log(one[key]) for key in kept]) for one in ratios]
+        best = int(np.argmin(costs))
+        chosen_here = CANDIDATES[best]
+        for family in families:
+            if family.name == name:
+                row = [family.key, chosen_here.noise_evidence]
+                row += [chosen_here.velocity_margin, f"{ratios[best][family.key]:.2f}"]
+                rows.append(row)
+                what = f"{family.key}: error left out, of {REFERENCE}"
+                limit = LIMITS_RATIO.get(family.key, 1.1)
+                report.target(what, ratios[best][family.key], ("<=", limit))
+    header = ["left out", "evidence", "margin", f"error, of {REFERENCE}"]
+    report.table("One family left out", header, rows, mark="left_out")
+
+
+def _error_mps2(recording: TruthRecording, parameters: SmootherParameters) -> Floats:
+    track = remove_gravity(recording.imu, parameters=parameters)
+    return recording.errors_mps2(track.gravity_mps2 / STANDARD_GRAVITY_MPS2)
 
 
 def scenes(families: Sequence[Family], scores: Scores, report: Report) -> None:

@@ -1,6 +1,6 @@
 """Recordings with a known vertical, by family: each figure is the mean over one.
 
-Truth is optical (BROAD, TUM-VI, tyrex), for the car its makers' fusion of GPS, camera
+Truth is optical (BROAD, TUM-VI, tyrex, RepoIMU), for the car its makers' fusion of GPS, camera
 and inertial sensors, for simulated rides exact.
 """
 
@@ -33,6 +33,8 @@ QUICK_NAMES = (
     "broad_15_undisturbed_fast_translation_A",
     "tumvi_room4",
     "tyrex_Guillaume_Nexus5_NoDist_Swinging",
+    "repoimu_TStick_Test10_Trial1",
+    "repoimu_Pendulum_Test02a_Trial1_Segment_1",
     "comma2k19",
 )
 QUICK_SCENES = ("car-brisk", "handheld-brisk")
@@ -143,7 +145,7 @@ def _held(name: str, rate: str, seeds: int, *, quick: bool) -> list[TruthRecordi
         return [comma()]
     if name in OPTICAL:
         folder = ORIENTATION / ("averaged_30hz" if rate == AVERAGED else "native")
-        return [_optical(path) for path in sorted(folder.glob(f"{name}*.npz"))]
+        return [_optical(path) for path in sorted(folder.glob(f"{name}_*.npz"))]
     rides = [
         (scene, sensor, seed)
         for scene, sensor in scenes_of(name, rate)

@@ -110,10 +110,14 @@ def smoother(task: Task) -> Estimate:
 def _found(done: SmoothedRecording, is_chosen: bool) -> dict[str, Any]:
     """Return calibration and time constant of the smoother, for people."""
     vehicle_weight = float(done.mean("vehicle_weight"))
+    noise_factor = max(block.gyro_noise_factor for block in done.blocks)
     return {
         "time_constant_s": [round(value, 2) for value in done.time_constant_s],
-        "time_constant_from": _CHOSEN if is_chosen else _reason(vehicle_weight),
+        "time_constant_from": _CHOSEN
+        if is_chosen
+        else _reason(vehicle_weight, noise_factor),
         "driven": round(vehicle_weight, 3),
+        "gyro_noise_factor": noise_factor,
         "gyro_bias_radps": _rounded(done.mean("gyro_bias_radps")),
         "accelerometer_bias_mps2": _rounded(done.mean("accelerometer_bias_mps2")),
         "accelerometer_scale": round(float(done.mean("accelerometer_scale")), 5),
@@ -124,8 +128,10 @@ def _found(done: SmoothedRecording, is_chosen: bool) -> dict[str, Any]:
     }
 
 
-def _reason(vehicle_weight: float) -> str:
+def _reason(vehicle_weight: float, noise_factor: float) -> str:
     """Return what the time constant was derived from, for people."""
+    if noise_factor > 1.0:
+        return "the gyro's noise: it is larger than that of a calibrated gyro"
     if vehicle_weight < 0.5:
         return "how fast the recording moves"
     return "that it drives: it is far from the centre of its turns"

@@ -17,9 +17,10 @@ from hapticplayer.model.arrays import Floats
 Flags = NDArray[np.bool_]
 
 # Relative widths below an extreme reading. Nexus 5 phones: 95 % of the samples within
-# 2 % of the rail are within 0.05 % of it; a sinusoid has 19 % of them there.
-ON_RAIL = 5e-4
-BELOW_RAIL = 0.02
+# 2 % of the rail are within 0.05 % of it; a sinusoid has 19 % of them there. The rails
+# of RepoIMU's gyros wobble by 0.3 %; a sinusoid has 32 % of 4 % there.
+ON_RAIL, WOBBLING_RAIL = 5e-4, 4e-3
+BELOW_RAIL = {ON_RAIL: 0.02, WOBBLING_RAIL: 0.04}
 # Interpolation and calibration smear a rail by this much.
 SMEARED = 2e-3
 # Axes of one sensor have different offsets: +-2 g phones clip at 19.05 to 19.55.
@@ -74,11 +75,16 @@ def find_rails(values: Floats, sensor: SensorRange) -> Floats | None:
     outward = np.array([-1.0, 1.0])
     tops = outward * np.array([columns.min(axis=1), columns.max(axis=1)]).T
     is_rail = np.zeros(tops.shape, np.bool_)
-    for axis, side in np.argwhere(tops >= sensor.least):
-        column = columns[axis] if side else -columns[axis]
-        is_rail[axis, side] = _is_rail(column, float(tops[axis, side]), sensor)
-    if not is_rail.any():
+    for width in BELOW_RAIL:
+        for axis, side in np.argwhere(tops >= sensor.least):
+            column = columns[axis] if side else -columns[axis]
+            top = float(tops[axis, side])
+            is_rail[axis, side] = _is_rail(column, top, width, sensor)
+        if is_rail.any():
+            break
+    else:
         return None
+    tops *= 1.0 - (width - ON_RAIL)
     for rail in tops[is_rail]:
         is_rail |= np.abs(tops / rail - 1.0) <= SAME_SCALE
     return np.where(is_rail, outward * tops, outward * np.inf)
@@ -90,14 +96,14 @@ def on_rails(values: Floats, rails: Floats) -> Flags:
     return np.asarray((values <= low) | (values >= high))
 
 
-def _is_rail(values: Floats, top: float, sensor: SensorRange) -> bool:
+def _is_rail(values: Floats, top: float, width: float, sensor: SensorRange) -> bool:
     """Return whether samples pile up at `top`, in runs, with few just below."""
-    on_rail = values >= (1.0 - ON_RAIL) * top
+    on_rail = values >= (1.0 - width) * top
     count = int(np.count_nonzero(on_rail))
     # what lies there most of the time is a steady motion, not a peak cut off
     if not MIN_RUN <= count <= MAX_SHARE * len(values):
         return False
-    near = int(np.count_nonzero(values >= (1.0 - BELOW_RAIL) * top))
+    near = int(np.count_nonzero(values >= (1.0 - BELOW_RAIL[width]) * top))
     is_known = any(abs(top / s - 1.0) <= SAME_SCALE for s in sensor.full_scales)
     if count < MIN_CONTRAST[is_known] * (near - count):
         return False

@@ -17,6 +17,11 @@ from hapticplayer.motion.medians import median
 from hapticplayer.motion.rotations import Pair
 from hapticplayer.motion.smoother import nodes as nd
 from hapticplayer.motion.smoother import stationary, strapdown, vehicle
+from hapticplayer.motion.smoother.gyro_trust import (
+    GyroTrust,
+    gyro_trust,
+    with_gyro_trust,
+)
 from hapticplayer.motion.smoother.least_squares import (
     ACCEL_BIAS,
     ACCEL_SCALE,
@@ -33,8 +38,15 @@ from hapticplayer.motion.smoother.parameters import SmootherParameters
 from hapticplayer.motion.smoother.problem import Knowledge, linearised, velocity_bound
 from hapticplayer.motion.smoother.samples import InertialSamples, at_middles
 from hapticplayer.motion.smoother.stationary import Flags, StillBins
-from hapticplayer.motion.smoother.uncertainty import BoundExcess, tilt_variance
-from hapticplayer.motion.smoother.vehicle import Locomotion
+from hapticplayer.motion.smoother.uncertainty import (
+    NOISE_SHARE,
+    BoundExcess,
+    tilt_variance,
+)
+from hapticplayer.motion.smoother.vehicle import (
+    BODY_VELOCITY_COLUMNS,
+    Locomotion,
+)
 
 # Prior weight of a calibration that is not to be changed.
 FIXED_WEIGHT = 1e12
@@ -56,6 +68,11 @@ KEPT_VELOCITY_SHARE = 0.75
 STATIONARY_NODE_FACTOR = 2.0
 # A block has so many windows at least.
 MIN_WINDOWS = 8
+# Below this mean rotation rate the gyro is not judged: vehicles and cyclists stay below
+# 0.23, hands, people on foot and heads on bikes above 0.36.
+JUDGED_RATE_RADPS = 0.3
+# Solutions with a gyro that is trusted less, each about the one before.
+TRUST_SOLUTIONS = 2
 # Windows of so few samples, or that turn further, need no first solution on means.
 FEW_SAMPLES, MAX_COARSE_TURN_RAD = 2, 2.0
 
@@ -71,6 +88,7 @@ class Calibration:
         accelerometer_scale_sigma: standard deviation of that.
         time_constant_s: of the levelling that was used, at the nodes.
         vehicle_weight: 0 to 1; see `vehicle`.
+        gyro_noise_factor: the gyro is so many times noisier than usual; 1 or more.
     """
 
     gyro_bias_radps: Floats
@@ -79,6 +97,7 @@ class Calibration:
     accelerometer_scale_sigma: float
     time_constant_s: Floats
     vehicle_weight: float
+    gyro_noise_factor: float
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -162,6 +181,7 @@ def _smoothed(
     block = _Block(samples, (per_window, per_node), bins, p)
     while block.refine():
         pass
+    block.judge_gyro()
     block.apply_time_constant()
     return block.result(with_sigma=with_sigma)
 
@@ -202,6 +222,7 @@ class _Block:
         # with columns for a vehicle's velocity, which have no prior at first
         self._has_body_velocity, self._motion = True, Locomotion()
         self._solutions = 0
+        self._trust: GyroTrust | None = None
         self._solve(vertical, BIAS_COLUMNS)
         self._retry_with_wider_bias()
         velocity_mps = self._solution.velocity_mps[:, vehicle.undisturbed(self._nodes)]
@@ -243,6 +264,27 @@ class _Block:
         self._weight = weight
         self._solve(vertical, self._columns())
         return True
+
+    def judge_gyro(self) -> None:
+        """Trust the gyro less where the recording shows that it is noisier.
+
+        It shows in what moves and turns; elsewhere the gyro's errors do little.
+        """
+        motion, p = self._motion, self._p
+        turns_little = self._turn_radps() < JUDGED_RATE_RADPS
+        moves = vehicle.moves(self._solution.velocity_mps) and motion.moving_weight
+        if turns_little or not moves or p.time_constant_s is not None:
+            return
+        body = slice(-BODY_VELOCITY_COLUMNS, None)  # there, because it moves
+        trust = gyro_trust(self._problem, self._solution, body, p)
+        if trust is None:
+            return
+        self._trust = trust
+        self._bound = np.full_like(self._bound, trust.bound_mps(p))
+        for _ in range(TRUST_SOLUTIONS):
+            problem = self._linearised(self._vertical(), self._solved_columns)
+            self._problem = with_gyro_trust(problem, trust, p)
+            self._solution = minimise(self._problem)
 
     def apply_time_constant(self) -> None:
         """Use the time constant that a person chose, with the calibration found.
@@ -298,12 +340,15 @@ class _Block:
             accelerometer_scale_sigma=float(np.sqrt(variance)),
             time_constant_s=self._p.time_constant_of_s(self._bound),
             vehicle_weight=self._motion.vehicle_weight,
+            gyro_noise_factor=self._trust.noise_factor if self._trust else 1.0,
         )
 
     def _sigma(self, gyro_bias_radps: Floats, tilt: Floats) -> Floats:
         """Return the standard deviation of the tilt at each sample, rad."""
+        noise_share = NOISE_SHARE if self._trust is None else 1.0
         variance = tilt_variance(
-            self._problem, self._solution, gyro_bias_radps, self._excess(), self._p
+            *(self._problem, self._solution, gyro_bias_radps, self._excess(), self._p),
+            noise_share=noise_share,
         )
         per_node = self._per_window * self._per_node
         variance += _turning_variance(self._nodes.turned_rad / per_node)

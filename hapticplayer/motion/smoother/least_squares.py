@@ -97,15 +97,10 @@ def minimise(problem: Problem) -> Solution:
     tilt, push = problem.tilt, problem.impulse[:, :2]
     weighted_tilt = problem.tilt_weight * tilt
     weighted_push = problem.velocity_weight * push
-    sloped = half * weighted_push
-    columns, _, count = tilt.shape
-    states = np.zeros((columns, 2, count + 1, 2))
-    s, v = states[..., 0], states[..., 1]
-    s[..., 1:] = sloped + weighted_tilt
-    s[..., :-1] += sloped - weighted_tilt
-    v[..., 1:] = weighted_push
-    v[..., :-1] -= weighted_push
+    columns = len(tilt)
+    states = _right_sides(weighted_tilt, weighted_push, half)
     _solve_band(problem, states.reshape(2 * columns, -1))
+    s, v = states[..., 0], states[..., 1]
     rest = tilt - s[..., 1:]
     rest += s[..., :-1]
     normal = weighted_tilt.reshape(columns, -1) @ rest.reshape(columns, -1).T
@@ -115,6 +110,31 @@ def minimise(problem: Problem) -> Solution:
     normal += weighted_push.reshape(columns, -1) @ rest.reshape(columns, -1).T
     normal += _vertical_normal(problem)
     return _with_best_calibration(states, normal, problem.prior, problem.prior_weight)
+
+
+def right_sides(problem: Problem) -> Floats:
+    """Return the right sides of one axis each, (1 + C, 2, 2 (K + 1)).
+
+    Order of the unknowns as in `horizontal_band`.
+    """
+    sides = _right_sides(
+        problem.tilt_weight * problem.tilt,
+        problem.velocity_weight * problem.impulse[:, :2],
+        0.5 * STANDARD_GRAVITY_MPS2 * problem.duration_s,
+    )
+    return sides.reshape(len(sides), 2, -1)
+
+
+def _right_sides(weighted_tilt: Floats, weighted_push: Floats, half: Floats) -> Floats:
+    columns, _, count = weighted_tilt.shape
+    sides = np.zeros((columns, 2, count + 1, 2))
+    s, v = sides[..., 0], sides[..., 1]
+    sloped = half * weighted_push
+    s[..., 1:] = sloped + weighted_tilt
+    s[..., :-1] += sloped - weighted_tilt
+    v[..., 1:] = weighted_push
+    v[..., :-1] -= weighted_push
+    return sides
 
 
 def with_prior(solution: Solution, prior: Floats, prior_weight: Floats) -> Solution:
@@ -133,21 +153,32 @@ def with_tighter_bound(problem: Problem, solution: Solution, factor: Floats) -> 
 
     The gyro matrix stays as it was found.
     """
-    used = 1 + BIAS_COLUMNS
+    fixed = with_fixed_calibration(problem, solution.calibration, BIAS_COLUMNS)
+    return replace(fixed, bound_weight=problem.bound_weight * factor**2)
+
+
+def with_fixed_calibration(problem: Problem, calibration: Floats, free: int) -> Problem:
+    """Return the problem for the first `free` columns, the others as they are given.
+
+    Args:
+        problem: of at least so many.
+        calibration: (C,).
+        free: how many to solve for.
+    """
+    used = 1 + free
     tilt, impulse = problem.tilt[:used], problem.impulse[:used]
-    found = solution.calibration[BIAS_COLUMNS:]
-    if len(found):
+    fixed = calibration[free:]
+    if len(fixed):
         tilt, impulse = tilt.copy(), impulse.copy()
-        stop = used + len(found)
-        tilt[0] += np.tensordot(found, problem.tilt[used:stop], 1)
-        impulse[0] += np.tensordot(found, problem.impulse[used:stop], 1)
+        stop = used + len(fixed)
+        tilt[0] += np.tensordot(fixed, problem.tilt[used:stop], 1)
+        impulse[0] += np.tensordot(fixed, problem.impulse[used:stop], 1)
     return replace(
         problem,
         tilt=tilt,
         impulse=impulse,
-        bound_weight=problem.bound_weight * factor**2,
-        prior=problem.prior[:BIAS_COLUMNS],
-        prior_weight=problem.prior_weight[:BIAS_COLUMNS],
+        prior=problem.prior[:free],
+        prior_weight=problem.prior_weight[:free],
     )
 
 
@@ -158,6 +189,22 @@ def tilt_variances(problem: Problem, nodes: NDArray[np.intp]) -> Floats:
     right[rows, 2 * nodes] = 1.0
     _solve_band(problem, right)
     return np.asarray(right[rows, 2 * nodes])
+
+
+def tilt_change_variances(problem: Problem) -> Floats:
+    """Return the variance of the change of one tilt between nodes, (K,).
+
+    For a known calibration.
+    """
+    intervals = np.arange(len(problem.duration_s))
+    right = np.zeros((len(intervals), 2 * len(problem.bound_weight)))
+    right[intervals, 2 * intervals + 2], right[intervals, 2 * intervals] = 1.0, -1.0
+    _solve_band(problem, right)
+    later, earlier = (
+        right[intervals, 2 * intervals + 2],
+        right[intervals, 2 * intervals],
+    )
+    return np.asarray(later - earlier)
 
 
 def horizontal_band(problem: Problem) -> Floats:
@@ -196,6 +243,15 @@ def _solve_band(problem: Problem, right: Floats) -> None:
         right[:] = solved.T
 
 
+def vertical_right_sides(problem: Problem) -> Floats:
+    """Return the right sides of the vertical velocity, (1 + C, K + 1)."""
+    weighted = problem.velocity_weight * problem.impulse[:, 2]
+    sides = np.zeros((len(weighted), weighted.shape[1] + 1))
+    sides[:, 1:] = weighted
+    sides[:, :-1] -= weighted
+    return sides
+
+
 def _vertical_normal(problem: Problem) -> Floats:
     """Return what the vertical velocity says about the calibration."""
     push = problem.impulse[:, 2]
@@ -204,9 +260,7 @@ def _vertical_normal(problem: Problem) -> Floats:
     main = problem.bound_weight.copy()
     main[1:] += side
     main[:-1] += side
-    right = np.zeros((len(push), len(main)))
-    right[:, 1:] = weighted
-    right[:, :-1] -= weighted
+    right = vertical_right_sides(problem)
     *_, found, failed = lapack.dptsv(main, -side, right.T, overwrite_b=1)
     if failed:
         raise _singular()

@@ -44,6 +44,10 @@ class SmootherParameters:
         velocity_factor: bound over the velocity found; above 1, because too tight a
             bound absorbs motion and too wide a one only lets the gyro drift.
         velocity_floor_mps: added in quadrature.
+        noise_evidence: a noisier gyro is believed from this gain in the logarithm of
+            the evidence on: odds of 12 to 1.
+        velocity_margin: then the velocity is given this many times its most likely
+            deviation; 2 is too tight for motion between the models that are tried.
         bound_half_width_s: half width of the span that the velocity is averaged over.
         vertical_half_width_s: of the mean that gives the first vertical.
         solutions: at most as many, but two at the least.
@@ -80,6 +84,8 @@ class SmootherParameters:
     first_bound_mps: float = 1.5
     velocity_factor: float = 6.0
     velocity_floor_mps: float = 0.1
+    noise_evidence: float = 2.5
+    velocity_margin: float = 3.0
     bound_half_width_s: float = 17.0
     vertical_half_width_s: float = 4.0
     solutions: int = 3

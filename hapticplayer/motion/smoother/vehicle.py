@@ -109,6 +109,11 @@ def locomotion_of(velocity_mps: Floats, turn_radps: float) -> Locomotion:
     )
 
 
+def moves(velocity_mps: Floats) -> bool:
+    """Return whether velocities (2, n) are more than swaying."""
+    return rms_mps(velocity_mps) > MOVING_SPEED_MPS[0]
+
+
 def with_body_velocity(
     prior: Floats, weight: Floats, sigma_mps: float
 ) -> tuple[Floats, Floats]:

@@ -187,8 +187,44 @@ def test_a_gyro_with_a_wrong_scale_is_put_right():
     motion = Motion(tumbling, shake)
     log, up = motion.instant(TIME_S), motion.up(TIME_S)
     wrong = dataclasses.replace(log, angular_rate_radps=1.01 * log.angular_rate_radps)
-    stubborn = SmootherParameters(gyro_matrix_sigma=1e-9)
+    stubborn = SmootherParameters(gyro_matrix_sigma=1e-9, noise_evidence=1e9)
     assert rms(miss(wrong, up)) < 0.7 * rms(miss(wrong, up, parameters=stubborn))
+
+
+def railed(rate, rng):
+    """Return rates cut off at 60 % of the largest, on a rail that wobbles by 0.1 %."""
+    rail = 0.6 * np.abs(rate).max()
+    wobble = 1.0 + 0.001 * rng.standard_normal(rate.shape).clip(-2.0, 2.0)
+    return np.where(np.abs(rate) < rail, rate, np.sign(rate) * rail * wobble)
+
+
+def scaled(rate, _):
+    return 1.05 * rate
+
+
+@pytest.mark.parametrize(
+    ("scene", "spoilt"), [("handheld-brisk", scaled), ("run", railed)]
+)
+def test_a_gyro_that_errs_is_trusted_less(scene, spoilt, rng):
+    ride = simulate_motion(scene, 2)
+    rate = spoilt(ride.imu.angular_rate_radps, rng)
+    log = dataclasses.replace(ride.imu, angular_rate_radps=rate)
+    done = analyse(log)
+    error = done.track.gravity_mps2 - G * ride.vertical
+    trusting = remove_gravity(log, parameters=SmootherParameters(noise_evidence=1e9))
+    assert done.summary["gyro_noise_factor"] > 1.0
+    assert "noise" in done.summary["time_constant_from"]
+    # by a quarter and by a third; sigma says how large it still is
+    assert rms(error) < 0.8 * rms(trusting.gravity_mps2 - G * ride.vertical)
+    inside = np.linalg.norm(error, axis=1) < 2.0 * done.track.gravity_sigma_mps2
+    assert np.mean(inside) > 0.9
+
+
+@pytest.mark.parametrize("scene", ["walk", "run", "handheld-brisk", "mountain-bike"])
+@pytest.mark.parametrize("seed", [1, 2])
+def test_a_good_gyro_is_trusted(scene, seed):
+    found = analyse(simulate_motion(scene, seed).imu).summary
+    assert found["gyro_noise_factor"] == 1.0
 
 
 # ---- accelerometers -------------------------------------------------------------

@@ -7,11 +7,17 @@ import pytest
 from scipy.linalg import cholesky_banded
 
 from hapticplayer.model import STANDARD_GRAVITY_MPS2 as G
+from hapticplayer.motion.smoother.evidence import (
+    VelocityModel,
+    log_evidences,
+    with_velocity_model,
+)
 from hapticplayer.motion.smoother.least_squares import (
     Problem,
     Solution,
     horizontal_band,
     minimise,
+    tilt_change_variances,
     with_prior,
 )
 
@@ -293,3 +299,82 @@ def test_the_input_is_not_changed(rng):
     minimise(problem)
     for name, values in before.items():
         assert np.array_equal(values, getattr(problem, name))
+
+
+# ---- the evidence ---------------------------------------------------------------
+
+MODELS = [VelocityModel(0.1, 0.5), VelocityModel(1.0, 2.0), VelocityModel(0.4, 30.0)]
+
+
+def moving_problem(rng, intervals):
+    problem = random_problem(rng, intervals, 7)
+    return dataclasses.replace(problem, zero_velocity_weight=np.zeros(intervals))
+
+
+def process_covariance(problem, model):
+    """Return the covariance of a velocity at the nodes, sigma^2 exp(-|t| / tau)."""
+    time_s = np.append(0.0, np.cumsum(problem.duration_s))
+    apart_s = np.abs(time_s[:, None] - time_s)
+    return model.sigma_mps**2 * np.exp(-apart_s / model.correlation_s)
+
+
+@pytest.mark.parametrize("model", MODELS)
+def test_a_velocity_model_is_a_gauss_markov_process(model, rng):
+    problem = moving_problem(rng, 12)
+    modelled = with_velocity_model(problem, model)
+    change = np.diff(np.eye(13), axis=0)
+    precision = change.T @ np.diag(modelled.zero_velocity_weight) @ change
+    precision += np.diag(modelled.bound_weight)
+    identity = precision @ process_covariance(problem, model)
+    assert np.abs(identity - np.eye(13)).max() < 1e-9
+
+
+def test_evidences_are_those_of_dense_equations(rng):
+    problem = moving_problem(rng, 20)
+    expected = []
+    for model in MODELS:
+        dense = Dense(with_velocity_model(problem, model))
+        left = dense.matrix @ np.linalg.lstsq(dense.matrix, dense.right)[0]
+        squares = np.square(left - dense.right).sum()
+        _, log_states = np.linalg.slogdet(dense.matrix.T @ dense.matrix)
+        _, log_process = np.linalg.slogdet(process_covariance(problem, model))
+        expected.append(-0.5 * (squares + log_states + 3.0 * log_process))
+    found = log_evidences(problem, MODELS)
+    assert np.diff(found) == pytest.approx(np.diff(expected), abs=1e-5)
+
+
+def test_evidence_of_the_noise_counts_its_own_size(rng):
+    """Of one gyro and the same with other noise; what was drawn has the most."""
+    intervals, found = 2000, []
+    problem = moving_problem(rng, intervals)
+    model = VelocityModel(0.5, 1.0)
+    drawn = np.linalg.cholesky(process_covariance(problem, model))
+    velocity = drawn @ rng.standard_normal((intervals + 1, 2))
+    noise = rng.standard_normal((2, 2, intervals))
+    tilt_change = 3.0 * noise[0] / np.sqrt(problem.tilt_weight)
+    tilt = np.concatenate([np.zeros((2, 1)), np.cumsum(tilt_change, axis=1)], axis=1)
+    push = np.diff(velocity.T) + 0.5 * G * problem.duration_s * (
+        tilt[:, 1:] + tilt[:, :-1]
+    )
+    push += noise[1] / np.sqrt(problem.velocity_weight)
+    impulse = np.concatenate([push, np.zeros((1, intervals))])[None]
+    ride = dataclasses.replace(
+        problem,
+        tilt=np.zeros((1, 2, intervals)),
+        impulse=impulse,
+        prior=np.zeros(0),
+        prior_weight=np.zeros(0),
+    )
+    factors = (1.0, 2.0, 3.0, 4.0, 6.0)
+    for factor in factors:
+        noisier = dataclasses.replace(ride, tilt_weight=ride.tilt_weight / factor**2)
+        found.append(log_evidences(noisier, [model])[0])
+    assert factors[int(np.argmax(found))] == 3.0
+
+
+def test_variances_of_changes_are_those_of_dense_equations(rng):
+    problem = random_problem(rng, 15, 0)
+    dense = Dense(problem).covariance()[:16, :16]
+    change = np.diff(np.eye(16), axis=0)
+    expected = np.diag(change @ dense @ change.T)
+    assert_same(tilt_change_variances(problem), expected)

@@ -1,0 +1,117 @@
+"""The evidence of a block's data for how the sensor moves and how noisy its gyro is.
+
+The velocity is a Gauss-Markov process (Gelb 1974, "Applied Optimal Estimation", section
+3.8), v[k+1] = a v[k] + w with a = exp(-T / tau) and var w = sigma^2 (1 - a^2). The
+evidence is the probability of the data with nodes and calibration integrated out (MacKay
+1992, "Bayesian Interpolation", equation 2.5). Several velocities are weighed at once:
+their normal matrices follow one another in one band.
+"""
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import NamedTuple
+
+import numpy as np
+from scipy.linalg import lapack
+
+from hapticplayer.model.arrays import Floats
+from hapticplayer.motion.smoother.least_squares import (
+    Problem,
+    horizontal_band,
+    right_sides,
+    vertical_right_sides,
+)
+
+
+class VelocityModel(NamedTuple):
+    """Deviation of each component of the velocity, and its correlation time."""
+
+    sigma_mps: float
+    correlation_s: float
+
+
+def with_velocity_model(problem: Problem, model: VelocityModel) -> Problem:
+    """Return the problem with the velocity as such a process, in place of its bound.
+
+    The precision of the process has three diagonals, those of a bound at each node and
+    of one on the change from node to node.
+    """
+    decay = np.exp(-problem.duration_s / model.correlation_s)
+    driven = model.sigma_mps**-2.0 / (1.0 - decay * decay)
+    change = decay * driven
+    bound = np.zeros(len(decay) + 1)
+    bound[0] = model.sigma_mps**-2.0
+    bound[1:] += driven - change
+    bound[:-1] += decay * change - change
+    unchanged = problem.zero_velocity_weight + change
+    return replace(problem, bound_weight=bound, zero_velocity_weight=unchanged)
+
+
+def log_evidences(problem: Problem, models: Sequence[VelocityModel]) -> Floats:
+    """Return the logarithm of the evidence for models of the velocity, (M,).
+
+    All but for one constant, which depends on the number of nodes alone.
+    """
+    count = len(models)
+    chain = _chain([with_velocity_model(problem, model) for model in models])
+    factor, _ = lapack.dpbtrf(horizontal_band(chain), lower=1, overwrite_ab=1)
+    horizontal = right_sides(problem)
+    columns = len(horizontal)
+    horizontal = horizontal.reshape(columns, 2, -1)
+    rows = np.tile(horizontal.reshape(2 * columns, -1), count)
+    solved, _ = lapack.dpbtrs(factor, rows.T, lower=1)
+    solved = solved.reshape(count, -1, columns, 2)
+    weighted = problem.tilt_weight * problem.tilt
+    normal = np.tensordot(weighted, problem.tilt, ((1, 2), (1, 2)))
+    weighted = problem.velocity_weight * problem.impulse
+    normal = normal + np.tensordot(weighted, problem.impulse, ((1, 2), (1, 2)))
+    normal = normal - np.einsum("cam,tmda->tcd", horizontal, solved)
+    log_det = 2.0 * 2.0 * _sums(np.log(factor[0]), count)
+    # the vertical velocity alone
+    prior = _diagonal(chain.bound_weight, chain.zero_velocity_weight)
+    log_weights = 3.0 * _sums(
+        np.log(lapack.dpttrf(prior, -chain.zero_velocity_weight)[0]), count
+    )
+    side = chain.zero_velocity_weight + chain.velocity_weight
+    vertical = vertical_right_sides(problem)
+    main, _, solved, _ = lapack.dptsv(
+        _diagonal(chain.bound_weight, side), -side, np.tile(vertical, count).T
+    )
+    normal -= np.einsum("cm,tmd->tcd", vertical, solved.reshape(count, -1, columns))
+    log_det += _sums(np.log(main), count)
+    log_weights += 2.0 * np.log(problem.tilt_weight).sum()
+    # the calibration
+    matrix = normal[:, 1:, 1:] + np.diag(problem.prior_weight)
+    pull = problem.prior_weight * problem.prior - normal[:, 1:, 0]
+    best = np.linalg.solve(matrix, pull[..., None])[..., 0]
+    squares = normal[:, 0, 0] - (pull * best).sum(axis=1)
+    log_det += np.linalg.slogdet(matrix)[1]
+    return np.asarray(0.5 * (log_weights - log_det - squares))
+
+
+def _chain(problems: Sequence[Problem]) -> Problem:
+    """Return problems one after another, with nothing from each to the next."""
+
+    def intervals(name: str) -> Floats:
+        held = [np.append(getattr(one, name), 0.0) for one in problems]
+        return np.concatenate(held)[:-1]
+
+    return replace(
+        problems[0],
+        duration_s=intervals("duration_s"),
+        tilt_weight=intervals("tilt_weight"),
+        velocity_weight=intervals("velocity_weight"),
+        zero_velocity_weight=intervals("zero_velocity_weight"),
+        bound_weight=np.concatenate([one.bound_weight for one in problems]),
+    )
+
+
+def _diagonal(at_nodes: Floats, between: Floats) -> Floats:
+    main = at_nodes.copy()
+    main[1:] += between
+    main[:-1] += between
+    return main
+
+
+def _sums(values: Floats, parts: int) -> Floats:
+    return np.asarray(values.reshape(parts, -1).sum(axis=1))
