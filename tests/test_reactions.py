@@ -5,11 +5,11 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from benchmarks.robustness.nuisance import Watch
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.shared import TICK
 from hapticplayer.playback.meters import TickHistory
 from hapticplayer.playback.snapshot import Measurements, Snapshot
+from tests.reactions import Watch
 
 
 @pytest.fixture
