@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from hapticplayer.errors import InputError, UsageError
+from hapticplayer.errors import InputError, Message, UsageError
 from hapticplayer.model import STANDARD_GRAVITY_MPS2, ImuLog, MotionTrack
 from hapticplayer.model.arrays import Floats
 from hapticplayer.motion.flaws import find_flaws
@@ -21,6 +21,7 @@ from hapticplayer.motion.methods import (
     Parameters,
     Task,
 )
+from hapticplayer.motion.repair.even_clock import even_clock
 from hapticplayer.motion.stillness import (
     WINDOW_S,
     StillSpans,
@@ -81,7 +82,8 @@ def remove_gravity(
     """Return the gravity-free acceleration of a log, in frame A.
 
     The accelerometer's gain is corrected where the recording is still for at least
-    one second, else it is 1.
+    one second, else it is 1. Stamps that jitter about an even clock are replaced by it
+    for the computation (`repair.even_clock`); the track has the log's own times.
 
     Args:
         imu: samples in frame A; see ImuLog.
@@ -92,7 +94,7 @@ def remove_gravity(
         UsageError: for a method that does not exist, and for parameters of another.
         InputError: for fewer than two samples, or less than a millisecond of them.
     """
-    return _removed(_task(imu, parameters), method)[0]
+    return _removed(_task(imu, parameters), method, imu.time_s)[0]
 
 
 def analyse(
@@ -106,14 +108,15 @@ def analyse(
     The summary holds `method`, `accelerometer_gain` and where it comes from,
     `still_s`, `leak_at_rest_mps2` (RMS over still spans of what is left there, the
     norm of its mean over each second; None without one), `saturated_share`,
-    `invalid_share`, `gravity_sigma_mps2` (median; None if unknown) and what the
-    method itself reports.
+    `invalid_share`, `gravity_sigma_mps2` (median; None if unknown), `clock` (a
+    sentence where an even clock was used, else None) and what the method itself
+    reports.
 
     Raises:
         UsageError, InputError: as `remove_gravity`.
     """
     task = _task(imu, parameters)
-    track, estimate = _removed(task, method)
+    track, estimate = _removed(task, method, imu.time_s)
     still = _at_rest(task, estimate)
     gain = estimate_accelerometer_gain(imu, still)
     sigma = track.gravity_sigma_mps2
@@ -126,6 +129,7 @@ def analyse(
         "saturated_share": task.flaws.saturated_share,
         "invalid_share": 1.0 - float(np.mean(track.valid)),
         "gravity_sigma_mps2": None if sigma is None else float(np.median(sigma)),
+        "clock": _clock_text(imu, task),
         **estimate.found(),
     }
     return GravityRemoval(track, summary)
@@ -148,6 +152,9 @@ def _task(imu: ImuLog, parameters: Parameters | None) -> Task:
             count=len(imu),
             span_ms=1000.0 * span_s,
         )
+    clock_s = even_clock(imu)
+    if clock_s is not None:
+        imu = replace(imu, time_s=clock_s)
     flaws = find_flaws(imu)
     still = find_still(imu, flaws.interval_s)
     gain = estimate_accelerometer_gain(imu, still).gain
@@ -164,7 +171,18 @@ def _estimate(task: Task, method: str) -> Estimate:
     return METHODS[method](task)
 
 
-def _removed(task: Task, method: str) -> tuple[MotionTrack, Estimate]:
+def _clock_text(imu: ImuLog, task: Task) -> Message | None:
+    if task.imu is imu:
+        return None
+    jitter_s = float(np.std(imu.time_s - task.imu.time_s))
+    return Message(
+        "the time stamps jitter by {share:.0f} % of an interval; gravity was removed by "
+        "an even clock fitted to them",
+        share=100.0 * jitter_s / task.flaws.interval_s,
+    )
+
+
+def _removed(task: Task, method: str, time_s: Floats) -> tuple[MotionTrack, Estimate]:
     estimate = _estimate(task, method)
     gain = task.gain
     if estimate.at_rest is not None and gain != 1.0:
@@ -182,7 +200,7 @@ def _removed(task: Task, method: str) -> tuple[MotionTrack, Estimate]:
     for fresh in (gravity, acceleration, valid):
         fresh.setflags(write=False)  # or the track would copy it
     track = MotionTrack(
-        time_s=task.imu.time_s,
+        time_s=time_s,
         acceleration_mps2=acceleration,
         gravity_mps2=gravity,
         accelerometer_gain=gain,

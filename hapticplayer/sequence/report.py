@@ -205,7 +205,7 @@ def notes_on_motion(imu: ImuLog, summary: Mapping[str, Any]) -> list[str]:
         imu: the log that gravity was removed from.
         summary: of hapticplayer.motion.analyse.
     """
-    notes: list[str] = []
+    notes: list[str] = [summary["clock"]] if summary.get("clock") else []
     clipped, invalid = summary["saturated_share"], summary["invalid_share"]
     leak_mps2 = summary["leak_at_rest_mps2"]
     if clipped > 0.0:

@@ -177,6 +177,7 @@ def test_a_good_recording_needs_no_note(still_log):
         ({"saturated_share": 0.0123}, "1.2 % of the samples are at the sensor's limit"),
         ({"invalid_share": 0.002}, "0.2 % of the motion is not valid"),
         ({"leak_at_rest_mps2": 0.07}, "0.07 m/s2 of gravity remain"),
+        ({"clock": "the time stamps jitter by 12 %"}, "jitter by 12 %"),
     ],
 )
 def test_what_harms_the_force_is_noted(still_log, changed, sentence):

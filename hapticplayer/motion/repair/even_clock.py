@@ -1,0 +1,89 @@
+"""An even clock for logs whose stamps jitter about one.
+
+A sensor samples by its own clock; a logger stamps a sample when it arrives. Where the
+stamps are an even clock plus white noise, rates are integrated over the even clock.
+"""
+
+import numpy as np
+from scipy.signal import savgol_filter
+
+from hapticplayer.model import ImuLog
+from hapticplayer.model.arrays import Floats
+
+# A step of so many intervals parts two pieces: a dropout or a gap stays as it is.
+MAX_STEP = 1.6
+# Samples over which the clock is a straight line; shorter pieces stay as they are.
+LINE_SAMPLES = 257
+MIN_PIECE_SAMPLES = 65
+MIN_JITTERED_SHARE = 0.5
+# Of an interval: less costs nothing, more is no jitter.
+MIN_JITTER_RMS, MAX_JITTER = 0.02, 0.5
+# Autocorrelation at lag 1 of white noise is 0, that of its differences -0.5.
+WHITE_TOLERANCE = 0.15
+
+
+def even_clock(imu: ImuLog) -> Floats | None:
+    """Return the times of an even clock (N,), or None where the log's own are better.
+
+    Within a piece without dropouts the even clock is the local straight line through
+    the stamps, so that a slow drift remains and the mean offset is 0. It is used where
+    the residuals are white and within half an interval, and where the sensors are not
+    smoother over the log's own times, as they are where the sampling was uneven.
+    """
+    time_s = imu.time_s
+    if len(time_s) < MIN_PIECE_SAMPLES:
+        return None
+    steps = np.diff(time_s)
+    interval_s = float(np.median(steps))
+    # most logs end here
+    if np.std(steps[steps < MAX_STEP * interval_s]) < MIN_JITTER_RMS * interval_s:
+        return None
+    is_edge = np.concatenate([[True], steps > MAX_STEP * interval_s, [True]])
+    edges = np.flatnonzero(is_edge)
+    long = np.flatnonzero(np.diff(edges) >= MIN_PIECE_SAMPLES)
+    fitted_s, used, products = time_s.copy(), 0, np.zeros(4)
+    for piece in long:
+        cut = slice(edges[piece], edges[piece + 1])
+        fitted_s[cut] = _local_line(time_s[cut])
+        left = (time_s[cut] - fitted_s[cut]) / interval_s
+        if np.abs(left).max() > MAX_JITTER:
+            return None
+        change = np.diff(left)
+        pairs = ((left, left), (left[1:], left[:-1]), (change, change))
+        products[:3] += [a @ b for a, b in pairs]
+        products[3] += change[1:] @ change[:-1]
+        used += len(left)
+    if used < MIN_JITTERED_SHARE * len(time_s):
+        return None
+    power, lagged, change_power, change_lagged = products
+    is_white = (
+        power > used * MIN_JITTER_RMS**2
+        and abs(lagged) < WHITE_TOLERANCE * power
+        and abs(change_lagged + 0.5 * change_power) < WHITE_TOLERANCE * change_power
+    )
+    if not is_white or (np.diff(fitted_s) <= 0.0).any():
+        return None
+    force, rate = imu.specific_force_mps2, imu.angular_rate_radps
+    # a rate may be the mean over the step that ends with it
+    middle_s = time_s - 0.5 * np.diff(time_s, prepend=time_s[0] - interval_s)
+    own_rate = min(_roughness(time_s, rate), _roughness(middle_s, rate))
+    own = _roughness(time_s, force) * own_rate
+    is_even = _roughness(fitted_s, force) * _roughness(fitted_s, rate) <= own
+    return fitted_s if is_even else None
+
+
+def _local_line(time_s: Floats) -> Floats:
+    """Return stamps (N,) without what a local straight line leaves."""
+    count = len(time_s)
+    index = np.arange(count) - 0.5 * (count - 1)
+    slope = float(index @ time_s / (index @ index))
+    line = time_s.mean() + slope * index
+    window = min(LINE_SAMPLES, count - 1 + count % 2)
+    return np.asarray(line + savgol_filter(time_s - line, window, 1))
+
+
+def _roughness(time_s: Floats, values: Floats) -> float:
+    """Return the mean square of what straight lines between neighbours leave."""
+    share = (time_s[1:-1] - time_s[:-2]) / (time_s[2:] - time_s[:-2])
+    between = values[:-2] + share[:, None] * (values[2:] - values[:-2])
+    return float(np.square(values[1:-1] - between).mean())

@@ -1,0 +1,118 @@
+"""Stamps that jitter about an even clock, and those that only look like it."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from hapticplayer.model import STANDARD_GRAVITY_MPS2, ImuLog
+from hapticplayer.motion import analyse
+from hapticplayer.motion.repair.even_clock import even_clock
+from hapticplayer.simulation.rides.motion_scenes import simulate_motion
+from tests.optical import read_optical
+
+INTERVAL_S = 1.0 / 30.0
+EVEN_S = 1.7e3 + INTERVAL_S * np.arange(2000)
+
+
+def sensed(true_s, stamp_s, seed=1):
+    """A log of closed forms at the times when its samples were really taken."""
+    rng = np.random.default_rng(seed)
+    t = true_s[:, None]
+    force = [0.0, 0.0, 9.8] + 2.0 * np.sin(t * [5.0, 7.0, 11.0])
+    rate = np.cos(t * [3.0, 6.0, 4.0])
+    force = force + rng.normal(0.0, 0.02, force.shape)
+    return ImuLog(stamp_s, force, rate + rng.normal(0.0, 0.002, rate.shape))
+
+
+def jittered(time_s, rng, share=0.2):
+    return time_s + share * INTERVAL_S * rng.uniform(-1.0, 1.0, len(time_s))
+
+
+@pytest.mark.parametrize("drift_ppm", [0.0, 500.0])
+def test_jitter_is_taken_off_and_the_mean_stays(rng, drift_ppm):
+    """The rest is a line's through 257 stamps, at the ends twice the 1 % of inside."""
+    drift_s = 0.5e-6 * drift_ppm * np.square(EVEN_S - EVEN_S[0]) / np.ptp(EVEN_S)
+    true_s = EVEN_S + drift_s
+    found_s = even_clock(sensed(true_s, jittered(true_s, rng)))
+    assert found_s is not None
+    assert np.abs(found_s - true_s).max() < 0.05 * INTERVAL_S
+    assert abs(np.mean(found_s - true_s)) < 0.01 * INTERVAL_S
+
+
+def dropped(rng):
+    """Every tenth sample is missing, the stamps are right."""
+    return np.sort(rng.choice(EVEN_S, 1800, replace=False))
+
+
+def another_rate(_rng):
+    steps = np.where(np.arange(2000) < 1000, 1.0, 1.1) * INTERVAL_S
+    return np.cumsum(steps)
+
+
+def wandering(rng):
+    """Each step is late by its own, as in a loop that sleeps."""
+    return np.cumsum(INTERVAL_S * (1.0 + 0.2 * rng.uniform(-1.0, 1.0, 2000)))
+
+
+TRUE_TIMES = {
+    "even": lambda _rng: EVEN_S,
+    "a gap": lambda _rng: np.delete(EVEN_S, slice(900, 960)),
+    "dropouts": dropped,
+    "another rate": another_rate,
+    "wandering": wandering,
+    "uneven sampling": lambda rng: jittered(EVEN_S, rng),
+    "a few samples": lambda _rng: EVEN_S[:20],
+}
+
+
+@pytest.mark.parametrize("name", TRUE_TIMES)
+def test_true_times_stay_as_they_are(name, rng):
+    true_s = TRUE_TIMES[name](rng)
+    assert even_clock(sensed(true_s, true_s)) is None
+
+
+def test_gaps_between_jittered_pieces_stay(rng):
+    true_s = np.delete(EVEN_S, slice(900, 960))
+    found_s = even_clock(sensed(true_s, jittered(true_s, rng)))
+    assert np.abs(found_s - true_s).max() < 0.05 * INTERVAL_S
+    assert found_s[900] - found_s[899] == pytest.approx(61 * INTERVAL_S, rel=2e-3)
+
+
+def test_stamps_that_jump_beyond_half_an_interval_stay(rng):
+    stamps_s = np.sort(jittered(EVEN_S, rng, 0.7))
+    assert even_clock(sensed(EVEN_S, stamps_s)) is None
+
+
+def error_mps2(log, up, counted):
+    found = analyse(log).track.gravity_mps2 / STANDARD_GRAVITY_MPS2
+    return np.sqrt(np.mean(np.square(found - up)[counted].sum(axis=1)))
+
+
+def with_jitter(log, rng):
+    step_s = np.median(np.diff(log.time_s))
+    noise_s = 0.2 * step_s * rng.uniform(-1.0, 1.0, len(log))
+    return replace(log, time_s=log.time_s + noise_s)
+
+
+def test_jitter_costs_nothing_and_the_summary_says_so(rng):
+    ride = simulate_motion("handheld-brisk", 1, sensor="paper-board")
+    log, everywhere = ride.imu, np.ones(len(ride.imu), dtype=bool)
+    noisy = with_jitter(log, rng)
+    done = analyse(noisy)
+    assert np.array_equal(done.track.time_s, noisy.time_s)
+    assert "jitter by 12 % of an interval" in done.summary["clock"]
+    assert analyse(log).summary["clock"] is None
+    best = error_mps2(log, ride.vertical, everywhere)
+    assert error_mps2(noisy, ride.vertical, everywhere) < 1.1 * best
+
+
+@pytest.mark.parametrize("rate", ["averaged_30hz", "native"])
+@pytest.mark.parametrize("family", ["broad_07", "tumvi_room4", "tyrex*Swinging"])
+def test_jitter_costs_nothing_on_real_recordings(shared_data, rng, family, rate):
+    (path,) = (shared_data / "orientation" / rate).glob(f"{family}*.npz")
+    held = read_optical(path)
+    best = error_mps2(held.log, held.up, held.counted)
+    noisy = with_jitter(held.log, rng)
+    assert error_mps2(noisy, held.up, held.counted) < 1.1 * best
+    assert even_clock(held.log) is None
