@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hapticplayer.model.arrays import Floats, frozen, frozen_times, same_length
+from hapticplayer.model.imu import Sampling
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -23,6 +24,7 @@ class MotionTrack:
         quaternion_wxyz: (N, 4) unit, sensor to earth.
         gravity_sigma_mps2: (N,) RMS of the gravity error where it is known.
         valid: (N,) False where the motion is not to be trusted (gaps).
+        sampling: what one sample stands for, as in the ImuLog.
 
     Raises:
         InputError: on wrong shapes, values that are not finite, or times that do
@@ -36,6 +38,7 @@ class MotionTrack:
     quaternion_wxyz: Floats
     gravity_sigma_mps2: NDArray[np.float64] | None
     valid: NDArray[np.bool_]
+    sampling: Sampling = Sampling.INSTANT
 
     def __post_init__(self) -> None:
         put = object.__setattr__

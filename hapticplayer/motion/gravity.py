@@ -207,6 +207,7 @@ def _removed(task: Task, method: str, time_s: Floats) -> tuple[MotionTrack, Esti
         quaternion_wxyz=estimate.quaternion_wxyz,
         gravity_sigma_mps2=sigma,
         valid=valid,
+        sampling=task.imu.sampling,
     )
     return track, estimate
 

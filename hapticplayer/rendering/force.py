@@ -13,13 +13,15 @@ from hapticplayer.errors import InputError
 from hapticplayer.model import ForceTrack, Mapping, MotionTrack, Reconstruction
 from hapticplayer.model.device import DeviceCapabilities
 from hapticplayer.model.mapping import DEFAULT_FORCE_LIMIT_N
+from hapticplayer.rendering.window_means import dense_motion
 
 
 def render_force(motion: MotionTrack, mapping: Mapping | None = None) -> ForceTrack:
     """Return the force track (frame D, N) of a motion track (frame A, m/s^2).
 
     Samples that are not valid give no force. A vector longer than the limit is
-    shortened and keeps its direction.
+    shortened and keeps its direction. Between averaged samples there are further
+    entries, see `window_means`.
 
     Args:
         motion: gravity-free acceleration, in media time.
@@ -31,13 +33,15 @@ def render_force(motion: MotionTrack, mapping: Mapping | None = None) -> ForceTr
     mapping = mapping or Mapping()
     if not len(motion):
         raise InputError("the motion track is empty, so there is no force to render")
-    force = mapping.gain_n_per_mps2 * motion.acceleration_mps2 @ mapping.axes.T
-    force = np.where(motion.valid[:, None], force, 0.0)
+    time_s, acceleration, valid = dense_motion(motion)
+    force = mapping.gain_n_per_mps2 * acceleration @ mapping.axes.T
+    force = np.where(valid[:, None], force, 0.0)
+    is_dense = len(time_s) > len(motion)
     magnitude = np.linalg.norm(force, axis=1)
     over = magnitude > mapping.force_limit_n
     force[over] *= (mapping.force_limit_n / magnitude[over])[:, None]
     return ForceTrack(
-        time_s=motion.time_s,
+        time_s=time_s,
         force_n=force.astype(np.float32),
         reconstruction=Reconstruction.LINEAR,
         provenance={
@@ -45,6 +49,7 @@ def render_force(motion: MotionTrack, mapping: Mapping | None = None) -> ForceTr
             "gain_n_per_mps2": mapping.gain_n_per_mps2,
             "force_limit_n": mapping.force_limit_n,
             "saturated_share": float(np.mean(over)),
+            "reconstruction": "integral-spline" if is_dense else "linear",
         },
     )
 

@@ -278,6 +278,7 @@ def _write_arrays(
     files.write_arrays(folder / store.IMU, **fields)
     kept = {f.name: getattr(track, f.name) for f in dataclasses.fields(track)}
     kept = {name: value for name, value in kept.items() if value is not None}
+    kept["sampling"] = track.sampling.value
     files.write_arrays(folder / store.MOTION, **kept)
     for name, force in tracks.items():
         files.write_arrays(folder / f"force_{name}.npz", **store.track_arrays(force))

@@ -78,7 +78,7 @@ def open_sequence(folder: str | Path) -> Sequence:
         mapping = _mapping_of(description["mapping"])
         motion = MotionTrack(**_motion_fields(folder))
         title = without_controls(str(description["title"]))
-    except (KeyError, TypeError, AttributeError) as problem:
+    except (KeyError, TypeError, ValueError, AttributeError) as problem:
         raise SequenceError(
             "an entry is missing or of the wrong kind ({reason})",
             where=str(folder / DESCRIPTION),
@@ -267,4 +267,6 @@ def _motion_fields(folder: Path) -> dict[str, Any]:
         "quaternion_wxyz": arrays["quaternion_wxyz"],
         "gravity_sigma_mps2": sigma,
         "valid": arrays["valid"],
+        # earlier versions wrote none and rendered lines: the same again
+        "sampling": Sampling(str(arrays.get("sampling", Sampling.INSTANT))),
     }

@@ -10,7 +10,8 @@ import pytest
 from hapticplayer import motion, rendering
 from hapticplayer.errors import SequenceError
 from hapticplayer.model import Sampling
-from hapticplayer.sequence import open_sequence, verify_sequence
+from hapticplayer.motion.conditioning import average
+from hapticplayer.sequence import editing, files, open_sequence, verify_sequence
 from hapticplayer.sequence.build import write_sequence
 from hapticplayer.sequence.store import read_recorded
 
@@ -93,6 +94,49 @@ def test_a_log_that_lacks_nothing_comes_back_without_marks(sequence_folder):
     imu, _ = read_recorded(sequence_folder)
     assert imu.valid is None
     assert imu.magnetic_field_ut is None
+
+
+@pytest.fixture
+def averaged_folder(tmp_path, tiny_clip, recording):
+    log = average(recording.imu, 30.0)
+    averaged = dataclasses.replace(recording, imu=log)
+    return write_sequence(tiny_clip, averaged, tmp_path / "averaged")
+
+
+def with_sampling(folder, *sampling):
+    """Write the motion again with other kinds of samples, or as earlier versions did."""
+    path = folder / "motion.npz"
+    with np.load(path) as arrays:
+        kept = {name: arrays[name] for name in arrays.files if name != "sampling"}
+    np.savez(path, **kept, **dict(zip(["sampling"], sampling, strict=False)))
+    entry = {"sha256": files.sha256_of(path), "size_bytes": path.stat().st_size}
+    edit(folder, lambda content: content["files"].update({"motion.npz": entry}))
+
+
+def test_averaged_motion_keeps_its_kind_and_its_dense_track(averaged_folder):
+    sequence = open_sequence(averaged_folder)
+    assert sequence.motion.sampling is Sampling.AVERAGED
+    stored = sequence.tracks["realistic"]
+    assert stored.provenance["reconstruction"] == "integral-spline"
+    assert len(stored.time_s) == 4 * (len(sequence.motion) - 1) + 1
+    editing.set_gain(averaged_folder, sequence.mapping.gain_n_per_mps2)
+    again = open_sequence(averaged_folder).tracks["realistic"]
+    assert np.array_equal(again.force_n, stored.force_n)
+
+
+def test_a_sequence_made_before_keeps_its_lines(averaged_folder):
+    with_sampling(averaged_folder)
+    before = open_sequence(averaged_folder)
+    editing.set_gain(averaged_folder, 0.2)
+    track = open_sequence(averaged_folder).tracks["realistic"]
+    assert np.array_equal(track.time_s, before.motion.time_s)
+    assert track.provenance["reconstruction"] == "linear"
+
+
+def test_an_unknown_kind_of_samples_is_refused(averaged_folder):
+    with_sampling(averaged_folder, "every other")
+    with pytest.raises(SequenceError, match="every other"):
+        open_sequence(averaged_folder)
 
 
 @pytest.mark.parametrize("damage", ["flip", "remove"])
@@ -181,8 +225,6 @@ def test_verifying_reads_the_clip_too(sequence_folder):
 
 
 def test_pickled_objects_are_never_loaded(tmp_path):
-    from hapticplayer.sequence import files
-
     path = tmp_path / "bad.npz"
     np.savez(path, evil=np.array([{"a": 1}], dtype=object))
     with pytest.raises(SequenceError, match="damaged"):
@@ -190,8 +232,6 @@ def test_pickled_objects_are_never_loaded(tmp_path):
 
 
 def test_an_archive_that_would_explode_is_not_unpacked(tmp_path, monkeypatch):
-    from hapticplayer.sequence import files
-
     monkeypatch.setattr(files, "MAX_ARRAYS_BYTES", 1 << 20)
     path = tmp_path / "bomb.npz"
     with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
