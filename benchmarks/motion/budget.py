@@ -385,7 +385,7 @@ def compare_reconstructions(
     ratios = {scene: one["today"] / one["lines"] for scene, one in found.items()}
     keys = ("lines", "today", "lines, all", "today, all",
             "lines, peak", "today, peak", "true peak")  # fmt: skip
-    title = "Between window means: force error below {} Hz and whole, mN; peak, N"
+    title = "Between window means: force error below {:g} Hz and whole, mN; peak, N"
     rows = [
         [name, ratios[name], *(one[k] for k in keys)] for name, one in found.items()
     ]
