@@ -26,19 +26,16 @@ from app.participant.application import StudySession
 from app.participant.pages import QuestionsPage
 from app.player.application import make_application
 from benchmarks.common import ROOT, Report
-from hapticplayer.capture.recording import Recording
 from hapticplayer.clock import SystemClock
 from hapticplayer.errors import StudyError
-from hapticplayer.media.clip_info import probe
 from hapticplayer.media.encode import write_clip
-from hapticplayer.model import STANDARD_GRAVITY_MPS2, ClockMap, ImuLog
-from hapticplayer.sequence.build import Choices, write_sequence
 from hapticplayer.study.creation import change_definition, create_study
 from hapticplayer.study.definition import QuestionKind
 from hapticplayer.study.pages import PageKind
 from hapticplayer.study.session_folder import SessionState, StoredSession
 from hapticplayer.study.session_setup import load_material
 from hapticplayer.study.study_folder import Study, open_study
+from tests.shaken import write_shaken_sequence
 
 LATEST_S = 1.5  # after the session is about to be made or opened
 NEVER_S = 600.0
@@ -95,15 +92,8 @@ def make_study(folder: Path) -> Study:
     clip = folder / "clip.mp4"
     frames = (np.full((36, 64, 3), 5 * i, np.uint8) for i in range(25))
     write_clip(clip, frames, frame_rate_hz=25)
-    time_s = np.arange(0.0, 1.0, 1 / 200)
-    force = np.zeros((len(time_s), 3))
-    force[:, 2] = STANDARD_GRAVITY_MPS2 + np.sin(12.0 * time_s)
-    log = ImuLog(time_s, force, np.zeros_like(force), source="shake")
-    recording, choices = Recording(log, ClockMap(), "made"), Choices(title="s", seed=1)
-    target = write_sequence(
-        probe(clip), recording, folder / "sequence", choices=choices
-    )
-    study = create_study(folder / "study", folders=dict.fromkeys(KEYS, Path(target)))
+    target = write_shaken_sequence(clip, folder / "sequence")
+    study = create_study(folder / "study", folders=dict.fromkeys(KEYS, target))
     content = json.loads(study.content)
     content["checks"].update(device=False, sound=False, disk_free_mb=1)
     return change_definition(study, content)

@@ -18,14 +18,11 @@ from app.player.remake import apply_appearance
 from app.player.video_surface import SurfaceSink, VideoSurface
 from app.player.window import PlayerWindow
 from app.widgets import theme
-from hapticplayer.capture.recording import Recording
 from hapticplayer.clock import SystemClock
-from hapticplayer.media.clip_info import probe
 from hapticplayer.media.encode import write_clip
-from hapticplayer.model import STANDARD_GRAVITY_MPS2, ClockMap, ImuLog
 from hapticplayer.playback.player import Player
 from hapticplayer.playback.source import open_source
-from hapticplayer.sequence.build import Choices, write_sequence
+from tests.shaken import write_shaken_sequence
 
 sys.path.insert(0, str(Path(__file__).parent))  # helpers beside these tests
 from private_bus import address, bus, bus_daemon  # noqa: F401 - fixtures
@@ -51,17 +48,8 @@ def clip(tmp_path_factory) -> Path:
 @pytest.fixture(scope="session")
 def sequence(clip, tmp_path_factory) -> Path:
     """The clip with a gentle shake up and down."""
-    time_s = np.arange(0.0, CLIP_S, 1 / 200)
-    force = np.zeros((len(time_s), 3))
-    force[:, 2] = STANDARD_GRAVITY_MPS2 + 3.0 * np.sin(2 * np.pi * 2.0 * time_s)
-    recording = Recording(
-        ImuLog(time_s, force, np.zeros_like(force), source="shake"),
-        ClockMap(),
-        "test camera",
-    )
     target = tmp_path_factory.mktemp("sequences") / "shake"
-    choices = Choices(title=LONG_TITLE, seed=1)
-    return write_sequence(probe(clip), recording, target, choices=choices)
+    return write_shaken_sequence(clip, target, title=LONG_TITLE)
 
 
 @pytest.fixture

@@ -10,17 +10,14 @@ import numpy as np
 import pytest
 import pyxdf
 
-from hapticplayer.capture.recording import Recording
 from hapticplayer.haptics.contract import Mode
 from hapticplayer.haptics.record_reader import read_record
-from hapticplayer.media.clip_info import probe
-from hapticplayer.model import STANDARD_GRAVITY_MPS2, ClockMap, ImuLog
 from hapticplayer.playback.source import open_source
-from hapticplayer.sequence.build import Choices, write_sequence
 from hapticplayer.study.creation import change_definition, create_study
 from hapticplayer.study.study_folder import open_study
 from tests.bids import errors_in
 from tests.e2e.command import ROOT, hapticplayer, report_of
+from tests.shaken import write_shaken_sequence
 
 CLIP_S = 2.0
 SHAKES_HZ = {"bike": 2.0, "horse": 3.0}
@@ -35,27 +32,18 @@ TRIALS = {
 SHEET = {"age": 28, "gender": "other", "handedness": "left", "used_device_before": True}
 
 
-def make_sequence(clip, shake_hz, folder):
-    """Write a sequence of a sensor that is shaken up and down, with 3 m/s^2."""
-    time_s = np.arange(0.0, CLIP_S, 1 / 200)
-    force = np.zeros((len(time_s), 3))
-    shaken = 3.0 * np.sin(2 * np.pi * shake_hz * time_s)
-    force[:, 2] = STANDARD_GRAVITY_MPS2 + shaken
-    log = ImuLog(time_s, force, np.zeros_like(force), source="shake")
-    recording = Recording(log, ClockMap(), "test camera")
-    choices = Choices(title=folder.name, seed=1)
-    return write_sequence(probe(clip), recording, folder, choices=choices)
-
-
 @pytest.fixture
 def study(clip, tmp_path):
     """Two sequences, with and without force; any machine is good enough."""
     made = create_study(tmp_path / "study")
     content = json.loads(made.content)
     content["sequences"] = [
-        {**entry, "folder": str(make_sequence(clip, shake_hz, tmp_path / key))}
+        {
+            **entry,
+            "folder": str(write_shaken_sequence(clip, tmp_path / key, shake_hz=hz)),
+        }
         for entry in content["sequences"]
-        for key, shake_hz in SHAKES_HZ.items()
+        for key, hz in SHAKES_HZ.items()
         if entry["key"] == key
     ]
     content["feedbacks"] = list(FEEDBACKS)
