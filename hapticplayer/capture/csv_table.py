@@ -7,7 +7,7 @@ counted; a strict table, whose columns are named, is rejected at the first one.
 
 import io
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import BinaryIO
 
@@ -97,21 +97,39 @@ class Numbers:
         raise IndexError(row)
 
 
-def read_table(source: Source, name: str, shape: Shape) -> Numbers:
+Selection = Callable[[Floats, Sequence[int]], Floats]
+"""Returns the rows to keep of some, with the numbers of their lines."""
+
+
+def read_table(
+    source: Source, name: str, shape: Shape, select: Selection | None = None
+) -> Numbers:
     """Return the wanted columns of a member of a recording.
+
+    Args:
+        source: of the recording.
+        name: of the member.
+        shape: of its rows.
+        select: called with the rows of each chunk; the lines of `Numbers` are those
+            of all rows.
 
     Raises:
         InputError: when there are too few rows, too many, or too many damaged ones;
             of a strict table naming the line and the column at fault.
     """
     with source.opened(name) as stream:
-        return read_numbers(stream, shape, source.where(name))
+        return read_numbers(stream, shape, source.where(name), select)
 
 
-def read_numbers(stream: BinaryIO, shape: Shape, where: str) -> Numbers:
+def read_numbers(
+    stream: BinaryIO, shape: Shape, where: str, select: Selection | None = None
+) -> Numbers:
     """Return the wanted columns of all rows; see `read_table`."""
     parser = _Parser(shape, where)
-    parts = [parser.parse(chunk) for chunk in parser.chunks(stream)]
+    parts = []
+    for chunk in parser.chunks(stream):
+        part = parser.parse(chunk)
+        parts.append(select(part, parser.lines[-1]) if select and len(part) else part)
     values = _joined(parts, len(shape.columns))
     damaged = parser.damaged
     if len(values) < shape.min_rows or len(damaged) > MAX_DAMAGED_SHARE * len(values):

@@ -9,8 +9,10 @@ Loggers leave cells empty, repeat rows and swap them: this is repaired if possib
 note (`motion.repair_samples`).
 """
 
+import math
 import os
 import secrets
+from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
@@ -22,6 +24,7 @@ from hapticplayer.capture.csv_table import (
     LOG_COLUMNS,
     TIME,
     Numbers,
+    Selection,
     Shape,
     at,
     column_names,
@@ -47,6 +50,9 @@ from hapticplayer.model import (
 from hapticplayer.model.arrays import Floats
 
 FORCE_COLUMNS = (TIME, "fx_n", "fy_n", "fz_n")
+
+FORCE_STEP_S = 1e-4
+"""The haptic loop takes a value every millisecond; denser rows cost memory only."""
 
 
 def recognises(source: Source) -> Confidence:
@@ -151,25 +157,23 @@ def write_imu_csv(path: str | os.PathLike[str], imu: ImuLog) -> None:
         ) from error
 
 
-def read_force_csv(path: str | os.PathLike[str]) -> ForceTrack:
+def read_force_csv(
+    path: str | os.PathLike[str], until_s: float = math.inf
+) -> ForceTrack:
     """Read a force track; each force holds until the time of the next.
+
+    Args:
+        path: of the file.
+        until_s: later rows are checked, and only the last one is kept.
 
     Raises:
         InputError: with file, line, column and what to do.
     """
     source = open_file(path)
-    numbers = _read_strict(source, FORCE_COLUMNS, min_rows=1)
-    where, values = str(source.path), numbers.values
-    _check_finite(numbers, where)
-    _check_order(numbers, where)
-    largest_n = float(np.abs(values[:, 1:4]).max())
-    if largest_n > MAX_FORCE_N:
-        raise InputError(
-            "holds a force of {largest_n:.3g} N, beyond any device",
-            where=where,
-            remedy="give the forces in newton",
-            largest_n=largest_n,
-        )
+    rows = _ForceRows(str(source.path), until_s)
+    values = _read_strict(source, FORCE_COLUMNS, min_rows=1, select=rows.select).values
+    if len(rows.last):
+        values = np.concatenate([values, rows.last])
     return ForceTrack(
         time_s=values[:, 0],
         force_n=values[:, 1:4].astype(np.float32),
@@ -178,12 +182,63 @@ def read_force_csv(path: str | os.PathLike[str]) -> ForceTrack:
     )
 
 
+class _ForceRows:
+    """Checks the rows of a force track chunk by chunk, and selects those that are felt.
+
+    Attributes:
+        last: (1, 4) the last row if it is not selected, else (0, 4).
+    """
+
+    def __init__(self, where: str, until_s: float) -> None:
+        self._where, self._until_s = where, until_s
+        self._last_s = -math.inf
+        self.last = np.empty((0, 4))
+
+    def select(self, values: Floats, lines: Sequence[int]) -> Floats:
+        """Return the rows before the end; of those in one slot of time the last one."""
+        _check_finite(values, lines, self._where)
+        self._check_order(values[:, 0], lines)
+        largest_n = float(np.abs(values[:, 1:4]).max())
+        if largest_n > MAX_FORCE_N:
+            raise InputError(
+                "holds a force of {largest_n:.3g} N, beyond any device",
+                where=self._where,
+                remedy="give the forces in newton",
+                largest_n=largest_n,
+            )
+        is_first = self._last_s == -math.inf
+        self._last_s = float(values[-1, 0])
+        with np.errstate(over="ignore"):
+            slots = np.floor(values[:, 0] / FORCE_STEP_S)
+        kept = np.append(slots[1:] > slots[:-1], True) & (values[:, 0] < self._until_s)
+        kept[0] |= is_first
+        self.last = values[-1:][~kept[-1:]].copy()
+        return values[kept]
+
+    def _check_order(self, time_s: Floats, lines: Sequence[int]) -> None:
+        before_s = np.concatenate([[self._last_s], time_s[:-1]])
+        late = np.flatnonzero(time_s <= before_s)
+        if not len(late):
+            return
+        row = int(late[0])
+        is_repeated = time_s[row] == before_s[row]
+        raise InputError(
+            "the time {fault} ({time_s} s after {last_s} s)",
+            where=at(self._where, lines[row], TIME),
+            remedy="sort the log by time and remove duplicates",
+            fault=Message("repeats") if is_repeated else Message("decreases"),
+            time_s=time_s[row],
+            last_s=before_s[row],
+        )
+
+
 def _read_strict(
     source: Source,
     required: tuple[str, ...],
     optional: tuple[str, ...] = (),
     *,
     min_rows: int = 2,
+    select: Selection | None = None,
 ) -> Numbers:
     """Return a table with the required columns, and all or none of the optional ones."""
     name = source.names[0]
@@ -192,39 +247,20 @@ def _read_strict(
         raise header_fault(source, required, optional)
     columns = tuple(range(len(names)))
     shape = Shape(len(names), columns, skip_lines=1, names=names, min_rows=min_rows)
-    return read_table(source, name, shape)
+    return read_table(source, name, shape, select)
 
 
-def _check_finite(numbers: Numbers, where: str) -> None:
-    bad = np.argwhere(~np.isfinite(numbers.values))
+def _check_finite(values: Floats, lines: Sequence[int], where: str) -> None:
+    bad = np.argwhere(~np.isfinite(values))
     if not len(bad):
         return
     row, column = (int(at) for at in bad[0])
-    value = float(numbers.values[row, column])
+    value = float(values[row, column])
     raise InputError(
         "{text} is not a finite number",
-        where=at(where, numbers.line(row), FORCE_COLUMNS[column]),
+        where=at(where, lines[row], FORCE_COLUMNS[column]),
         remedy="remove the line or correct the number",
         text=value,
-    )
-
-
-def _check_order(numbers: Numbers, where: str) -> None:
-    time_s = numbers.values[:, 0]
-    late = np.flatnonzero(time_s[1:] <= time_s[:-1])
-    if not len(late):
-        return
-    row = int(late[0]) + 1
-    fault = (
-        Message("repeats") if time_s[row] == time_s[row - 1] else Message("decreases")
-    )
-    raise InputError(
-        "the time {fault} ({time_s} s after {last_s} s)",
-        where=at(where, numbers.line(row), TIME),
-        remedy="sort the log by time and remove duplicates",
-        fault=fault,
-        time_s=time_s[row],
-        last_s=time_s[row - 1],
     )
 
 

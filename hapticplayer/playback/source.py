@@ -52,7 +52,7 @@ def open_source(path: str | Path, force: str | Path | None = None) -> Source:
     source = _from_sequence(path) if path.is_dir() else _from_video(path)
     if force is None:
         return source
-    track = read_force_csv(Path(force))
+    track = read_force_csv(Path(force), source.clip.duration_s)
     refuse_late(track, source.clip.duration_s, str(force))
     tracks = {FROM_FILE: track, **source.tracks}
     return replace(source, tracks=tracks, feedback=FROM_FILE)

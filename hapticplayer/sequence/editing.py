@@ -61,8 +61,9 @@ def add_track(
     """
     sequence = store.open_sequence(folder)
     _check_new(name, sequence.description)
-    track = read_force_csv(csv)
-    rendering.refuse_late(track, _duration_s(sequence.description), csv.name)
+    duration_s = _duration_s(sequence.description)
+    track = read_force_csv(csv, duration_s)
+    rendering.refuse_late(track, duration_s, csv.name)
     _replace_tracks(folder, sequence.description, {name: track}, progress)
 
 
