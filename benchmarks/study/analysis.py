@@ -92,7 +92,7 @@ def make_study(folder: Path, people: int) -> None:
     study = create_study(folder)
     for part, first in enumerate(range(0, people, _AT_ONCE)):
         copy = folder.with_name(f"{folder.name}-{part}")
-        shutil.copytree(study.folder, copy)
+        shutil.copytree(study.folder, copy, ignore=shutil.ignore_patterns(SESSIONS))
         count = min(_AT_ONCE, people - first)
         answers = simulated_answers(count, "paper", seed=part)
         origin = {"simulated": True}

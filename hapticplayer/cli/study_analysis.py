@@ -161,11 +161,10 @@ def analyse(options: argparse.Namespace) -> int:
             lambda f, step: progress(0.5 * f, step),
         )
         if options.output is not None:
-            title = f"Study {options.study.resolve().name}"
             write_report(
                 found,
                 options.output,
-                title,
+                found.answers.conduct.title,
                 lambda f, step: progress(0.5 + 0.5 * f, step),
             )
     numbers = parts_of(found).numbers
@@ -264,7 +263,8 @@ def _test_lines(found: Analysis) -> list[str]:
         )
         test = found.found["friedman"][name]
         lines.append(
-            f"  {name:<13}{means}\n{'':15}Friedman chi2 {number(test['chi2'])}, "
+            f"  {name:<13}{means}\n{'':15}Friedman chi2({test['df']}) "
+            f"{number(test['chi2'])}, "
             f"p {p_value(test['p'])}, exact {p_value(test['p_exact'])}, "
             f"Holm {p_value(test['p_holm'])}, W {number(test['kendall_w'], 3)}"
         )

@@ -3,12 +3,13 @@
 import hashlib
 import json
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 from hapticplayer.errors import Message, StudyError
 from hapticplayer.study import json_files, private
+from hapticplayer.study.conduct import Conduct, conduct_of
 from hapticplayer.study.definition import (
     LIKERT,
     Condition,
@@ -125,6 +126,7 @@ class Answers:
         judgements: answers of consistency trials.
         repeated: ratings that were replaced by those of a repeated trial.
         remarks: one sentence for each thing that could not be read or was left out.
+        conduct: of the study.
     """
 
     participants: tuple[Participant, ...]
@@ -136,6 +138,7 @@ class Answers:
     judgements: tuple[Judgement, ...] = ()
     repeated: int = 0
     remarks: tuple[str, ...] = ()
+    conduct: Conduct = field(default_factory=Conduct)
 
 
 def read_answers(study_folder: str | Path) -> Answers:
@@ -168,6 +171,7 @@ def collect_answers(study: Study) -> Answers:
         judgements=tuple(j for one in collected for j in one.judgements()),
         repeated=sum(one.repeated for one in collected) * len(definition.factors),
         remarks=tuple(remarks),
+        conduct=conduct_of(definition, sessions),
     )
 
 

@@ -14,11 +14,13 @@ import numpy as np
 import scipy
 
 from hapticplayer.model.arrays import Floats
+from hapticplayer.study.analysis.references import GREENHOUSE_1959, WOBBROCK_2011
 from hapticplayer.study.analysis.statistic import (
     ALPHA,
     Found,
     ReportColumn,
     Statistic,
+    degrees,
     listed,
     number,
     p_value,
@@ -142,18 +144,20 @@ def _warnings(found: dict[str, Any]) -> Iterator[str]:
 
 ALIGNED_RANKS = Statistic(
     "aligned_ranks",
-    "Sequence x feedback: analysis of variance of aligned ranks",
+    "Sequence x feedback: analysis of variance of aligned ranks, all answers",
     lambda sample, _: structure(sample.by_condition, sample.all_participants),
     of="effect",
     columns=(
         ReportColumn("n", "n", str),
         ReportColumn("F", "f"),
-        ReportColumn("df", "df", lambda df: f"{df[0]:.0f}, {df[1]:.0f}"),
+        ReportColumn("df", "df", degrees),
         ReportColumn("p", "p", p_value),
         ReportColumn("epsilon", "epsilon"),
-        ReportColumn("corrected p", "p_corrected", p_value),
+        ReportColumn("p (epsilon)", "p_corrected", p_value),
         ReportColumn("partial eta²", "partial_eta_squared", number),
     ),
+    note="epsilon: of Greenhouse and Geisser; p (epsilon) is of the degrees of freedom "
+    "multiplied by it.",
     assumes="The analysis of variance of aligned ranks looks at sequences and feedbacks together, for participants who answered "
     "every trial. It assumes sphericity (equal variances of all differences); the "
     "corrected p does not. An interaction means that the feedbacks differ more for some "
@@ -161,4 +165,12 @@ ALIGNED_RANKS = Statistic(
     warn=_warnings,
     rows=lambda found: found["effects"] if found else {},
     key="structure",
+    methods=lambda _: (
+        "Sequences and feedbacks together were analysed by the aligned rank "
+        "transform (Wobbrock et al., 2011): ranks of the answers without all effects but one, "
+        "mid-ranks for ties, in an analysis of variance with both factors within "
+        "participants. Degrees of freedom were corrected for non-sphericity by the epsilon of "
+        "Greenhouse and Geisser (1959)."
+    ),
+    references=(WOBBROCK_2011, GREENHOUSE_1959),
 )

@@ -12,7 +12,8 @@ from hapticplayer.errors import Message
 from hapticplayer.study.analysis.aligned_ranks import ALIGNED_RANKS
 from hapticplayer.study.analysis.describing import Resampling, Summary, summarize
 from hapticplayer.study.analysis.friedman import CONOVER, FRIEDMAN, NEMENYI
-from hapticplayer.study.analysis.rank_tests import MANN_WHITNEY, SHAPIRO, WILCOXON
+from hapticplayer.study.analysis.rank_sum import MANN_WHITNEY
+from hapticplayer.study.analysis.rank_tests import SHAPIRO, WILCOXON
 from hapticplayer.study.analysis.scores import (
     QOE,
     MissingPolicy,
@@ -96,14 +97,14 @@ class Analysis:
         options: of the analysis.
         measures: "qoe" first, then the factors.
         found: results by name of the statistic and measure.
-        remarks: about answers that could not be read.
+        answers: that were analysed.
     """
 
     scores: Scores
     options: AnalysisOptions
     measures: dict[str, MeasureAnalysis]
     found: dict[str, dict[str, Any]]
-    remarks: tuple[str, ...]
+    answers: Answers
 
 
 def analyse(
@@ -136,7 +137,7 @@ def analyse(
             found[name][measure] = plain(one)
     for name, statistic in STATISTICS.items():
         statistic.correct(found[name])
-    return Analysis(scores, options, measures, found, answers.remarks)
+    return Analysis(scores, options, measures, found, answers)
 
 
 def _described(
@@ -220,7 +221,7 @@ def missing(analysis: Analysis) -> dict[str, Any]:
 def warnings_of(analysis: Analysis) -> list[str]:
     """Return warnings about missing data and violated assumptions."""
     return [
-        *analysis.remarks,
+        *analysis.answers.remarks,
         *_missing_warnings(analysis),
         *_participant_warnings(analysis),
         *(

@@ -24,7 +24,7 @@ ALL = "all"
 Axis = Literal["delay_s", "gain"]
 Interval = tuple[float, float]
 _AXES: tuple[Axis, ...] = ("delay_s", "gain")
-_MOST_FITS = 1999
+MOST_FITS = 1999
 _FEW_PARTICIPANTS = 2
 _SAME = 1e-9
 
@@ -103,8 +103,7 @@ class ConsistencyAnalysis:
         axes: by changed quantity, "delay_s" or "gain".
         mixed: levels that change both, which are not on a curve.
         planned, missing, unsound: numbers of answers; missing includes unsound.
-        feedbacks: whose answers are pooled.
-        remarks: about answers that could not be read.
+        answers: that were analysed; all feedbacks are pooled.
     """
 
     participants: tuple[str, ...]
@@ -114,8 +113,7 @@ class ConsistencyAnalysis:
     planned: int
     missing: int
     unsound: int
-    feedbacks: tuple[str, ...]
-    remarks: tuple[str, ...]
+    answers: Answers
 
 
 def analyse_consistency(
@@ -151,8 +149,7 @@ def analyse_consistency(
         len(answers.judgements),
         len(answers.judgements) - len(counted),
         0 if options.with_unsound else sum(not j.sound for j in answers.judgements),
-        answers.feedbacks,
-        answers.remarks,
+        answers,
     )
 
 
@@ -232,7 +229,7 @@ def _curve(
     shape, rng = shape_of(x), options.resampling.generator(f"curve/{label}")
     total_yes, total = yes.sum(axis=0)[None], asked.sum(axis=0)[None]
     found = fit(x, total_yes, total, shape)
-    count = min(options.resampling.count, _MOST_FITS)
+    count = min(options.resampling.count, MOST_FITS)
     p = found.shares(x).clip(0.0, 1.0)
     size = (count, len(x))
     drawn_yes = rng.binomial(total.astype(int), p, size).astype(float)

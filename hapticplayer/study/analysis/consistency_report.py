@@ -1,44 +1,49 @@
-"""The analysis of consistency trials as JSON, report, tables and figures."""
+"""The analysis of consistency trials as JSON, report and tables."""
 
 from collections.abc import Iterator
 from dataclasses import asdict
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
-from hapticplayer.study.analysis.consistency import (
-    ALL,
-    AxisAnalysis,
-    ConsistencyAnalysis,
-    Curve,
-    Share,
-    position,
-)
-from hapticplayer.study.analysis.contents import (
+from hapticplayer.study.analysis.blocks import (
     Heading,
     Paragraph,
     ReportBlock,
     ReportFigure,
     ReportTable,
-    made_with,
+    numbered,
 )
-from hapticplayer.study.analysis.figures import draw_lines, new_panel
+from hapticplayer.study.analysis.conduct_report import (
+    identity,
+    order_balance,
+    people,
+    playback,
+)
+from hapticplayer.study.analysis.consistency import (
+    ALL,
+    MOST_FITS,
+    AxisAnalysis,
+    ConsistencyAnalysis,
+    Curve,
+    Share,
+)
+from hapticplayer.study.analysis.consistency_figures import LABELS, NAMES
+from hapticplayer.study.analysis.contents import reproducibility
+from hapticplayer.study.analysis.methods import computed_with, references, unsound
 from hapticplayer.study.analysis.psychometric import MOST_LAPSES
+from hapticplayer.study.analysis.references import (
+    EFRON_1993,
+    SCHNEIDER_2003,
+    WICHMANN_2001,
+    WILSON_1927,
+    YARROW_2011,
+)
 from hapticplayer.study.analysis.statistic import interval, number, p_value, plain
 
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
-
-_FIGURES = {"delay_s": "consistency-by-time-shift", "gain": "consistency-by-gain"}
-_LABELS = {
-    "delay_s": "delay of the force against the video (s)",
-    "gain": "gain of the force",
-}
 _VALUES = ("lower", "upper", "centre", "window", "spread", "lapse", "peak")
 AXIS_NAMES = {"delay_s": "time shift", "gain": "gain"}
 _ALPHA, _LOW_PEAK, _FEW = 0.05, 0.75, 6
-_INK, _CURVE, _PERSON = "#222222", "#0072b2", "#999999"
 
 ASSUMPTIONS = (
     (
@@ -83,8 +88,15 @@ def summary(analysis: ConsistencyAnalysis) -> dict[str, Any]:
 
 
 def contents(analysis: ConsistencyAnalysis) -> Iterator[ReportBlock]:
-    """Yield the parts of the report."""
-    yield Heading("Participants and answers")
+    """Yield the parts of the report, with numbers of tables and figures."""
+    yield from numbered(_contents(analysis))
+
+
+def _contents(analysis: ConsistencyAnalysis) -> Iterator[ReportBlock]:
+    yield from identity(analysis.answers)
+    yield from people(analysis.answers)
+    yield from order_balance(analysis.answers)
+    yield Heading("Answers")
     yield Paragraph(
         f"{len(analysis.participants)} participants; {analysis.missing} of "
         f"{analysis.planned} answers are missing ({analysis.unsound} because the "
@@ -93,24 +105,56 @@ def contents(analysis: ConsistencyAnalysis) -> Iterator[ReportBlock]:
     yield Heading("Warnings")
     for text in warnings_of(analysis) or ["No warnings."]:
         yield Paragraph(text)
+    described = tuple(_methods(analysis))
+    yield from described
     for axis, one in analysis.axes.items():
-        name = AXIS_NAMES[axis]
-        yield Heading(f"Consistency by {name}")
-        yield ReportFigure(_FIGURES[axis], f"Share felt as consistent by {name}")
-        rows = tuple(_curve_row(k, c) for k, c in one.curves.items() if c is not None)
-        yield ReportTable(
-            f"Curves by {name}; intervals of 95 %",
-            ("sequence", *(h for v in _VALUES[:5] for h in (v, "95 %")), "lapse", "p"),
-            rows,
-        )
-        for sequence, shares in one.shares.items():
-            yield _share_table(f"Felt as consistent, {sequence}", shares)
+        yield from _axis_blocks(axis, one)
     if analysis.mixed:
         yield _share_table("Delay and gain changed together", analysis.mixed)
+    yield from playback(analysis.answers, analysis.answers.feedbacks)
     yield Heading("Assumptions")
     for text in ASSUMPTIONS:
         yield Paragraph(text)
-    yield from made_with(analysis.options)
+    works = (EFRON_1993, SCHNEIDER_2003, WICHMANN_2001, WILSON_1927, YARROW_2011)
+    yield from references(works, described)
+    yield from reproducibility(analysis.options)
+
+
+def _methods(analysis: ConsistencyAnalysis) -> Iterator[ReportBlock]:
+    resamples = min(analysis.options.resampling.count, MOST_FITS)
+    yield Heading("Methods")
+    yield Paragraph(
+        "Participants answered whether a shifted or scaled force was consistent with the "
+        f"video. {unsound(analysis.options)} Shares of answers have Wilson intervals "
+        "(Wilson, 1927). Psychometric curves with independent criteria (Schneider and "
+        "Bavelier, 2003; Yarrow et al., 2011) and a lapse rate of at most "
+        f"{MOST_LAPSES:.0%} (Wichmann and Hill, 2001) were fitted by maximum likelihood; "
+        f"intervals (95 %) are percentile bootstrap intervals of {resamples} resamples of "
+        "the participants (Efron and Tibshirani, 1993; none where all resamples agree). "
+        f"The fit was tested by its deviance among {resamples} simulated ones. "
+        f"{computed_with(analysis.options)}"
+    )
+
+
+def _axis_blocks(axis: str, one: AxisAnalysis) -> Iterator[ReportBlock]:
+    name = AXIS_NAMES[axis]
+    yield Heading(f"Consistency by {name}")
+    shares = ", ".join(
+        f"{getattr(share, axis):g}: {number(share.share)}" for share in one.shares[ALL]
+    )
+    caption = f"Share felt as consistent by {name}, all sequences."
+    text = f"Shares of consistent answers by {LABELS[axis]}. {shares}."
+    yield ReportFigure(NAMES[axis], caption, text)
+    rows = tuple(_curve_row(k, c) for k, c in one.curves.items() if c is not None)
+    yield ReportTable(
+        f"Curves by {name}",
+        ("sequence", *(h for v in _VALUES[:5] for h in (v, "95 % CI")), "lapse", "p"),
+        rows,
+        "CI: confidence interval, by bootstrap; -: all resamples agree (at a bound of "
+        "the fit). p: of the deviance from the curve.",
+    )
+    for sequence, parts in one.shares.items():
+        yield _share_table(f"Felt as consistent by {name}, {sequence}", parts)
 
 
 def tables(analysis: ConsistencyAnalysis) -> dict[str, list[list[Any]]]:
@@ -131,14 +175,9 @@ def tables(analysis: ConsistencyAnalysis) -> dict[str, list[list[Any]]]:
     return {"levels.csv": levels, "curves.csv": curves}
 
 
-def figures(analysis: ConsistencyAnalysis) -> dict[str, "Figure"]:
-    """Return the figures by name."""
-    return {_FIGURES[axis]: _figure(one) for axis, one in analysis.axes.items()}
-
-
 def warnings_of(analysis: ConsistencyAnalysis) -> list[str]:
     """Return warnings about missing data and unreliable curves."""
-    warned = list(analysis.remarks)
+    warned = list(analysis.answers.remarks)
     if analysis.missing:
         warned.append(
             f"{analysis.missing} of {analysis.planned} answers are missing, "
@@ -149,7 +188,7 @@ def warnings_of(analysis: ConsistencyAnalysis) -> list[str]:
             f"There are {len(analysis.participants)} participants: intervals are too "
             "narrow and do not generalise."
         )
-    if len(analysis.feedbacks) > 1:
+    if len(analysis.answers.feedbacks) > 1:
         warned.append("Answers to all feedbacks are pooled.")
     if analysis.mixed:
         warned.append(
@@ -245,49 +284,9 @@ def _share_table(title: str, shares: tuple[Share, ...]) -> ReportTable:
         )
         for one in shares
     )
-    return ReportTable(title, ("delay, s", "gain", "yes", "share", "95 %"), rows)
+    return ReportTable(title, ("delay, s", "gain", "yes", "share", "95 % CI"), rows)
 
 
 def _share_row(sequence: str, one: Share) -> list[Any]:
     *counted, between = asdict(one).values()
     return [sequence, *counted, *(between or (None, None))]
-
-
-def _figure(one: AxisAnalysis) -> "Figure":
-    with new_panel("share felt as consistent") as (figure, panel):
-        style: dict[str, Any] = {"color": _PERSON, "linewidth": 0.7, "alpha": 0.45}
-        label = "one participant"
-        draw_lines(panel, one.levels, one.by_person, label=label, **style)
-        _draw_shares(panel, one)
-        if (curve := one.curves[ALL]) is not None:
-            _draw_curve(panel, one, curve)
-        panel.set_xlabel(_LABELS[one.axis])
-        panel.set_ylim(-0.03, 1.03)
-        figure.legend(loc="outside upper center", ncols=4, frameon=False)
-    return figure
-
-
-def _draw_shares(panel: "Axes", one: AxisAnalysis) -> None:
-    shares = one.shares[ALL]
-    at = [getattr(share, one.axis) for share in shares]
-    middle = np.array([share.share for share in shares], dtype=float)
-    ends = np.array([share.interval for share in shares], dtype=float)
-    apart = np.abs(ends.T - middle).clip(0.0)
-    style: dict[str, Any] = {"fmt": "o", "color": _INK, "capsize": 3, "zorder": 4}
-    panel.errorbar(at, middle, apart, label="all, 95 %", **style)
-
-
-def _draw_curve(panel: "Axes", one: AxisAnalysis, curve: Curve) -> None:
-    levels = np.linspace(one.levels[0], one.levels[-1], 401)
-    p = curve.fits.shares(position(one.axis, levels))[0]
-    panel.plot(levels, p, color=_CURVE, lw=2.0, zorder=3, label="fitted curve")
-    label: str | None = "criterion, 95 %"
-    for name in ("lower", "upper"):
-        if name in curve.values:
-            if (ends := curve.intervals[name]) is not None:
-                low, high = np.clip(ends, one.levels[0], one.levels[-1])
-                panel.axvspan(low, high, color=_CURVE, alpha=0.15, lw=0.0)
-            at = curve.values[name]
-            if one.levels[0] <= at <= one.levels[-1]:
-                panel.axvline(at, color=_CURVE, ls="--", lw=1.2, label=label)
-                label = None

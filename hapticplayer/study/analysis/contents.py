@@ -1,7 +1,6 @@
-"""The contents of the report, independent of its format."""
+"""The contents of the report of ratings."""
 
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping
 
 from hapticplayer.study.analysis.analysis import (
     STATISTICS,
@@ -10,7 +9,27 @@ from hapticplayer.study.analysis.analysis import (
     missing,
     warnings_of,
 )
+from hapticplayer.study.analysis.blocks import (
+    Heading,
+    Paragraph,
+    ReportBlock,
+    ReportFigure,
+    ReportTable,
+    numbered,
+)
+from hapticplayer.study.analysis.conduct_report import (
+    identity,
+    order_balance,
+    people,
+    playback,
+)
 from hapticplayer.study.analysis.describing import Summary
+from hapticplayer.study.analysis.methods import (
+    computed_with,
+    methods,
+    references,
+    works,
+)
 from hapticplayer.study.analysis.scores import QOE
 from hapticplayer.study.analysis.statistic import (
     ReportColumn,
@@ -19,6 +38,10 @@ from hapticplayer.study.analysis.statistic import (
     number,
 )
 
+_NO_INTERVAL = (
+    "CI: confidence interval, by bootstrap; -: all values are equal, so that no resample "
+    "differs."
+)
 _MEANS = (
     "Means and standard deviations describe ratings as if the steps of the scale were equally wide. Medians and "
     "quartiles do not assume this. Intervals of means are percentile bootstrap intervals, "
@@ -26,106 +49,118 @@ _MEANS = (
 )
 
 
-@dataclass(frozen=True, slots=True)
-class Heading:
-    """The title of a part."""
-
-    text: str
-
-
-@dataclass(frozen=True, slots=True)
-class Paragraph:
-    """A paragraph."""
-
-    text: str
-
-
-@dataclass(frozen=True, slots=True)
-class ReportTable:
-    """A table of texts; the first column names the rows."""
-
-    title: str
-    head: tuple[str, ...]
-    rows: tuple[tuple[str, ...], ...]
-
-
-@dataclass(frozen=True, slots=True)
-class ReportFigure:
-    """A figure by its name."""
-
-    name: str
-    caption: str
-
-
-ReportBlock = Heading | Paragraph | ReportTable | ReportFigure
-
-
 def contents(analysis: Analysis) -> Iterator[ReportBlock]:
-    """Yield the parts of the report."""
-    yield from _people(analysis)
+    """Yield the parts of the report, with numbers of tables and figures."""
+    yield from numbered(_contents(analysis))
+
+
+def _contents(analysis: Analysis) -> Iterator[ReportBlock]:
+    yield from identity(analysis.answers)
+    yield from people(analysis.answers)
+    yield from order_balance(analysis.answers)
+    yield from _answers(analysis)
     yield Heading("Warnings")
     warned = warnings_of(analysis)
     for text in warned or ["No warnings."]:
         yield Paragraph(text)
-    yield Heading("Figures")
-    yield ReportFigure("qoe-by-sequence", "QoE by sequence and feedback")
-    yield ReportFigure(
-        "factors-by-feedback", "Factors by feedback, mean over the sequences"
-    )
+    described = tuple(methods(analysis))
+    yield from described
     yield Heading("Means and standard deviations")
+    yield from _figures(analysis)
     yield from _means(analysis)
     yield Heading("Tests")
     for name, statistic in STATISTICS.items():
         yield _table(statistic, analysis.found[name])
+    yield from playback(analysis.answers, analysis.scores.feedbacks)
     yield Heading("Assumptions of the tests")
     yield Paragraph(_MEANS)
     for statistic in STATISTICS.values():
         if statistic.assumes:
             yield Paragraph(statistic.assumes)
-    yield from made_with(analysis.options)
+    yield from references(works(), described)
+    yield from reproducibility(analysis.options)
 
 
-def made_with(options: AnalysisOptions) -> Iterator[ReportBlock]:
-    """Yield versions and options, which reproduce the report."""
+def reproducibility(options: AnalysisOptions) -> Iterator[ReportBlock]:
+    """Yield what reproduces the report."""
     yield Heading("Reproducibility")
-    made = options.provenance()
-    versions = ", ".join(f"{k} {v}" for k, v in made["versions"].items())
     yield Paragraph(
-        f"{made['program']}; {versions}. Seed {made['seed']}, {made['resamples']} "
-        "resamples, intervals of 95 %. The same answers, seed and versions give the "
-        "same report to the bit."
+        f"{computed_with(options)} The same answers, seed and versions give the same "
+        "report to the bit; numbers.json has all results with 12 significant digits."
     )
 
 
-def _people(analysis: Analysis) -> Iterator[ReportBlock]:
+def _answers(analysis: Analysis) -> Iterator[ReportBlock]:
     found, scores = missing(analysis), analysis.scores
-    used = sum(scores.used_before.values())
-    yield Heading("Participants and answers")
+    yield Heading("Answers")
     yield Paragraph(
-        f"{found['participants']} participants, {used} of them had used the device "
-        f"before; {len(scores.sequences)} sequences x {len(scores.feedbacks)} feedbacks "
-        f"x {len(scores.factors)} factors. {found['answers_missing']} of "
-        f"{found['answers_planned']} answers are missing "
+        f"{found['participants']} participants rated {len(scores.sequences)} sequences x "
+        f"{len(scores.feedbacks)} feedbacks x {len(scores.factors)} factors. "
+        f"{found['answers_missing']} of {found['answers_planned']} answers are missing "
         f"({found['of_these_not_sound']} because the playback was not sound); "
-        f"{found['replaced_by_repetition']} were replaced by a repetition. QoE of a "
-        "condition is the sum of its factors; the tests take the mean over the "
-        "sequences for each participant and feedback."
+        f"{found['replaced_by_repetition']} were replaced by a repetition."
     )
+    if not found["answers_missing"]:
+        return
+    rows = (
+        (
+            _label(name),
+            str(one["used"]),
+            str(len(one["dropped"])),
+            str(len(one["reduced"])),
+        )
+        for name, one in found["measures"].items()
+    )
+    head = ("measure", "in the tests", "left out", "with fewer sequences")
+    yield ReportTable("Participants with missing answers", head, tuple(rows))
+
+
+def _figures(analysis: Analysis) -> Iterator[ReportBlock]:
+    measures = dict(analysis.measures)
+    qoe = measures.pop(QOE)
+    shown = "Bars are means, error bars standard deviations, lines participants."
+    yield ReportFigure(
+        "qoe-by-sequence",
+        f"QoE by sequence and feedback. {shown}",
+        _described({**qoe.conditions, "all sequences": qoe.feedbacks}),
+    )
+    yield ReportFigure(
+        "factors-by-feedback",
+        f"Factors by feedback, means over the sequences. {shown}",
+        _described({name: one.feedbacks for name, one in measures.items()}),
+    )
+
+
+def _described(groups: Mapping[str, Mapping[str, Summary]]) -> str:
+    """Return the bars of a figure in words."""
+    bars = (
+        f"{name}: "
+        + ", ".join(
+            f"{feedback} {number(one.mean)} (SD {number(one.sd)})"
+            for feedback, one in group.items()
+        )
+        for name, group in groups.items()
+    )
+    return f"Bar chart of means. {'; '.join(bars)}."
 
 
 def _means(analysis: Analysis) -> Iterator[ReportBlock]:
-    head = ("n", "mean", "95 %", "SD", "median", "quartiles", "range")
+    head = ("n", "mean", "95 % CI", "SD", "median", "quartiles", "range")
+    rows = tuple(
+        _summary_row(f"{_label(name)}: {feedback}", summary)
+        for name, one in analysis.measures.items()
+        for feedback, summary in one.feedbacks.items()
+    )
+    title = "Means over the sequences by feedback"
+    yield ReportTable(title, ("measure: feedback", *head), rows, _NO_INTERVAL)
     for name, one in analysis.measures.items():
-        rows = (_summary_row(*item) for item in one.feedbacks.items())
-        yield ReportTable(_label(name), ("feedback", *head), tuple(rows))
-    for name, one in analysis.measures.items():
-        rows = (
+        rows = tuple(
             _summary_row(f"{sequence}, {feedback}", summary)
             for sequence, by_feedback in one.conditions.items()
             for feedback, summary in by_feedback.items()
         )
         title = f"{_label(name)} by condition, all answers"
-        yield ReportTable(title, ("condition", *head), tuple(rows))
+        yield ReportTable(title, ("condition", *head), rows, _NO_INTERVAL)
 
 
 def _label(measure: str) -> str:
@@ -165,4 +200,7 @@ def _table(statistic: Statistic, found: dict[str, object]) -> ReportTable:
         for name, part in parts.items()
     )
     heads = (column.head for column in columns)
-    return ReportTable(statistic.title, (statistic.of, *heads), rows)
+    family = statistic.holm_family(found)
+    corrected = f"p (Holm) is corrected over {family}." if family else ""
+    note = f"{statistic.note} {corrected}".strip()
+    return ReportTable(statistic.title, (statistic.of, *heads), rows, note)

@@ -4,6 +4,7 @@ The same analysis gives the same bytes: fixed ids in SVG, no dates.
 """
 
 import io
+import textwrap
 import warnings
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -26,9 +27,11 @@ DPI = 150
 # Okabe and Ito: safe for colour blindness; hatches for print
 _COLOURS = ("#bbbbbb", "#56b4e9", "#e69f00", "#009e73", "#cc79a7", "#f0e442")
 _HATCHES = ("", "//", "..", "xx", "\\\\", "++")
-_INK, _LINE = "#222222", "#444444"
+_INK, _LINE, _MARK = "#222222", "#444444", "#a32020"
 _GROUP = 0.84  # share of the space between two groups
 _ASIDE = 0.18  # share of a bar by which error bars and lines are moved apart
+_MARK_PT, _MARK_ACROSS_PT = 30.0, 800.0  # size, and sum of a mark's characters
+_LETTERS, _LEAST_LETTERS = 95, 6  # of the names of all groups, side by side
 _SETTINGS: dict[Any, Any] = {
     "svg.hashsalt": "hapticplayer",
     "svg.fonttype": "none",
@@ -71,6 +74,20 @@ def factors_by_feedback(analysis: Analysis) -> "Figure":
     }
     label = f"rating ({SCALE[0]} to {SCALE[1]})"
     return _figure(groups, analysis.scores.feedbacks, label, SCALE)
+
+
+def marked(figures: dict[str, "Figure"], mark: str) -> dict[str, "Figure"]:
+    """Return the figures with a mark across each; empty for none."""
+    size_pt = min(_MARK_PT, _MARK_ACROSS_PT / max(1, len(mark)))
+    style: dict[str, Any] = {
+        "color": _MARK,
+        "alpha": 0.5,
+        "fontsize": size_pt,
+        "zorder": 10,
+    }
+    for figure in figures.values() if mark else ():
+        figure.text(0.5, 0.5, mark, ha="center", va="center", rotation=20, **style)
+    return figures
 
 
 def image(figure: "Figure", suffix: str = ".png") -> bytes:
@@ -127,7 +144,10 @@ def _figure(
     with new_panel(label) as (figure, panel):
         for place, values in enumerate(groups.values()):
             _draw_group(panel, place, values, limits[0])
-        panel.set_xticks(range(len(groups)), list(groups))
+        width = max(_LEAST_LETTERS, _LETTERS // len(groups))
+        panel.set_xticks(
+            range(len(groups)), [textwrap.fill(name, width) for name in groups]
+        )
         panel.tick_params(axis="x", length=0)
         drawn = panel.dataLim  # error bars may exceed the scale
         low, high = min(limits[0], drawn.y0), max(limits[1], drawn.y1)

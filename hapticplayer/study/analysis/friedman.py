@@ -14,6 +14,13 @@ from numpy.typing import NDArray
 
 from hapticplayer.model.arrays import Floats
 from hapticplayer.study.analysis.describing import Resampling
+from hapticplayer.study.analysis.references import (
+    CONOVER_1999,
+    FRIEDMAN_1937,
+    KENDALL_1939,
+    NEMENYI_1963,
+    PHIPSON_2010,
+)
 from hapticplayer.study.analysis.scores import Sample
 from hapticplayer.study.analysis.statistic import (
     ALPHA,
@@ -21,8 +28,10 @@ from hapticplayer.study.analysis.statistic import (
     Holm,
     ReportColumn,
     Statistic,
+    degrees,
     number,
     p_value,
+    ways,
 )
 
 MOST_STEPS = 100_000_000
@@ -158,10 +167,13 @@ def conover(values: Floats, pairs: list[tuple[int, int]]) -> list[Found]:
     left = n * float((ranks**2).sum()) - float((sums**2).sum())
     df = (n - 1) * (k - 1)
     if left <= 0.0:  # exact: multiples of one half
-        return [{"t": None, "p": float(sums[i] == sums[j])} for i, j in pairs]
+        same = [float(sums[i] == sums[j]) for i, j in pairs]
+        return [{"t": None, "df": df, "p": one} for one in same]
     error = math.sqrt(2.0 * left / df)
     t = [float(abs(sums[i] - sums[j]) / error) for i, j in pairs]
-    return [{"t": one, "p": float(2.0 * scipy.stats.t.sf(one, df))} for one in t]
+    return [
+        {"t": one, "df": df, "p": float(2.0 * scipy.stats.t.sf(one, df))} for one in t
+    ]
 
 
 def _of_sample(sample: Sample, resampling: Resampling) -> Found:
@@ -179,15 +191,37 @@ def _warnings(found: dict[str, Found]) -> list[str]:
             )
         elif (one["p"] < ALPHA) != (one["p_exact"] < ALPHA):
             warned.append(
-                f"{measure}: p of Friedman's chi-square is {one['p']:.3f}, the exact p "
-                f"{one['p_exact']:.3f}; use the exact one."
+                f"{measure}: p of Friedman's chi-square ({one['df']} df) is "
+                f"{one['p']:.3f}, the permutation p {one['p_exact']:.3f}; use the "
+                "latter."
             )
     return warned
 
 
+def _methods(found: dict[str, Found]) -> str:
+    drawn = {str(one["p_exact_method"]).partition(", ")[2] for one in found.values()}
+    way = ways(
+        found.values(),
+        "p_exact_method",
+        {
+            "exact": "exact (all orders of the mid-ranks within participants, ties "
+            "included, were counted)",
+            "permutation": f"by Monte Carlo ({max(drawn)} random orders of the mid-ranks "
+            "within participants; p = (b + 1)/(m + 1) for b of m orders at least as "
+            "extreme; Phipson and Smyth, 2010)",
+        },
+    )
+    return (
+        "Feedbacks were compared by Friedman's test (Friedman, 1937) with chi-square "
+        f"corrected for ties (Conover, 1999). Its permutation p was {way or 'not defined'}. "
+        "Kendall's W is the effect size; F of Kendall and Babington Smith (1939) is "
+        "given for comparison."
+    )
+
+
 FRIEDMAN = Statistic(
     "friedman",
-    "Friedman over the feedbacks; Holm over the measures (of the exact p)",
+    "Friedman's test over the feedbacks, of the means over the sequences",
     _of_sample,
     of="measure",
     columns=(
@@ -196,44 +230,58 @@ FRIEDMAN = Statistic(
         ReportColumn("df", "df", str),
         ReportColumn("p", "p", p_value),
         ReportColumn("Kendall's W", "kendall_w", lambda w: number(w, 3)),
-        ReportColumn("exact p", "p_exact", p_value),
-        ReportColumn("Holm", "p_holm", p_value),
+        ReportColumn("p (permutation)", "p_exact", p_value),
+        ReportColumn("p (Holm)", "p_holm", p_value),
         ReportColumn("F", "f"),
+        ReportColumn("df of F", "f_df", degrees),
         ReportColumn("p of F", "p_f", p_value),
     ),
+    note="F: of Kendall and Babington Smith.",
     assumes="Friedman's test assumes that participants are independent of each other and "
     "that the values of one participant can be ranked; the null hypothesis is that every order is "
     "equally probable. Chi-square (corrected for ties) is an approximation for many "
-    "participants; the exact p beside it counts all orders given the ties, and is the "
+    "participants; the permutation p beside it is given the ties, and is the "
     "one that is corrected over the measures (Holm). Kendall's W tells how much the "
     "participants agree, from 0 to 1.",
     warn=_warnings,
     rows=lambda found: {"": found},
     holm=Holm("p_exact", "all measures"),
+    methods=_methods,
+    references=(FRIEDMAN_1937, CONOVER_1999, KENDALL_1939, PHIPSON_2010),
 )
 
 NEMENYI = Statistic(
     "nemenyi",
-    "Pairs of feedbacks: Nemenyi",
+    "Pairs of feedbacks: Nemenyi's test (q and p for all pairs together)",
     lambda sample, _: sample.each_pair(lambda pairs: nemenyi(sample.values, pairs)),
     of="pair",
     columns=(ReportColumn("q", "q"), ReportColumn("p", "p", p_value)),
     assumes="Nemenyi's test compares pairs by the ranks among all feedbacks, and is meant "
     "to follow a significant Friedman test. It corrects for all pairs and is conservative.",
+    methods=lambda _: (
+        "Nemenyi's test (1963) refers differences of mean ranks to the "
+        "studentised range with infinite degrees of freedom."
+    ),
+    references=(NEMENYI_1963,),
 )
 
 CONOVER = Statistic(
     "conover",
-    "Pairs of feedbacks: Conover; Holm over the pairs of a measure",
+    "Pairs of feedbacks: Conover's test",
     lambda sample, _: sample.each_pair(lambda pairs: conover(sample.values, pairs)),
     of="pair",
     columns=(
         ReportColumn("t", "t"),
+        ReportColumn("df", "df", str),
         ReportColumn("p", "p", p_value),
-        ReportColumn("Holm", "p_holm", p_value),
+        ReportColumn("p (Holm)", "p_holm", p_value),
     ),
     assumes="Conover's test compares pairs by the ranks among all feedbacks, and is meant "
     "to follow a significant Friedman test. It is more sensitive than Nemenyi's, and relies on a "
     "significant omnibus test.",
     holm=Holm("p", "each measure"),
+    methods=lambda _: (
+        "Conover's test (1999, 5.8) refers differences of rank sums to Student's t."
+    ),
+    references=(CONOVER_1999,),
 )

@@ -1,7 +1,6 @@
-"""Rank tests of two samples with exact p for tied ranks, and a test of normality.
+"""The signed-rank test with exact p for tied ranks, and a test of normality.
 
-Wilcoxon's signed-rank test (zero differences are dropped) and the rank-sum test of Mann
-and Whitney. The exact p of scipy is for ranks without ties, or takes too long beyond a
+Wilcoxon's test; zero differences are dropped. The exact p of scipy is for ranks without ties, or takes too long beyond a
 dozen values (all permutations); here the distribution of sums of tied mid-ranks is
 convolved rank by rank. Two-sided p: twice the smaller tail.
 """
@@ -17,9 +16,15 @@ from numpy.typing import NDArray
 from hapticplayer.model.arrays import Floats
 from hapticplayer.study.analysis.describing import TAILS, Resampling
 from hapticplayer.study.analysis.effect_sizes import (
-    independent_interval,
     matched_interval,
     rank_biserial,
+)
+from hapticplayer.study.analysis.references import (
+    HODGES_1963,
+    KERBY_2014,
+    LEHMANN_1975,
+    SHAPIRO_1965,
+    WILCOXON_1945,
 )
 from hapticplayer.study.analysis.scores import Sample
 from hapticplayer.study.analysis.statistic import (
@@ -32,13 +37,13 @@ from hapticplayer.study.analysis.statistic import (
     listed,
     number,
     p_value,
+    ways,
 )
 
-MOST_PAIRS, MOST_PEOPLE = 200, 100
-"""Above these numbers the normal approximation is used (p within 1e-4)."""
+MOST_PAIRS = 200
+"""Above this number the normal approximation is used (p within 1e-4)."""
 _DECIMALS = 9  # so that means of integers that differ by rounding are ties
 _LEAST_FOR_SHAPIRO = 3
-_SMALL_GROUP = 5
 
 
 def signed_rank(first: Floats, second: Floats) -> Found:
@@ -57,7 +62,7 @@ def signed_rank(first: Floats, second: Floats) -> Found:
     if len(apart):
         p = p_normal = float(scipy.stats.wilcoxon(apart, method="asymptotic").pvalue)
         if is_counted:
-            p = _smaller_tail(_sums(2.0 * ranks), 2.0 * w_plus)
+            p = smaller_tail(_sums(2.0 * ranks), 2.0 * w_plus)
         effect = rank_biserial(differences)
         effect_interval = matched_interval(w_plus, len(apart))
     shift, shift_interval = hodges_lehmann(differences)
@@ -122,51 +127,10 @@ def _sums(doubled: NDArray[np.float64]) -> Floats:
     return share
 
 
-def _smaller_tail(share: Floats, at: float) -> float:
+def smaller_tail(share: Floats, at: float) -> float:
     """Return the two-sided p of a value from the distribution of all."""
     place = round(at)
     return min(1.0, 2.0 * float(min(share[: place + 1].sum(), share[place:].sum())))
-
-
-def rank_sum(before: Floats, new: Floats) -> Found:
-    """Compare independent samples (n_before,) and (n_new,).
-
-    `u` counts the pairs in which `before` is higher, ties half; `p_normal` is corrected
-    for ties and continuity; `rank_biserial` is positive where `before` is higher. None
-    if a group is empty or all values are equal.
-    """
-    found: Found = {"n_before": len(before), "n_new": len(new)}
-    found |= dict.fromkeys(["u", "p", "p_method", "p_normal"])
-    found |= dict.fromkeys(["rank_biserial", "rank_biserial_interval"])
-    if not len(before) or not len(new):
-        return found
-    ranks = scipy.stats.rankdata(np.concatenate([before, new]))
-    with np.errstate(invalid="ignore"):
-        normal = scipy.stats.mannwhitneyu(before, new, method="asymptotic")
-    found["u"] = float(normal.statistic)
-    found["rank_biserial"] = 2.0 * found["u"] / (len(before) * len(new)) - 1.0
-    found["rank_biserial_interval"] = independent_interval(
-        found["u"], len(before), len(new)
-    )
-    if np.ptp(ranks) == 0.0:
-        return found
-    found["p"] = found["p_normal"] = float(normal.pvalue)
-    is_counted = len(ranks) <= MOST_PEOPLE
-    if is_counted:
-        doubled = np.rint(2.0 * ranks).astype(int)
-        sums = _sums_of_choices(doubled, len(before))
-        found["p"] = _smaller_tail(sums, float(doubled[: len(before)].sum()))
-    found["p_method"] = "exact" if is_counted else "normal"
-    return found
-
-
-def _sums_of_choices(doubled: NDArray[np.int64], chosen: int) -> Floats:
-    """Return the distribution of sums of `chosen` of the (doubled) ranks."""
-    ways = np.zeros((chosen + 1, int(np.sort(doubled)[-chosen:].sum()) + 1))
-    ways[0, 0] = 1.0
-    for step in doubled:
-        ways[1:, step:] += ways[:-1, : ways.shape[1] - step].copy()
-    return np.asarray(ways[chosen] / ways[chosen].sum())
 
 
 def shapiro(values: Floats) -> Found:
@@ -184,26 +148,6 @@ def _signed_ranks(sample: Sample, _resampling: Resampling) -> Found:
     )
 
 
-def _expertise(sample: Sample, _resampling: Resampling) -> Found:
-    before, new = (
-        [i for i, used in enumerate(sample.used_before) if used is wanted]
-        for wanted in (True, False)
-    )
-    return sample.each_feedback(
-        lambda _name, column: rank_sum(column[before], column[new])
-    )
-
-
-def _group_warnings(found: dict[str, Found]) -> Iterator[str]:
-    groups = next(iter(next(iter(found.values())).values()))
-    smaller = min(groups["n_before"], groups["n_new"])
-    if smaller < _SMALL_GROUP:
-        yield (
-            f"One of the groups of the Mann-Whitney tests has {smaller} participants: "
-            "only very large effects of experience can be detected."
-        )
-
-
 def _normality_warnings(found: dict[str, Found]) -> Iterator[str]:
     for measure, one in found.items():
         skewed = [k for k, s in one.items() if s["p"] is not None and s["p"] < ALPHA]
@@ -219,9 +163,30 @@ def _normality_warnings(found: dict[str, Found]) -> Iterator[str]:
             )
 
 
+def _signed_rank_methods(found: dict[str, Found]) -> str:
+    way = ways(
+        (part for one in found.values() for part in one.values()),
+        "p_method",
+        {
+            "exact": "exact given the ties (all signs of the mid-ranks were counted; "
+            "twice the smaller tail)",
+            "normal": f"by the normal approximation for more than {MOST_PAIRS} pairs "
+            "(corrected for ties, not for continuity)",
+        },
+    )
+    return (
+        "Pairs of feedbacks were compared by Wilcoxon's signed-rank test (Wilcoxon, "
+        "1945); pairs without a difference were dropped, and equal differences share "
+        f"their mean rank. Two-sided p was {way or 'not defined'}. The effect size is "
+        "the matched rank-biserial correlation (Kerby, 2014); its interval inverts the "
+        "test with the variance of W+ for shifted normal differences (Lehmann, 1975). "
+        "The shift is the estimate of Hodges and Lehmann (1963)."
+    )
+
+
 SHAPIRO = Statistic(
     "shapiro",
-    "Normality: Shapiro-Wilk",
+    "Normality of the participants' means: Shapiro and Wilk's test",
     lambda sample, _: sample.each_feedback(lambda _name, column: shapiro(column)),
     of="feedback",
     columns=(
@@ -232,11 +197,13 @@ SHAPIRO = Statistic(
     "participants it rarely detects a deviation: a large p proves nothing. The other "
     "tests here do not assume normal values.",
     warn=_normality_warnings,
+    methods=lambda _: "Normality was tested after Shapiro and Wilk (1965).",
+    references=(SHAPIRO_1965,),
 )
 
 WILCOXON = Statistic(
     "wilcoxon",
-    "Pairs of feedbacks: Wilcoxon signed rank; Holm over the pairs of a measure",
+    "Pairs of feedbacks: Wilcoxon's signed-rank test",
     _signed_ranks,
     of="pair",
     columns=(
@@ -245,12 +212,15 @@ WILCOXON = Statistic(
         ReportColumn("W+", "w_plus", lambda w: number(w, 1)),
         ReportColumn("W-", "w_minus", lambda w: number(w, 1)),
         ReportColumn("p", "p", p_value),
-        ReportColumn("Holm", "p_holm", p_value),
+        ReportColumn("p (Holm)", "p_holm", p_value),
         ReportColumn("r", "rank_biserial"),
-        ReportColumn("95 %", "rank_biserial_interval", interval),
+        ReportColumn("95 % CI", "rank_biserial_interval", interval),
         ReportColumn("shift", "shift"),
-        ReportColumn("95 %", "shift_interval", interval),
+        ReportColumn("95 % CI", "shift_interval", interval),
     ),
+    note="W+ and W-: sums of the ranks of positive and negative differences. r: matched "
+    "rank-biserial correlation. Shift: estimate of Hodges and Lehmann. CI: confidence "
+    "interval.",
     assumes="Wilcoxon's signed-rank test assumes paired values whose differences are symmetric about their median "
     "and can be ranked by size. Pairs without a difference are dropped; p is exact "
     "for tied ranks. The matched rank-biserial correlation goes from -1 to 1; its "
@@ -258,26 +228,6 @@ WILCOXON = Statistic(
     "(of normal differences), and is no point at 1, as a bootstrap is; the shift is the Hodges-Lehmann estimate, whose interval is exact without ties and "
     "conservative with ties.",
     holm=Holm("p", "each measure"),
-)
-
-MANN_WHITNEY = Statistic(
-    "mann_whitney",
-    "Used the device before or not: Mann-Whitney; Holm over all of these tests",
-    _expertise,
-    of="feedback",
-    columns=(
-        ReportColumn("before", "n_before", str),
-        ReportColumn("new", "n_new", str),
-        ReportColumn("U", "u", lambda u: number(u, 1)),
-        ReportColumn("p", "p", p_value),
-        ReportColumn("Holm", "p_holm", p_value),
-        ReportColumn("r", "rank_biserial"),
-        ReportColumn("95 %", "rank_biserial_interval", interval),
-    ),
-    assumes="The test of Mann and Whitney assumes two independent groups and values that can be ranked. It compares "
-    "medians only if both distributions have the same shape. Few participants detect only "
-    "large effects: no significance does not mean no effect. The interval of the "
-    "rank-biserial correlation is Newcombe's fifth method, which holds at -1 and 1.",
-    warn=_group_warnings,
-    holm=Holm("p", "all measures"),
+    methods=_signed_rank_methods,
+    references=(WILCOXON_1945, KERBY_2014, LEHMANN_1975, HODGES_1963),
 )

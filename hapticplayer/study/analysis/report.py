@@ -10,7 +10,12 @@ from typing import TYPE_CHECKING, Any
 from hapticplayer.errors import Message
 from hapticplayer.sequence import files
 from hapticplayer.study import private
-from hapticplayer.study.analysis import consistency_report, contents, figures
+from hapticplayer.study.analysis import (
+    consistency_figures,
+    consistency_report,
+    contents,
+    figures,
+)
 from hapticplayer.study.analysis.analysis import (
     STATISTICS,
     Analysis,
@@ -19,6 +24,8 @@ from hapticplayer.study.analysis.analysis import (
     analyse,
     summary,
 )
+from hapticplayer.study.analysis.blocks import ReportBlock
+from hapticplayer.study.analysis.conduct_report import simulated_mark
 from hapticplayer.study.analysis.consistency import (
     ConsistencyAnalysis,
     analyse_consistency,
@@ -39,14 +46,16 @@ class Parts:
     """The parts of a report.
 
     Attributes:
+        mark: on each page and figure where participants are simulated; else empty.
         numbers: as JSON, with 12 significant digits.
         blocks: of the text.
         draw: returns the figures by name.
         tables: rows by name of the CSV file.
     """
 
+    mark: str
     numbers: dict[str, Any]
-    blocks: tuple[contents.ReportBlock, ...]
+    blocks: tuple[ReportBlock, ...]
     draw: Callable[[], dict[str, "Figure"]]
     tables: Mapping[str, Iterable[list[Any]]]
 
@@ -67,17 +76,20 @@ def analyse_study(
 
 def parts_of(found: StudyAnalysis) -> Parts:
     """Return the parts of a report."""
+    mark = simulated_mark(found.answers.participants)
     if isinstance(found, ConsistencyAnalysis):
         return Parts(
+            mark,
             rounded(consistency_report.summary(found)),
             tuple(consistency_report.contents(found)),
-            lambda: consistency_report.figures(found),
+            lambda: figures.marked(consistency_figures.figures(found), mark),
             consistency_report.tables(found),
         )
     return Parts(
+        mark,
         rounded(summary(found)),
         tuple(contents.contents(found)),
-        lambda: figures.figures(found),
+        lambda: figures.marked(figures.figures(found), mark),
         {
             "conditions.csv": _condition_rows(found),
             "tests.csv": _test_rows(found),
@@ -115,9 +127,9 @@ def write_report(
             for pattern in ("*.svg", "*.png")
         )
         progress(0.6, Message("writing {file}", file="report.html"))
-        _write_text(aside / "report.html", page(title, parts.blocks, svgs))
+        _write_text(aside / "report.html", page(title, parts.mark, parts.blocks, svgs))
         progress(0.7, Message("writing {file}", file="report.pdf"))
-        write_pdf(aside / "report.pdf", title, parts.blocks, pngs)
+        write_pdf(aside / "report.pdf", title, parts.mark, parts.blocks, pngs)
         progress(0.9, Message("writing the numbers"))
         files.write_json(aside / "numbers.json", parts.numbers)
         for name, rows in parts.tables.items():

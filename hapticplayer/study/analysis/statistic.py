@@ -28,6 +28,13 @@ def p_value(value: float | None) -> str:
     return "< .001" if value < 0.001 else f"{value:.3f}".lstrip("0")
 
 
+def degrees(value: Sequence[float] | None) -> str:
+    """Return two degrees of freedom as text; None is a dash."""
+    if value is None:
+        return "-"
+    return ", ".join(f"{one:.2f}".rstrip("0").rstrip(".") for one in value)
+
+
 def interval(value: Sequence[float] | None) -> str:
     """Return an interval as text; None is a dash."""
     return "-" if value is None else f"[{value[0]:.2f}, {value[1]:.2f}]"
@@ -70,10 +77,14 @@ class Statistic:
             `rows` is given.
         of: head of the first column: what the parts are.
         columns: of its table; by default one for each value.
+        note: below its table: what the columns are.
         assumes: its assumptions, a paragraph of the report.
         warn: returns warnings from the results by measure.
         rows: returns the parts by name, "" for the whole.
         holm: correction for the number of tests.
+        methods: returns from the results by measure the sentences for a paper: what was
+            done, and which way p was found.
+        references: works that the method is from.
         key: in JSON, if it differs from the name.
     """
 
@@ -82,23 +93,40 @@ class Statistic:
     compute: Callable[[Sample, Resampling], Any]
     of: str = "part"
     columns: tuple[ReportColumn, ...] = ()
+    note: str = ""
     assumes: str = ""
     warn: Callable[[dict[str, Any]], Iterable[str]] = lambda _found: ()
     rows: Callable[[Any], Mapping[str, Found]] = lambda found: found
     holm: Holm | None = None
     key: str = ""
+    methods: Callable[[dict[str, Any]], str] = lambda _found: ""
+    references: tuple[str, ...] = ()
 
     def correct(self, found: Mapping[str, Any]) -> None:
         """Add `p_holm` to the results by measure."""
         if self.holm is None:
             return
-        families = [list(self.rows(one).values()) for one in found.values()]
-        if self.holm.over == "all measures":
-            families = [[row for family in families for row in family]]
-        for family in families:
+        for family in self._families(found):
             corrected = holm([row[self.holm.p] for row in family])
             for row, p in zip(family, corrected, strict=True):
                 row["p_holm"] = p
+
+    def holm_family(self, found: Mapping[str, Any]) -> str:
+        """Return which tests Holm's correction is over, and how many; empty without."""
+        if self.holm is None:
+            return ""
+        sizes = {
+            sum(row[self.holm.p] is not None for row in family)
+            for family in self._families(found)
+        }
+        tests = " or ".join(str(size) for size in sorted(sizes))
+        return f"the {tests} tests of {self.holm.over}"
+
+    def _families(self, found: Mapping[str, Any]) -> list[list[Found]]:
+        families = [list(self.rows(one).values()) for one in found.values()]
+        if self.holm is not None and self.holm.over == "all measures":
+            families = [[row for family in families for row in family]]
+        return families
 
 
 def holm(p_values: Sequence[float | None]) -> list[float | None]:
@@ -125,6 +153,18 @@ def plain(value: Any) -> Any:
     if isinstance(value, float) and not math.isfinite(value):
         return None
     return value
+
+
+def ways(found: Iterable[Mapping[str, Any]], key: str, texts: dict[str, str]) -> str:
+    """Return how p was found, for all results or as alternatives.
+
+    Args:
+        found: results.
+        key: of the method in the results.
+        texts: by the first word of the method.
+    """
+    used = {str(one[key]).partition(",")[0] for one in found if one.get(key)}
+    return ", or ".join(text for name, text in texts.items() if name in used)
 
 
 def rounded(value: Any) -> Any:

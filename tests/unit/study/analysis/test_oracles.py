@@ -28,9 +28,9 @@ from hapticplayer.study.analysis.friedman import (
     friedman,
     nemenyi,
 )
+from hapticplayer.study.analysis.rank_sum import rank_sum
 from hapticplayer.study.analysis.rank_tests import (
     hodges_lehmann,
-    rank_sum,
     shapiro,
     signed_rank,
 )

@@ -1,0 +1,179 @@
+"""What a report tells of the study itself: identity, participants, orders, playback."""
+
+from collections import Counter
+from collections.abc import Iterator, Sequence
+from typing import Any
+
+import numpy as np
+
+from hapticplayer import __version__
+from hapticplayer.study.analysis.blocks import (
+    Heading,
+    Paragraph,
+    ReportBlock,
+    ReportTable,
+)
+from hapticplayer.study.analysis.statistic import listed, number
+from hapticplayer.study.answers import Answers, Participant
+from hapticplayer.study.conduct import AnsweredPlayback
+
+ALL = "all"
+_ORDERS = {
+    "random": "shuffled for each participant",
+    "latin-square": "of a Latin square",
+    "williams": "of a Williams design",
+    "list": "of a list",
+}
+_SYNC = {
+    "force_minus_picture_ms": "force - video, ms",
+    "force_minus_sound_ms": "force - sound, ms",
+}
+
+
+def simulated_mark(participants: Sequence[Participant]) -> str:
+    """Return what marks each page and figure; empty if nobody is simulated."""
+    simulated = sum(one.simulated for one in participants)
+    if not simulated:
+        return ""
+    if simulated == len(participants):
+        return "simulated data"
+    return f"partly simulated data: {simulated} of {len(participants)} participants"
+
+
+def identity(answers: Answers) -> Iterator[ReportBlock]:
+    """Yield what the study is, when it was run, and with which software."""
+    conduct = answers.conduct
+    parts = []
+    if conduct.identifier:
+        parts.append(f"Study {conduct.identifier}.")
+    if conduct.dates:
+        parts.append(f"Sessions of {' to '.join(dict.fromkeys(conduct.dates))} (UTC)")
+        parts[-1] += f", recorded with {listed(conduct.programs)}."
+    parts.append(f"Analysed with hapticplayer {__version__}.")
+    if mark := simulated_mark(answers.participants):
+        parts.append(f"{mark.capitalize()}.")
+    yield Paragraph(" ".join(parts))
+
+
+def people(answers: Answers) -> Iterator[ReportBlock]:
+    """Yield a table of the participants."""
+    yield Heading("Participants")
+    everyone, conduct = answers.participants, answers.conduct
+    ages = np.array([p.age for p in everyone if p.age is not None], dtype=float)
+    used = [p.used_device_before for p in everyone]
+    rows = [("participants", str(len(everyone)))]
+    if conduct.sessions:
+        rows.append(("completed sessions", f"{conduct.complete} of {conduct.sessions}"))
+    rows.append(("age, years", _ages(ages, len(everyone))))
+    rows.append(("gender", _counted([p.gender for p in everyone])))
+    rows.append(("handedness", _counted([p.handedness for p in everyone])))
+    words = {True: "had used such a device before", False: "had not", None: None}
+    rows.append(("experience", _counted([words[one] for one in used])))
+    yield ReportTable("Participants of the study", ("", "value"), tuple(rows))
+
+
+def _ages(ages: Any, everyone: int) -> str:
+    if not len(ages):
+        return "not asked"
+    spread = f"SD {number(float(ages.std(ddof=1)))}, " if len(ages) > 1 else ""
+    known = f", {everyone - len(ages)} unknown" if len(ages) < everyone else ""
+    return (
+        f"mean {number(float(ages.mean()))}, {spread}range {ages.min():.0f} to "
+        f"{ages.max():.0f}{known}"
+    )
+
+
+def _counted(values: Sequence[str | None]) -> str:
+    counts = Counter(value or "unknown" for value in values)
+    return ", ".join(f"{count} {name}" for name, count in counts.most_common())
+
+
+def order_balance(answers: Answers) -> Iterator[ReportBlock]:
+    """Yield how balanced the orders of the conditions were."""
+    conduct = answers.conduct
+    if not conduct.order_method:
+        return
+    yield Heading("Order of the conditions")
+    position, after = conduct.at_position, conduct.followed
+    yield Paragraph(
+        f"Orders were {_ORDERS.get(conduct.order_method, conduct.order_method)}. "
+        f"Each condition was played {position[0]} to {position[1]} times at each "
+        f"position, and {after[0]} to {after[1]} times directly after each other one."
+    )
+
+
+def playback(answers: Answers, feedbacks: Sequence[str]) -> Iterator[ReportBlock]:
+    """Yield times to answer and the quality of the playback, by feedback."""
+    trials = answers.conduct.playbacks
+    if not trials:
+        return
+    yield Heading("Times to answer and quality of the playback")
+    groups = {
+        name: [one for one in trials if name in (ALL, one.feedback)]
+        for name in (*feedbacks, ALL)
+    }
+    if any(one.response_s is not None for one in trials):
+        yield ReportTable(
+            "Time from the questions to the answer, s",
+            ("feedback", "n", "median", "quartiles", "range"),
+            tuple((name, *_times(group)) for name, group in groups.items()),
+        )
+    else:
+        yield Paragraph("Times to answer were not recorded.")
+    heads = ("trials", "repeated", "not sound", "frames dropped", "silence, s")
+    rows = tuple((name, *_quality(group)) for name, group in groups.items())
+    yield ReportTable(
+        "Quality of the playback of answered trials",
+        ("feedback", *heads, "missed periods", *_SYNC.values()),
+        rows,
+        "Differences between force and video or sound: median of the trials' medians, "
+        "smallest 5 % and largest 95 % quantile of a trial; positive where the force "
+        "came later. Missed periods are those of the 1 kHz haptic loop."
+        if any(one.figures for one in trials)
+        else "The playback was not recorded.",
+    )
+
+
+def _times(trials: Sequence[AnsweredPlayback]) -> tuple[str, ...]:
+    found = [one.response_s for one in trials if one.response_s is not None]
+    if not found:
+        return "0", "-", "-", "-"
+    low, q1, median, q3, high = np.quantile(found, [0.0, 0.25, 0.5, 0.75, 1.0])
+    texts = (f"{median:.1f}", f"[{q1:.1f}, {q3:.1f}]", f"[{low:.1f}, {high:.1f}]")
+    return str(len(found)), *texts
+
+
+def _quality(trials: Sequence[AnsweredPlayback]) -> tuple[str, ...]:
+    played = [one.figures for one in trials if one.figures]
+    shown, dropped, silence_s, missed, ticks = (
+        sum(float(one.get(name) or 0.0) for one in played)
+        for name in (
+            "pictures_shown",
+            "pictures_dropped",
+            "silence_s",
+            "missed",
+            "ticks",
+        )
+    )
+    return (
+        str(len(trials)),
+        str(sum(one.attempt > 1 for one in trials)),
+        str(sum(not one.sound for one in trials)),
+        _share(dropped, shown + dropped),
+        f"{silence_s:.2f}" if played else "-",
+        _share(missed, ticks),
+        *(_difference([one.get(name) for one in played]) for name in _SYNC),
+    )
+
+
+def _share(count: float, total: float) -> str:
+    return f"{count:.0f} of {total:.0f}" if total else "-"
+
+
+def _difference(stats: Sequence[Any]) -> str:
+    known = [one for one in stats if isinstance(one, dict) and "p50" in one]
+    if not known:
+        return "-"
+    middle = float(np.median([one["p50"] for one in known]))
+    low, high = min(one["p05"] for one in known), max(one["p95"] for one in known)
+    return f"{middle:.1f} [{low:.1f}, {high:.1f}]"

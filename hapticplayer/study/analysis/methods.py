@@ -1,0 +1,77 @@
+"""The methods of an analysis as a paper can quote them, and the works they are from."""
+
+from collections.abc import Iterable, Iterator
+
+from hapticplayer.study.analysis.analysis import STATISTICS, Analysis, AnalysisOptions
+from hapticplayer.study.analysis.blocks import Heading, Paragraph, ReportBlock
+from hapticplayer.study.analysis.references import EFRON_1993, HOLM_1979
+from hapticplayer.study.analysis.scores import MissingPolicy
+from hapticplayer.study.analysis.statistic import listed
+
+_MISSING = {
+    MissingPolicy.PAIRED: "Where an answer was missing, its sequence was left out for all "
+    "feedbacks of this participant.",
+    MissingPolicy.COMPLETE: "Participants with a missing answer were left out of the "
+    "tests over sequences.",
+}
+
+
+def methods(analysis: Analysis) -> Iterator[ReportBlock]:
+    """Yield the methods of an analysis of ratings."""
+    yield Heading("Methods")
+    scores, options = analysis.scores, analysis.options
+    yield Paragraph(
+        f"Each of {len(scores.sequences)} sequences was rated with each of "
+        f"{len(scores.feedbacks)} feedbacks ({listed(scores.feedbacks)}) for "
+        f"{listed(scores.factors)}, from 1 to 5. QoE of a condition is the sum of its "
+        "factors. Unless stated otherwise, tests are of the means over the sequences for "
+        f"each participant and feedback. {_MISSING[options.missing]} {unsound(options)}"
+    )
+    for name, statistic in STATISTICS.items():
+        found = analysis.found[name]
+        if text := statistic.methods(found):
+            family = statistic.holm_family(found)
+            after = (
+                f" p was corrected by Holm's method over {family}." if family else ""
+            )
+            yield Paragraph(f"{text}{after}")
+    yield Paragraph(
+        "Intervals of means (95 %) are percentile bootstrap intervals (Efron and "
+        f"Tibshirani, 1993) of {options.resampling.count} resamples of the participants "
+        "(none where all values are equal). Corrections for the number of tests follow "
+        f"Holm (1979). {computed_with(options)}"
+    )
+
+
+def unsound(options: AnalysisOptions) -> str:
+    """Return what was done with trials whose playback was not sound."""
+    kept = "were kept" if options.with_unsound else "count as missing"
+    return f"Answers to trials whose playback was not sound {kept}."
+
+
+def computed_with(options: AnalysisOptions) -> str:
+    """Return the sentence about versions and seed."""
+    made = options.provenance()
+    versions = ", ".join(f"{k} {v}" for k, v in made["versions"].items())
+    return (
+        f"All was computed with {made['program']} ({versions}); random numbers are from "
+        f"the seed {made['seed']}."
+    )
+
+
+def references(
+    works: Iterable[str], blocks: Iterable[ReportBlock]
+) -> Iterator[ReportBlock]:
+    """Yield the works that the parts cite by their first author, alphabetically."""
+    text = " ".join(one.text for one in blocks if isinstance(one, Paragraph))
+    yield Heading("References")
+    for work in sorted(set(works)):
+        if work.split()[0] in text:
+            yield Paragraph(work)
+
+
+def works() -> Iterator[str]:
+    """Yield the works that methods of analyses of ratings are from."""
+    yield from (EFRON_1993, HOLM_1979)
+    for statistic in STATISTICS.values():
+        yield from statistic.references
