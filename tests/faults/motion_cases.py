@@ -3,7 +3,8 @@
 A case is a raw recording with its truth, when the fault is over, and what must
 become of it: it RECOVERS (from 10 s after the fault on, no error is a degree larger
 than the largest of the clean recording), is REFUSED (with a message that says
-where), or is DEGRADED (information is lost for good; a bound is given).
+where), is DEGRADED (information is lost for good; a bound is given), or is REPORTED
+(a sensor that errs: its error is shown, and nothing breaks).
 """
 
 import copy
@@ -37,6 +38,7 @@ class Outcome(enum.Enum):
     RECOVERS = "recovers"
     REFUSED = "refused"
     DEGRADED = "degraded"
+    REPORTED = "reported"
 
 
 @dataclass(frozen=True)
@@ -159,6 +161,7 @@ def all_cases() -> list[Case]:
         *_values(),
         *_signals(),
         *_clipping(),
+        *_erring(),
         *_magnetometer(),
         *_times(),
         *_arrays(),
@@ -308,6 +311,45 @@ def _saturated_turn() -> Case:
     return Case("gyro saturated in a turn", raw, fault_end_s=21.0)
 
 
+def railed(raw: Raw) -> None:
+    """Edit: the gyro stops at 60 % of its peak, on a rail that wobbles by 0.1 %."""
+    rail = 0.6 * np.abs(raw.rate).max()
+    wobble = 1.0 + 0.001 * np.random.default_rng(5).standard_normal(raw.rate.shape)
+    beyond = np.abs(raw.rate) > rail
+    raw.rate[beyond] = (np.sign(raw.rate) * rail * wobble)[beyond]
+
+
+def g_sensitive(raw: Raw) -> None:
+    """Edit: each axis of the gyro shows 0.1 deg/s for each m/s^2 along it."""
+    raw.rate += np.radians(0.1) * raw.force
+
+
+def offset(raw: Raw) -> None:
+    """Edit: the accelerometer is off by 0.3 m/s^2."""
+    raw.force += 0.3 * np.array([0.6, -0.64, 0.48])
+
+
+def held(raw: Raw) -> None:
+    """Edit: a logger three times as fast as the sensor repeats its samples."""
+    rows = np.arange(len(raw.rate)) // 3 * 3
+    raw.force, raw.rate, raw.field = raw.force[rows], raw.rate[rows], raw.field[rows]
+
+
+ERRING: dict[str, Edit] = {
+    "gyro on a rail that wobbles": railed,
+    "acc scale +5 %": scaled("force", 1.05),
+    "acc scale -5 %": scaled("force", 0.95),
+    "g-sensitivity 0.1 deg/s per m/s2": g_sensitive,
+    "acc offset 0.3 m/s2": offset,
+    "samples held at a third of the rate": held,
+} | {f"10 s from {row // 100} s": taken(slice(row, row + 1000)) for row in (1000, 4000)}
+
+
+def _erring() -> list[Case]:
+    """Return sensors that err throughout, and clips too short to calibrate one."""
+    return [case(name, edit, outcome=Outcome.REPORTED) for name, edit in ERRING.items()]
+
+
 def _magnetometer() -> list[Case]:
     def parallel(raw: Raw) -> None:
         raw.field = 50.0 * raw.up
@@ -337,7 +379,7 @@ def _times() -> list[Case]:
         swapped[[row, row + 1]] = row + 1, row
     hole = np.r_[0:ROW, ROW + 200 : count]
     uneven = Scene(time_s=Scene().time_s + 0.002 * rng.uniform(-1.0, 1.0, count))
-    noise_s = 0.001 * rng.uniform(-1.0, 1.0, count)
+    noise_s = rng.uniform(-1.0, 1.0, count) / RATE_HZ
     return [
         case("10 % dropped", taken(kept)),
         case("2 s dropped", taken(hole), fault_end_s=FAULT_S[1]),
@@ -358,7 +400,8 @@ def _times() -> list[Case]:
         ),
         case("neighbours swapped", taken(swapped)),
         case("uneven sampling", scene=uneven),
-        case("jittered stamps", stamped(lambda t: t + noise_s)),
+        case("jitter 10 %", stamped(lambda t: t + 0.1 * noise_s)),
+        case("jitter 20 %", stamped(lambda t: t + 0.2 * noise_s)),
         case("packets of 8 with one stamp", stamped(_packets)),
         case("stamps rounded to 0.02 s", stamped(lambda t: np.floor(50.0 * t) / 50.0)),
         case("NaN stamps", stamped(_with(np.nan, 0, ROW, ROW + 1, 5999))),

@@ -79,6 +79,13 @@ def test_lost_information_costs_no_more_than_it_must(name):
     assert scored(CASES[name], track, everywhere).after < CASES[name].bound_deg
 
 
+@pytest.mark.parametrize("name", of(Outcome.REPORTED))
+def test_a_sensor_that_errs_breaks_nothing(name):
+    imu, track = processed(name)
+    assert_sound(track)
+    assert len(track) == len(imu) == len(CASES[name].raw.time_s)
+
+
 @pytest.mark.parametrize("name", of(Outcome.REFUSED))
 def test_unusable_input_is_refused_and_the_message_says_where(name):
     raw = CASES[name].raw
