@@ -174,3 +174,17 @@ def test_a_study_of_the_template_gets_its_report(tmp_path, scripted):
         rows = {(r["sequence"], r["value"]): r for r in csv.DictReader(lines)}
     curve = numbers["consistency"]["delay_s"]["curves"]["all"]
     assert float(rows["all", "lower"]["estimate"]) == curve["lower"]
+
+
+def test_a_curve_through_all_shares_fits():
+    gains, yes = (0.5, 0.7, 1.0, 1.4, 2.0), (0, 4, 9, 6, 0)
+    people = tuple(Participant(f"P{i}", 30, None, None, None) for i in range(9))
+    made = tuple(
+        Judgement(person.code, "bike", 0.0, gain, place < count, sound=True)
+        for place, person in enumerate(people)
+        for gain, count in zip(gains, yes, strict=True)
+    )
+    answers = Answers(people, (), ("bike",), ("realistic",), (), judgements=made)
+    curve = analyse_consistency(answers, quick(299)).axes["gain"].curves[ALL]
+    assert curve.deviance < 0.01  # drawn shares have about none either
+    assert curve.p_fit > 0.9
