@@ -41,7 +41,6 @@ PYTHON_PACKAGES = {
     "pyqtgraph": "pyqtgraph",
     "scipy": "scipy",
     "sounddevice": "sounddevice",
-    "statsmodels": "statsmodels",
     "usb": "pyusb",
     "vqf": "vqf",
 }
