@@ -103,10 +103,14 @@ def _is_rail(values: Floats, top: float, width: float, sensor: SensorRange) -> b
     # what lies there most of the time is a steady motion, not a peak cut off
     if not MIN_RUN <= count <= MAX_SHARE * len(values):
         return False
-    near = int(np.count_nonzero(values >= (1.0 - BELOW_RAIL[width]) * top))
+    is_near = values >= (1.0 - BELOW_RAIL[width]) * top
+    near = int(np.count_nonzero(is_near))
     is_known = any(abs(top / s - 1.0) <= SAME_SCALE for s in sensor.full_scales)
     if count < MIN_CONTRAST[is_known] * (near - count):
         return False
+    if width == WOBBLING_RAIL:
+        # the noise of a steady turn must not split it into runs
+        on_rail, is_known = is_near, False
     edges = np.flatnonzero(np.diff(on_rail, prepend=False, append=False))
     runs = edges[1::2] - edges[::2]
     runs = runs[runs >= MIN_RUN]

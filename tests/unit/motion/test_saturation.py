@@ -70,6 +70,15 @@ def test_a_rail_that_wobbles_is_found(rng):
     assert not mask[np.abs(true) < 0.99 * rail].any()
 
 
+def test_a_steady_turn_of_a_noisy_gyro_is_no_rail(rng):
+    """A roundabout at 34 degrees a second, 19 of 60 s, as window means at 30 Hz."""
+    time_s = np.arange(1800) / 30.0
+    edges_s = np.interp(time_s, [20.0, 20.5, 39.0, 39.5], [0.0, 1.0, 1.0, 0.0])
+    rate = np.outer(np.radians(34.0) * edges_s, [0.0, 0.0, 1.0])
+    rate += np.radians(0.03) * rng.standard_normal(rate.shape)
+    assert find_rails(rate, GYROSCOPE) is None
+
+
 def test_axes_with_different_offsets_share_their_range(rng):
     """As on the phones, which clip at 19.05 to 19.55 m/s^2."""
     true = shaken(35.0, rng)
