@@ -23,7 +23,7 @@ from benchmarks.motion.recordings import Family, add_options, chosen
 from benchmarks.motion.run_time import head
 from hapticplayer.model import STANDARD_GRAVITY_MPS2, ImuLog, Sampling
 from hapticplayer.motion import SmootherParameters, remove_gravity
-from hapticplayer.motion.smoother import block
+from hapticplayer.motion.smoother import state
 from hapticplayer.motion.smoother.least_squares import (
     Problem,
     horizontal_band,
@@ -272,7 +272,7 @@ def problems(
         held.append(problem)
         return minimise(problem)
 
-    with mock.patch.object(block, "minimise", minimised):
+    with mock.patch.object(state, "minimise", minimised):
         remove_gravity(log, parameters=parameters)
     return held
 

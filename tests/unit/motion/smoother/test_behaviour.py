@@ -11,7 +11,7 @@ from hapticplayer.model import STANDARD_GRAVITY_MPS2 as G
 from hapticplayer.model import ImuLog
 from hapticplayer.motion import SmootherParameters, analyse, remove_gravity
 from hapticplayer.motion.lowpass import lowpass_vertical
-from hapticplayer.motion.smoother import block
+from hapticplayer.motion.smoother import block, state
 from hapticplayer.simulation.rides.motion_scenes import simulate_motion
 from tests.unit.motion.smoother.conftest import (
     TIME_S,
@@ -301,8 +301,8 @@ def test_only_a_bound_that_is_far_off_is_corrected_twice(monkeypatch, factor, mo
         used_mps.append(float(known.bound_mps.mean()))
         return linearised(nodes, vertical, frames, known, p)
 
-    linearised = block.linearised
-    monkeypatch.setattr(block, "linearised", noted)
+    linearised = state.linearised
+    monkeypatch.setattr(state, "linearised", noted)
     monkeypatch.setattr(block, "velocity_bound", told)
     # every change of the bias calls for another solution
     eager = SmootherParameters(bias_change_radps=1e-12, solutions=4)

@@ -10,7 +10,7 @@ from scipy.spatial.transform import Rotation
 
 from hapticplayer.model import ImuLog, Sampling
 from hapticplayer.motion import SmootherParameters, analyse, remove_gravity
-from hapticplayer.motion.smoother import block, nodes, strapdown
+from hapticplayer.motion.smoother import nodes, state, strapdown
 from tests.unit.motion.smoother.conftest import WOBBLE, rms
 
 RATE_HZ = 100.0
@@ -288,7 +288,7 @@ def test_a_logger_that_stamps_packets_takes_no_more_memory(packet, hole_s, rng):
 
 def test_work_grows_with_the_length_and_no_faster(monkeypatch):
     touched = {"samples": 0, "nodes": 0}
-    opened, minimise = strapdown.integrate, block.minimise
+    opened, minimise = strapdown.integrate, state.minimise
 
     def counting_opened(samples, *more, **named):
         touched["samples"] += len(samples)
@@ -299,7 +299,7 @@ def test_work_grows_with_the_length_and_no_faster(monkeypatch):
         return minimise(problem)
 
     monkeypatch.setattr(strapdown, "integrate", counting_opened)
-    monkeypatch.setattr(block, "minimise", counting_minimise)
+    monkeypatch.setattr(state, "minimise", counting_minimise)
     shares = []
     for seconds in (1000, 3000):
         touched.update(samples=0, nodes=0)

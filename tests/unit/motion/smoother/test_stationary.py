@@ -9,7 +9,7 @@ from scipy.spatial.transform import Rotation
 from hapticplayer.model import STANDARD_GRAVITY_MPS2 as G
 from hapticplayer.model import ImuLog, Sampling
 from hapticplayer.motion import SmootherParameters, analyse, remove_gravity
-from hapticplayer.motion.smoother import block, stationary, strapdown
+from hapticplayer.motion.smoother import state, stationary, strapdown
 from hapticplayer.motion.smoother.stationary import (
     StillBins,
     apparent_acceleration,
@@ -78,11 +78,11 @@ def test_its_nodes_are_twice_as_far_apart(rng, monkeypatch):
             return linearised(nodes, *more)
 
         with monkeypatch.context() as patch:
-            patch.setattr(block, "linearised", noted)
+            patch.setattr(state, "linearised", noted)
             remove_gravity(log, parameters=parameters)
         return counted[-1]
 
-    log, linearised = on_a_tripod(rng), block.linearised
+    log, linearised = on_a_tripod(rng), state.linearised
     assert nodes(None) == pytest.approx(0.5 * nodes(FULL), rel=0.05)
 
 

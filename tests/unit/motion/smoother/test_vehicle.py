@@ -9,7 +9,7 @@ from scipy.spatial.transform import Rotation
 from hapticplayer.model import STANDARD_GRAVITY_MPS2 as G
 from hapticplayer.model import ImuLog
 from hapticplayer.motion import analyse, remove_gravity
-from hapticplayer.motion.smoother import block, vehicle
+from hapticplayer.motion.smoother import state, vehicle
 from hapticplayer.motion.smoother.least_squares import minimise
 from hapticplayer.motion.smoother.nodes import gather, level_frames
 from hapticplayer.motion.smoother.parameters import SmootherParameters
@@ -77,8 +77,8 @@ def test_the_velocity_found_is_that_of_the_car(rng, monkeypatch):
             found.append(minimise(problem).calibration[-3:])
         return problem
 
-    linearised = block.linearised
-    monkeypatch.setattr(block, "linearised", noted)
+    linearised = state.linearised
+    monkeypatch.setattr(state, "linearised", noted)
     remove_gravity(in_a_car(rng))
     assert found[-1] == pytest.approx([0.0, SPEED_MPS, 0.0], abs=0.5)
 
@@ -184,9 +184,9 @@ def last_assumed(log, monkeypatch):
         used.append((known.bound_mps, known.body_sigma_mps))
         return linearised(nodes, vertical, frames, known, p)
 
-    linearised = block.linearised
+    linearised = state.linearised
     with monkeypatch.context() as patch:
-        patch.setattr(block, "linearised", noted)
+        patch.setattr(state, "linearised", noted)
         remove_gravity(log, parameters=SmootherParameters(noise_evidence=1e9))
     return used[-1]
 
@@ -252,8 +252,8 @@ def test_without_turns_no_heading_is_looked_for(monkeypatch):
         solved.append(known.body_sigma_mps)
         return linearised(nodes, vertical, frames, known, p)
 
-    linearised = block.linearised
-    monkeypatch.setattr(block, "linearised", noted)
+    linearised = state.linearised
+    monkeypatch.setattr(state, "linearised", noted)
     rng = np.random.default_rng(3)
     time_s = np.arange(1, 16001) / RATE_HZ
     force = np.tile([0.0, 0.0, G], (len(time_s), 1))
