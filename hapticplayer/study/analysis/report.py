@@ -31,8 +31,9 @@ from hapticplayer.study.analysis.consistency import (
     analyse_consistency,
 )
 from hapticplayer.study.analysis.describing import Summary
+from hapticplayer.study.analysis.pdf import write_pdf
 from hapticplayer.study.analysis.statistic import rounded
-from hapticplayer.study.analysis.typesetting import page, write_pdf
+from hapticplayer.study.analysis.typesetting import page
 from hapticplayer.study.answers import Answers
 
 if TYPE_CHECKING:

@@ -13,10 +13,13 @@ from hapticplayer.simulation.sessions import write_answers
 from hapticplayer.study.analysis import AnalysisOptions, Resampling, analyse
 from hapticplayer.study.analysis.analysis import STATISTICS
 from hapticplayer.study.analysis.blocks import Paragraph, ReportFigure, ReportTable
+from hapticplayer.study.analysis.pdf import write_pdf
 from hapticplayer.study.analysis.report import parts_of, write_report
 from hapticplayer.study.answers import Participant, collect_answers
 from hapticplayer.study.conduct import AnsweredPlayback, Conduct
 from hapticplayer.study.creation import create_study
+
+A4_PT = 841.9
 
 
 def parts(answers):
@@ -214,6 +217,21 @@ def test_pages_and_figures_say_that_data_are_simulated(tmp_path):
 
 def test_real_data_have_no_mark(make_answers):
     assert parts(make_answers(5, 4, sequences=1)).mark == ""
+
+
+def test_the_last_page_of_a_pdf_is_not_nearly_empty(tmp_path):
+    words = "All answers were given on a scale of five steps. " * 6
+    made = []
+    for count in range(32, 44):
+        path = tmp_path / f"{count}.pdf"
+        write_pdf(path, "Rides", "", [Paragraph(words)] * count, {})
+        pages = pages_of(path.read_bytes())
+        lowest_pt = min(  # the footer is lower
+            float(y) for y in re.findall(rb" ([0-9.]+) Td", pages[-1]) if float(y) > 50
+        )
+        made.append((len(pages), 1.0 - lowest_pt / A4_PT))
+    assert {pages for pages, _ in made} == {2, 3}
+    assert min(filled for _, filled in made) > 0.25
 
 
 def pages_of(pdf: bytes) -> list[bytes]:

@@ -1,0 +1,177 @@
+"""The report as PDF (A4)."""
+
+import datetime as dt
+import io
+import logging
+from collections.abc import Iterable
+from itertools import zip_longest
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from hapticplayer.study.analysis.blocks import (
+    Heading,
+    Paragraph,
+    ReportBlock,
+    ReportFigure,
+    ReportTable,
+)
+from hapticplayer.study.analysis.figures import SIZE_IN
+
+if TYPE_CHECKING:
+    from fpdf import FPDF
+
+_FONT = "DejaVu"
+_TEXT_PT, _TABLE_PT, _HEADING_PT = 9.5, 7.2, 13.0
+_LINE = 1.45 / 72.0 * 25.4  # mm for each point of the size
+_MARGIN_MM, _PADDING_MM, _LEAST_ROOM_MM = 20.0, 1.2, 30.0
+_HEADING_MM = 12.0
+_SMALL = 0.8  # size of the font at which names are wrapped
+_LEAST_NAME = 0.25  # of the page, for the names of rows
+_MARK = (163, 32, 32)
+_LEAST_FILLED = 0.3
+"""Share of the last page above which the text has to end."""
+_SCALES = (1.0, 0.97, 1.03, 0.94, 1.06, 0.91)
+"""Sizes of text and figures that are tried until the last page is filled so far."""
+
+
+def write_pdf(
+    path: Path,
+    title: str,
+    mark: str,
+    blocks: Iterable[ReportBlock],
+    pngs: dict[str, bytes],
+) -> None:
+    """Write the report, in another size if the last page would be nearly empty.
+
+    Args:
+        path: of the new file.
+        title: for people.
+        mark: on each page; empty for none.
+        blocks: of the report.
+        pngs: the figures by name.
+    """
+    blocks = tuple(blocks)
+    filled = {}
+    for scale in _SCALES:
+        pdf = _typeset(title, mark, blocks, pngs, scale)
+        filled[scale] = 1.0 if pdf.pages_count == 1 else pdf.y / pdf.h
+        if filled[scale] > _LEAST_FILLED:
+            pdf.output(str(path))
+            return
+        _close_fonts(pdf)
+    best = max(filled, key=lambda scale: filled[scale])
+    _typeset(title, mark, blocks, pngs, best).output(str(path))
+
+
+def _close_fonts(pdf: "FPDF") -> None:
+    """Close the files of fonts, as its `output` does."""
+    for font in pdf.fonts.values():
+        if close := getattr(font, "close", None):
+            close()
+
+
+def _typeset(
+    title: str,
+    mark: str,
+    blocks: tuple[ReportBlock, ...],
+    pngs: dict[str, bytes],
+    scale: float,
+) -> "FPDF":
+    pdf = _new_pdf(title, mark)
+    width = min(1.0, scale) * pdf.epw
+    figure_mm = width * SIZE_IN[1] / SIZE_IN[0] + _HEADING_MM
+    _paragraph(pdf, title, 1.4 * scale * _HEADING_PT, bold=True)
+    for block, after in zip_longest(blocks, blocks[1:]):
+        match block:
+            case Heading(text):
+                room = figure_mm if isinstance(after, ReportFigure) else _LEAST_ROOM_MM
+                if pdf.will_page_break(room + _HEADING_MM):
+                    pdf.add_page()
+                pdf.ln(3.0)
+                _paragraph(pdf, text, scale * _HEADING_PT, bold=True)
+            case Paragraph(text):
+                _paragraph(pdf, text, scale * _TEXT_PT)
+            case ReportFigure(name, caption, text):
+                if pdf.will_page_break(figure_mm):
+                    pdf.add_page()
+                pdf.image(io.BytesIO(pngs[name]), w=width, alt_text=text or caption)
+                _paragraph(pdf, caption, scale * _TEXT_PT)
+            case ReportTable():
+                _add_table(pdf, block, scale)
+    return pdf
+
+
+def _new_pdf(title: str, mark: str) -> "FPDF":
+    from fpdf import FPDF
+    from matplotlib import get_data_path
+
+    class Pdf(FPDF):
+        def header(self) -> None:
+            if mark:
+                self.set_y(_MARGIN_MM / 2.0)
+                self.set_font(_FONT, "B", _TEXT_PT)
+                self.set_text_color(*_MARK)
+                self.cell(w=0, text=mark, align="R")
+                self.set_text_color(0)
+                self.set_y(_MARGIN_MM)
+
+        def footer(self) -> None:
+            self.set_y(-15.0)
+            self.set_font(_FONT, size=_TABLE_PT)
+            self.cell(w=0, text=str(self.page_no()), align="C")
+
+    # it warns of each character that is not in the font
+    logging.getLogger("fpdf").setLevel(logging.ERROR)
+    pdf = Pdf(format="A4")
+    pdf.set_creation_date(dt.datetime.fromtimestamp(0, dt.UTC))  # reproducible
+    pdf.set_title(title)
+    pdf.set_margin(_MARGIN_MM)
+    fonts = Path(get_data_path()) / "fonts" / "ttf"
+    pdf.add_font(_FONT, "", fonts / "DejaVuSans.ttf")
+    pdf.add_font(_FONT, "B", fonts / "DejaVuSans-Bold.ttf")
+    pdf.add_page()
+    return pdf
+
+
+def _paragraph(pdf: "FPDF", text: str, size_pt: float, *, bold: bool = False) -> None:
+    pdf.set_font(_FONT, "B" if bold else "", size_pt)
+    pdf.multi_cell(
+        0, size_pt * _LINE, text, align="L", new_x="LMARGIN", new_y="NEXT", padding=0
+    )
+    pdf.ln(0.0 if bold else 1.5)
+
+
+def _add_table(pdf: "FPDF", table: ReportTable, scale: float) -> None:
+    """Write a table; if it is too wide, in a smaller font and with names wrapped."""
+    from fpdf.enums import TableBordersLayout
+
+    if pdf.will_page_break(_LEAST_ROOM_MM):
+        pdf.add_page()
+    _paragraph(pdf, table.title, scale * _TEXT_PT, bold=True)
+    pdf.set_font(_FONT, "B", scale * _TABLE_PT)
+    rows = (table.head, *table.rows)
+    widths = [
+        max(map(pdf.get_string_width, cells)) + 2.0 * _PADDING_MM
+        for cells in zip(*rows, strict=True)
+    ]
+    room = max(pdf.epw / _SMALL - sum(widths[1:]), _LEAST_NAME * pdf.epw)
+    widths[0] = min(widths[0], room)
+    fitted = min(1.0, pdf.epw / sum(widths))
+    size_pt = scale * fitted * _TABLE_PT
+    pdf.set_font(_FONT, "", size_pt)
+    with pdf.table(
+        rows,
+        width=fitted * sum(widths),
+        col_widths=[fitted * width for width in widths],
+        align="LEFT",
+        text_align=("LEFT", *["RIGHT"] * (len(widths) - 1)),
+        line_height=size_pt * _LINE,
+        padding=(0.0, fitted * _PADDING_MM),
+        borders_layout=TableBordersLayout.SINGLE_TOP_LINE,
+        markdown=False,
+    ):
+        pass
+    if table.note:
+        pdf.ln(0.8)
+        _paragraph(pdf, table.note, scale * _TABLE_PT)
+    pdf.ln(3.5)
