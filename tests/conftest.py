@@ -23,8 +23,10 @@ TWO_SCREENS = Path(__file__).parent / "data" / "two_screens.json"
 os.environ["QT_QPA_PLATFORM"] = os.environ.get(
     "HAPTICPLAYER_TEST_PLATFORM", f"offscreen:configfile={TWO_SCREENS}"
 )
-# a run in the background ignores Ctrl-C, and so would every program that a test starts
+# a run in the background ignores signals, and so would every program that a test starts
 signal.signal(signal.SIGINT, signal.default_int_handler)
+for _number in (signal.SIGQUIT, signal.SIGHUP):
+    signal.signal(_number, signal.SIG_DFL)
 
 SHARED_DATA = Path(__file__).resolve().parents[2] / "shared" / "data"
 
