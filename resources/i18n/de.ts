@@ -5220,8 +5220,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>die Bewegung reicht von {first_s:.1f} bis {last_s:.1f} s der {duration_s:.1f} s des Clips; außerhalb gibt es keine Kraft</translation>
     </message>
     <message>
-        <source>the motion does not show clearly that the angular rate is in rad/s; it was taken as it is</source>
-        <translation>die Bewegung zeigt nicht eindeutig, dass die Drehrate in rad/s angegeben ist; sie wurde unverändert übernommen</translation>
+        <source>the motion does not clearly agree with the unit of the angular rate; it was taken as it is</source>
+        <translation>die Bewegung passt nicht eindeutig zur Einheit der Drehrate; sie wurde unverändert übernommen</translation>
     </message>
     <message>
         <source>the motion track is empty, so there is no force to render</source>

@@ -5220,8 +5220,8 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>le mouvement couvre {first_s:.1f} à {last_s:.1f} s des {duration_s:.1f} s de la vidéo&#xa0;; il n’y a pas de force en dehors</translation>
     </message>
     <message>
-        <source>the motion does not show clearly that the angular rate is in rad/s; it was taken as it is</source>
-        <translation>le mouvement ne montre pas clairement que la vitesse angulaire est en rad/s&#xa0;; elle a été reprise telle quelle</translation>
+        <source>the motion does not clearly agree with the unit of the angular rate; it was taken as it is</source>
+        <translation>le mouvement ne concorde pas clairement avec l’unité de la vitesse angulaire&#xa0;; elle a été reprise telle quelle</translation>
     </message>
     <message>
         <source>the motion track is empty, so there is no force to render</source>

@@ -98,7 +98,8 @@ def repair_samples(  # noqa: PLR0913 - what a logger knows
         magnetic_field_ut: (N, 3) or None.
         sampling: what one sample stands for.
         source: where it came from, for messages.
-        is_rate_unit_known: the unit of the angular rate is not questioned.
+        is_rate_unit_known: somebody has given the unit of the angular rate, so that a
+            contradiction is reported, not refused.
 
     Raises:
         InputError: for fewer than 2 or more than 1e8 samples, wrong shapes, a
@@ -120,10 +121,11 @@ def repair_samples(  # noqa: PLR0913 - what a logger knows
         _fill(values, lost, line, repairs, sensor)
     field = _field(sensors[2], line, repairs) if len(sensors) > 2 else None
     _check_motion(line, force, rate, repairs, source)
-    if not is_rate_unit_known:
-        doubt = check_rate_unit(line.time_s, force, rate, source)
-        if doubt:
-            repairs.append(Repair(RepairKind.UNIT_IN_DOUBT, len(rate), 0, doubt))
+    doubt = check_rate_unit(
+        line.time_s, force, rate, source, is_known=is_rate_unit_known
+    )
+    if doubt:
+        repairs.append(Repair(RepairKind.UNIT_IN_DOUBT, len(rate), 0, doubt))
     is_valid = ~(lost_force | lost_rate)
     for own in (force, rate, *([] if field is None else [field])):
         own.setflags(write=False)  # then the log takes it instead of another copy

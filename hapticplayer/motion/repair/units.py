@@ -42,9 +42,8 @@ REFUSED_LOG_ODDS = -2.5
 MIN_EVIDENCE = 0.5
 # At lower rates in the other unit the sensor may rest, and the rate be its bias.
 REST_RMS_RADPS = 0.02
-# Between the bounds the other unit is out of the question.
+# Slower rates may have been converted twice, faster ones be in deg/s.
 SLOW_RMS_RADPS = 0.1
-FAST_RMS_RADPS = 0.35
 
 
 def check_force_unit(time_s: Floats, force: Floats, source: str = "") -> None:
@@ -107,7 +106,12 @@ def _force_remedy(norm: float) -> str:
 
 
 def check_rate_unit(
-    time_s: Floats, force: Floats, rate: Floats, source: str = ""
+    time_s: Floats,
+    force: Floats,
+    rate: Floats,
+    source: str = "",
+    *,
+    is_known: bool = False,
 ) -> Message | None:
     """Refuse an angular rate whose other unit is far more likely.
 
@@ -122,6 +126,7 @@ def check_rate_unit(
         force: (N, 3) finite.
         rate: (N, 3) finite.
         source: for the error message.
+        is_known: somebody has given the unit, so that nothing is refused.
 
     Returns:
         A note where the unit is in doubt, else None.
@@ -130,18 +135,19 @@ def check_rate_unit(
         InputError: naming the factor.
     """
     rms = math.sqrt(float(np.einsum("ij,ij->", rate, rate)) / len(rate))
-    if SLOW_RMS_RADPS <= rms <= FAST_RMS_RADPS or rms == 0.0:
+    if rms == 0.0:
         return None
-    is_degrees = rms > FAST_RMS_RADPS
+    is_degrees = rms > SLOW_RMS_RADPS
     factor = np.pi / 180.0 if is_degrees else 180.0 / np.pi
     evidence = _evidence(time_s, force, rate, factor)
     log_odds = LABEL_LOG_ODDS + evidence + _log_prior(rms) - _log_prior(factor * rms)
     if log_odds > 0.0:
         return None
     may_rest = is_degrees and factor * rms < REST_RMS_RADPS
-    if log_odds > REFUSED_LOG_ODDS or evidence > -MIN_EVIDENCE or may_rest:
+    is_slight = log_odds > REFUSED_LOG_ODDS or evidence > -MIN_EVIDENCE
+    if is_slight or may_rest or is_known:
         return Message(
-            "the motion does not show clearly that the angular rate is in rad/s; it "
+            "the motion does not clearly agree with the unit of the angular rate; it "
             "was taken as it is"
         )
     if is_degrees:
