@@ -38,8 +38,11 @@ def even_clock(imu: ImuLog) -> Floats | None:
     # most logs end here
     if np.std(steps[steps < MAX_STEP * interval_s]) < MIN_JITTER_RMS * interval_s:
         return None
-    is_edge = np.concatenate([[True], steps > MAX_STEP * interval_s, [True]])
-    edges = np.flatnonzero(is_edge)
+    excess = np.pad(steps / interval_s - 1.0, 1)
+    # jitter makes a long step between two short ones, a dropout does not
+    early = np.minimum(excess, 0.0)
+    is_gap = excess[1:-1] + early[:-2] + early[2:] > MAX_STEP - 1.0
+    edges = np.flatnonzero(np.concatenate([[True], is_gap, [True]]))
     long = np.flatnonzero(np.diff(edges) >= MIN_PIECE_SAMPLES)
     fitted_s, used, products = time_s.copy(), 0, np.zeros(4)
     for piece in long:

@@ -29,14 +29,15 @@ def jittered(time_s, rng, share=0.2):
     return time_s + share * INTERVAL_S * rng.uniform(-1.0, 1.0, len(time_s))
 
 
+@pytest.mark.parametrize("share", [0.1, 0.2, 0.4])
 @pytest.mark.parametrize("drift_ppm", [0.0, 500.0])
-def test_jitter_is_taken_off_and_the_mean_stays(rng, drift_ppm):
-    """The rest is a line's through 257 stamps, at the ends twice the 1 % of inside."""
+def test_jitter_is_taken_off_and_the_mean_stays(rng, drift_ppm, share):
+    """A line through 257 stamps leaves 4 % of their sigma inside, 8 % at the ends."""
     drift_s = 0.5e-6 * drift_ppm * np.square(EVEN_S - EVEN_S[0]) / np.ptp(EVEN_S)
     true_s = EVEN_S + drift_s
-    found_s = even_clock(sensed(true_s, jittered(true_s, rng)))
+    found_s = even_clock(sensed(true_s, jittered(true_s, rng, share)))
     assert found_s is not None
-    assert np.abs(found_s - true_s).max() < 0.05 * INTERVAL_S
+    assert np.abs(found_s - true_s).max() < 0.25 * share * INTERVAL_S
     assert abs(np.mean(found_s - true_s)) < 0.01 * INTERVAL_S
 
 
