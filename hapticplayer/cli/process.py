@@ -25,6 +25,7 @@ from hapticplayer.cli.recording_options import (
 )
 from hapticplayer.clock import SystemClock
 from hapticplayer.errors import UsageError
+from hapticplayer.media.memory import give_back_freed_memory
 from hapticplayer.model import ClockMap
 from hapticplayer.sequence import files
 from hapticplayer.sequence.processing import (
@@ -72,7 +73,9 @@ def run(options: argparse.Namespace, _open_window: object) -> int:
             Path(options.recording), chosen_log(options), chosen_mounting(options)
         )
         progress(0.3, f"removing gravity: {processing.method}")
+        give_back_freed_memory()  # a third of what an hour at 1 kHz needs
         processed = process_motion(recording.imu, processing)
+        give_back_freed_memory()
         report = describe_quality(recording, processed)
         report["notes"] = notes_on_motion(processed.imu, processed.summary)
         if options.compare:

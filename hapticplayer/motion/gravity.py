@@ -197,7 +197,7 @@ def _removed(task: Task, method: str, time_s: Floats) -> tuple[MotionTrack, Esti
         sigma *= STANDARD_GRAVITY_MPS2
         sigma.setflags(write=False)
     valid = task.flaws.valid
-    for fresh in (gravity, acceleration, valid):
+    for fresh in (gravity, acceleration, valid, estimate.quaternion_wxyz):
         fresh.setflags(write=False)  # or the track would copy it
     track = MotionTrack(
         time_s=time_s,

@@ -41,6 +41,7 @@ RATE_HZ = 500.0
 _SECOND_S, _RUN_UP_S = 1.0, 1.2
 _AFTER_S = 0.5  # the hand keeps moving after the force has ended
 _BATCH = 600  # seconds computed at a time
+_SAMPLES = 1 << 16  # sampled at a time
 _PROGRESS_STEPS = 100
 _HEAT_STEP_S = 0.1
 _STICK_MPS = 0.002  # below it dry friction decreases with the speed
@@ -205,12 +206,15 @@ def _sampled(track: ForceTrack, duration_s: float) -> Floats:
     """Return the played force (3, n) at RATE_HZ, after the zeros of the run-up."""
     run_up = round(_RUN_UP_S * RATE_HZ)
     count = math.ceil((duration_s + _SECOND_S + _AFTER_S) * RATE_HZ) + 1
-    time_s = np.arange(count) / RATE_HZ
-    force = track.at(time_s)
     entry_s = LIMITS.entry_ticks / FALCON.rate_hz
-    force *= np.minimum(1.0, time_s / entry_s)[:, None]
-    force[time_s >= duration_s] = 0.0
-    return np.concatenate([np.zeros((3, run_up)), force.T], axis=1)
+    sampled = np.zeros((3, run_up + count))
+    for start in range(0, count, _SAMPLES):
+        time_s = np.arange(start, min(start + _SAMPLES, count)) / RATE_HZ
+        force = track.at(time_s)
+        force *= np.minimum(1.0, time_s / entry_s)[:, None]
+        force[time_s >= duration_s] = 0.0
+        sampled[:, run_up + start : run_up + start + len(time_s)] = force.T
+    return sampled
 
 
 def _starts(track: ForceTrack, duration_s: float) -> NDArray[np.int64]:

@@ -221,12 +221,13 @@ def describe_motion(track: MotionTrack) -> dict[str, Any]:
     valid = np.flatnonzero(track.valid)
     if not len(valid):
         return {"rms_mps2": None, "peak_mps2": None, "peak_at_s": None}
-    p = track.acceleration_mps2[valid]
+    p = track.acceleration_mps2
+    p = p if len(valid) == len(p) else p[valid]
     square = np.einsum("ij,ij->i", p, p)
     peak = int(np.argmax(square))
     return {
         "rms_mps2": float(np.sqrt(square.mean())),
-        "rms_per_axis_mps2": np.sqrt(np.square(p).mean(axis=0)).tolist(),
+        "rms_per_axis_mps2": [float(np.sqrt(np.square(axis).mean())) for axis in p.T],
         "peak_mps2": float(np.sqrt(square[peak])),
         "peak_at_s": float(track.time_s[valid[peak]]),
     }

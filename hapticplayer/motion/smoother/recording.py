@@ -118,21 +118,16 @@ def _in_blocks(
             one.at_rest,
             (one.calibration,),
         )
-    table, at_rest = np.empty((count, 8)), np.empty(count, np.bool_)
+    q, vertical, sigma_rad = np.empty((count, 4)), np.empty((count, 3)), np.empty(count)
+    at_rest = np.empty(count, np.bool_)
     written, found = 0, []
     for core, reach in blocks:
         block = smoothed(reach)
-        _blend(block, core.start, reach, table, written)
+        _blend(block, core.start, reach, (q, vertical, sigma_rad[:, None]), written)
         at_rest[core.start : reach.stop] = block.at_rest[core.start - reach.start :]
         found.append(block.calibration)
         written = reach.stop
-    return SmoothedRecording(
-        table[:, :4].copy(),
-        table[:, 4:7].copy(),
-        table[:, 7].copy(),
-        at_rest,
-        tuple(found),
-    )
+    return SmoothedRecording(q, vertical, sigma_rad, at_rest, tuple(found))
 
 
 def _still_bins(
@@ -179,7 +174,7 @@ def _blocks(step_s: Floats, p: SmootherParameters) -> list[tuple[slice, slice]]:
 
 
 def _blend(
-    block: Smoothed, border: int, reach: slice, table: Floats, written: int
+    block: Smoothed, border: int, reach: slice, whole: tuple[Floats, ...], written: int
 ) -> None:
     """Write a block's rows; turn its heading and blend it into the one before.
 
@@ -188,24 +183,26 @@ def _blend(
         border: first sample that the block is for.
         reach: samples that it was computed from; what is written beyond those it is
             for is there for the next block to blend with.
-        table: (N, 8) quaternion, vertical and sigma.
+        whole: quaternion (N, 4), vertical (N, 3) and sigma (N, 1).
         written: how far the block before has written.
     """
     q, half, start = block.quaternion_wxyz, 0, border
     if border > 0:
         half = int(BLEND_SHARE * min(border - reach.start, written - border))
         start = border - half
-        q = _with_heading(q, table[border, :4], border - reach.start)
-    new = np.concatenate([q, block.vertical, block.sigma_rad[:, None]], axis=1)
-    new = new[start - reach.start :]
+        q = _with_heading(q, whole[0][border], border - reach.start)
     mixed = slice(start, start + 2 * half)
-    old = table[mixed].copy()
-    table[start : reach.stop] = new
-    cosine = np.sum(old[:, :4] * new[: len(old), :4], axis=1)
-    old[cosine < 0.0, :4] *= -1.0
     weight = np.linspace(0.0, 1.0, 2 * half)[:, None]
-    table[mixed] = weight * table[mixed] + (1.0 - weight) * old
-    table[mixed, :4] = quat.normalized(table[mixed, :4])
+    for part, new in zip(
+        whole, (q, block.vertical, block.sigma_rad[:, None]), strict=True
+    ):
+        old = part[mixed].copy()
+        part[start : reach.stop] = new[start - reach.start :]
+        if new is q:
+            cosine = np.sum(old * part[mixed], axis=1)
+            old[cosine < 0.0] *= -1.0
+        part[mixed] = weight * part[mixed] + (1.0 - weight) * old
+    whole[0][mixed] = quat.normalized(whole[0][mixed])
 
 
 def _with_heading(block: Floats, before: Floats, at: int) -> Floats:
