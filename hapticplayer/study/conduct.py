@@ -84,7 +84,7 @@ def conduct_of(definition: Definition, sessions: Iterable[StoredSession]) -> Con
                 trial.attempt,
                 trial.sound,
                 trial.response_s,
-                trial.playback,
+                trial.playback if isinstance(trial.playback, dict) else {},
             )
             for one in sessions
             for trial in answered_trials(one.records)

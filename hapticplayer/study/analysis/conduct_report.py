@@ -1,7 +1,8 @@
 """What a report tells of the study itself: identity, participants, orders, playback."""
 
+import math
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -24,7 +25,9 @@ _ORDERS = {
     "williams": "of a Williams design",
     "list": "of a list",
 }
-_SYNC = {
+COUNTED = ("pictures_shown", "pictures_dropped", "silence_s", "missed", "ticks")
+"""Figures of a playback that are summed, see `stage`."""
+SYNC = {
     "force_minus_picture_ms": "force - video, ms",
     "force_minus_sound_ms": "force - sound, ms",
 }
@@ -112,7 +115,7 @@ def playback(answers: Answers, feedbacks: Sequence[str]) -> Iterator[ReportBlock
         name: [one for one in trials if name in (ALL, one.feedback)]
         for name in (*feedbacks, ALL)
     }
-    if any(one.response_s is not None for one in trials):
+    if _numbers(one.response_s for one in trials):
         yield ReportTable(
             "Time from the questions to the answer, s",
             ("feedback", "n", "median", "quartiles", "range"),
@@ -124,7 +127,7 @@ def playback(answers: Answers, feedbacks: Sequence[str]) -> Iterator[ReportBlock
     rows = tuple((name, *_quality(group)) for name, group in groups.items())
     yield ReportTable(
         "Quality of the playback of answered trials",
-        ("feedback", *heads, "missed periods", *_SYNC.values()),
+        ("feedback", *heads, "missed periods", *SYNC.values()),
         rows,
         "Differences between force and video or sound: median of the trials' medians, "
         "smallest 5 % and largest 95 % quantile of a trial; positive where the force "
@@ -135,7 +138,7 @@ def playback(answers: Answers, feedbacks: Sequence[str]) -> Iterator[ReportBlock
 
 
 def _times(trials: Sequence[AnsweredPlayback]) -> tuple[str, ...]:
-    found = [one.response_s for one in trials if one.response_s is not None]
+    found = _numbers(one.response_s for one in trials)
     if not found:
         return "0", "-", "-", "-"
     low, q1, median, q3, high = np.quantile(found, [0.0, 0.25, 0.5, 0.75, 1.0])
@@ -146,14 +149,7 @@ def _times(trials: Sequence[AnsweredPlayback]) -> tuple[str, ...]:
 def _quality(trials: Sequence[AnsweredPlayback]) -> tuple[str, ...]:
     played = [one.figures for one in trials if one.figures]
     shown, dropped, silence_s, missed, ticks = (
-        sum(float(one.get(name) or 0.0) for one in played)
-        for name in (
-            "pictures_shown",
-            "pictures_dropped",
-            "silence_s",
-            "missed",
-            "ticks",
-        )
+        sum(_numbers(one.get(name) for one in played)) for name in COUNTED
     )
     return (
         str(len(trials)),
@@ -162,7 +158,7 @@ def _quality(trials: Sequence[AnsweredPlayback]) -> tuple[str, ...]:
         _share(dropped, shown + dropped),
         f"{silence_s:.2f}" if played else "-",
         _share(missed, ticks),
-        *(_difference([one.get(name) for one in played]) for name in _SYNC),
+        *(_difference([one.get(name) for one in played]) for name in SYNC),
     )
 
 
@@ -171,9 +167,19 @@ def _share(count: float, total: float) -> str:
 
 
 def _difference(stats: Sequence[Any]) -> str:
-    known = [one for one in stats if isinstance(one, dict) and "p50" in one]
-    if not known:
+    known = [one for one in stats if isinstance(one, Mapping)]
+    lows, middles, highs = (
+        _numbers(one.get(name) for one in known) for name in ("p05", "p50", "p95")
+    )
+    if not (lows and middles and highs):
         return "-"
-    middle = float(np.median([one["p50"] for one in known]))
-    low, high = min(one["p05"] for one in known), max(one["p95"] for one in known)
-    return f"{middle:.1f} [{low:.1f}, {high:.1f}]"
+    return f"{float(np.median(middles)):.1f} [{min(lows):.1f}, {max(highs):.1f}]"
+
+
+def _numbers(values: Iterable[Any]) -> list[float]:
+    """Return those that are finite numbers; records can be damaged or edited."""
+    return [
+        float(one)
+        for one in values
+        if isinstance(one, int | float) and math.isfinite(one)
+    ]

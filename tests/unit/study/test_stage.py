@@ -15,6 +15,7 @@ from hapticplayer.model import ForceTrack, Reconstruction
 from hapticplayer.playback.player import Player
 from hapticplayer.playback.source import Source
 from hapticplayer.study import demonstration
+from hapticplayer.study.analysis.conduct_report import COUNTED, SYNC
 from hapticplayer.study.definition import Checks, Condition, PlaybackLimits
 from hapticplayer.study.preflight import run_checks
 from hapticplayer.study.stage import PlayerStage, shifted_and_scaled
@@ -61,6 +62,7 @@ def test_a_trial_plays_its_force_and_tells_what_was_sent(source):
             assert figures["media_s"] == pytest.approx(SECONDS, abs=0.1)
             assert figures["pictures_shown"] + figures["pictures_dropped"] >= 23
             assert figures["ticks"] > 100
+            assert {*COUNTED, *SYNC} <= figures.keys()  # which reports read
             # the first 90 ms fade in
             assert figures["force_rms_n"][1] == pytest.approx(force_n, abs=0.25)
             assert figures["force_rms_n"][0] == pytest.approx(0.0, abs=0.05)

@@ -13,6 +13,7 @@ from hapticplayer.simulation.sessions import write_answers
 from hapticplayer.study.analysis import AnalysisOptions, Resampling, analyse
 from hapticplayer.study.analysis.analysis import STATISTICS
 from hapticplayer.study.analysis.blocks import Paragraph, ReportFigure, ReportTable
+from hapticplayer.study.analysis.conduct_report import playback
 from hapticplayer.study.analysis.pdf import write_pdf
 from hapticplayer.study.analysis.report import parts_of, write_report
 from hapticplayer.study.answers import Participant, collect_answers
@@ -122,6 +123,16 @@ def test_the_report_has_times_and_quality_of_playback(made):
     assert quality["random"][:4] == ("1", "0", "0", "-")
 
 
+def test_damaged_figures_of_a_playback_are_left_out(answers):
+    odd = {"pictures_shown": "many", "ticks": None, "missed": [1], "silence_s": 0.5}
+    odd["force_minus_picture_ms"] = {"p50": 3.0}
+    trial = AnsweredPlayback("none", 1, True, "soon", odd)
+    conduct = replace(answers.conduct, playbacks=(trial,))
+    blocks = playback(replace(answers, conduct=conduct), ["none"])
+    found = next(one for one in blocks if isinstance(one, ReportTable))
+    assert found.rows[0] == ("none", "1", "0", "0", "-", "0.50", "-", "-", "-")
+
+
 def test_tables_and_figures_are_numbered(made):
     for kind, label in ((ReportTable, "Table"), (ReportFigure, "Figure")):
         found = [one for one in made.blocks if isinstance(one, kind)]
@@ -213,6 +224,15 @@ def test_pages_and_figures_say_that_data_are_simulated(tmp_path):
     streams = pages_of((target / "report.pdf").read_bytes())
     assert len(streams) > 3
     assert all(b"0.6392 0.1255 0.1255 rg" in one for one in streams)
+
+
+def test_a_header_is_repeated_on_each_page_of_its_table(tmp_path):
+    rows = tuple((str(number), "5") for number in range(200))
+    path = tmp_path / "table.pdf"
+    write_pdf(path, "Rides", "", [ReportTable("Numbers", ("number", "n"), rows)], {})
+    pages = pages_of(path.read_bytes())
+    assert len(pages) > 2
+    assert all(len(set(re.findall(rb"/F\d+ [0-9.]+ Tf", one))) > 1 for one in pages)
 
 
 def test_real_data_have_no_mark(make_answers):
