@@ -28,6 +28,7 @@ from hapticplayer.model import PlaybackClock
 from hapticplayer.model.device import DeviceReading, Vector
 
 ZERO_TICKS_BEFORE_CLOSING = 5
+CHECKED_PER_TICK = 10_000  # numbers of a new track: 0.25 ms
 MISSED_OVER_TICKS = 10_000
 _RESTING = (Mode.IDLE, Mode.TRIPPED)
 
@@ -71,6 +72,7 @@ class Loop:
         self.state = State()
         self.count = 0
         self._tracks: dict[int, LoadedTrack] = {}
+        self._unchecked: dict[int, LoadedTrack] = {}
         self._playback: PlaybackClock | None = None
         self._track: LoadedTrack | None = None
         self._clock_count = 0
@@ -108,6 +110,8 @@ class Loop:
     def tick(self, now_s: float, late_s: float = 0.0, missed: int = 0) -> None:
         """Do one period: receive, decide, exchange, record."""
         self._receive()
+        if self._unchecked:
+            self._check_track()
         clock_count, heartbeat_s, guard_s = self.block.signs()
         self._read_clock(clock_count)
         before = self.state
@@ -208,6 +212,7 @@ class Loop:
             self._load_track(int(message.text), message.descriptor)
         elif message.word is Word.FORGET:
             self._tracks.pop(int(message.text), None)
+            self._unchecked.pop(int(message.text), None)
         elif message.word is Word.STOP:
             self._request = Request.STOP
         elif message.word is Word.REARM:
@@ -224,11 +229,24 @@ class Loop:
 
     def _load_track(self, track_id: int, descriptor: int) -> None:
         try:
-            self._tracks[track_id] = map_track(descriptor)
+            self._unchecked[track_id] = map_track(descriptor)
         except (ValueError, OSError) as problem:
-            self.line.send(
-                Word.FAILED,
-                Message("the force track was rejected: {reason}", reason=problem),
-            )
+            self._reject(problem)
         finally:
             close_descriptor(descriptor)
+
+    def _check_track(self) -> None:
+        """Check a part of a new track, which plays once all of it is checked."""
+        track_id, track = next(iter(self._unchecked.items()))
+        try:
+            if track.check(CHECKED_PER_TICK):
+                self._tracks[track_id] = self._unchecked.pop(track_id)
+        except ValueError as problem:
+            del self._unchecked[track_id]
+            self._reject(problem)
+
+    def _reject(self, problem: Exception) -> None:
+        self.line.send(
+            Word.FAILED,
+            Message("the force track was rejected: {reason}", reason=problem),
+        )

@@ -37,12 +37,24 @@ class LoadedTrack:
         self._is_hold = bool(is_hold)
         self._last = rows - 1
         self._row = 0  # of the last call: the next one is near
+        self._numbers, self._checked = (self._time_s, self._force_n), 0
         self.end_s = math.inf if is_hold else self._time_s[self._last]
 
-    @property
-    def is_finite(self) -> bool:
-        """Whether all numbers are: a sum with NaN or infinity in it is not finite."""
-        return math.isfinite(sum(self._time_s)) and math.isfinite(sum(self._force_n))
+    def check(self, count: int) -> bool:
+        """Check so many further numbers; return whether all have been checked.
+
+        Raises:
+            ValueError: when one is not finite.
+        """
+        (times, forces), rows = self._numbers, len(self._numbers[0])
+        begin, end = self._checked, self._checked + count
+        # a sum with NaN or infinity in it is not finite
+        total = sum(times[begin:end])
+        total += sum(forces[max(0, begin - rows) : max(0, end - rows)])
+        if not math.isfinite(total):
+            raise ValueError("it contains NaN or infinity")
+        self._checked = end
+        return end >= rows + len(forces)
 
     def force_at(self, media_s: float) -> Vector:
         """Return the planned force, N, frame D.
@@ -85,27 +97,22 @@ def to_shared_memory(track: "ForceTrack") -> int:
     with mmap.mmap(descriptor, _size(rows, spans)) as block:
         is_hold = track.reconstruction is Reconstruction.HOLD
         block.write(_HEADER.pack(rows, spans, int(is_hold)))
-        block.write(track.time_s.tobytes())
-        block.write(track.active_s.tobytes())
-        block.write(track.force_n.tobytes())
+        for array in (track.time_s, track.active_s, track.force_n):
+            block.write(array.data)
     return descriptor
 
 
 def map_track(descriptor: int) -> LoadedTrack:
-    """Return the track behind a descriptor.
+    """Return the track behind a descriptor; its numbers are still to be checked.
 
     Raises:
-        ValueError: when the block is not a track, or holds a number that is not
-            finite.
+        ValueError: when the block is not a track.
     """
     size = os.fstat(descriptor).st_size
     if size < _HEADER.size:
         raise ValueError("it does not match its shared memory")
     block = mmap.mmap(descriptor, size, prot=mmap.PROT_READ)
-    track = LoadedTrack(block)
-    if not track.is_finite:
-        raise ValueError("it contains NaN or infinity")
-    return track
+    return LoadedTrack(block)
 
 
 def anonymous_memory(name: str, size: int) -> int:

@@ -9,7 +9,7 @@ import pytest
 from hapticplayer.clock import ManualClock
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.limiter import PERIOD_S, ZERO
-from hapticplayer.haptics.loop import ZERO_TICKS_BEFORE_CLOSING
+from hapticplayer.haptics.loop import CHECKED_PER_TICK, ZERO_TICKS_BEFORE_CLOSING
 from hapticplayer.haptics.messages import Word
 from hapticplayer.haptics.scheduling import CpuLatencyRequest
 from hapticplayer.haptics.track import anonymous_memory
@@ -71,6 +71,15 @@ def test_a_track_and_a_clock_make_a_force(rig):
     records, _, _ = rig.block.read_ticks(0)
     assert len(records) == 300
     assert records["position_m"][-1, 1] > 0.005  # the simulated hand gives way upwards
+
+
+def test_a_long_track_is_checked_a_part_at_every_tick(rig):
+    rows = CHECKED_PER_TICK // 4 * 50 + 1
+    time_s = np.linspace(0.0, 100.0, rows)
+    rig.give_track(ForceTrack(time_s, np.tile([0, 2.0, 0], (rows, 1))))
+    rig.play()
+    assert rig.tick(50).mode is Mode.IDLE
+    assert rig.tick(300).force_n == pytest.approx((0.0, 2.0, 0.0))
 
 
 def test_a_clock_that_names_another_track_plays_none(rig):
