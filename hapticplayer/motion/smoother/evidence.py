@@ -31,20 +31,30 @@ class VelocityModel(NamedTuple):
 
 
 def with_velocity_model(problem: Problem, model: VelocityModel) -> Problem:
-    """Return the problem with the velocity as such a process, in place of its bound.
+    """Return the problem with the velocity as such a process, in place of its bound."""
+    bound, change = _precisions(problem.duration_s, [model])
+    unchanged = problem.zero_velocity_weight + change[0]
+    return replace(problem, bound_weight=bound[0], zero_velocity_weight=unchanged)
 
-    The precision of the process has three diagonals, those of a bound at each node and
-    of one on the change from node to node.
+
+def _precisions(
+    duration_s: Floats, models: Sequence[VelocityModel]
+) -> tuple[Floats, Floats]:
+    """Return the precision of such processes, (M, K + 1) and (M, K).
+
+    Its three diagonals are those of a bound at each node and of one on the change from
+    node to node.
     """
-    decay = np.exp(-problem.duration_s / model.correlation_s)
-    driven = model.sigma_mps**-2.0 / (1.0 - decay * decay)
+    sigma_mps, correlation_s = np.array(models).T[..., None]
+    weight = sigma_mps**-2.0
+    decay = np.exp(-duration_s / correlation_s)
+    driven = weight / (1.0 - decay * decay)
     change = decay * driven
-    bound = np.zeros(len(decay) + 1)
-    bound[0] = model.sigma_mps**-2.0
-    bound[1:] += driven - change
-    bound[:-1] += decay * change - change
-    unchanged = problem.zero_velocity_weight + change
-    return replace(problem, bound_weight=bound, zero_velocity_weight=unchanged)
+    bound = np.empty((len(decay), decay.shape[1] + 1))
+    bound[:, :1] = weight
+    bound[:, 1:] = driven - change
+    bound[:, :-1] += decay * change - change
+    return bound, change
 
 
 def log_evidences(problem: Problem, models: Sequence[VelocityModel]) -> Floats:
@@ -52,20 +62,19 @@ def log_evidences(problem: Problem, models: Sequence[VelocityModel]) -> Floats:
 
     All but for one constant, which depends on the number of nodes alone.
     """
-    count = len(models)
-    chain = _chain([with_velocity_model(problem, model) for model in models])
+    count, columns = len(models), len(problem.tilt)
+    chain = _chain(problem, models)
     factor, _ = lapack.dpbtrf(horizontal_band(chain), lower=1, overwrite_ab=1)
-    horizontal = right_sides(problem)
-    columns = len(horizontal)
-    horizontal = horizontal.reshape(columns, 2, -1)
-    rows = np.tile(horizontal.reshape(2 * columns, -1), count)
-    solved, _ = lapack.dpbtrs(factor, rows.T, lower=1)
-    solved = solved.reshape(count, -1, columns, 2)
+    rows = np.tile(right_sides(problem).reshape(2 * columns, -1), count)
+    # B' A^-1 B is the square of half the solution, L^-1 B
+    half, _ = lapack.dtbtrs(factor, rows.T, uplo="L", overwrite_b=1)
+    half = half.T.reshape(columns, 2, count, -1).transpose(2, 0, 1, 3)
+    half = half.reshape(count, columns, -1)
     weighted = problem.tilt_weight * problem.tilt
     normal = np.tensordot(weighted, problem.tilt, ((1, 2), (1, 2)))
     weighted = problem.velocity_weight * problem.impulse
     normal = normal + np.tensordot(weighted, problem.impulse, ((1, 2), (1, 2)))
-    normal = normal - np.einsum("cam,tmda->tcd", horizontal, solved)
+    normal = normal - half @ half.swapaxes(1, 2)
     log_det = 2.0 * 2.0 * _sums(np.log(factor[0]), count)
     # the vertical velocity alone
     prior = _diagonal(chain.bound_weight, chain.zero_velocity_weight)
@@ -77,7 +86,7 @@ def log_evidences(problem: Problem, models: Sequence[VelocityModel]) -> Floats:
     main, _, solved, _ = lapack.dptsv(
         _diagonal(chain.bound_weight, side), -side, np.tile(vertical, count).T
     )
-    normal -= np.einsum("cm,tmd->tcd", vertical, solved.reshape(count, -1, columns))
+    normal -= vertical @ solved.reshape(count, -1, columns)
     log_det += _sums(np.log(main), count)
     log_weights += 2.0 * np.log(problem.tilt_weight).sum()
     # the calibration
@@ -89,20 +98,22 @@ def log_evidences(problem: Problem, models: Sequence[VelocityModel]) -> Floats:
     return np.asarray(0.5 * (log_weights - log_det - squares))
 
 
-def _chain(problems: Sequence[Problem]) -> Problem:
-    """Return problems one after another, with nothing from each to the next."""
+def _chain(problem: Problem, models: Sequence[VelocityModel]) -> Problem:
+    """Return the problem with each model in turn, with nothing between them."""
+    bound, change = _precisions(problem.duration_s, models)
 
-    def intervals(name: str) -> Floats:
-        held = [np.append(getattr(one, name), 0.0) for one in problems]
-        return np.concatenate(held)[:-1]
+    def repeated(values: Floats) -> Floats:
+        held = np.zeros(bound.shape)
+        held[:, :-1] = values
+        return held.reshape(-1)[:-1]
 
     return replace(
-        problems[0],
-        duration_s=intervals("duration_s"),
-        tilt_weight=intervals("tilt_weight"),
-        velocity_weight=intervals("velocity_weight"),
-        zero_velocity_weight=intervals("zero_velocity_weight"),
-        bound_weight=np.concatenate([one.bound_weight for one in problems]),
+        problem,
+        duration_s=repeated(problem.duration_s),
+        tilt_weight=repeated(problem.tilt_weight),
+        velocity_weight=repeated(problem.velocity_weight),
+        zero_velocity_weight=repeated(problem.zero_velocity_weight + change),
+        bound_weight=bound.reshape(-1),
     )
 
 

@@ -86,15 +86,22 @@ def gyro_trust(
         with_fixed_calibration(problem, found, BIAS_COLUMNS)
         for found in (solution.calibration, resting)
     ]
-    usual = [log_evidences(one, VELOCITY_MODELS).max() for one in both]
+    usual: list[float] = []
     best, best_gain, last_gain = None, p.noise_evidence, 0.0
     for factor in NOISE_FACTORS:
         found = []
-        for one, before in zip(both, usual, strict=True):
+        for place, one in enumerate(both):
             evidences = log_evidences(_noisier(one, factor), VELOCITY_MODELS)
-            found.append(evidences - before)
-            if evidences.max() - before < last_gain - MAX_LOSS:
+            least = float(evidences.max()) - last_gain + MAX_LOSS
+            if place == len(usual):
+                # one velocity is mostly enough to see that the usual gyro explains more
+                likely = VELOCITY_MODELS[int(evidences.argmax())]
+                if log_evidences(one, [likely])[0] > least:
+                    return best
+                usual.append(float(log_evidences(one, VELOCITY_MODELS).max()))
+            if usual[place] > least:
                 return best
+            found.append(evidences - usual[place])
         last_gain = float(min(one.max() for one in found))
         if last_gain > best_gain:
             model = VELOCITY_MODELS[int(np.argmax(found[-1]))]
