@@ -265,7 +265,7 @@ def _test_lines(found: Analysis) -> list[str]:
         lines.append(
             f"  {name:<13}{means}\n{'':15}Friedman chi2({test['df']}) "
             f"{number(test['chi2'])}, "
-            f"p {p_value(test['p'])}, exact {p_value(test['p_exact'])}, "
+            f"p {p_value(test['p'])}, permutation {p_value(test['p_exact'])}, "
             f"Holm {p_value(test['p_holm'])}, W {number(test['kendall_w'], 3)}"
         )
         lines += [

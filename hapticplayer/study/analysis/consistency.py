@@ -27,7 +27,7 @@ _AXES: tuple[Axis, ...] = ("delay_s", "gain")
 MOST_FITS = 1999
 _FEW_PARTICIPANTS = 2
 _SAME = 1e-9
-_SAME_DEVIANCE = 0.01  # of fits through all shares: what their last steps leave
+_SAME_DEVIANCE = 1e-5  # of fits through all shares: what their last steps leave
 
 
 @dataclass(frozen=True, slots=True)
