@@ -167,6 +167,8 @@ def on_common_times(
         return Samples(accel.time_s, accel.values, rate.values, values, ())
     accel, notes = _ordered(accel, "accelerometer", where)
     rate, rate_notes = _ordered(rate, "gyroscope", where)
+    accel, clock_notes = _on_even_clock(accel, "accelerometer", force=accel.values)
+    rate, rate_clock_notes = _on_even_clock(rate, "gyroscope", rate=rate.values)
     rows, mean = mean_rate_with_holes(accel.time_s, rate.time_s, rate.values)
     if len(rows) < 2:
         raise InputError(
@@ -176,7 +178,8 @@ def on_common_times(
         )
     time_s = accel.time_s[rows]
     at_times = None if field is None else interpolated(time_s, field, where)
-    return Samples(time_s, accel.values[rows], mean, at_times, (*notes, *rate_notes))
+    notes = (*notes, *rate_notes, *clock_notes, *rate_clock_notes)
+    return Samples(time_s, accel.values[rows], mean, at_times, notes)
 
 
 def _ordered(stream: Stream, name: str, where: str) -> tuple[Stream, tuple[str, ...]]:
@@ -196,6 +199,19 @@ def _ordered(stream: Stream, name: str, where: str) -> tuple[Stream, tuple[str, 
         values = np.add.reduceat(finite, line.starts) / sizes[:, None]
     notes = tuple(f"{name}: {repair.text}" for repair in line.repairs)
     return Stream(line.time_s, np.asarray(values)), notes
+
+
+def _on_even_clock(
+    stream: Stream, name: str, **values: Floats
+) -> tuple[Stream, tuple[str, ...]]:
+    """Return a stream without the jitter of its stamps, and notes."""
+    from hapticplayer.motion.repair.even_clock import even_clock, jitter_text
+
+    even_s = even_clock(stream.time_s, **values)
+    if even_s is None:
+        return stream, ()
+    text = jitter_text(stream.time_s, even_s)
+    return Stream(even_s, stream.values), (f"{name}: {text}",)
 
 
 def interpolated(time_s: Floats, field: Stream, where: str) -> Floats | None:

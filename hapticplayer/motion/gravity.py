@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from hapticplayer.errors import InputError, Message, UsageError
+from hapticplayer.errors import InputError, UsageError
 from hapticplayer.model import STANDARD_GRAVITY_MPS2, ImuLog, MotionTrack
 from hapticplayer.model.arrays import Floats
 from hapticplayer.motion.flaws import find_flaws
@@ -21,7 +21,7 @@ from hapticplayer.motion.methods import (
     Parameters,
     Task,
 )
-from hapticplayer.motion.repair.even_clock import even_clock
+from hapticplayer.motion.repair.even_clock import even_clock, jitter_text
 from hapticplayer.motion.stillness import (
     WINDOW_S,
     StillSpans,
@@ -129,7 +129,7 @@ def analyse(
         "saturated_share": task.flaws.saturated_share,
         "invalid_share": 1.0 - float(np.mean(track.valid)),
         "gravity_sigma_mps2": None if sigma is None else float(np.median(sigma)),
-        "clock": _clock_text(imu, task),
+        "clock": None if task.imu is imu else jitter_text(imu.time_s, task.imu.time_s),
         **estimate.found(),
     }
     return GravityRemoval(track, summary)
@@ -152,7 +152,7 @@ def _task(imu: ImuLog, parameters: Parameters | None) -> Task:
             count=len(imu),
             span_ms=1000.0 * span_s,
         )
-    clock_s = even_clock(imu)
+    clock_s = even_clock(imu.time_s, imu.specific_force_mps2, imu.angular_rate_radps)
     if clock_s is not None:
         imu = replace(imu, time_s=clock_s)
     flaws = find_flaws(imu)
@@ -169,17 +169,6 @@ def _estimate(task: Task, method: str) -> Estimate:
             known=", ".join(METHODS),
         )
     return METHODS[method](task)
-
-
-def _clock_text(imu: ImuLog, task: Task) -> Message | None:
-    if task.imu is imu:
-        return None
-    jitter_s = float(np.std(imu.time_s - task.imu.time_s))
-    return Message(
-        "the time stamps jitter by {share:.0f} % of an interval; gravity was removed by "
-        "an even clock fitted to them",
-        share=100.0 * jitter_s / task.flaws.interval_s,
-    )
 
 
 def _removed(task: Task, method: str, time_s: Floats) -> tuple[MotionTrack, Estimate]:

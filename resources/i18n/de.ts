@@ -5336,8 +5336,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>die spezifische Kraft ist in Ruhe {norm:.3g} m/s2, wenn sie in {accel_unit} gelesen wird, aber die Schwerkraft ist 9.81</translation>
     </message>
     <message>
-        <source>the time stamps jitter by {share:.0f} % of an interval; gravity was removed by an even clock fitted to them</source>
-        <translation>die Zeitstempel schwanken um {share:.0f} % eines Abtastintervalls; für die Schwerkraft wurde ein daran angepasster gleichmäßiger Takt verwendet</translation>
+        <source>the time stamps jitter by {share:.0f} % of an interval; an even clock fitted to them was used</source>
+        <translation>die Zeitstempel schwanken um {share:.0f} % eines Abtastintervalls; ein daran angepasster gleichmäßiger Takt wurde verwendet</translation>
     </message>
     <message>
         <source>the time {fault} ({time_s} s after {last_s} s)</source>

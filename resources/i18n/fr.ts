@@ -5336,8 +5336,8 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>la force spécifique est de {norm:.3g} m/s2 au repos quand elle est lue en {accel_unit}, mais la pesanteur est de 9.81</translation>
     </message>
     <message>
-        <source>the time stamps jitter by {share:.0f} % of an interval; gravity was removed by an even clock fitted to them</source>
-        <translation>les horodatages fluctuent de {share:.0f} % d’un intervalle&#xa0;; la pesanteur a été retirée avec une horloge régulière ajustée sur eux</translation>
+        <source>the time stamps jitter by {share:.0f} % of an interval; an even clock fitted to them was used</source>
+        <translation>les horodatages fluctuent de {share:.0f} % d’un intervalle&#xa0;; une horloge régulière ajustée sur eux a été utilisée</translation>
     </message>
     <message>
         <source>the time {fault} ({time_s} s after {last_s} s)</source>

@@ -7,7 +7,7 @@ stamps are an even clock plus white noise, rates are integrated over the even cl
 import numpy as np
 from scipy.signal import savgol_filter
 
-from hapticplayer.model import ImuLog
+from hapticplayer.errors import Message
 from hapticplayer.model.arrays import Floats
 
 # A step of so many intervals parts two pieces: a dropout or a gap stays as it is.
@@ -20,17 +20,25 @@ MIN_JITTERED_SHARE = 0.5
 MIN_JITTER_RMS, MAX_JITTER = 0.02, 0.5
 # Autocorrelation at lag 1 of white noise is 0, that of its differences -0.5.
 WHITE_TOLERANCE = 0.15
+# Keeps ratios of constant values defined.
+SMALLEST = 1e-30
 
 
-def even_clock(imu: ImuLog) -> Floats | None:
-    """Return the times of an even clock (N,), or None where the log's own are better.
+def even_clock(
+    time_s: Floats, force: Floats | None = None, rate: Floats | None = None
+) -> Floats | None:
+    """Return the times of an even clock (N,), or None where the own ones are better.
 
     Within a piece without dropouts the even clock is the local straight line through
     the stamps, so that a slow drift remains and the mean offset is 0. It is used where
     the residuals are white and within half an interval, and where the sensors are not
-    smoother over the log's own times, as they are where the sampling was uneven.
+    smoother over their own times, as they are where the sampling was uneven.
+
+    Args:
+        time_s: (N,) strictly increasing.
+        force: (N, 3) of the accelerometer, in any unit, if it has these times.
+        rate: (N, 3) of the gyro.
     """
-    time_s = imu.time_s
     if len(time_s) < MIN_PIECE_SAMPLES:
         return None
     steps = np.diff(time_s)
@@ -66,13 +74,25 @@ def even_clock(imu: ImuLog) -> Floats | None:
     )
     if not is_white or (np.diff(fitted_s) <= 0.0).any():
         return None
-    force, rate = imu.specific_force_mps2, imu.angular_rate_radps
-    # a rate may be the mean over the step that ends with it
-    middle_s = time_s - 0.5 * np.diff(time_s, prepend=time_s[0] - interval_s)
-    own_rate = min(_roughness(time_s, rate), _roughness(middle_s, rate))
-    own = _roughness(time_s, force) * own_rate
-    is_even = _roughness(fitted_s, force) * _roughness(fitted_s, rate) <= own
-    return fitted_s if is_even else None
+    ratio = 1.0
+    if force is not None:
+        ratio *= _roughness(fitted_s, force) / _roughness(time_s, force)
+    if rate is not None:
+        # it may be the mean over the step that ends with the sample
+        middle_s = time_s - 0.5 * np.diff(time_s, prepend=time_s[0] - interval_s)
+        own = min(_roughness(time_s, rate), _roughness(middle_s, rate))
+        ratio *= _roughness(fitted_s, rate) / own
+    return fitted_s if ratio <= 1.0 else None
+
+
+def jitter_text(time_s: Floats, even_s: Floats) -> Message:
+    """Return a sentence on the stamps (N,) that an even clock (N,) has replaced."""
+    interval_s = float(np.median(np.diff(even_s)))
+    return Message(
+        "the time stamps jitter by {share:.0f} % of an interval; an even clock fitted to "
+        "them was used",
+        share=100.0 * float(np.std(time_s - even_s)) / interval_s,
+    )
 
 
 def _local_line(time_s: Floats) -> Floats:
@@ -86,7 +106,13 @@ def _local_line(time_s: Floats) -> Floats:
 
 
 def _roughness(time_s: Floats, values: Floats) -> float:
-    """Return the mean square of what straight lines between neighbours leave."""
+    """Return the mean square of what straight lines between neighbours leave.
+
+    What is not finite counts as nothing: a stream may come before its repair.
+    """
     share = (time_s[1:-1] - time_s[:-2]) / (time_s[2:] - time_s[:-2])
-    between = values[:-2] + share[:, None] * (values[2:] - values[:-2])
-    return float(np.square(values[1:-1] - between).mean())
+    with np.errstate(all="ignore"):
+        between = values[:-2] + share[:, None] * (values[2:] - values[:-2])
+        squares = np.square(values[1:-1] - between)
+    finite = squares[np.isfinite(squares)]
+    return (float(finite.mean()) if finite.size else 0.0) + SMALLEST

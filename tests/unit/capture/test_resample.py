@@ -3,7 +3,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from hapticplayer.capture.streams import mean_rate
+from hapticplayer.capture.streams import Stream, mean_rate, on_common_times
 
 
 def test_equal_times_change_nothing():
@@ -53,3 +53,36 @@ def test_times_outside_are_left_out():
     assert query_s[rows].min() >= -0.02
     assert query_s[rows].max() <= time_s[-1] + 0.005
     assert len(rows) == pytest.approx(50, abs=2)
+
+
+def test_jitter_of_either_stream_does_not_reach_the_other(rng):
+    """Over its jittered stamps the rate would be off by 20 % of itself."""
+    interval_s = 1.0 / 30.0
+    true_s = interval_s * np.arange(1500)
+
+    def stamped(values):
+        noise_s = 0.2 * interval_s * rng.uniform(-1.0, 1.0, len(true_s))
+        return Stream(true_s + noise_s, values)
+
+    force = 9.8 + np.sin(true_s[:, None] * [5.0, 7.0, 11.0])
+    force[100:110] = np.nan
+    rate = np.cos(true_s[:, None] * [3.0, 2.0, 4.0])
+    found = on_common_times(stamped(force), stamped(rate), None, "")
+    rows = np.round(found.time_s / interval_s).astype(int)
+    assert len(rows) >= 1499
+    assert np.abs(found.time_s - true_s[rows]).max() < 0.05 * interval_s
+    inner = rows[2:-2]
+    assert np.abs(found.rate[2:-2] - rate[inner]).max() < 0.05
+    assert [note.split(":")[0] for note in found.notes] == [
+        "accelerometer",
+        "gyroscope",
+    ]
+
+
+def test_even_streams_keep_their_times(rng):
+    time_s = 0.01 * np.arange(1500)
+    given = Stream(time_s, rng.normal(size=(1500, 3)))
+    other = Stream(time_s.copy(), rng.normal(size=(1500, 3)))
+    found = on_common_times(given, other, None, "")
+    np.testing.assert_array_equal(found.time_s, time_s)
+    assert found.notes == ()
