@@ -72,7 +72,8 @@ def lock_memory(*, on_fault: bool = True) -> bool:
     Under memory pressure the kernel drops pages of mapped files, code among them; a
     thread that needs one waits for the disk, often with the interpreter's lock in its
     hand: windows froze for 0.1 to 1.1 s (`benchmarks.robustness eviction`). With
-    `on_fault` each page is locked from its first use on; else all are at once.
+    `on_fault` each page is locked from its first use on; else all present ones are at
+    once, and later ones from their first use on.
 
     Returns:
         False where the process may not lock without limit: later allocations would
@@ -82,8 +83,12 @@ def lock_memory(*, on_fault: bool = True) -> bool:
     is_unlimited = hard == resource.RLIM_INFINITY
     # under a limit of 0 the kernel grants it only to CAP_IPC_LOCK, which has no limit
     resource.setrlimit(resource.RLIMIT_MEMLOCK, (hard if is_unlimited else 0, hard))
+    mlockall = ctypes.CDLL(None).mlockall
     flags = _MCL_CURRENT | _MCL_FUTURE | (_MCL_ONFAULT if on_fault else 0)
-    is_locked = bool(ctypes.CDLL(None).mlockall(flags) == 0)
+    is_locked = bool(mlockall(flags) == 0)
+    if is_locked:
+        # to lock all of a long track when it is mapped would stall the loop
+        mlockall(_MCL_FUTURE | _MCL_ONFAULT)
     if not is_unlimited:
         resource.setrlimit(resource.RLIMIT_MEMLOCK, (soft, hard))
     return is_locked

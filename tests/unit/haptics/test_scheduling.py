@@ -92,6 +92,26 @@ def test_memory_is_locked_now_and_later():
     assert found["grown"] > 40_000
 
 
+MAPPER = """
+import json, mmap, sys
+from hapticplayer.haptics.scheduling import lock_memory
+from hapticplayer.haptics.track import anonymous_memory
+
+lock_memory(on_fault=False)
+descriptor = anonymous_memory("track", 50_000_000)
+mapped = mmap.mmap(descriptor, 50_000_000)
+words = open("/proc/self/smaps").read().split("memfd:track")[1].split()
+json.dump(int(words[words.index("Rss:") + 1]), sys.stdout)
+"""
+
+
+def test_a_long_track_is_not_paged_in_when_it_is_mapped():
+    """That would stall the loop; its pages come while it is checked."""
+    words = [sys.executable, "-c", MAPPER]
+    done = subprocess.run(words, capture_output=True, text=True, check=True)
+    assert json.loads(done.stdout) < 100
+
+
 def test_nothing_is_locked_where_a_limit_would_fail_later(monkeypatch):
     asked = []
     monkeypatch.setattr(resource, "getrlimit", lambda _: (1 << 23, 1 << 23))
