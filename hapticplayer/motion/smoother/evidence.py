@@ -17,7 +17,8 @@ from scipy.linalg import lapack
 from hapticplayer.model.arrays import Floats
 from hapticplayer.motion.smoother.least_squares import (
     Problem,
-    horizontal_band,
+    half_solve,
+    horizontal_factor,
     right_sides,
     vertical_right_sides,
 )
@@ -64,12 +65,11 @@ def log_evidences(problem: Problem, models: Sequence[VelocityModel]) -> Floats:
     """
     count, columns = len(models), len(problem.tilt)
     chain = _chain(problem, models)
-    factor, _ = lapack.dpbtrf(horizontal_band(chain), lower=1, overwrite_ab=1)
-    rows = np.tile(right_sides(problem).reshape(2 * columns, -1), count)
-    # B' A^-1 B is the square of half the solution, L^-1 B
-    half, _ = lapack.dtbtrs(factor, rows.T, uplo="L", overwrite_b=1)
-    half = half.T.reshape(columns, 2, count, -1).transpose(2, 0, 1, 3)
-    half = half.reshape(count, columns, -1)
+    factor = horizontal_factor(chain)
+    sides = right_sides(problem)
+    pairs = np.tile(sides[:, 0] + 1j * sides[:, 1], count)
+    half_solve(factor, pairs)
+    half = pairs.view(np.float64).reshape(columns, count, -1).swapaxes(0, 1)
     weighted = problem.tilt_weight * problem.tilt
     normal = np.tensordot(weighted, problem.tilt, ((1, 2), (1, 2)))
     weighted = problem.velocity_weight * problem.impulse

@@ -22,6 +22,7 @@ from scipy.linalg import lapack
 from hapticplayer.errors import InputError
 from hapticplayer.model import STANDARD_GRAVITY_MPS2
 from hapticplayer.model.arrays import Floats
+from hapticplayer.motion.rotations import Complexes
 
 GYRO_BIAS = slice(0, 3)
 ACCEL_BIAS = slice(3, 6)
@@ -185,10 +186,8 @@ def with_fixed_calibration(problem: Problem, calibration: Floats, free: int) -> 
 def tilt_variances(problem: Problem, nodes: NDArray[np.intp]) -> Floats:
     """Return the variance of one tilt at some nodes, for a known calibration."""
     right = np.zeros((len(nodes), 2 * len(problem.bound_weight)))
-    rows = np.arange(len(nodes))
-    right[rows, 2 * nodes] = 1.0
-    _solve_band(problem, right)
-    return np.asarray(right[rows, 2 * nodes])
+    right[np.arange(len(nodes)), 2 * nodes] = 1.0
+    return _variances(problem, right)
 
 
 def tilt_change_variances(problem: Problem) -> Floats:
@@ -199,12 +198,15 @@ def tilt_change_variances(problem: Problem) -> Floats:
     intervals = np.arange(len(problem.duration_s))
     right = np.zeros((len(intervals), 2 * len(problem.bound_weight)))
     right[intervals, 2 * intervals + 2], right[intervals, 2 * intervals] = 1.0, -1.0
-    _solve_band(problem, right)
-    later, earlier = (
-        right[intervals, 2 * intervals + 2],
-        right[intervals, 2 * intervals],
-    )
-    return np.asarray(later - earlier)
+    return _variances(problem, right)
+
+
+def _variances(problem: Problem, rows: Floats) -> Floats:
+    """Return the variances of rows (n, 2 (K + 1)) times the unknowns of one axis."""
+    pairs = _in_pairs(rows)
+    half_solve(horizontal_factor(problem), pairs)
+    found = np.stack([np.vecdot(x, x) for x in (pairs.real, pairs.imag)], axis=1)
+    return found.reshape(-1)[: len(rows)]
 
 
 def horizontal_band(problem: Problem) -> Floats:
@@ -233,14 +235,38 @@ def horizontal_band(problem: Problem) -> Floats:
     return band
 
 
-def _solve_band(problem: Problem, right: Floats) -> None:
-    """Solve one axis in place for the rows of `right`, (n, 2 (K + 1)), contiguous."""
+def horizontal_factor(problem: Problem) -> Floats:
+    """Return the Cholesky factor L of one axis, like its band."""
     factor, failed = lapack.dpbtrf(horizontal_band(problem), lower=1, overwrite_ab=1)
     if failed:
         raise _singular()
-    solved, _ = lapack.dpbtrs(factor, right.T, lower=1, overwrite_b=1)
-    if not np.shares_memory(solved, right):
-        right[:] = solved.T
+    return np.asarray(factor)
+
+
+def half_solve(factor: Floats, pairs: Complexes) -> None:
+    """Replace the rows b of `pairs` (n, 2 (K + 1)) by L^-1 b, in place.
+
+    Their scalar products are b' A^-1 b for the normal matrix A = L L'.
+    """
+    lapack.ztbtrs(factor.astype(complex), pairs.T, uplo="L", overwrite_b=1)
+
+
+def _solve_band(problem: Problem, right: Floats) -> None:
+    """Solve one axis in place for the rows of `right`, (n, 2 (K + 1))."""
+    pairs = _in_pairs(right)
+    factor = horizontal_factor(problem).astype(complex)
+    lapack.zpbtrs(factor, pairs.T, lower=1, overwrite_b=1)
+    right[0::2], right[1::2] = pairs.real, pairs.imag[: len(right) // 2]
+
+
+def _in_pairs(rows: Floats) -> Complexes:
+    """Return rows (n, m) two by two as complex numbers.
+
+    LAPACK solves for one after another, and for a complex one in the time of a real.
+    """
+    pairs = np.zeros((-(-len(rows) // 2), rows.shape[1]), complex)
+    pairs.real, pairs.imag[: len(rows) // 2] = rows[0::2], rows[1::2]
+    return pairs
 
 
 def vertical_right_sides(problem: Problem) -> Floats:
