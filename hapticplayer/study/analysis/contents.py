@@ -69,8 +69,8 @@ def _contents(analysis: Analysis) -> Iterator[ReportBlock]:
     yield from _figures(analysis)
     yield from _means(analysis)
     yield Heading("Tests")
-    for name, statistic in STATISTICS.items():
-        yield _table(statistic, analysis.found[name])
+    tables = [_table(one, analysis.found[name]) for name, one in STATISTICS.items()]
+    yield from (table for table in tables if table.rows)
     yield from playback(analysis.answers, analysis.scores.feedbacks)
     yield Heading("Assumptions of the tests")
     yield Paragraph(_MEANS)

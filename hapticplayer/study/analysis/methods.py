@@ -29,7 +29,11 @@ def methods(analysis: Analysis) -> Iterator[ReportBlock]:
     )
     for name, statistic in STATISTICS.items():
         found = analysis.found[name]
-        if text := statistic.methods(found):
+        parts = [
+            part for one in found.values() for part in statistic.rows(one).values()
+        ]
+        is_computed = any(part.get("p") is not None for part in parts)
+        if is_computed and (text := statistic.methods(found)):
             family = statistic.holm_family(found)
             after = (
                 f" p was corrected by Holm's method over {family}." if family else ""

@@ -119,7 +119,9 @@ class Statistic:
             sum(row[self.holm.p] is not None for row in family)
             for family in self._families(found)
         }
-        tests = " or ".join(str(size) for size in sorted(sizes))
+        tests = " or ".join(str(size) for size in sorted(sizes - {0}))
+        if not tests:
+            return ""
         return f"the {tests} tests of {self.holm.over}"
 
     def _families(self, found: Mapping[str, Any]) -> list[list[Found]]:

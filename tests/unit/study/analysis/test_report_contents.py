@@ -195,6 +195,15 @@ def test_methods_say_what_was_decided(made, make_answers):
     assert "doubles the smaller tail" not in large
 
 
+def test_what_was_not_computed_is_not_described(make_answers):
+    blocks = parts(make_answers(5, 1, sequences=2)).blocks
+    text = text_of(blocks)
+    assert "were compared by" not in text
+    assert "Wilcoxon F. (1945)" not in text
+    assert "0 tests" not in text + " ".join(getattr(one, "note", "") for one in blocks)
+    assert all(one.rows for one in blocks if isinstance(one, ReportTable))
+
+
 def test_figures_are_described_in_words(made, answers):
     figure = next(one for one in made.blocks if isinstance(one, ReportFigure))
     mean = np.mean(
