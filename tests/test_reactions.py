@@ -9,7 +9,7 @@ from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.shared import TICK
 from hapticplayer.playback.meters import TickHistory
 from hapticplayer.playback.snapshot import Measurements, Snapshot
-from tests.reactions import Watch
+from tools.reactions import Watch
 
 
 @pytest.fixture

@@ -9,7 +9,7 @@ from pathlib import Path
 from hapticplayer.capture import synchronize
 from hapticplayer.capture.sync.synchronize import Sound
 from hapticplayer.cli.plots import draw_sync
-from tests.pat_clips import simulate_pats
+from hapticplayer.simulation.rides.sync_clips import simulate_pats
 
 DOCS = Path(__file__).parents[1] / "docs"
 PICTURES = {

@@ -26,7 +26,7 @@ from benchmarks.motion.recordings import (
 from hapticplayer.model import STANDARD_GRAVITY_MPS2
 from hapticplayer.motion import DEFAULT_METHOD, METHODS, analyse, remove_gravity
 from hapticplayer.motion.smoother import SmootherParameters
-from tests.optical import offline_vqf_up
+from tools.optical import offline_vqf_up
 
 Floats = NDArray[np.float64]
 REFERENCE = "offlineVQF"

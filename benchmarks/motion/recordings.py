@@ -19,7 +19,7 @@ from scipy.spatial.transform import Rotation, Slerp
 from benchmarks.common import DATA
 from hapticplayer.model import ImuLog
 from hapticplayer.simulation.rides.motion_scenes import MOTION_SCENES, simulate_motion
-from tests.optical import GAP, OPTICAL, read_optical
+from tools.optical import GAP, OPTICAL, read_optical
 
 Floats = NDArray[np.float64]
 

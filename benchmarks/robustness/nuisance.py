@@ -31,7 +31,7 @@ from benchmarks.stage import screen, sound_server
 from benchmarks.witness import ACCOUNT_PERIOD_S, Sentinel, Starved, sentinel
 from hapticplayer.haptics.contract import Cause
 from hapticplayer.playback.player import Player
-from tests.reactions import OF_LOAD, Watch
+from tools.reactions import OF_LOAD, Watch
 
 GRACE_S, QUICK_GRACE_S = 0.3, 15.0
 LEAST_KINDS, LEAST_SHARE, QUICK_LEAST_SHARE = 10, 0.2, 0.02

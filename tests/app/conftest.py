@@ -22,7 +22,7 @@ from hapticplayer.clock import SystemClock
 from hapticplayer.media.encode import write_clip
 from hapticplayer.playback.player import Player
 from hapticplayer.playback.source import open_source
-from tests.shaken import write_shaken_sequence
+from hapticplayer.simulation.rides.shaken import write_shaken_sequence
 
 sys.path.insert(0, str(Path(__file__).parent))  # helpers beside these tests
 from private_bus import address, bus, bus_daemon  # noqa: F401 - fixtures

@@ -25,7 +25,7 @@ from hapticplayer.playback.phases import Phase
 from hapticplayer.sequence import open_sequence
 from hapticplayer.sequence.synchronizing import stored_skews
 from hapticplayer.simulation.rides.gpmf_writer import write_payloads
-from tests.pat_clips import simulate_pats
+from hapticplayer.simulation.rides.sync_clips import simulate_pats
 
 SECONDS = 20
 

@@ -17,7 +17,7 @@ from hapticplayer.media.clip_info import probe
 from hapticplayer.media.encode import write_clip
 from hapticplayer.model import ForceTrack
 from hapticplayer.playback.source import Source
-from tests.reactions import OF_LOAD
+from tools.reactions import OF_LOAD
 
 CLIP_S, RATE_HZ = 120, 10
 LEFT, NO_KEY = Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier

@@ -3,6 +3,8 @@
 import re
 from pathlib import Path
 
+import pytest
+
 ROOT = Path(__file__).resolve().parents[2]
 LONG_NAME = re.compile(r"^ *def (test_\w{56,})", re.MULTILINE)
 IMPORTED = re.compile(r"^ *(?:from|import) (\w+)", re.MULTILINE)
@@ -23,3 +25,8 @@ def test_tests_import_no_benchmark():
     modules = {path.stem for path in (ROOT / "benchmarks").rglob("*.py")}
     theirs = {"benchmarks", *modules - {"__init__", "conftest"}}
     assert not [(name, x) for name, x in found("tests", IMPORTED) if x in theirs]
+
+
+@pytest.mark.parametrize("folder", ["benchmarks", "tools"])
+def test_benchmarks_and_tools_import_no_test(folder):
+    assert not [name for name, x in found(folder, IMPORTED) if x == "tests"]

@@ -15,7 +15,7 @@ from hapticplayer.sequence.build import build_sequence
 from hapticplayer.sequence.editing import rename_sequence
 from hapticplayer.sequence.recognising import Recognised, recognise
 from hapticplayer.simulation.recordings import demo_folder
-from tests.pat_clips import simulate_pats
+from hapticplayer.simulation.rides.sync_clips import simulate_pats
 
 SECONDS, RATE_HZ, WIDE, HIGH = 20, 25, 320, 180
 SEED = 41_001

@@ -3,7 +3,7 @@
 import pytest
 
 from hapticplayer.model import ImuLog
-from tests.optical import GAP, OpticalRecording, read_log, read_optical
+from tools.optical import GAP, OpticalRecording, read_log, read_optical
 
 
 @pytest.fixture

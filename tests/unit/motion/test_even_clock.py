@@ -9,7 +9,7 @@ from scipy.spatial.transform import Rotation
 from hapticplayer.model import STANDARD_GRAVITY_MPS2, ImuLog
 from hapticplayer.motion import analyse
 from hapticplayer.motion.repair.even_clock import even_clock
-from tests.optical import read_optical
+from tools.optical import read_optical
 
 INTERVAL_S = 1.0 / 30.0
 EVEN_S = 1.7e3 + INTERVAL_S * np.arange(2000)

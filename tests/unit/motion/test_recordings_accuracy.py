@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from hapticplayer.model import STANDARD_GRAVITY_MPS2
 from hapticplayer.motion import analyse, remove_gravity
-from tests.optical import OPTICAL, OpticalRecording, offline_vqf_up
+from tools.optical import OPTICAL, OpticalRecording, offline_vqf_up
 
 GRAVITY_MPS2 = 9.81  # of the error figures, as the field reports them
 FAMILIES = [f"{name} {rate}" for rate in ("native", "30 Hz") for name in OPTICAL]

@@ -5,7 +5,7 @@ import pytest
 from hapticplayer.capture.sync.check import check_log, check_sound
 from hapticplayer.capture.sync.synchronize import Sound
 from hapticplayer.simulation.rides.motion_scenes import simulate_motion
-from tests.pat_clips import simulate_pats
+from hapticplayer.simulation.rides.sync_clips import simulate_pats
 
 SCENES = ("car-hard", "car-motorway", "walk", "run", "bicycle")
 
