@@ -207,6 +207,9 @@ CLIP_LENGTHS_S = (112.0, 2580.0)
 """50 Mbit/s, what cameras write, and the 43 min of another program's test file."""
 READINGS = 5
 MAX_CLIP_S, MAX_CLIP_READ_MB = 0.2, 120.0
+HOUR_ROWS, FORCE_ROWS = 3_600_000, 20_000_000
+MAX_PROCESS_MB, MAX_PLAY_MB = 600.0, 400.0
+_PEAKS = ("peak_mb", "cpu_s", "missed")
 
 
 def importers_options(parser: argparse.ArgumentParser) -> None:
@@ -222,7 +225,8 @@ def importers(options: argparse.Namespace, report: Report) -> None:
     it must be read, or refused or asked about in one sentence, within 10 s and 1 GB. Ten
     hours at 100 Hz in each format, read by a process of its own. The clip holds telemetry
     beside frames that are never decoded; the best of five readings after one that loads the
-    libraries, and the bytes that were read from it.
+    libraries, and the bytes that were read from it. Commands on long files: peak memory
+    of `process` with an hour at 1 kHz, and of `play --force` with 20 million rows.
     """
     for part in options.part:
         report.figures[part] = PARTS[part](options, report)
@@ -271,8 +275,69 @@ def clips(options: argparse.Namespace, report: Report) -> dict[str, Any]:
     return figures
 
 
+def commands(options: argparse.Namespace, report: Report) -> dict[str, Any]:
+    """Run commands on long files, and measure their peak memory."""
+    from hapticplayer.media.encode import write_clip
+
+    share = 0.01 if options.quick else 1.0
+    figures: dict[str, Any] = {}
+    with tempfile.TemporaryDirectory(prefix="hp-importers-") as name:
+        folder = Path(name)
+        log, force, clip = (folder / one for one in ("log.csv", "f.csv", "clip.mp4"))
+        _write_log(log, round(share * HOUR_ROWS))
+        _write_force(force, round(share * FORCE_ROWS))
+        grey = [np.full((72, 128, 3), 4 * k, np.uint8) for k in range(60)]
+        write_clip(clip, grey, frame_rate_hz=30.0)
+        play = ["play", str(clip), "--force", str(force), "--headless", "--mute"]
+        for what, words, most_mb in (
+            ("process, 1 h at 1 kHz", ["process", str(log)], MAX_PROCESS_MB),
+            ("play, 20 million rows", play, MAX_PLAY_MB),
+        ):
+            command = [sys.executable, "-c", _PEAK, *words, "--json"]
+            done = subprocess.run(
+                command, capture_output=True, text=True, check=True, cwd=ROOT
+            )
+            output, usage = done.stdout.splitlines()[-2:]
+            told, found = json.loads(output), json.loads(usage)
+            report.target(f"{what}: peak MB", found["peak_mb"], ("<=", most_mb))
+            if "missed" in told:
+                found["missed"] = told["missed"]
+            figures[what] = found
+    rows = [[name, *(f.get(k, "-") for k in _PEAKS)] for name, f in figures.items()]
+    report.table("Commands on long files", ["command", *_PEAKS], rows)
+    return figures
+
+
+_PEAK = """
+import json, os, subprocess, sys  # a small process: its memory counts before the exec
+process = subprocess.Popen([sys.executable, "-m", "app", *sys.argv[1:]])
+_, status, usage = os.wait4(process.pid, 0)
+print(json.dumps(dict(peak_mb=usage.ru_maxrss * 1.024e-3, cpu_s=usage.ru_utime)))
+sys.exit(os.waitstatus_to_exitcode(status))
+"""
+
+
+def _write_log(path: Path, count: int) -> None:
+    from hapticplayer.capture.si_csv import write_imu_csv
+    from hapticplayer.model import ImuLog
+
+    rng = np.random.default_rng(1)
+    time_s = np.arange(count) / 1000.0
+    accel = rng.normal((0.0, 0.0, 9.80665), 0.3, (count, 3))
+    accel[:, 0] += 2.0 * np.sin(8.0 * time_s)
+    rate = rng.normal(0.0, 0.05, (count, 3))
+    write_imu_csv(path, ImuLog(time_s, accel, rate))
+
+
+def _write_force(path: Path, count: int) -> None:
+    with path.open("w", encoding="ascii") as file:
+        file.write("time_s,fx_n,fy_n,fz_n\n")
+        file.writelines(f"{k / 1e7:.7f},{k % 1000 / 1e3},0,0\n" for k in range(count))
+
+
 PARTS: dict[str, Callable[[argparse.Namespace, Report], dict[str, Any]]] = {
     "clips": clips,
+    "commands": commands,
     "damaged": damaged,
     "ten-hours": ten_hours,
 }
