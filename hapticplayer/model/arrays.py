@@ -1,5 +1,6 @@
 """Validation of arrays at the border: checked once, then read-only for ever."""
 
+from dataclasses import fields
 from typing import Any, TypeGuard
 
 import numpy as np
@@ -108,3 +109,10 @@ def all_of_rows(flags: NDArray[np.bool_]) -> NDArray[np.bool_]:
     for column in flags.T[1:]:
         out &= column
     return out
+
+
+def arrays_of(value: Any, chosen: slice) -> dict[str, Any]:
+    """Return the arrays of a dataclass by name, some of their rows."""
+    held = {field.name: getattr(value, field.name) for field in fields(value)}
+    arrays = {k: one for k, one in held.items() if isinstance(one, np.ndarray)}
+    return {name: array[chosen] for name, array in arrays.items()}

@@ -1,12 +1,18 @@
 """What an inertial sensor recorded."""
 
 import enum
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
-from hapticplayer.model.arrays import Floats, frozen, frozen_times, same_length
+from hapticplayer.model.arrays import (
+    Floats,
+    arrays_of,
+    frozen,
+    frozen_times,
+    same_length,
+)
 
 
 class Sampling(enum.StrEnum):
@@ -63,6 +69,12 @@ class ImuLog:
 
     def __len__(self) -> int:
         return len(self.time_s)
+
+    def part(self, chosen: slice) -> "ImuLog":
+        """Return some of the samples, neighbours."""
+        if len(self) == len(range(*chosen.indices(len(self)))):
+            return self
+        return replace(self, **arrays_of(self, chosen))
 
     @property
     def rate_hz(self) -> float:

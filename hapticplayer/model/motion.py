@@ -1,11 +1,17 @@
 """How the camera moved once gravity is gone."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
-from hapticplayer.model.arrays import Floats, frozen, frozen_times, same_length
+from hapticplayer.model.arrays import (
+    Floats,
+    arrays_of,
+    frozen,
+    frozen_times,
+    same_length,
+)
 from hapticplayer.model.imu import Sampling
 
 
@@ -64,3 +70,9 @@ class MotionTrack:
 
     def __len__(self) -> int:
         return len(self.time_s)
+
+    def part(self, chosen: slice) -> "MotionTrack":
+        """Return some of the samples, neighbours."""
+        if len(self) == len(range(*chosen.indices(len(self)))):
+            return self
+        return replace(self, **arrays_of(self, chosen))

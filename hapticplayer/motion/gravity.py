@@ -13,6 +13,7 @@ import numpy as np
 from hapticplayer.errors import InputError, UsageError
 from hapticplayer.model import STANDARD_GRAVITY_MPS2, ImuLog, MotionTrack
 from hapticplayer.model.arrays import Floats
+from hapticplayer.model.calibration import SensorCalibration
 from hapticplayer.motion.flaws import find_flaws
 from hapticplayer.motion.methods import (
     DEFAULT_METHOD,
@@ -40,10 +41,12 @@ class GravityRemoval:
     Attributes:
         track: the gravity-free motion.
         summary: plain numbers, lists and texts, for provenance and for people.
+        calibration: of the sensor, or None where the method has none to keep.
     """
 
     track: MotionTrack
     summary: Mapping[str, Any]
+    calibration: SensorCalibration | None = None
 
 
 def estimate_orientation(
@@ -132,7 +135,7 @@ def analyse(
         "clock": None if task.imu is imu else jitter_text(imu.time_s, task.imu.time_s),
         **estimate.found(),
     }
-    return GravityRemoval(track, summary)
+    return GravityRemoval(track, summary, estimate.calibration)
 
 
 def _task(imu: ImuLog, parameters: Parameters | None) -> Task:

@@ -12,6 +12,7 @@ from hapticplayer.errors import UsageError
 from hapticplayer.model import ImuLog, Sampling
 from hapticplayer.model import quaternions as quat
 from hapticplayer.model.arrays import Floats
+from hapticplayer.model.calibration import SensorCalibration
 from hapticplayer.motion import ekf, grid, lowpass
 from hapticplayer.motion.flaws import Flaws
 from hapticplayer.motion.smoother import (
@@ -44,6 +45,7 @@ class Estimate:
             method does not check.
         found: returns parameters and calibration for the provenance: plain numbers,
             lists and texts.
+        calibration: of the sensor, or None where the method has none to keep.
     """
 
     quaternion_wxyz: Floats
@@ -51,6 +53,7 @@ class Estimate:
     sigma_rad: Floats | None = None
     at_rest: NDArray[np.bool_] | None = None
     found: Callable[[], Mapping[str, Any]] = dict
+    calibration: SensorCalibration | None = None
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -85,6 +88,9 @@ class Task:
 
 Method = Callable[[Task], Estimate]
 
+# Clipped peaks look like a scale error: two phones that run had one of 17 %.
+MAX_SATURATED_SHARE = 0.01
+
 _CHOSEN = "chosen by a person"
 
 
@@ -104,7 +110,23 @@ def smoother(task: Task) -> Estimate:
         sigma_rad=done.sigma_rad if task.sigma else None,
         at_rest=done.at_rest,
         found=functools.partial(_found, done, is_chosen),
+        calibration=_calibration(done, task, is_chosen=is_chosen),
     )
+
+
+def _calibration(
+    done: SmoothedRecording, task: Task, *, is_chosen: bool
+) -> SensorCalibration | None:
+    """Return the calibration without what clipping has spoiled.
+
+    None with a chosen time constant, for which it is held fixed: its sigma is not known.
+    """
+    if is_chosen:
+        return None
+    found = done.calibration(task.gain)
+    if task.flaws.saturated_share < MAX_SATURATED_SHARE:
+        return found
+    return SensorCalibration(found.gyro_bias_radps, found.gyro_bias_sigma_radps)
 
 
 def _found(done: SmoothedRecording, is_chosen: bool) -> dict[str, Any]:
@@ -164,7 +186,7 @@ def _piecewise(method: Method) -> Method:
         parts = grid.pieces(task.imu)
         if len(parts) == 1:
             return method(task)
-        done = [method(replace(task, imu=_part(task.imu, part))) for part in parts]
+        done = [method(replace(task, imu=task.imu.part(part))) for part in parts]
         longest = max(done, key=lambda one: len(one.vertical))
         sigmas = [one.sigma_rad for one in done if one.sigma_rad is not None]
         return Estimate(
@@ -175,18 +197,6 @@ def _piecewise(method: Method) -> Method:
         )
 
     return run
-
-
-def _part(imu: ImuLog, part: slice) -> ImuLog:
-    field, valid = imu.magnetic_field_ut, imu.valid
-    return replace(
-        imu,
-        time_s=imu.time_s[part],
-        specific_force_mps2=imu.specific_force_mps2[part],
-        angular_rate_radps=imu.angular_rate_radps[part],
-        magnetic_field_ut=None if field is None else field[part],
-        valid=None if valid is None else valid[part],
-    )
 
 
 @_piecewise

@@ -7,6 +7,7 @@ there is its bias.
 """
 
 import functools
+import math
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -26,6 +27,10 @@ STILL_RATE_LIMIT_RADPS = 0.2  # allows a gyro bias of 11 deg/s
 # Beyond this the norm is no scale error but a wrong unit or constant motion.
 GAIN_RANGE = (0.85, 1.15)
 _BINS = 4  # to a window
+# Within less a slow, even turn is too easily taken for a bias.
+MIN_BIAS_SPAN_S = 3.0
+# Random walk of a gyro's bias: 0.14 deg/s in ten minutes, as it warms up.
+BIAS_WALK_RADPS_PER_SQRT_S = 1e-4
 
 
 @dataclass(frozen=True, slots=True)
@@ -120,6 +125,44 @@ def find_still(imu: ImuLog, interval_s: float | None = None) -> StillSpans:
     if imu.valid is not None:
         still &= imu.valid[:used].reshape(count, per_bin).all(axis=1)
     return StillSpans(per_bin, still, pushed[0], turning[0], bin_s)
+
+
+def mean_rate(still: StillSpans, chosen: NDArray[np.bool_]) -> tuple[Floats, float]:
+    """Return the mean rate (3,) over some bins, (B,), and its sigma by their scatter."""
+    rate = still.rate_radps[:, chosen]
+    mean = rate.mean(axis=1)
+    scatter = math.sqrt(float(np.square(rate - mean[:, None]).mean()))
+    # a hand-held sensor does not turn the same way for longer than a second
+    return mean, scatter / math.sqrt(len(rate.T) * still.bin_s)
+
+
+def nearest_still_bias(
+    still: StillSpans, edges_s: Floats, start_s: float, end_s: float
+) -> tuple[Floats, float] | None:
+    """Return the gyro's bias (3,) in the still span nearest to a part, and its sigma.
+
+    Args:
+        still: of the whole log.
+        edges_s: (B + 1,) times of the bins' edges.
+        start_s: of the part.
+        end_s: of the part.
+
+    Returns:
+        None where no span of 3 s is still.
+    """
+    change = np.diff(still.bins.astype(np.int8), prepend=0, append=0)
+    first, last = np.flatnonzero(change > 0), np.flatnonzero(change < 0)
+    is_long = (last - first) * still.bin_s > MIN_BIAS_SPAN_S - 0.5 * still.bin_s
+    first, last = first[is_long], last[is_long]
+    if not len(first):
+        return None
+    away_s = np.maximum(start_s - edges_s[last], edges_s[first] - end_s)
+    nearest = int(np.argmin(away_s))
+    chosen = np.zeros(len(still.bins), np.bool_)
+    chosen[first[nearest] : last[nearest]] = True
+    mean, sigma = mean_rate(still, chosen)
+    walk = BIAS_WALK_RADPS_PER_SQRT_S * math.sqrt(max(float(away_s[nearest]), 0.0))
+    return mean, math.hypot(sigma, walk)
 
 
 def estimate_accelerometer_gain(

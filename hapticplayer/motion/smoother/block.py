@@ -70,7 +70,9 @@ class Calibration:
 
     Attributes:
         gyro_bias_radps: (3,).
+        gyro_bias_sigma_radps: (3,) standard deviation of that.
         accelerometer_bias_mps2: (3,).
+        accelerometer_bias_sigma_mps2: (3,) standard deviation of that.
         accelerometer_scale: the accelerometer reads so much times the specific force.
         accelerometer_scale_sigma: standard deviation of that.
         time_constant_s: of the levelling that was used, at the nodes.
@@ -79,7 +81,9 @@ class Calibration:
     """
 
     gyro_bias_radps: Floats
+    gyro_bias_sigma_radps: Floats
     accelerometer_bias_mps2: Floats
+    accelerometer_bias_sigma_mps2: Floats
     accelerometer_scale: float
     accelerometer_scale_sigma: float
     time_constant_s: Floats
@@ -200,11 +204,11 @@ def _first(block: Block, start: Start) -> State:
     return state if left_mps > KEPT_VELOCITY_SHARE * before_mps else wider
 
 
-def _widened_bias_sigma(block: Block, state: State) -> float | None:
+def _widened_bias_sigma(block: Block, state: State) -> Floats | None:
     """Return a wider prior sigma of the gyro's bias if that is an outlier, else None."""
     found = state.calibration[GYRO_BIAS]
     sigma = stationary.widened_bias_sigma(block.bins, found, block.p)
-    return sigma if sigma > state.known.bias_sigma_radps else None
+    return sigma if np.any(sigma > state.known.bias_sigma_radps) else None
 
 
 def _with_motion(state: State) -> State:
@@ -348,14 +352,15 @@ def _result(block: Block, state: State, *, with_sigma: bool) -> Smoothed:
 
 def _calibration(state: State, p: SmootherParameters) -> Calibration:
     total, solution = state.calibration, state.solution
-    unit = np.zeros((len(solution.calibration), 1))
-    unit[ACCEL_SCALE] = 1.0
-    variance = solution.covariance_times(unit)[ACCEL_SCALE, 0]
+    unit = np.eye(len(solution.calibration), BIAS_COLUMNS)
+    sigma = np.sqrt(np.diag(solution.covariance_times(unit)))
     return Calibration(
         gyro_bias_radps=total[GYRO_BIAS],
+        gyro_bias_sigma_radps=sigma[GYRO_BIAS],
         accelerometer_bias_mps2=total[ACCEL_BIAS],
+        accelerometer_bias_sigma_mps2=sigma[ACCEL_BIAS],
         accelerometer_scale=1.0 + float(total[ACCEL_SCALE]),
-        accelerometer_scale_sigma=float(np.sqrt(variance)),
+        accelerometer_scale_sigma=float(sigma[ACCEL_SCALE]),
         time_constant_s=p.time_constant_of_s(state.known.bound_mps),
         vehicle_weight=state.motion.vehicle_weight,
         gyro_noise_factor=state.trust.noise_factor if state.trust else 1.0,

@@ -8,6 +8,10 @@ import numpy as np
 from hapticplayer.errors import UsageError
 from hapticplayer.model import STANDARD_GRAVITY_MPS2
 from hapticplayer.model.arrays import Floats
+from hapticplayer.model.calibration import SensorCalibration, fused
+
+# A gyro bias that is farther from a calibration is that of another sensor.
+OTHER_SENSOR_SIGMAS = 4.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,6 +66,8 @@ class SmootherParameters:
             another solution.
         block_s: longer recordings are split into blocks with a calibration each.
         margin_s: blocks overlap by twice as much.
+        calibration: of the sensor, from other recordings; narrows the priors of bias and
+            scale and moves them.
         shortcuts: whether to skip the gyro's matrix where little turns, and the full
             rate and half of the nodes of stationary recordings.
     """
@@ -97,6 +103,7 @@ class SmootherParameters:
     bound_change: float = 0.7
     block_s: float = 600.0
     margin_s: float = 40.0
+    calibration: SensorCalibration | None = None
     shortcuts: bool = True
 
     def __post_init__(self) -> None:
@@ -108,6 +115,35 @@ class SmootherParameters:
                     name=field.name,
                     value=value,
                 )
+
+    def gyro_bias_prior(self) -> tuple[Floats, Floats]:
+        """Return the expected bias of the gyro (3,) and its sigma (3,), rad/s."""
+        usual, sigma = np.zeros(3), np.full(3, self.gyro_bias_sigma_radps)
+        known = self.calibration
+        if known is None:
+            return usual, sigma
+        value, known_sigma = known.gyro_bias_radps, known.gyro_bias_sigma_radps
+        return fused(np.array(value), np.array(known_sigma), usual, sigma)
+
+    def contradicts(self, gyro_bias_radps: Floats) -> bool:
+        """Return whether the bias (3,) found is not that of the calibrated sensor."""
+        if self.calibration is None:
+            return False
+        expected, sigma = self.gyro_bias_prior()
+        return math.hypot(*((gyro_bias_radps - expected) / sigma)) > OTHER_SENSOR_SIGMAS
+
+    def accelerometer_prior(self) -> tuple[Floats, Floats]:
+        """Return bias and scale error of the accelerometer, expected and sigma, (4,)."""
+        usual, sigma = np.zeros(4), np.full(4, self.accel_bias_sigma_mps2)
+        sigma[3] = self.accel_scale_sigma
+        known = self.calibration
+        if known is None:
+            return usual, sigma
+        value = np.array([*known.accelerometer_bias_mps2, 0.0])
+        value[3] = known.accelerometer_scale - 1.0
+        known_sigma = [*known.accelerometer_bias_sigma_mps2]
+        known_sigma.append(known.accelerometer_scale_sigma)
+        return fused(value, np.array(known_sigma), usual, sigma)
 
     @property
     def fixed_bound_mps(self) -> float | None:

@@ -38,7 +38,7 @@ class Knowledge:
         zero_velocity_weight: (K,) see Problem.
         applied: (C,) calibration that the nodes were integrated with.
         bias_radps: (3,) expected gyro bias, in all.
-        bias_sigma_radps: its prior sigma.
+        bias_sigma_radps: (3,) its prior sigma.
         has_body_velocity: whether there are columns for a vehicle's velocity.
         body_sigma_mps: prior sigma of that; 0 for none.
     """
@@ -47,7 +47,7 @@ class Knowledge:
     zero_velocity_weight: Floats
     applied: Floats
     bias_radps: Floats
-    bias_sigma_radps: float
+    bias_sigma_radps: Floats
     has_body_velocity: bool
     body_sigma_mps: float
 
@@ -147,11 +147,15 @@ def _around(duration_s: Floats) -> Floats:
 def _prior(known: Knowledge, p: SmootherParameters) -> tuple[Floats, Floats]:
     """Return the expected calibration and 1 / variance of it, (C,)."""
     prior = -known.applied
-    prior[ACCEL_BIAS] = prior[ACCEL_SCALE] = 0.0
+    accelerometer, accelerometer_sigma = p.accelerometer_prior()
+    prior[ACCEL_BIAS], prior[ACCEL_SCALE] = accelerometer[:3], accelerometer[3]
     prior[GYRO_BIAS] += known.bias_radps
     sigma = np.empty(ALL_COLUMNS)
     sigma[GYRO_BIAS], sigma[GYRO_MATRIX] = known.bias_sigma_radps, p.gyro_matrix_sigma
-    sigma[ACCEL_BIAS], sigma[ACCEL_SCALE] = p.accel_bias_sigma_mps2, p.accel_scale_sigma
+    sigma[ACCEL_BIAS], sigma[ACCEL_SCALE] = (
+        accelerometer_sigma[:3],
+        accelerometer_sigma[3],
+    )
     weight = sigma[: len(prior)] ** -2.0
     if not known.body_sigma_mps:
         return prior, weight

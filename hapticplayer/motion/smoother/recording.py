@@ -10,11 +10,12 @@ from numpy.typing import NDArray
 from hapticplayer.model import STANDARD_GRAVITY_MPS2
 from hapticplayer.model import quaternions as quat
 from hapticplayer.model.arrays import Floats
+from hapticplayer.model.calibration import SensorCalibration, vector
 from hapticplayer.motion.smoother.block import Calibration, Smoothed, smooth
 from hapticplayer.motion.smoother.parameters import SmootherParameters
 from hapticplayer.motion.smoother.samples import InertialSamples, with_dropouts_filled
 from hapticplayer.motion.smoother.stationary import StillBins
-from hapticplayer.motion.stillness import StillSpans
+from hapticplayer.motion.stillness import StillSpans, mean_rate, nearest_still_bias
 
 # A block has so many samples at least, however long they take.
 MIN_BLOCK_SAMPLES = 50
@@ -51,6 +52,38 @@ class SmoothedRecording:
         constants_s = np.concatenate([block.time_constant_s for block in self.blocks])
         return float(constants_s.min()), float(constants_s.max())
 
+    def calibration(self, gain: float) -> SensorCalibration:
+        """Return what is known about the sensor: the mean of the blocks by variance.
+
+        Args:
+            gain: of the accelerometer, which its specific force was multiplied with.
+        """
+        gyro, gyro_sigma = self._together("gyro_bias_radps", "gyro_bias_sigma_radps")
+        accel, accel_sigma = self._together(
+            "accelerometer_bias_mps2", "accelerometer_bias_sigma_mps2"
+        )
+        scale, scale_sigma = self._together(
+            "accelerometer_scale", "accelerometer_scale_sigma"
+        )
+        return SensorCalibration(
+            gyro_bias_radps=vector(gyro),
+            gyro_bias_sigma_radps=vector(gyro_sigma),
+            accelerometer_bias_mps2=vector(accel),
+            accelerometer_bias_sigma_mps2=vector(accel_sigma),
+            accelerometer_scale=float(scale) / gain,
+            accelerometer_scale_sigma=float(scale_sigma) / gain,
+        )
+
+    def _together(self, name: str, sigma_name: str) -> tuple[Floats, Floats]:
+        """Return mean and sigma; blocks that disagree widen it."""
+        values = np.array([getattr(block, name) for block in self.blocks])
+        sigma = np.array([getattr(block, sigma_name) for block in self.blocks])
+        weight = sigma**-2.0
+        weight /= weight.sum(axis=0)
+        mean = (weight * values).sum(axis=0)
+        variance = (weight * (sigma**2 + (values - mean) ** 2)).sum(axis=0)
+        return mean, np.sqrt(variance)
+
     def mean(self, name: str) -> Floats:
         """Return a calibration by its name, the mean over the blocks."""
         return np.asarray(
@@ -79,6 +112,11 @@ def smooth_recording(
             p.accel_bias_sigma_mps2, SIDEWAYS_BIAS_FACTOR * upright_mps2
         )
         p = replace(p, accel_bias_sigma_mps2=sigma_mps2)
+        if p.calibration is not None:
+            scale = samples.gain * p.calibration.accelerometer_scale
+            p = replace(
+                p, calibration=replace(p.calibration, accelerometer_scale=scale)
+            )
     edges = still.per_bin * np.arange(len(still.bins) + 1)
     filled, places = with_dropouts_filled(samples)
     if places is None:
@@ -107,7 +145,14 @@ def _in_blocks(
 
     def smoothed(reach: slice) -> Smoothed:
         bins = _still_bins(still, edges, reach)
-        return smooth(samples.cut(reach), bins, p, with_sigma=with_sigma)
+        if bins is None and len(blocks) > 1:
+            bins = _still_elsewhere(still, edges, reach, samples.step_s)
+        part = samples.cut(reach)
+        done = smooth(part, bins, p, with_sigma=with_sigma)
+        if p.contradicts(done.calibration.gyro_bias_radps):
+            unknown = replace(p, calibration=None)
+            done = smooth(part, bins, unknown, with_sigma=with_sigma)
+        return done
 
     if len(blocks) == 1:
         one = smoothed(slice(0, count))
@@ -139,14 +184,32 @@ def _still_bins(
     chosen = still.bins[first:last]
     if not chosen.any():
         return None
-    rate = still.rate_radps[:, first:last][:, chosen]
-    mean = rate.mean(axis=1)
-    scatter = math.sqrt(float(np.square(rate - mean[:, None]).mean()))
-    # a hand-held sensor does not turn the same way for longer than a second
-    sigma = scatter / math.sqrt(len(rate.T) * still.bin_s)
+    everywhere = np.zeros(len(still.bins), np.bool_)
+    everywhere[first:last] = chosen
+    mean, sigma = mean_rate(still, everywhere)
     inside = edges[first : last + 1] - part.start
     count = np.concatenate([[0.0], np.cumsum(chosen * np.diff(inside))])
     return StillBins(inside.astype(np.float64), count, mean, sigma)
+
+
+def _still_elsewhere(
+    still: StillSpans, edges: NDArray[np.intp], reach: slice, step_s: Floats
+) -> StillBins | None:
+    """Return what the gyro reads in the nearest still span outside of a block.
+
+    Args:
+        still: of the recording.
+        edges: its edges, in samples.
+        reach: of the block.
+        step_s: (n,) of the samples.
+    """
+    end_s = np.append(0.0, np.cumsum(step_s))
+    start_s, stop_s = end_s[[reach.start, reach.stop]].tolist()
+    found = nearest_still_bias(still, end_s[edges], start_s, stop_s)
+    if found is None:
+        return None
+    ends = np.array([0.0, reach.stop - reach.start])
+    return StillBins(ends, np.zeros(2), *found)
 
 
 def _blocks(step_s: Floats, p: SmootherParameters) -> list[tuple[slice, slice]]:

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from hapticplayer.model import STANDARD_GRAVITY_MPS2
 from hapticplayer.model.arrays import Floats
+from hapticplayer.model.calibration import fused
 from hapticplayer.motion import rotations as rot
 from hapticplayer.motion.smoother.least_squares import Problem, Solution
 from hapticplayer.motion.smoother.parameters import SmootherParameters
@@ -104,27 +105,39 @@ def apparent_acceleration(
 
 def gyro_bias_prior(
     bins: StillBins | None, p: SmootherParameters
-) -> tuple[Floats, float]:
-    """Return the expected gyro bias (3,) and its prior sigma, rad/s."""
+) -> tuple[Floats, Floats]:
+    """Return the expected gyro bias (3,) and its prior sigma (3,), rad/s."""
+    known_radps, known_sigma_radps = p.gyro_bias_prior()
     if bins is None:
-        return np.zeros(3), p.gyro_bias_sigma_radps
+        return known_radps, known_sigma_radps
     sigma = math.hypot(
         p.still_bias_sigma_radps, p.still_sigma_factor * bins.rate_sigma_radps
     )
-    return bins.rate_radps, min(sigma, p.gyro_bias_sigma_radps)
+    still_sigma_radps = np.full(3, min(sigma, p.gyro_bias_sigma_radps))
+    if p.calibration is None:
+        return bins.rate_radps, still_sigma_radps
+    return fused(bins.rate_radps, still_sigma_radps, known_radps, known_sigma_radps)
 
 
 def widened_bias_sigma(
     bins: StillBins | None, found_radps: Floats, p: SmootherParameters
-) -> float:
-    """Return the prior sigma of the gyro's bias, given the bias (3,) found.
+) -> Floats:
+    """Return the prior sigma of the gyro's bias (3,), given the bias (3,) found.
 
-    Without still bins an outlier is pulled towards zero by its prior, so that the
-    bias is larger than what was found.
+    Without still bins an outlier is pulled towards its prior, so that the bias is
+    farther off than what was found.
     """
-    sigma = gyro_bias_prior(bins, p)[1]
-    outlier = bins is None and math.hypot(*found_radps) > BIAS_OUTLIER_SIGMAS * sigma
-    return WIDE_PRIOR_FACTOR * sigma if outlier else sigma
+    expected, sigma = gyro_bias_prior(bins, p)
+    if (
+        bins is not None
+        or _norm((found_radps - expected) / sigma) < BIAS_OUTLIER_SIGMAS
+    ):
+        return sigma
+    return np.maximum(WIDE_PRIOR_FACTOR * sigma, p.gyro_bias_sigma_radps)
+
+
+def _norm(vector: Floats) -> float:
+    return math.hypot(*vector)
 
 
 def levelled_at_rest(problem: Problem, solution: Solution, still: Flags) -> Floats:
